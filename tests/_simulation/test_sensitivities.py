@@ -19,6 +19,7 @@ from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.run.integration import Integration
+from pydy.solvers.sensitivities import bounds
 from registry import ADAPTIVE_NAMES
 from zoo import inertial_frame
 
@@ -798,3 +799,99 @@ def test_what_grows_or_swings_beside_a_rest_is_resolved(solver, sign, function, 
     with pytest.raises(ValueError, match="`rtol` must"):
         system.simulate(sensitivities=[X], rtol="a")
     system.simulate(sensitivities=[X], rtol=0.0)
+
+
+def uncoupled(solver, ratio, damping=0.0):
+    """Two oscillators: the first moves, the second is at rest, and that many times as fast."""
+    x, u, y, v = me.dynamicsymbols("x u y v")
+    c = sm.Symbol("c")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    load = -x * frame.x - (K * y + c * v) * frame.y
+    bodies, loads = [me.Particle("P", point, 1)], [(point, load)]
+    system = System(Definition(frame, [x, y], [u, v], bodies=bodies, loads=loads))
+    system.constants, system.ode_solver = {K: ratio**2, c: damping}, solver
+    system.initial_conditions, system.times = {x: 1.0}, np.linspace(0.0, 20.0, 5)
+    return system
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+@pytest.mark.parametrize(
+    ("ratio", "damping"), [(5.0, 0.0), (10.0, 0.0), (50.0, 0.0), (10.0, 0.2), (10.0, -0.2)]
+)
+def test_a_direction_that_the_motion_does_not_excite_is_resolved(solver, ratio, damping):
+    """No error of the states shows it: at ten times the motion's frequency 0.5 was 1e23."""
+    system, rtol = uncoupled(solver, ratio, damping), 1e-8
+    y = system.states[1]
+    motion = system.simulate(sensitivities=[y], rtol=rtol, atol=rtol)
+    rate, decay = np.sqrt(ratio**2 - damping**2 / 4.0), damping / 2.0
+    phase, size = rate * system.times, np.exp(-decay * np.array(system.times))
+    expected = size * (np.cos(phase) + decay / rate * np.sin(phase))
+    # Each step may add a thousand tolerances, as a root mean square of four components.
+    bound = 2.0 * 1e3 * rtol * (1.0 + size.max()) * motion.statistics["steps"]
+    assert bound < 0.2 * (1.0 + size.max())
+    assert np.abs(motion.sensitivity[y, y] - expected).max() < bound
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+def test_such_a_direction_has_the_same_bits_in_an_ensemble(solver):
+    """The lanes' parameters have sizes of their own, and so have the tolerances."""
+    system, ratios = (
+        uncoupled(solver, 1.0),
+        np.array([1.0, 5.0, 10.0, 20.0, 2.0, 3.0, 4.0, 6.0, 30.0]),
+    )
+    y = system.states[1]
+    many = system.integrate_ensemble(constants={K: ratios**2}, sensitivities=[y, K])
+    for k, ratio in enumerate(ratios.tolist()):
+        system.constants = {**system.constants, K: ratio**2}
+        one = system.simulate(sensitivities=[y, K])
+        found = many.isel(sample=k)
+        assert found.steps == one.statistics["steps"]
+        values = found.sensitivity.transpose("time", "quantity", "parameter").values
+        np.testing.assert_array_equal(values, one.sensitivity.values)
+    assert many.steps[-1] > 5 * many.steps[0]
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+def test_an_ordinary_motion_is_integrated_as_without_sensitivities(solver):
+    system = multi_mass_spring_damper(4, apply_gravity=True)
+    system.initial_conditions = {system.states[0]: 1.0}
+    system.times, system.ode_solver = np.linspace(0.0, 10.0, 5), solver
+    for tolerance in (1e-5, 1e-8, 1e-11):
+        own = {"rtol": tolerance, "atol": tolerance}
+        plain, beside = system.simulate(**own), system.simulate(sensitivities="constants", **own)
+        assert beside.statistics["steps"] == pytest.approx(plain.statistics["steps"], rel=0.01)
+        if solver != "radau":  # which iterates further for the columns
+            np.testing.assert_array_equal(beside.states, plain.states)
+
+
+def test_columns_have_errors_of_radau_that_are_small_in_stiff_motions():
+    """They were not solved for with the factors: twenty times as many steps, and an underflow."""
+    x, u = me.dynamicsymbols("x u")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x)
+    loads = [(point, (K * (1 - x**2) * u - x) * frame.x)]
+    bodies = [me.Particle("P", point, 1)]
+    system = System(Definition(frame, [x], [u], bodies=bodies, loads=loads), {K: 100.0})
+    system.initial_conditions, system.times = {x: 2.0}, [0.0, 162.0]
+    system.ode_solver, own = "radau", {"rtol": 1e-9, "atol": 1e-9}
+    plain = system.simulate(**own).statistics["steps"]
+    bounded = system.simulate(sensitivities=[x, u], **own)
+    controlled = system.simulate(sensitivities=[x, u], control_sensitivities=True, **own)
+    assert bounded.statistics["steps"] < 1.1 * plain
+    assert controlled.statistics["steps"] < 4 * plain
+    np.testing.assert_allclose(
+        bounded.sensitivity.values, controlled.sensitivity.values, rtol=1e-6, atol=1e-6
+    )
+
+
+def test_tolerances_of_columns_that_only_bound_the_step():
+    rtol, atol = np.array([1e-8, 1e-3, 0.2, 0.0]), np.array([1e-8, 0.0, 0.0, 1e-8])
+    start, scales = np.array([0.0, 3.0, 0.0, 0.0]), np.array([1.0, 10.0])
+    relative, absolute = bounds(rtol, atol, start, scales)
+    assert relative[::2].tolist() == pytest.approx([1e-5, 0.1, 0.2, 1e3 * np.finfo(float).eps])
+    assert absolute[::2] == pytest.approx([1e-5, 3e-3, np.inf, 1e-5])
+    assert absolute[1::2] == pytest.approx([1e-6, 3e-4, np.inf, 1e-6])
+    assert [a.shape for a in bounds(rtol, atol, start[None], scales[None])] == [(8,), (1, 8)]

@@ -146,29 +146,24 @@ class AugmentedSystem:
         share = (allowed * factorial(order + 1)) ** (1.0 / (order + 1))
         return float(min(share, 1.0) / fastest)
 
-    def sized(self, controlled: bool, options: Mapping[str, Any]) -> tuple[Sized, ...] | None:
-        """Return the parameters' sizes, where the step control looks at the sensitivities too.
+    def controlled(self, wanted: bool) -> bool:
+        """Tell whether the step control looks at the sensitivities too: of samples, always."""
+        return wanted or mean_spacing(self.parameters) is not None
+
+    def sized(self, options: Mapping[str, Any]) -> tuple[Sized, ...]:
+        """Return the parameters' sizes.
 
         States with absolute tolerances of their own are as small, where they pass through zero, as
         these say in relative ones; all others have sizes of at least 1.
         """
-        if not controlled and mean_spacing(self.parameters) is None:
-            return None
         found = tuple(parameter.sized for parameter in self.parameters)
+        if np.shape(options.get("atol", 0.0)) != (self.columns.states,):
+            return found
         rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
-        if atol.shape != (self.columns.states,) or not ((rtol > 0.0).all() and (atol > 0.0).all()):
+        if not ((rtol > 0.0).all() and (atol > 0.0).all()):
             return found
         least = (atol / rtol).tolist()
         return tuple(s._replace(least=least[s.place]) if s.group == "x" else s for s in found)
-
-    def scales(
-        self, controlled: bool, options: Mapping[str, Any], x: np.ndarray
-    ) -> np.ndarray | None:
-        """Return the sizes of the columns' parameters, if the step control looks at them."""
-        sized = self.sized(controlled, options)
-        if sized is None:
-            return None
-        return scales_of(sized, x, self.plan.values, self.p, self.columns.count)
 
     @property
     def whole(self) -> AugmentedSystem:
@@ -250,13 +245,25 @@ class AugmentedSystem:
         f.native = lambda args: call  # type: ignore[attr-defined]
         return f
 
-    def compiled(self, scales: np.ndarray | None, events: Sequence[Event]) -> CompiledSensitivities:
-        """Return the sensitivities for native solvers, in addition to the equations."""
+    def compiled(
+        self,
+        x: np.ndarray,
+        options: Mapping[str, Any],
+        wanted: bool = False,
+        events: Sequence[Event] = (),
+    ) -> CompiledSensitivities:
+        """Return the sensitivities of a motion from x for native solvers, beside the equations.
+
+        It may be `wanted` that the step control looks at them.
+        """
         columns, model = self.columns, self.model
+        sizes = scales_of(self.sized(options), x, self.plan.values, self.p, columns.count)
         return CompiledSensitivities(
             columns.states,
             columns.sources,
-            scales,
+            sizes,
+            x,
+            self.controlled(wanted),
             lambda event: compiled_event(model, events[event], columns.wanted),
             lambda: self.whole.kernel("holonomic", "velocity"),
         )
@@ -433,11 +440,10 @@ class SensitivityRequest:
         values = sensitive.start(problem.x, float(times[0])) if self.given is None else self.given
         columns = sensitive.columns
         if isinstance(solver, Solver):
-            scales = sensitive.scales(self.controlled, options, problem.x)
-            held = scales is not None
+            held = sensitive.controlled(self.controlled)
             options = sensitive.stepped(solver, options, problem.x, times, held)
-            events = options.get("events")
-            compiled = sensitive.compiled(scales, () if events is None else events.sources)
+            sources = () if (events := options.get("events")) is None else events.sources
+            compiled = sensitive.compiled(problem.x, options, self.controlled, sources)
             compiled = replace(compiled, untimed=self.untimed)
             options = {**options, "sensitivities": compiled}
         else:

@@ -78,7 +78,8 @@ def differentiated(
         held=sensitive.whole.tangent("holonomic", "velocity") if tied else None,
         unsolved=sensitive.unsolved(),
         sampled=tuple(sensitive.weights()),
-        sized=sensitive.sized(control, options),
+        sized=sensitive.sized(options),
+        controlled=sensitive.controlled(control),
         sources=sensitive.columns.sources,
         jumps=tuple(
             (program_of_event(model, event, wanted), changed_by(event, definition.states))
@@ -555,7 +556,7 @@ class Ensembles(Setup):
         integrated, options, beside = ready.model, ready.options, None
         if sensitivities is not None and motions is None:
             sensitive = AugmentedSystem.of(now, integrated, plan, sensitivities)
-            looked_at = sensitive.sized(control, options) is not None
+            looked_at = sensitive.controlled(control)
             options = sensitive.stepped(solver, options, now.x, times, looked_at)
             beside = differentiated(at(times[:1], now.x[None]), sensitive, options, control)
             if "events" in options:  # workers need no SymPy

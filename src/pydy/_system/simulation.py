@@ -175,8 +175,9 @@ class Simulation(Setup):
             `set_dependent_initial_conditions` solved for depend on the others through the
             constraints.
         control_sensitivities : bool, optional
-            Whether the step-size control of a native solver includes the sensitivities; by default
-            it considers only the states.
+            Whether the step-size control of a native solver includes the sensitivities, with
+            tolerances as those of the states. By default their tolerances are 1000 times as large:
+            steps are those of the states alone unless a derivative varies much more quickly.
         **solver_kwargs
             Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
             ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and

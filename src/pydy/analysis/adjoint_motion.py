@@ -234,7 +234,7 @@ class Task:
         moving = [k for k, p in enumerate([*states, *others]) if p in others or columns[:, k].any()]
         parameters = tuple([*states, *others][k] for k in moving)
         beside = replace(own, model=self.whole, parameters=parameters, width=len(whole))
-        compiled = beside.compiled(beside.scales(True, options, whole), ())
+        compiled = beside.compiled(whole, options, wanted=True)
         values = np.zeros((len(whole), len(moving)))
         values[: len(states)] = columns[:, moving]
         call = self.call_whole(beside.kernel())

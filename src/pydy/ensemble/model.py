@@ -21,7 +21,7 @@ from pydy._simulation.dependence import follow
 from pydy._simulation.passages import Passed, Watched
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
-from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
+from pydy.solvers.sensitivities import CompiledSensitivities, Sized, bounds, scales_of
 from pydy.solvers.tuning import LANES, LARGEST_IN_LANES, ROUNDING
 from pydy.trajectory import EventRecord
 
@@ -49,8 +49,8 @@ class EnsembleSensitivities:
     # (places, SampledInput): the derivatives of sampled inputs by their samples, at the end
     # of r
     sampled: tuple[tuple[np.ndarray, Any], ...]
-    # the parameters, where the step control looks at the sensitivities
-    sized: tuple[Sized, ...] | None
+    sized: tuple[Sized, ...]  # the parameters
+    controlled: bool  # whether the step control looks at the sensitivities
     sources: np.ndarray  # (k, 2): see `solvers.sensitivities`
     jumps: tuple[tuple[Program, tuple[int, ...]], ...]  # what each event does, and to which states
     watched: Watched | None = None  # what derivatives do not know, if the rates switch at all
@@ -71,7 +71,7 @@ class EnsembleSensitivities:
     def identity(self) -> Any:
         """The data that identify it, in addition to the Programs."""
         samples = [(c, s.breaks, s.values, s.interpolation) for c, s in self.sampled]
-        return self.columns, self.start, self.dependent, samples, self.sized
+        return self.columns, self.start, self.dependent, samples, self.sized, self.controlled
 
     @property
     def further(self) -> int:
@@ -112,12 +112,12 @@ class EnsembleSensitivities:
     ) -> CompiledSensitivities:
         """Return the sensitivities of one sample, for the solver."""
         n, columns = self.start.shape
-        scales = None if self.sized is None else scales_of(self.sized, x, r, p, columns)
-
         return CompiledSensitivities(
             n,
             self.sources,
-            scales,
+            scales_of(self.sized, x[:n], r, p, columns),
+            x[:n],
+            self.controlled,
             lambda k: (kernel(self.jumps[k][0]), self.jumps[k][1]),
             lambda: kernel(self.held),
         )
@@ -191,7 +191,7 @@ class Model:
         beside, held = self.sensitivities, self.options.constraints is not None
         watched = self.options.events is not None
         asks = self.motions is not None or (watched and not self._watched_in_lanes)
-        asks = asks or (beside is not None and (held or beside.sized is not None))
+        asks = asks or (beside is not None and (held or beside.controlled))
         large = beside is not None or len(self.states) > LARGEST_IN_LANES
         asks = asks or (self.jacobian is not None and large)
         return not self.functions and not asks
@@ -355,10 +355,18 @@ class Batch:
             results.note(k, info)
         return results
 
-    def _integrated(
-        self, times: np.ndarray, states: np.ndarray, controlled: int | None = None
-    ) -> Results:
-        """Integrate; several samples at a time control the errors of so many components."""
+    def _bounds(self) -> tuple[np.ndarray, np.ndarray] | None:
+        """Return the tolerances of sensitivities; see `integrate_samples`."""
+        if (beside := self.model.sensitivities) is None:
+            return None
+        (n, columns), options = beside.start.shape, self.model.options
+        x = self.x[:, :n]
+        scales = scales_of(beside.sized, x, self.r, self.p, columns)
+        rtol, atol = (np.broadcast_to(a, n) for a in (options.rtol, options.atol))
+        return bounds(rtol, atol, x, scales)
+
+    def _integrated(self, times: np.ndarray, states: np.ndarray) -> Results:
+        """Integrate, several samples at a time if possible."""
         from pydy.solvers.run.lanes import integrate_samples
 
         model, exact = self.model, np.min(self.model.options.rtol) < 10.0 * ROUNDING
@@ -379,7 +387,7 @@ class Batch:
             beside = self._lanes_beside(times)
         counted, reached = integrate_samples(
             _kernel(model.rates, LANES), model.method, self.x, self.r, self.p, model.sampled,
-            times, model.options, states, self.stopped, controlled, beside,
+            times, model.options, states, self.stopped, self._bounds(), beside,
             None if model.jacobian is None else _kernel(model.jacobian, LANES), switched,
         )  # fmt: skip
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
@@ -452,13 +460,13 @@ class Batch:
         batch, codes = self._begun_with_columns(beside, float(times[0]))
         started = codes == FINISHED
         if started.all():
-            results = batch._integrated(times, whole, n)
+            results = batch._integrated(times, whole)
         else:
             warn_user(f"In one sample or more, {beside.unsolved}")
             results = batch._begun(times, whole, len(whole))
             whole[:n, :, 0], results.told["status"] = self.x.T, codes
             part = np.empty((len(whole), int(started.sum()), len(times)))
-            others = batch.some(started)._integrated(times, part, n)
+            others = batch.some(started)._integrated(times, part)
             results.take(np.flatnonzero(started), others)
         results.states = whole[:n]
         results.columns = whole[n:].reshape(n, columns, m, len(times))

@@ -26,9 +26,10 @@ STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
 # Method.control
 EXPONENT, ALPHA, BETA, SAFETY, SHRINK, GROW = range(6)
 # Kernels are known by the place of their address, in all words of them.
-# Problem.words; CONTROLLED: how many states, which come first, the error is controlled of;
-# SWITCHED: whether the kernel switches by time alone at one of the jumps
-KERNEL, STATES, BLOCKS, CONTROLLED, CONTROLLED_BLOCKS, SWITCHED = range(6)
+# Problem.words; the error is controlled of the CONTROLLED components, which come first, and bounded
+# of the others up to BOUNDED (0: of none); it is estimated in so many blocks. SWITCHED: whether the
+# kernel switches by time alone at one of the jumps
+KERNEL, STATES, BLOCKS, CONTROLLED, ESTIMATED_BLOCKS, SWITCHED, BOUNDED = range(7)
 # Progress.state
 TIME, SIZE, LARGEST, LAST_ERROR, LAST_SIZE, GROWTH, FOUND = range(7)
 # Progress.counts
@@ -120,6 +121,7 @@ class Memory(NamedTuple):
     stages: Numbers  # vectors
     interpolant: Numbers  # vectors
     rtol: Numbers
+    # of several trajectories those of components whose error is bounded are blocks, as states are
     atol: Numbers
 
 
@@ -263,7 +265,7 @@ ALONG = (Tangents,)
 
 # LaneProblem.words begins with those of `Problem`, which code for both reads: here every state is a
 # block.
-LANES_SPECIFIEDS, LANES_CONSTANTS = range(6, 8)
+LANES_SPECIFIEDS, LANES_CONSTANTS = range(7, 9)
 # Queue.state
 LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
 # Queue.numbers
@@ -331,6 +333,7 @@ class Queue(NamedTuple):
     x: NumberRows  # (m, states)
     r: NumberRows  # (m, specifieds)
     p: NumberRows  # (m, constants)
+    bounds: NumberRows  # (m, ·): the absolute tolerances of components whose error is bounded
     counts: WordRows  # (m, 4)
     reached: Numbers  # (m,): the time up to which the sample was integrated
     seen: NumberRows  # (m, ·): what ends `Constraints.values`, first at the beginning

@@ -8,6 +8,9 @@ event's time moves by dt/dθ = −(g_x S + g_θ) / ġ, and after it
 where ġ = g_x f + g_t and Ṙ = R_x f + R_t with the derivatives f of the states before it, f⁺ those
 after it (P. I. Barton and C. K. Lee, "Modeling, simulation, sensitivity analysis, and optimization
 of hybrid systems", ACM Transactions on Modeling and Computer Simulation 12 (2002) 256–289).
+
+The errors of columns bound the step even where the step control looks at the states: a direction
+that the motion does not excite, and that changes more quickly, shows in the columns alone.
 """
 
 from __future__ import annotations
@@ -19,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.tuning import BOUND, BOUND_CAP, ROUNDING
 
 
 class Jump(NamedTuple):
@@ -38,10 +42,11 @@ class CompiledSensitivities:
     # (k, 2): for each column, of which S has k and follows the state row after row, the place of
     # the input that it is a derivative by among those of `events`, and of its weight in r; or -1.
     sources: np.ndarray
-    # (k,): the sizes of the parameters, where the step control looks at the sensitivities too: the
-    # error allowed in ∂x/∂θ is then that of x over the size of θ. None: it looks at the states
-    # alone, and the steps are those of an integration without sensitivities.
-    scales: np.ndarray | None
+    scales: np.ndarray  # (k,): the sizes of the parameters
+    start: np.ndarray  # (n,): the states at the beginning
+    # Whether the step control looks at the sensitivities too: the error allowed in ∂x/∂θ is then
+    # that of x over the size of θ. Else they only bound the steps: see `bounds`.
+    controlled: bool
     # The Kernel of what an event does to derivatives, and which states it changes.
     events: Callable[[int], tuple[Kernel, Sequence[int]]]
     # The Kernel of the derivatives of the holonomic, then of the velocity residuals, shapes (h, k)
@@ -55,29 +60,13 @@ class CompiledSensitivities:
         """Number of columns, k."""
         return len(self.sources)
 
-    def leads(self, implicit: bool) -> bool:
-        """Tell whether the error norm is that of the first components, the states, alone."""
-        return self.scales is None and not implicit
-
-    def tolerances(
-        self, rtol: np.ndarray, atol: np.ndarray, implicit: bool
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the tolerances (n (1 + k),) of states and sensitivities from those of states.
-
-        The implicit method's norms are root mean squares over all of them. What they are not to see
-        has an infinite tolerance, and the others make up for their number.
-        """
-        n, k = self.states, self.columns
-        if self.scales is not None:
-            every = (atol[:, None] / self.scales).ravel()
-            return np.concatenate([rtol, np.repeat(rtol, k)]), np.concatenate([atol, every])
-        if self.leads(implicit):
-            return np.append(rtol, np.ones(n * k)), np.append(atol, np.ones(n * k))
-        share = (1.0 + k) ** -0.5
-        return (
-            np.concatenate([share * rtol, np.ones(n * k)]),
-            np.concatenate([share * atol, np.full(n * k, np.inf)]),
-        )
+    def tolerances(self, rtol: np.ndarray, atol: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the tolerances (n (1 + k),) of states and sensitivities from those of states."""
+        if self.controlled:
+            own = np.repeat(rtol, self.columns), (atol[:, None] / self.scales).ravel()
+        else:
+            own = bounds(rtol, atol, self.start, self.scales)
+        return np.append(rtol, own[0]), np.append(atol, own[1])
 
     def table(self, whole: np.ndarray) -> np.ndarray:
         """Return S, shape (n, k), of states and sensitivities (n (1 + k),)."""
@@ -128,6 +117,22 @@ class CompiledSensitivities:
         with np.errstate(all="ignore"):
             found: np.ndarray = rows[:, :n] @ table + by_input * np.append(r, 1.0)[weight]
         return found
+
+
+def bounds(
+    rtol: np.ndarray, atol: np.ndarray, start: np.ndarray, scales: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return tolerances of sensitivities that only bound the step, (n k,) and (..., n k).
+
+    They are made of those of the states (n,), the states at the start (..., n) and the sizes of the
+    parameters (..., k). Roundings make what should be zero: where the absolute tolerance of a state
+    is zero, and it begins at zero, nothing is known of the size of these, and nothing is bounded.
+    """
+    k = scales.shape[-1]
+    relative = np.minimum(BOUND * np.maximum(rtol, ROUNDING), np.maximum(rtol, BOUND_CAP))
+    absolute = np.maximum(BOUND * atol, rtol * np.abs(start))
+    absolute = np.where(absolute > 0.0, absolute, np.inf)[..., None] / scales[..., None, :]
+    return np.repeat(relative, k), absolute.reshape(*start.shape[:-1], k * len(atol))
 
 
 class Sized(NamedTuple):

@@ -109,6 +109,15 @@ many times as fast between the stages of a step as at the fastest of them."""
 STEPS_MEMORY = 2**27
 """Bytes of kept steps above which a run keeps none: 400 000 steps of a model with 20 states."""
 
+BOUND, BOUND_CAP = 1e3, 0.1
+"""The tolerances of sensitivities that only bound the step, in units of those of their states, and
+the largest relative one. Where a motion shows what its sensitivities do, the states' errors keep
+these a hundred times smaller and more."""
+
+LEAST_BOUNDED = 2.0**-40
+"""The part of the time span below which such an error makes no step shorter: the slope of a
+sensitivity may be infinite at a point."""
+
 LEAST_TOLERANCE = 1e-300
 """In place of an absolute tolerance of zero: 0 / 0 would be no error."""
 

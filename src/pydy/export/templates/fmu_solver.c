@@ -26,7 +26,7 @@ static int32_t call_events(const double *t, const double *x, const double *u, co
 static int integrate(Model *m, double goal)
 {
     static Kernel *const rates_at = call_rates, *const events_at = call_events;
-    int64_t problem[] = {ADDRESS(&rates_at), NX, NX, NX, NX}, held[ACTIVE + 1] = {0};
+    int64_t problem[] = {ADDRESS(&rates_at), NX, NX, NX, NX, 0, 0}, held[ACTIVE + 1] = {0};
     int64_t watched[RESETTER + 1] = {ADDRESS(&events_at), NE, ADDRESS(scan_events)};
     int64_t kinds[NE + 1] = {0}, kept[ROOM + 1] = {0};
     double clock[1], step[1], theta[1], zero[NX + 1] = {0}, row[NX + 1], tolerance[NX + 1];

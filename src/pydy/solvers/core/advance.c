@@ -49,7 +49,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
     const int64_t *shape = run->method.shape.at, length = m->x.size;
     const int held = run->constraints.words.at[ACTIVE] == 1, adaptive = shape[ESTIMATES] > 0;
     const int reuse = shape[END_IN_ESTIMATE] == 1, watched = run->watch.words.at[EVENTS] > 0;
-    const double last = times[run->progress.times.size - 1];
+    const double last = times[run->progress.times.size - 1], least = LEAST_BOUNDED * (last - times[0]);
     double *end = m->stages.at + shape[STAGES] * length;
     double t = state[TIME], h = state[SIZE];
     int64_t code;
@@ -106,7 +106,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
         int missed = 0;
         if (code == 0) {
             if (adaptive)
-                error = error_of_step(s);
+                error = error_of_step(s, least);
             else
                 for (int64_t i = 0; i < length; i++)
                     error += 0.0 * new[i]; /* NaN where the state is not finite */

@@ -26,13 +26,14 @@ INLINE int64_t step_on(const Run *run, double *flat)
     const Stepper stepper = STEPPER(run), *s = &stepper;
     const Newton *newton = &run->newton;
     const Memory *m = &run->memory;
-    const Implicit implicit = implicit_of(&run->problem, m, newton), *method = &implicit;
     double *state = run->progress.state.at;
     int64_t *count = run->progress.counts.at;
     if (count[BUDGET] == 0)
         return PAUSED;
     const int64_t n = run->problem.words.at[STATES];
     const double *times = run->progress.times.at, last = times[run->progress.times.size - 1];
+    const double least = LEAST_BOUNDED * (last - times[0]);
+    const Implicit implicit = implicit_of(&run->problem, m, newton, least), *method = &implicit;
     const int held = run->constraints.words.at[ACTIVE] == 1;
     const int watched = run->watch.words.at[EVENTS] > 0;
     double t = state[TIME], h = state[SIZE];
@@ -51,7 +52,7 @@ INLINE int64_t step_on(const Run *run, double *flat)
             return FINISHED;
         if (h == 0.0) {
             double slope;
-            const double trial = first_trial(m, n, state[LARGEST], &slope);
+            const double trial = first_trial(m, run->problem.words.at[CONTROLLED], state[LARGEST], &slope);
             h = bounded_first_size(trial, t, state[LARGEST]);
             if (!usable(h))
                 count[FAILURE] = NOT_FINITE;

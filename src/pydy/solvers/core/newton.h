@@ -92,6 +92,7 @@ typedef struct {
     const Memory *memory;
     const Newton *newton;
     double loosest; /* the least relative tolerance */
+    double least; /* the shortest step that errors which are only bounded make shorter */
 } Implicit;
 
 /* What came of an attempt to make a step; `which` bits are those of lanes. */
@@ -104,12 +105,13 @@ typedef struct {
     int64_t slow; /* who converged slowly */
 } Attempt;
 
-INLINE Implicit implicit_of(const Equations *equations, const Memory *memory, const Newton *newton)
+INLINE Implicit implicit_of(const Equations *equations, const Memory *memory, const Newton *newton,
+    double least)
 {
     double loosest = memory->rtol.at[0];
     for (int64_t i = 0; i < equations->words.at[STATES]; i++)
         loosest = memory->rtol.at[i] < loosest ? memory->rtol.at[i] : loosest;
-    return (Implicit){equations, memory, newton, loosest};
+    return (Implicit){equations, memory, newton, loosest, least};
 }
 
 /* Return component i of a combination of three vectors of n. */
@@ -290,7 +292,7 @@ INLINE int64_t set_changes(const Implicit *s, Real h, Real *pushed)
 {
     const Memory *m = s->memory;
     const Newton *own = s->newton;
-    const int64_t n = s->equations->words.at[STATES];
+    const int64_t n = s->equations->words.at[STATES], controlled = s->equations->words.at[CONTROLLED];
     const double *f = own->slopes.at, *w = own->waves.at;
     const Pair eigenvalue = {EIGENVALUE[0] / h, EIGENVALUE[1] / h};
     Flags all = flags(EVERY);
@@ -303,6 +305,8 @@ INLINE int64_t set_changes(const Implicit *s, Real h, Real *pushed)
         const Pair pair = pair_less(slope, eigenvalue, wave);
         put(own->real_change.at, i, real);
         pair_put(own->pair_change.at, i, pair);
+        if (i >= controlled)
+            continue;
         const Real x = item(m->x.at, i);
         const Real push = h * (absolute(real) + pair_length(pair)) / unit(m, i, x, x);
         *pushed = *pushed + push * push;
@@ -315,7 +319,7 @@ INLINE Real solve_changes(const Implicit *s)
 {
     const Memory *m = s->memory;
     const Newton *w = s->newton;
-    const int64_t n = s->equations->words.at[STATES], own = w->real_order.size / W;
+    const int64_t n = s->equations->words.at[CONTROLLED], own = w->real_order.size / W;
     const int64_t width = w->words.at[COUNTED];
     double *real = w->real_change.at, *pair = w->pair_change.at;
     Real total = (Real)(0.0);
@@ -422,20 +426,38 @@ INLINE Settled solve_stages(const Implicit *s, Real t, Real h, int64_t which, do
 
 /* -- a step ------------------------------------------------------------------------------------ */
 
+/* Solve for a state and its sensitivities with the real factors. */
+INLINE void solve_all(const Newton *w, double *right)
+{
+    const int64_t n = w->real_order.size / W, width = w->words.at[COUNTED];
+    real_solve(w->real.at, n, w->real_order.at, right);
+    if (width > 0)
+        real_solve_columns(w->real.at, n, w->real_order.at, right + n * W, width);
+}
+
+/* Return the norm of an error estimate of steps to memory.new. */
+INLINE Real norm_of_error(const Implicit *s, const double *error, Real h)
+{
+    const Memory *m = s->memory;
+    const int64_t *words = s->equations->words.at, n = words[CONTROLLED];
+    const Real size = norm(error, m->new.at, m, n) + not_finite(m->new.at, n, words[STATES]);
+    return larger_error(m, words, error, 1, s->least, h, size);
+}
+
 /* Return the norm of the error of steps to memory.new; of a second, filtered estimate where that is too
    large and in `again`. */
 INLINE Real estimate(const Implicit *s, Real t, Real h, int64_t which, int64_t again, Attempt *a)
 {
     const Memory *m = s->memory;
     const Newton *w = s->newton;
-    const int64_t n = s->equations->words.at[STATES], own = w->real_order.size / W;
+    const int64_t n = s->equations->words.at[STATES];
     double *guess = w->guess.at, *error = w->real_change.at;
     for (int64_t i = 0; i < n; i++) {
         put(guess, i, combined(ERROR, w->stages.at, n, i) / h);
         put(error, i, item(m->stages.at, i) + item(guess, i));
     }
-    real_solve(w->real.at, own, w->real_order.at, error);
-    const Real size = norm(error, m->new.at, m, n);
+    solve_all(w, error);
+    const Real size = norm_of_error(s, error, h);
     again &= which & ~bits(size < 1.0);
     a->good = which & bits(size < 1.0);
     if (again == 0)
@@ -449,8 +471,8 @@ INLINE Real estimate(const Implicit *s, Real t, Real h, int64_t which, int64_t a
     a->reason = where(flags(again & code), (Real)(SINGULAR), a->reason);
     for (int64_t i = 0; i < n; i++)
         put(error, i, item(w->slopes.at, i) + item(guess, i));
-    real_solve(w->real.at, own, w->real_order.at, error);
-    const Real second = norm(error, m->new.at, m, n);
+    solve_all(w, error);
+    const Real second = norm_of_error(s, error, h);
     a->good |= again & ~code & bits(second < 1.0);
     return where(flags(again & ~code), second, size);
 }

@@ -105,15 +105,75 @@ INLINE Real not_finite(const double *x, int64_t first, int64_t last)
     return a + b + (c + d);
 }
 
+/* Return the norm of n errors from the sums of the squares of one or two estimates. */
+INLINE Real norm_of_sums(Real first, Real second, int64_t n, int64_t estimates)
+{
+    if (estimates == 2) {
+        const Real size = first / root((first + 0.01 * second) * (double)n);
+        return where(first == 0.0, (Real)(0.0), size);
+    }
+    return root(first / (double)n);
+}
+
+/* Add the squares of two estimates of the errors of components from `first` on, in units of their
+   tolerances, to BLOCK sums each, in turn: a block at a time where vectors are whole blocks. */
+INLINE void add_errors(const Memory *m, const double *errors, const double *further, int64_t first,
+    int64_t last, double *sums, double *others)
+{
+    int64_t i = first;
+#if W > 1
+    const int64_t alone = last;
+#else
+    const int64_t whole = (first + BLOCK - 1) / BLOCK * BLOCK, alone = whole < last ? whole : last;
+#endif
+    for (; i < alone; i++) {
+        const Real x = maximum(absolute(item(m->x.at, i)), absolute(item(m->new.at, i)));
+        const Real weight = 1.0 / (item(m->atol.at, i) + m->rtol.at[i] * x);
+        const Real e = item(errors, i) * weight, d = item(further, i) * weight;
+        put(sums, i % BLOCK, item(sums, i % BLOCK) + e * e);
+        put(others, i % BLOCK, item(others, i % BLOCK) + d * d);
+    }
+#if W == 1
+    Block total = load_block(sums), other = load_block(others);
+    for (; i < last; i += BLOCK) {
+        const Block x = larger(sizes(load_block(m->x.at + i)), sizes(load_block(m->new.at + i)));
+        const Block weight = 1.0 / (load_block(m->atol.at + i) + load_block(m->rtol.at + i) * x);
+        const Block e = load_block(errors + i) * weight, d = load_block(further + i) * weight;
+        total = total + e * e;
+        other = other + d * d;
+    }
+    store_block(sums, total), store_block(others, other);
+#endif
+}
+
+/* Return an error, or that of the components whose error is only bounded if it is larger and known.
+   Slopes of these may be infinite at a point: they make no step shorter than `least`. */
+INLINE Real larger_error(const Memory *m, const int64_t *words, const double *errors,
+    int64_t estimates, double least, Real size, Real error)
+{
+    const int64_t n = words[CONTROLLED], last = words[BOUNDED];
+    double sums[BLOCK * W] = {0}, others[BLOCK * W] = {0};
+    Real first = (Real)(0.0), second = first;
+    if (last == 0)
+        return error;
+    add_errors(m, errors, errors + (estimates == 2 ? m->x.size : 0), n, last, sums, others);
+    for (int64_t k = 0; k < BLOCK; k++) {
+        first = first + item(sums, k);
+        second = second + item(others, k);
+    }
+    const Real bounded = norm_of_sums(first, second, last - n, estimates);
+    return where(size > least, maximum(bounded, error), error);
+}
+
 /* Return the norm of the step's error: 1 is just good enough. */
-INLINE Real error_of_step(const Stepper *s)
+INLINE Real error_of_step(const Stepper *s, double least)
 {
     const Memory *m = s->memory;
     const int64_t *words = s->equations->words.at, *shape = s->method->shape.at;
     const int64_t n = words[CONTROLLED], estimates = shape[ESTIMATES];
     const double *further = m->errors.at + m->x.size;
     for (int64_t k = 0; k < estimates; k++)
-        combine_row(s, shape[STAGES] + 1 + k, words[CONTROLLED_BLOCKS],
+        combine_row(s, shape[STAGES] + 1 + k, words[ESTIMATED_BLOCKS],
             m->errors.at + k * m->x.size, m->zero.at, 1);
     Real first = (Real)(0.0), second = first;
     for (int64_t i = 0; i < n; i++) {
@@ -123,11 +183,8 @@ INLINE Real error_of_step(const Stepper *s)
         second = second + d * d;
     }
     first = first + not_finite(m->new.at, n, words[STATES]);
-    if (estimates == 2) {
-        const Real size = first / root((first + 0.01 * second) * (double)n);
-        return where(first == 0.0, (Real)(0.0), size);
-    }
-    return root(first / (double)n);
+    const Real error = norm_of_sums(first, second, n, estimates);
+    return larger_error(m, words, m->errors.at, estimates, least, item(m->step.at, 0), error);
 }
 
 /* Compute memory.interpolant of the step just taken, the end's derivative included. Not zero: what

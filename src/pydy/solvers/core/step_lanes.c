@@ -181,6 +181,7 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
             copy_in(&q->x, sample, m->x.at, lane);
             copy_in(&q->r, sample, p->r.at, lane);
             copy_in(&q->p, sample, p->p.at, lane);
+            copy_in(&q->bounds, sample, m->atol.at + W * p->words.at[CONTROLLED], lane);
             copy_in(&q->seen, sample, seen_by(run), lane);
             if (run->alone.runs.size > 0)
                 take_alone(run, sample, lane);
@@ -201,6 +202,7 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
             copy_over(m->stages.at, p->words.at[STATES], example, lane);
             copy_over(p->r.at, p->words.at[LANES_SPECIFIEDS], example, lane);
             copy_over(p->p.at, p->words.at[LANES_CONSTANTS], example, lane);
+            copy_over(m->atol.at + W * p->words.at[CONTROLLED], q->bounds.columns, example, lane);
             l->time.at[lane] = l->time.at[example], l->size.at[lane] = 0.0;
             l->due.at[lane] = INF, l->samples.at[lane] = LANES_RESTING;
         }
@@ -210,11 +212,18 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
 
 /* -- the two kinds of steps -------------------------------------------------------------------- */
 
+/* Return the shortest step that errors which are only bounded make shorter. */
+INLINE double least_step(const LaneRun *run)
+{
+    const Numbers *times = &run->queue.times; /* the last is infinity */
+    return LEAST_BOUNDED * (times->at[times->size - 2] - times->at[0]);
+}
+
 #ifdef IMPLICIT
 
 INLINE Implicit implicit_in(const LaneRun *run)
 {
-    return implicit_of(&run->lane_problem, &run->memory, &run->newton);
+    return implicit_of(&run->lane_problem, &run->memory, &run->newton, least_step(run));
 }
 
 INLINE int is_adaptive(const LaneRun *run)
@@ -323,7 +332,7 @@ INLINE Attempt attempt(const LaneRun *run, const Stepper *s, const Trial *trial)
     if (reuse)
         a.failed |= rates(s->equations, trial->after, m->new.at, m->stages.at + shape[STAGES] * m->x.size);
     if (is_adaptive(run))
-        a.error = error_of_step(s);
+        a.error = error_of_step(s, least_step(run));
     else
         for (int64_t i = 0; i < n; i++)
             a.error = a.error + 0.0 * item(m->new.at, i); /* NaN where the state is not finite */

@@ -1,4 +1,4 @@
-; sources 0a617dd29e551d81c33166c27fca02057f1e88ad04ee024cbb89a14665c08c59
+; sources cbbf9e0dc28d65bab2f427cd49a9b97b4fb4604a128fd7c8bc7d2217f1490782
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources a696c3e560dfeaa710451b1159119a6edfecbcc8e652bf89f27531ba4bbf3146
+; sources 2a75c6bf7e2ba671899f280f8c2e180cc97a93fe3073aa86d740131463e1ab42
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -7,2965 +7,3408 @@
 @POLYNOMIAL = internal unnamed_addr constant [3 x [3 x double]] [[3 x double] [double 0x402418FD8BAFFE05, double 0xC039A12CE7B30915, double 0x402F295C43B61425], [3 x double] [double 0xBFF61D41B2D54580, double 0x402497AF24BB677E, double 0xC021D406EE60BECF], [3 x double] [double 0x3FD5555555555555, double 0xC005555555555555, double 0x400AAAAAAAAAAAAB]], align 16
 
 define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
-  %4 = alloca [3 x double], align 16
-  %5 = alloca [1 x double], align 8
-  %6 = alloca [1 x double], align 8
-  %7 = alloca [1 x double], align 8
+  %4 = alloca [8 x double], align 16
+  %5 = alloca [8 x double], align 16
+  %6 = alloca [8 x double], align 16
+  %7 = alloca [8 x double], align 16
   %8 = alloca [1 x double], align 8
-  %9 = alloca [3 x double], align 16
+  %9 = alloca [1 x double], align 8
   %10 = alloca [3 x double], align 16
-  %11 = icmp eq i64 %2, 1
-  br i1 %11, label %12, label %76
+  %11 = alloca [1 x double], align 8
+  %12 = alloca [1 x double], align 8
+  %13 = alloca [3 x double], align 16
+  %14 = alloca [3 x double], align 16
+  %15 = icmp eq i64 %2, 1
+  br i1 %15, label %16, label %80
 
-12:                                               ; preds = %3
-  %13 = getelementptr inbounds i8, ptr %0, i64 144
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %14, i64 8
-  %16 = load i64, ptr %15, align 8
-  %17 = icmp sgt i64 %16, 0
-  br i1 %17, label %18, label %20
+16:                                               ; preds = %3
+  %17 = getelementptr inbounds i8, ptr %0, i64 144
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %18, i64 8
+  %20 = load i64, ptr %19, align 8
+  %21 = icmp sgt i64 %20, 0
+  br i1 %21, label %22, label %24
 
-18:                                               ; preds = %12
-  %19 = getelementptr inbounds i8, ptr %0, i64 360
-  br label %27
+22:                                               ; preds = %16
+  %23 = getelementptr inbounds i8, ptr %0, i64 360
+  br label %31
 
-20:                                               ; preds = %27, %12
-  %21 = getelementptr inbounds i8, ptr %0, i64 632
-  %22 = load i64, ptr %21, align 8
-  %23 = icmp sgt i64 %22, 0
-  br i1 %23, label %24, label %38
+24:                                               ; preds = %31, %16
+  %25 = getelementptr inbounds i8, ptr %0, i64 632
+  %26 = load i64, ptr %25, align 8
+  %27 = icmp sgt i64 %26, 0
+  br i1 %27, label %28, label %42
 
-24:                                               ; preds = %20
-  %25 = getelementptr inbounds i8, ptr %0, i64 624
-  %26 = getelementptr inbounds i8, ptr %0, i64 1272
-  br label %45
+28:                                               ; preds = %24
+  %29 = getelementptr inbounds i8, ptr %0, i64 624
+  %30 = getelementptr inbounds i8, ptr %0, i64 1272
+  br label %49
 
-27:                                               ; preds = %18, %27
-  %28 = phi i64 [ 0, %18 ], [ %33, %27 ]
-  %29 = getelementptr inbounds double, ptr %1, i64 %28
-  %30 = load double, ptr %29, align 8
-  %31 = load ptr, ptr %19, align 8
-  %32 = getelementptr inbounds double, ptr %31, i64 %28
-  store double %30, ptr %32, align 8
-  %33 = add nuw nsw i64 %28, 1
-  %34 = load ptr, ptr %13, align 8
-  %35 = getelementptr inbounds i8, ptr %34, i64 8
-  %36 = load i64, ptr %35, align 8
-  %37 = icmp slt i64 %33, %36
-  br i1 %37, label %27, label %20, !llvm.loop !3
-
-38:                                               ; preds = %45, %20
-  %39 = getelementptr inbounds i8, ptr %0, i64 656
+31:                                               ; preds = %22, %31
+  %32 = phi i64 [ 0, %22 ], [ %37, %31 ]
+  %33 = getelementptr inbounds double, ptr %1, i64 %32
+  %34 = load double, ptr %33, align 8
+  %35 = load ptr, ptr %23, align 8
+  %36 = getelementptr inbounds double, ptr %35, i64 %32
+  store double %34, ptr %36, align 8
+  %37 = add nuw nsw i64 %32, 1
+  %38 = load ptr, ptr %17, align 8
+  %39 = getelementptr inbounds i8, ptr %38, i64 8
   %40 = load i64, ptr %39, align 8
-  %41 = icmp sgt i64 %40, 0
-  br i1 %41, label %42, label %55
+  %41 = icmp slt i64 %37, %40
+  br i1 %41, label %31, label %24, !llvm.loop !3
 
-42:                                               ; preds = %38
-  %43 = getelementptr inbounds i8, ptr %0, i64 648
-  %44 = getelementptr inbounds i8, ptr %0, i64 1296
-  br label %61
+42:                                               ; preds = %49, %24
+  %43 = getelementptr inbounds i8, ptr %0, i64 656
+  %44 = load i64, ptr %43, align 8
+  %45 = icmp sgt i64 %44, 0
+  br i1 %45, label %46, label %59
 
-45:                                               ; preds = %24, %45
-  %46 = phi i64 [ 0, %24 ], [ %52, %45 ]
-  %47 = load ptr, ptr %26, align 8
-  %48 = getelementptr inbounds double, ptr %47, i64 %46
-  %49 = load double, ptr %48, align 8
-  %50 = load ptr, ptr %25, align 8
-  %51 = getelementptr inbounds double, ptr %50, i64 %46
-  store double %49, ptr %51, align 8
-  %52 = add nuw nsw i64 %46, 1
-  %53 = load i64, ptr %21, align 8
-  %54 = icmp slt i64 %52, %53
-  br i1 %54, label %45, label %38, !llvm.loop !6
+46:                                               ; preds = %42
+  %47 = getelementptr inbounds i8, ptr %0, i64 648
+  %48 = getelementptr inbounds i8, ptr %0, i64 1296
+  br label %65
 
-55:                                               ; preds = %61, %38
-  %56 = getelementptr inbounds i8, ptr %0, i64 768
-  %57 = load ptr, ptr %56, align 8
-  %58 = getelementptr inbounds i8, ptr %57, i64 8
-  %59 = load i64, ptr %58, align 8
-  %60 = icmp sgt i64 %59, 0
-  br i1 %60, label %71, label %76
+49:                                               ; preds = %28, %49
+  %50 = phi i64 [ 0, %28 ], [ %56, %49 ]
+  %51 = load ptr, ptr %30, align 8
+  %52 = getelementptr inbounds double, ptr %51, i64 %50
+  %53 = load double, ptr %52, align 8
+  %54 = load ptr, ptr %29, align 8
+  %55 = getelementptr inbounds double, ptr %54, i64 %50
+  store double %53, ptr %55, align 8
+  %56 = add nuw nsw i64 %50, 1
+  %57 = load i64, ptr %25, align 8
+  %58 = icmp slt i64 %56, %57
+  br i1 %58, label %49, label %42, !llvm.loop !6
 
-61:                                               ; preds = %42, %61
-  %62 = phi i64 [ 0, %42 ], [ %68, %61 ]
-  %63 = load ptr, ptr %44, align 8
-  %64 = getelementptr inbounds i64, ptr %63, i64 %62
-  %65 = load i64, ptr %64, align 8
-  %66 = load ptr, ptr %43, align 8
-  %67 = getelementptr inbounds i64, ptr %66, i64 %62
-  store i64 %65, ptr %67, align 8
-  %68 = add nuw nsw i64 %62, 1
-  %69 = load i64, ptr %39, align 8
-  %70 = icmp slt i64 %68, %69
-  br i1 %70, label %61, label %55, !llvm.loop !7
+59:                                               ; preds = %65, %42
+  %60 = getelementptr inbounds i8, ptr %0, i64 768
+  %61 = load ptr, ptr %60, align 8
+  %62 = getelementptr inbounds i8, ptr %61, i64 8
+  %63 = load i64, ptr %62, align 8
+  %64 = icmp sgt i64 %63, 0
+  br i1 %64, label %75, label %80
 
-71:                                               ; preds = %55
-  %72 = getelementptr inbounds i8, ptr %0, i64 984
-  %73 = load ptr, ptr %72, align 8
-  %74 = mul i64 %59, 88
-  %75 = getelementptr inbounds i8, ptr %73, i64 %74
-  store double 0x7FF8000000000000, ptr %75, align 8
-  br label %76
+65:                                               ; preds = %46, %65
+  %66 = phi i64 [ 0, %46 ], [ %72, %65 ]
+  %67 = load ptr, ptr %48, align 8
+  %68 = getelementptr inbounds i64, ptr %67, i64 %66
+  %69 = load i64, ptr %68, align 8
+  %70 = load ptr, ptr %47, align 8
+  %71 = getelementptr inbounds i64, ptr %70, i64 %66
+  store i64 %69, ptr %71, align 8
+  %72 = add nuw nsw i64 %66, 1
+  %73 = load i64, ptr %43, align 8
+  %74 = icmp slt i64 %72, %73
+  br i1 %74, label %65, label %59, !llvm.loop !7
 
-76:                                               ; preds = %71, %55, %3
-  %77 = getelementptr inbounds i8, ptr %0, i64 144
-  %78 = getelementptr inbounds i8, ptr %0, i64 360
-  %79 = getelementptr inbounds i8, ptr %0, i64 1368
-  %80 = getelementptr inbounds i8, ptr %0, i64 576
-  %81 = getelementptr inbounds i8, ptr %0, i64 624
-  %82 = getelementptr inbounds i8, ptr %0, i64 648
-  %83 = getelementptr inbounds i8, ptr %0, i64 672
-  %84 = getelementptr inbounds i8, ptr %0, i64 680
-  %85 = getelementptr inbounds i8, ptr %0, i64 696
-  %86 = getelementptr inbounds i8, ptr %0, i64 768
-  %87 = getelementptr inbounds i8, ptr %0, i64 320
-  %88 = getelementptr inbounds i8, ptr %0, i64 312
-  %89 = getelementptr inbounds i8, ptr %0, i64 336
-  %90 = getelementptr inbounds i8, ptr %0, i64 528
-  %91 = getelementptr inbounds i8, ptr %0, i64 168
-  %92 = getelementptr inbounds i8, ptr %0, i64 248
-  %93 = getelementptr inbounds i8, ptr %0, i64 192
-  %94 = getelementptr inbounds i8, ptr %0, i64 216
-  %95 = getelementptr inbounds i8, ptr %0, i64 1392
-  %96 = getelementptr inbounds i8, ptr %0, i64 528
-  %97 = getelementptr inbounds i8, ptr %0, i64 1320
-  %98 = getelementptr inbounds i8, ptr %0, i64 320
-  %99 = getelementptr inbounds i8, ptr %0, i64 312
-  %100 = getelementptr inbounds i8, ptr %0, i64 336
-  %101 = getelementptr inbounds i8, ptr %0, i64 1440
-  %102 = getelementptr inbounds i8, ptr %0, i64 1464
-  %103 = getelementptr inbounds i8, ptr %0, i64 168
-  %104 = getelementptr inbounds i8, ptr %0, i64 248
-  %105 = getelementptr inbounds i8, ptr %0, i64 192
-  %106 = getelementptr inbounds i8, ptr %0, i64 1416
-  %107 = getelementptr inbounds i8, ptr %0, i64 408
-  %108 = getelementptr inbounds i8, ptr %0, i64 408
-  %109 = getelementptr inbounds i8, ptr %0, i64 384
-  %110 = getelementptr inbounds i8, ptr %0, i64 168
-  %111 = getelementptr inbounds i8, ptr %0, i64 248
-  %112 = getelementptr inbounds i8, ptr %0, i64 192
-  %113 = getelementptr inbounds i8, ptr %0, i64 216
-  %114 = getelementptr inbounds i8, ptr %0, i64 528
-  %115 = getelementptr inbounds i8, ptr %0, i64 1448
-  %116 = getelementptr inbounds i8, ptr %0, i64 1392
-  %117 = getelementptr inbounds i8, ptr %0, i64 1544
-  %118 = getelementptr inbounds i8, ptr %0, i64 1488
-  %119 = getelementptr inbounds i8, ptr %0, i64 1512
-  %120 = getelementptr inbounds i8, ptr %0, i64 1440
-  %121 = getelementptr inbounds i8, ptr %0, i64 1536
-  %122 = getelementptr inbounds i8, ptr %0, i64 1560
-  %123 = getelementptr inbounds i8, ptr %0, i64 1656
-  %124 = getelementptr inbounds i8, ptr %0, i64 1584
-  %125 = getelementptr inbounds i8, ptr %0, i64 1608
-  %126 = getelementptr inbounds i8, ptr %0, i64 408
-  %127 = getelementptr inbounds i8, ptr %0, i64 1632
-  %128 = getelementptr inbounds i8, ptr %0, i64 408
-  %129 = getelementptr inbounds i8, ptr %0, i64 168
-  %130 = getelementptr inbounds i8, ptr %0, i64 248
-  %131 = getelementptr inbounds i8, ptr %0, i64 192
-  %132 = getelementptr inbounds i8, ptr %0, i64 216
-  %133 = getelementptr inbounds i8, ptr %0, i64 1632
-  %134 = getelementptr inbounds i8, ptr %0, i64 1680
-  %135 = getelementptr inbounds i8, ptr %0, i64 1704
-  %136 = getelementptr inbounds i8, ptr %0, i64 600
-  %137 = getelementptr inbounds i8, ptr %0, i64 1536
-  %138 = getelementptr inbounds i8, ptr %0, i64 1544
-  %139 = getelementptr inbounds i8, ptr %0, i64 1680
-  %140 = getelementptr inbounds i8, ptr %0, i64 1704
-  %141 = getelementptr inbounds i8, ptr %0, i64 1488
-  %142 = getelementptr inbounds i8, ptr %0, i64 1512
-  %143 = getelementptr inbounds i8, ptr %0, i64 1560
-  %144 = getelementptr inbounds i8, ptr %0, i64 600
-  %145 = getelementptr inbounds i8, ptr %4, i64 8
-  %146 = getelementptr inbounds i8, ptr %4, i64 16
-  %147 = getelementptr inbounds i8, ptr %0, i64 1448
-  %148 = getelementptr inbounds i8, ptr %0, i64 1440
-  %149 = getelementptr inbounds i8, ptr %0, i64 384
-  %150 = getelementptr inbounds i8, ptr %0, i64 1536
-  %151 = getelementptr inbounds i8, ptr %0, i64 1544
-  %152 = getelementptr inbounds i8, ptr %0, i64 1728
-  %153 = getelementptr inbounds i8, ptr %0, i64 1680
-  %154 = getelementptr inbounds i8, ptr %0, i64 528
-  %155 = getelementptr inbounds i8, ptr %0, i64 1488
-  %156 = getelementptr inbounds i8, ptr %0, i64 384
-  %157 = getelementptr inbounds i8, ptr %0, i64 408
-  %158 = getelementptr inbounds i8, ptr %0, i64 408
-  %159 = getelementptr inbounds i8, ptr %0, i64 1632
-  %160 = getelementptr inbounds i8, ptr %0, i64 168
-  %161 = getelementptr inbounds i8, ptr %0, i64 248
-  %162 = getelementptr inbounds i8, ptr %0, i64 192
-  %163 = getelementptr inbounds i8, ptr %0, i64 216
-  %164 = getelementptr inbounds i8, ptr %0, i64 384
-  %165 = getelementptr inbounds i8, ptr %0, i64 1392
-  %166 = getelementptr inbounds i8, ptr %0, i64 368
-  %167 = getelementptr inbounds i8, ptr %0, i64 1584
-  %168 = getelementptr inbounds i8, ptr %0, i64 552
-  %169 = getelementptr inbounds i8, ptr %0, i64 1656
-  %170 = getelementptr inbounds i8, ptr %0, i64 1392
-  %171 = getelementptr inbounds i8, ptr %9, i64 8
-  %172 = getelementptr inbounds i8, ptr %9, i64 16
-  %173 = getelementptr inbounds i8, ptr %10, i64 8
-  %174 = getelementptr inbounds i8, ptr %10, i64 16
-  %175 = getelementptr inbounds i8, ptr %0, i64 384
-  %176 = getelementptr inbounds i8, ptr %0, i64 1344
-  %177 = getelementptr inbounds i8, ptr %0, i64 1360
-  %178 = getelementptr inbounds i8, ptr %0, i64 384
-  %179 = getelementptr inbounds i8, ptr %0, i64 552
-  %180 = getelementptr inbounds i8, ptr %0, i64 368
-  %181 = getelementptr inbounds i8, ptr %0, i64 888
-  %182 = getelementptr inbounds i8, ptr %0, i64 1584
+75:                                               ; preds = %59
+  %76 = getelementptr inbounds i8, ptr %0, i64 984
+  %77 = load ptr, ptr %76, align 8
+  %78 = mul i64 %63, 88
+  %79 = getelementptr inbounds i8, ptr %77, i64 %78
+  store double 0x7FF8000000000000, ptr %79, align 8
+  br label %80
+
+80:                                               ; preds = %75, %59, %3
+  %81 = getelementptr inbounds i8, ptr %0, i64 144
+  %82 = getelementptr inbounds i8, ptr %0, i64 360
+  %83 = getelementptr inbounds i8, ptr %0, i64 1368
+  %84 = getelementptr inbounds i8, ptr %0, i64 624
+  %85 = getelementptr inbounds i8, ptr %0, i64 648
+  %86 = getelementptr inbounds i8, ptr %0, i64 672
+  %87 = getelementptr inbounds i8, ptr %0, i64 680
+  %88 = getelementptr inbounds i8, ptr %0, i64 576
+  %89 = getelementptr inbounds i8, ptr %0, i64 696
+  %90 = getelementptr inbounds i8, ptr %0, i64 768
+  %91 = getelementptr inbounds i8, ptr %0, i64 320
+  %92 = getelementptr inbounds i8, ptr %0, i64 312
+  %93 = getelementptr inbounds i8, ptr %0, i64 336
+  %94 = getelementptr inbounds i8, ptr %0, i64 528
+  %95 = getelementptr inbounds i8, ptr %0, i64 168
+  %96 = getelementptr inbounds i8, ptr %0, i64 248
+  %97 = getelementptr inbounds i8, ptr %0, i64 192
+  %98 = getelementptr inbounds i8, ptr %0, i64 216
+  %99 = getelementptr inbounds i8, ptr %0, i64 1392
+  %100 = getelementptr inbounds i8, ptr %0, i64 528
+  %101 = getelementptr inbounds i8, ptr %0, i64 1320
+  %102 = getelementptr inbounds i8, ptr %0, i64 320
+  %103 = getelementptr inbounds i8, ptr %0, i64 312
+  %104 = getelementptr inbounds i8, ptr %0, i64 336
+  %105 = getelementptr inbounds i8, ptr %0, i64 1440
+  %106 = getelementptr inbounds i8, ptr %0, i64 1464
+  %107 = getelementptr inbounds i8, ptr %0, i64 168
+  %108 = getelementptr inbounds i8, ptr %0, i64 248
+  %109 = getelementptr inbounds i8, ptr %0, i64 192
+  %110 = getelementptr inbounds i8, ptr %0, i64 1416
+  %111 = getelementptr inbounds i8, ptr %0, i64 408
+  %112 = getelementptr inbounds i8, ptr %0, i64 408
+  %113 = getelementptr inbounds i8, ptr %0, i64 384
+  %114 = getelementptr inbounds i8, ptr %0, i64 168
+  %115 = getelementptr inbounds i8, ptr %0, i64 248
+  %116 = getelementptr inbounds i8, ptr %0, i64 192
+  %117 = getelementptr inbounds i8, ptr %0, i64 216
+  %118 = getelementptr inbounds i8, ptr %0, i64 528
+  %119 = getelementptr inbounds i8, ptr %0, i64 1448
+  %120 = getelementptr inbounds i8, ptr %0, i64 1392
+  %121 = getelementptr inbounds i8, ptr %0, i64 1544
+  %122 = getelementptr inbounds i8, ptr %0, i64 1488
+  %123 = getelementptr inbounds i8, ptr %0, i64 1512
+  %124 = getelementptr inbounds i8, ptr %0, i64 1440
+  %125 = getelementptr inbounds i8, ptr %0, i64 1536
+  %126 = getelementptr inbounds i8, ptr %0, i64 1560
+  %127 = getelementptr inbounds i8, ptr %0, i64 1656
+  %128 = getelementptr inbounds i8, ptr %0, i64 1584
+  %129 = getelementptr inbounds i8, ptr %0, i64 1608
+  %130 = getelementptr inbounds i8, ptr %0, i64 408
+  %131 = getelementptr inbounds i8, ptr %0, i64 1632
+  %132 = getelementptr inbounds i8, ptr %0, i64 408
+  %133 = getelementptr inbounds i8, ptr %0, i64 168
+  %134 = getelementptr inbounds i8, ptr %0, i64 248
+  %135 = getelementptr inbounds i8, ptr %0, i64 192
+  %136 = getelementptr inbounds i8, ptr %0, i64 216
+  %137 = getelementptr inbounds i8, ptr %0, i64 1632
+  %138 = getelementptr inbounds i8, ptr %0, i64 1680
+  %139 = getelementptr inbounds i8, ptr %0, i64 1704
+  %140 = getelementptr inbounds i8, ptr %0, i64 600
+  %141 = getelementptr inbounds i8, ptr %0, i64 1536
+  %142 = getelementptr inbounds i8, ptr %0, i64 1544
+  %143 = getelementptr inbounds i8, ptr %0, i64 1680
+  %144 = getelementptr inbounds i8, ptr %0, i64 1704
+  %145 = getelementptr inbounds i8, ptr %0, i64 1488
+  %146 = getelementptr inbounds i8, ptr %0, i64 1512
+  %147 = getelementptr inbounds i8, ptr %0, i64 1560
+  %148 = getelementptr inbounds i8, ptr %0, i64 600
+  %149 = getelementptr inbounds i8, ptr %10, i64 8
+  %150 = getelementptr inbounds i8, ptr %10, i64 16
+  %151 = getelementptr inbounds i8, ptr %0, i64 1448
+  %152 = getelementptr inbounds i8, ptr %0, i64 1440
+  %153 = getelementptr inbounds i8, ptr %0, i64 384
+  %154 = getelementptr inbounds i8, ptr %0, i64 1728
+  %155 = getelementptr inbounds i8, ptr %0, i64 1680
+  %156 = getelementptr inbounds i8, ptr %0, i64 528
+  %157 = getelementptr inbounds i8, ptr %0, i64 1536
+  %158 = getelementptr inbounds i8, ptr %0, i64 1544
+  %159 = getelementptr inbounds i8, ptr %0, i64 1488
+  %160 = getelementptr inbounds i8, ptr %0, i64 384
+  %161 = getelementptr inbounds i8, ptr %0, i64 600
+  %162 = getelementptr inbounds i8, ptr %0, i64 600
+  %163 = getelementptr inbounds i8, ptr %0, i64 408
+  %164 = getelementptr inbounds i8, ptr %0, i64 408
+  %165 = getelementptr inbounds i8, ptr %0, i64 1632
+  %166 = getelementptr inbounds i8, ptr %0, i64 168
+  %167 = getelementptr inbounds i8, ptr %0, i64 248
+  %168 = getelementptr inbounds i8, ptr %0, i64 192
+  %169 = getelementptr inbounds i8, ptr %0, i64 216
+  %170 = getelementptr inbounds i8, ptr %0, i64 600
+  %171 = getelementptr inbounds i8, ptr %0, i64 600
+  %172 = getelementptr inbounds i8, ptr %0, i64 384
+  %173 = getelementptr inbounds i8, ptr %0, i64 1392
+  %174 = getelementptr inbounds i8, ptr %0, i64 368
+  %175 = getelementptr inbounds i8, ptr %0, i64 1584
+  %176 = getelementptr inbounds i8, ptr %0, i64 552
+  %177 = getelementptr inbounds i8, ptr %0, i64 1656
+  %178 = getelementptr inbounds i8, ptr %0, i64 1392
+  %179 = getelementptr inbounds i8, ptr %13, i64 8
+  %180 = getelementptr inbounds i8, ptr %13, i64 16
+  %181 = getelementptr inbounds i8, ptr %14, i64 8
+  %182 = getelementptr inbounds i8, ptr %14, i64 16
   %183 = getelementptr inbounds i8, ptr %0, i64 384
-  %184 = getelementptr inbounds i8, ptr %0, i64 168
-  %185 = getelementptr inbounds i8, ptr %0, i64 984
-  %186 = getelementptr inbounds i8, ptr %0, i64 912
-  %187 = getelementptr inbounds i8, ptr %0, i64 864
-  %188 = getelementptr inbounds i8, ptr %0, i64 936
-  %189 = getelementptr inbounds i8, ptr %0, i64 456
-  %190 = getelementptr inbounds i8, ptr %0, i64 408
-  %191 = getelementptr inbounds i8, ptr %0, i64 456
-  %192 = getelementptr inbounds i8, ptr %0, i64 368
-  %193 = getelementptr inbounds i8, ptr %0, i64 384
-  %194 = getelementptr inbounds i8, ptr %0, i64 384
-  %195 = getelementptr inbounds i8, ptr %0, i64 384
-  %196 = getelementptr inbounds i8, ptr %0, i64 368
-  %197 = getelementptr inbounds i8, ptr %0, i64 384
-  %198 = getelementptr inbounds i8, ptr %0, i64 384
-  %199 = getelementptr inbounds i8, ptr %0, i64 336
-  %200 = getelementptr inbounds i8, ptr %0, i64 528
-  %201 = getelementptr inbounds i8, ptr %0, i64 168
-  %202 = getelementptr inbounds i8, ptr %0, i64 248
-  %203 = getelementptr inbounds i8, ptr %0, i64 192
-  %204 = getelementptr inbounds i8, ptr %0, i64 216
-  %205 = getelementptr inbounds i8, ptr %0, i64 768
-  br label %206
+  %184 = getelementptr inbounds i8, ptr %0, i64 1344
+  %185 = getelementptr inbounds i8, ptr %0, i64 1360
+  %186 = getelementptr inbounds i8, ptr %0, i64 384
+  %187 = getelementptr inbounds i8, ptr %0, i64 552
+  %188 = getelementptr inbounds i8, ptr %0, i64 368
+  %189 = getelementptr inbounds i8, ptr %0, i64 888
+  %190 = getelementptr inbounds i8, ptr %0, i64 1584
+  %191 = getelementptr inbounds i8, ptr %0, i64 384
+  %192 = getelementptr inbounds i8, ptr %0, i64 168
+  %193 = getelementptr inbounds i8, ptr %0, i64 984
+  %194 = getelementptr inbounds i8, ptr %0, i64 912
+  %195 = getelementptr inbounds i8, ptr %0, i64 864
+  %196 = getelementptr inbounds i8, ptr %0, i64 936
+  %197 = getelementptr inbounds i8, ptr %0, i64 456
+  %198 = getelementptr inbounds i8, ptr %0, i64 408
+  %199 = getelementptr inbounds i8, ptr %0, i64 456
+  %200 = getelementptr inbounds i8, ptr %0, i64 368
+  %201 = getelementptr inbounds i8, ptr %0, i64 384
+  %202 = getelementptr inbounds i8, ptr %0, i64 384
+  %203 = getelementptr inbounds i8, ptr %0, i64 384
+  %204 = getelementptr inbounds i8, ptr %0, i64 368
+  %205 = getelementptr inbounds i8, ptr %0, i64 384
+  %206 = getelementptr inbounds i8, ptr %0, i64 384
+  %207 = getelementptr inbounds i8, ptr %0, i64 336
+  %208 = getelementptr inbounds i8, ptr %0, i64 528
+  %209 = getelementptr inbounds i8, ptr %0, i64 168
+  %210 = getelementptr inbounds i8, ptr %0, i64 248
+  %211 = getelementptr inbounds i8, ptr %0, i64 192
+  %212 = getelementptr inbounds i8, ptr %0, i64 216
+  %213 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %214
 
-206:                                              ; preds = %2265, %76
-  %207 = phi double [ undef, %76 ], [ %2245, %2265 ]
-  %208 = phi double [ undef, %76 ], [ %2246, %2265 ]
-  %209 = phi double [ undef, %76 ], [ %2247, %2265 ]
-  %210 = phi i64 [ undef, %76 ], [ %2248, %2265 ]
-  %211 = phi i64 [ undef, %76 ], [ %2249, %2265 ]
-  %212 = phi i64 [ undef, %76 ], [ %2250, %2265 ]
-  %213 = load ptr, ptr %80, align 8, !noalias !8
-  %214 = load double, ptr %213, align 8, !noalias !8
-  %215 = load ptr, ptr %77, align 8
-  %216 = getelementptr inbounds i8, ptr %215, i64 8
-  %217 = load i64, ptr %216, align 8
-  %218 = icmp sgt i64 %217, 0
-  br i1 %218, label %219, label %228
+214:                                              ; preds = %2626, %80
+  %215 = phi double [ undef, %80 ], [ %2606, %2626 ]
+  %216 = phi double [ undef, %80 ], [ %2607, %2626 ]
+  %217 = phi double [ undef, %80 ], [ %2608, %2626 ]
+  %218 = phi i64 [ undef, %80 ], [ %2609, %2626 ]
+  %219 = phi i64 [ undef, %80 ], [ %2610, %2626 ]
+  %220 = phi i64 [ undef, %80 ], [ %2611, %2626 ]
+  %221 = load ptr, ptr %84, align 8
+  %222 = load ptr, ptr %85, align 8
+  %223 = getelementptr inbounds i8, ptr %222, i64 56
+  %224 = load i64, ptr %223, align 8
+  %225 = icmp eq i64 %224, 0
+  br i1 %225, label %2605, label %226
 
-219:                                              ; preds = %206, %219
-  %220 = phi i64 [ %226, %219 ], [ 0, %206 ]
-  %221 = phi double [ %225, %219 ], [ %214, %206 ]
-  %222 = getelementptr inbounds double, ptr %213, i64 %220
-  %223 = load double, ptr %222, align 8, !noalias !8
-  %224 = fcmp olt double %223, %221
-  %225 = select i1 %224, double %223, double %221
-  %226 = add nuw nsw i64 %220, 1
-  %227 = icmp eq i64 %226, %217
-  br i1 %227, label %228, label %219, !llvm.loop !11
+226:                                              ; preds = %214
+  %227 = load ptr, ptr %81, align 8
+  %228 = getelementptr inbounds i8, ptr %227, i64 8
+  %229 = load i64, ptr %228, align 8
+  %230 = load ptr, ptr %86, align 8
+  %231 = load i64, ptr %87, align 8
+  %232 = getelementptr double, ptr %230, i64 %231
+  %233 = getelementptr i8, ptr %232, i64 -8
+  %234 = load double, ptr %233, align 8
+  %235 = load double, ptr %230, align 8
+  %236 = fsub double %234, %235
+  %237 = fmul double %236, 0x3D70000000000000
+  %238 = load ptr, ptr %88, align 8, !noalias !8
+  %239 = load double, ptr %238, align 8, !noalias !8
+  %240 = icmp sgt i64 %229, 0
+  br i1 %240, label %241, label %250
 
-228:                                              ; preds = %219, %206
-  %229 = phi double [ %214, %206 ], [ %225, %219 ]
-  %230 = load ptr, ptr %81, align 8
-  %231 = load ptr, ptr %82, align 8
-  %232 = getelementptr inbounds i8, ptr %231, i64 56
-  %233 = load i64, ptr %232, align 8
-  %234 = icmp eq i64 %233, 0
-  br i1 %234, label %2244, label %235
+241:                                              ; preds = %226, %241
+  %242 = phi i64 [ %248, %241 ], [ 0, %226 ]
+  %243 = phi double [ %247, %241 ], [ %239, %226 ]
+  %244 = getelementptr inbounds double, ptr %238, i64 %242
+  %245 = load double, ptr %244, align 8, !noalias !8
+  %246 = fcmp olt double %245, %243
+  %247 = select i1 %246, double %245, double %243
+  %248 = add nuw nsw i64 %242, 1
+  %249 = icmp eq i64 %248, %229
+  br i1 %249, label %250, label %241, !llvm.loop !11
 
-235:                                              ; preds = %228
-  %236 = load ptr, ptr %83, align 8
-  %237 = load i64, ptr %84, align 8
-  %238 = getelementptr double, ptr %236, i64 %237
-  %239 = getelementptr i8, ptr %238, i64 -8
-  %240 = load double, ptr %239, align 8
-  %241 = load ptr, ptr %85, align 8
-  %242 = load i64, ptr %241, align 8
-  %243 = icmp eq i64 %242, 1
-  %244 = load ptr, ptr %86, align 8
-  %245 = getelementptr inbounds i8, ptr %244, i64 8
-  %246 = load i64, ptr %245, align 8
-  %247 = icmp sgt i64 %246, 0
-  %248 = load double, ptr %230, align 8
-  %249 = getelementptr inbounds i8, ptr %230, i64 8
-  %250 = load double, ptr %249, align 8
-  %251 = load i64, ptr %231, align 8
-  %252 = icmp eq i64 %251, 0
-  br i1 %252, label %253, label %401
+250:                                              ; preds = %241, %226
+  %251 = phi double [ %239, %226 ], [ %247, %241 ]
+  %252 = load ptr, ptr %89, align 8
+  %253 = load i64, ptr %252, align 8
+  %254 = icmp eq i64 %253, 1
+  %255 = load ptr, ptr %90, align 8
+  %256 = getelementptr inbounds i8, ptr %255, i64 8
+  %257 = load i64, ptr %256, align 8
+  %258 = icmp sgt i64 %257, 0
+  %259 = load double, ptr %221, align 8
+  %260 = getelementptr inbounds i8, ptr %221, i64 8
+  %261 = load double, ptr %260, align 8
+  %262 = load i64, ptr %222, align 8
+  %263 = icmp eq i64 %262, 0
+  br i1 %263, label %264, label %415
 
-253:                                              ; preds = %235
-  %254 = load i64, ptr %87, align 8
-  %255 = icmp eq i64 %254, 0
-  br i1 %255, label %285, label %256
+264:                                              ; preds = %250
+  %265 = load i64, ptr %91, align 8
+  %266 = icmp eq i64 %265, 0
+  br i1 %266, label %296, label %267
 
-256:                                              ; preds = %253
-  %257 = icmp sgt i64 %254, 0
-  br i1 %257, label %258, label %273
+267:                                              ; preds = %264
+  %268 = icmp sgt i64 %265, 0
+  br i1 %268, label %269, label %284
 
-258:                                              ; preds = %256
-  %259 = load ptr, ptr %88, align 8
-  br label %260
+269:                                              ; preds = %267
+  %270 = load ptr, ptr %92, align 8
+  br label %271
 
-260:                                              ; preds = %258, %260
-  %261 = phi i64 [ 0, %258 ], [ %271, %260 ]
-  %262 = phi i64 [ %254, %258 ], [ %270, %260 ]
-  %263 = add nuw nsw i64 %261, %262
-  %264 = lshr i64 %263, 1
-  %265 = mul i64 %264, 24
-  %266 = getelementptr inbounds i8, ptr %259, i64 %265
-  %267 = load double, ptr %266, align 8
-  %268 = fcmp ogt double %267, %248
-  %269 = add nuw nsw i64 %264, 1
-  %270 = select i1 %268, i64 %264, i64 %262
-  %271 = select i1 %268, i64 %261, i64 %269
-  %272 = icmp slt i64 %271, %270
-  br i1 %272, label %260, label %273, !llvm.loop !12
+271:                                              ; preds = %269, %271
+  %272 = phi i64 [ 0, %269 ], [ %282, %271 ]
+  %273 = phi i64 [ %265, %269 ], [ %281, %271 ]
+  %274 = add nuw nsw i64 %272, %273
+  %275 = lshr i64 %274, 1
+  %276 = mul i64 %275, 24
+  %277 = getelementptr inbounds i8, ptr %270, i64 %276
+  %278 = load double, ptr %277, align 8
+  %279 = fcmp ogt double %278, %259
+  %280 = add nuw nsw i64 %275, 1
+  %281 = select i1 %279, i64 %275, i64 %273
+  %282 = select i1 %279, i64 %272, i64 %280
+  %283 = icmp slt i64 %282, %281
+  br i1 %283, label %271, label %284, !llvm.loop !12
 
-273:                                              ; preds = %260, %256
-  %274 = phi i64 [ 0, %256 ], [ %271, %260 ]
-  %275 = icmp slt i64 %274, %254
-  br i1 %275, label %276, label %282
+284:                                              ; preds = %271, %267
+  %285 = phi i64 [ 0, %267 ], [ %282, %271 ]
+  %286 = icmp slt i64 %285, %265
+  br i1 %286, label %287, label %293
 
-276:                                              ; preds = %273
-  %277 = load ptr, ptr %88, align 8
-  %278 = mul i64 %274, 24
-  %279 = getelementptr inbounds i8, ptr %277, i64 %278
-  %280 = getelementptr inbounds i8, ptr %279, i64 8
-  %281 = load double, ptr %280, align 8
-  br label %282
+287:                                              ; preds = %284
+  %288 = load ptr, ptr %92, align 8
+  %289 = mul i64 %285, 24
+  %290 = getelementptr inbounds i8, ptr %288, i64 %289
+  %291 = getelementptr inbounds i8, ptr %290, i64 8
+  %292 = load double, ptr %291, align 8
+  br label %293
 
-282:                                              ; preds = %276, %273
-  %283 = phi double [ %281, %276 ], [ 0x7FF0000000000000, %273 ]
-  %284 = load ptr, ptr %89, align 8
-  store double %283, ptr %284, align 8
-  br label %285
+293:                                              ; preds = %287, %284
+  %294 = phi double [ %292, %287 ], [ 0x7FF0000000000000, %284 ]
+  %295 = load ptr, ptr %93, align 8
+  store double %294, ptr %295, align 8
+  br label %296
 
-285:                                              ; preds = %282, %253
-  %286 = getelementptr inbounds i8, ptr %231, i64 24
-  %287 = load i64, ptr %286, align 8
-  %288 = add nsw i64 %287, 1
-  store i64 %288, ptr %286, align 8
-  %289 = load ptr, ptr %78, align 8
-  %290 = load ptr, ptr %90, align 8
-  %291 = load ptr, ptr %91, align 8
-  store double %248, ptr %291, align 8
-  %292 = load ptr, ptr %77, align 8
-  %293 = getelementptr inbounds i8, ptr %292, i64 40
-  %294 = load i64, ptr %293, align 8
-  %295 = icmp eq i64 %294, 0
-  br i1 %295, label %297, label %296
+296:                                              ; preds = %293, %264
+  %297 = getelementptr inbounds i8, ptr %222, i64 24
+  %298 = load i64, ptr %297, align 8
+  %299 = add nsw i64 %298, 1
+  store i64 %299, ptr %297, align 8
+  %300 = load ptr, ptr %82, align 8
+  %301 = load ptr, ptr %94, align 8
+  %302 = load ptr, ptr %95, align 8
+  store double %259, ptr %302, align 8
+  %303 = load ptr, ptr %81, align 8
+  %304 = getelementptr inbounds i8, ptr %303, i64 40
+  %305 = load i64, ptr %304, align 8
+  %306 = icmp eq i64 %305, 0
+  br i1 %306, label %308, label %307
 
-296:                                              ; preds = %285
-  tail call fastcc void @settle(ptr noundef nonnull %77) #8
-  br label %297
+307:                                              ; preds = %296
+  tail call fastcc void @settle(ptr noundef nonnull %81) #9
+  br label %308
 
-297:                                              ; preds = %296, %285
-  %298 = load i64, ptr %92, align 8
-  %299 = icmp sgt i64 %298, 0
-  br i1 %299, label %300, label %301
+308:                                              ; preds = %307, %296
+  %309 = load i64, ptr %96, align 8
+  %310 = icmp sgt i64 %309, 0
+  br i1 %310, label %311, label %312
 
-300:                                              ; preds = %297
-  tail call fastcc void @sample(ptr noundef nonnull %77) #8
-  br label %301
+311:                                              ; preds = %308
+  tail call fastcc void @sample(ptr noundef nonnull %81) #9
+  br label %312
 
-301:                                              ; preds = %297, %300
-  %302 = load ptr, ptr %77, align 8
-  %303 = load i64, ptr %302, align 8
-  %304 = load ptr, ptr %91, align 8
-  %305 = load ptr, ptr %93, align 8
-  %306 = load ptr, ptr %94, align 8
-  %307 = inttoptr i64 %303 to ptr
-  %308 = load ptr, ptr %307, align 8
-  %309 = tail call i32 %308(ptr noundef %304, ptr noundef %289, ptr noundef %305, ptr noundef %306, ptr noundef %290) #9
-  %310 = icmp eq i32 %309, 0
-  br i1 %310, label %315, label %311
+312:                                              ; preds = %308, %311
+  %313 = load ptr, ptr %81, align 8
+  %314 = load i64, ptr %313, align 8
+  %315 = load ptr, ptr %95, align 8
+  %316 = load ptr, ptr %97, align 8
+  %317 = load ptr, ptr %98, align 8
+  %318 = inttoptr i64 %314 to ptr
+  %319 = load ptr, ptr %318, align 8
+  %320 = tail call i32 %319(ptr noundef %315, ptr noundef %300, ptr noundef %316, ptr noundef %317, ptr noundef %301) #10
+  %321 = icmp eq i32 %320, 0
+  br i1 %321, label %326, label %322
 
-311:                                              ; preds = %301
-  %312 = getelementptr inbounds i8, ptr %231, i64 72
-  store i64 3, ptr %312, align 8
-  %313 = icmp slt i32 %309, 0
-  %314 = select i1 %313, i64 -4, i64 2
-  br label %2244
+322:                                              ; preds = %312
+  %323 = getelementptr inbounds i8, ptr %222, i64 72
+  store i64 3, ptr %323, align 8
+  %324 = icmp slt i32 %320, 0
+  %325 = select i1 %324, i64 -4, i64 2
+  br label %2605
 
-315:                                              ; preds = %301
-  store i64 1, ptr %231, align 8
-  %316 = load ptr, ptr %79, align 8
-  %317 = getelementptr inbounds i8, ptr %316, i64 16
-  %318 = load i64, ptr %317, align 8
-  %319 = and i64 %318, -2
-  store i64 %319, ptr %317, align 8
-  %320 = load ptr, ptr %79, align 8
-  %321 = getelementptr inbounds i8, ptr %320, i64 32
-  %322 = load i64, ptr %321, align 8
-  %323 = or i64 %322, 1
-  store i64 %323, ptr %321, align 8
-  %324 = load ptr, ptr %79, align 8
-  %325 = getelementptr inbounds i8, ptr %324, i64 8
-  %326 = load i64, ptr %325, align 8
-  %327 = and i64 %326, -2
-  %328 = getelementptr inbounds i8, ptr %324, i64 16
+326:                                              ; preds = %312
+  store i64 1, ptr %222, align 8
+  %327 = load ptr, ptr %83, align 8
+  %328 = getelementptr inbounds i8, ptr %327, i64 16
   %329 = load i64, ptr %328, align 8
-  %330 = and i64 %329, 1
-  %331 = or disjoint i64 %330, %327
-  %332 = xor i64 %331, 1
-  store i64 %332, ptr %325, align 8
-  %333 = load ptr, ptr %95, align 8
-  %334 = getelementptr inbounds i8, ptr %333, i64 8
-  store double 0.000000e+00, ptr %334, align 8
-  %335 = load ptr, ptr %95, align 8
-  %336 = getelementptr inbounds i8, ptr %335, i64 24
-  store double 0.000000e+00, ptr %336, align 8
-  %337 = load ptr, ptr %78, align 8
-  %338 = load ptr, ptr %77, align 8
-  %339 = getelementptr inbounds i8, ptr %338, i64 8
+  %330 = and i64 %329, -2
+  store i64 %330, ptr %328, align 8
+  %331 = load ptr, ptr %83, align 8
+  %332 = getelementptr inbounds i8, ptr %331, i64 32
+  %333 = load i64, ptr %332, align 8
+  %334 = or i64 %333, 1
+  store i64 %334, ptr %332, align 8
+  %335 = load ptr, ptr %83, align 8
+  %336 = getelementptr inbounds i8, ptr %335, i64 8
+  %337 = load i64, ptr %336, align 8
+  %338 = and i64 %337, -2
+  %339 = getelementptr inbounds i8, ptr %335, i64 16
   %340 = load i64, ptr %339, align 8
-  %341 = load i64, ptr %84, align 8
-  %342 = load ptr, ptr %83, align 8
-  %343 = load ptr, ptr %82, align 8
-  %344 = getelementptr inbounds i8, ptr %343, i64 48
-  %345 = load i64, ptr %344, align 8
-  %346 = icmp slt i64 %345, %341
-  br i1 %346, label %347, label %370
+  %341 = and i64 %340, 1
+  %342 = or disjoint i64 %341, %338
+  %343 = xor i64 %342, 1
+  store i64 %343, ptr %336, align 8
+  %344 = load ptr, ptr %99, align 8
+  %345 = getelementptr inbounds i8, ptr %344, i64 8
+  store double 0.000000e+00, ptr %345, align 8
+  %346 = load ptr, ptr %99, align 8
+  %347 = getelementptr inbounds i8, ptr %346, i64 24
+  store double 0.000000e+00, ptr %347, align 8
+  %348 = load ptr, ptr %82, align 8
+  %349 = load ptr, ptr %81, align 8
+  %350 = getelementptr inbounds i8, ptr %349, i64 8
+  %351 = load i64, ptr %350, align 8
+  %352 = load i64, ptr %87, align 8
+  %353 = load ptr, ptr %86, align 8
+  %354 = load ptr, ptr %85, align 8
+  %355 = getelementptr inbounds i8, ptr %354, i64 48
+  %356 = load i64, ptr %355, align 8
+  %357 = icmp slt i64 %356, %352
+  br i1 %357, label %358, label %381
 
-347:                                              ; preds = %315
-  %348 = icmp sgt i64 %340, 0
-  br label %349
+358:                                              ; preds = %326
+  %359 = icmp sgt i64 %351, 0
+  br label %360
 
-349:                                              ; preds = %347, %360
-  %350 = phi i64 [ %345, %347 ], [ %361, %360 ]
-  %351 = getelementptr inbounds double, ptr %342, i64 %350
-  %352 = load double, ptr %351, align 8
-  %353 = load ptr, ptr %81, align 8
-  %354 = load double, ptr %353, align 8
-  %355 = fcmp ugt double %352, %354
-  br i1 %355, label %370, label %356
+360:                                              ; preds = %358, %371
+  %361 = phi i64 [ %356, %358 ], [ %372, %371 ]
+  %362 = getelementptr inbounds double, ptr %353, i64 %361
+  %363 = load double, ptr %362, align 8
+  %364 = load ptr, ptr %84, align 8
+  %365 = load double, ptr %364, align 8
+  %366 = fcmp ugt double %363, %365
+  br i1 %366, label %381, label %367
 
-356:                                              ; preds = %349
-  br i1 %348, label %357, label %360
+367:                                              ; preds = %360
+  br i1 %359, label %368, label %371
 
-357:                                              ; preds = %356
-  %358 = mul nsw i64 %350, %340
-  %359 = getelementptr double, ptr %1, i64 %358
-  br label %363
+368:                                              ; preds = %367
+  %369 = mul nsw i64 %361, %351
+  %370 = getelementptr double, ptr %1, i64 %369
+  br label %374
 
-360:                                              ; preds = %363, %356
-  %361 = add i64 %350, 1
-  %362 = icmp eq i64 %361, %341
-  br i1 %362, label %370, label %349, !llvm.loop !13
+371:                                              ; preds = %374, %367
+  %372 = add i64 %361, 1
+  %373 = icmp eq i64 %372, %352
+  br i1 %373, label %381, label %360, !llvm.loop !13
 
-363:                                              ; preds = %357, %363
-  %364 = phi i64 [ 0, %357 ], [ %368, %363 ]
-  %365 = getelementptr inbounds double, ptr %337, i64 %364
-  %366 = load double, ptr %365, align 8
-  %367 = getelementptr double, ptr %359, i64 %364
-  store double %366, ptr %367, align 8
-  %368 = add nuw nsw i64 %364, 1
-  %369 = icmp eq i64 %368, %340
-  br i1 %369, label %360, label %363, !llvm.loop !14
+374:                                              ; preds = %368, %374
+  %375 = phi i64 [ 0, %368 ], [ %379, %374 ]
+  %376 = getelementptr inbounds double, ptr %348, i64 %375
+  %377 = load double, ptr %376, align 8
+  %378 = getelementptr double, ptr %370, i64 %375
+  store double %377, ptr %378, align 8
+  %379 = add nuw nsw i64 %375, 1
+  %380 = icmp eq i64 %379, %351
+  br i1 %380, label %371, label %374, !llvm.loop !14
 
-370:                                              ; preds = %349, %360, %315
-  %371 = phi i64 [ %345, %315 ], [ %350, %349 ], [ %341, %360 ]
-  %372 = load ptr, ptr %82, align 8
-  %373 = getelementptr inbounds i8, ptr %372, i64 48
-  store i64 %371, ptr %373, align 8
-  %374 = icmp eq i64 %371, %341
-  br i1 %374, label %2244, label %375
+381:                                              ; preds = %360, %371, %326
+  %382 = phi i64 [ %356, %326 ], [ %361, %360 ], [ %352, %371 ]
+  %383 = load ptr, ptr %85, align 8
+  %384 = getelementptr inbounds i8, ptr %383, i64 48
+  store i64 %382, ptr %384, align 8
+  %385 = icmp eq i64 %382, %352
+  br i1 %385, label %2605, label %386
 
-375:                                              ; preds = %370
-  %376 = fcmp oeq double %250, 0.000000e+00
-  br i1 %376, label %377, label %401
+386:                                              ; preds = %381
+  %387 = fcmp oeq double %261, 0.000000e+00
+  br i1 %387, label %388, label %415
 
-377:                                              ; preds = %375
-  %378 = getelementptr inbounds i8, ptr %230, i64 16
-  %379 = load double, ptr %378, align 8
-  %380 = load ptr, ptr %78, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %380, ptr noundef %380, ptr noundef nonnull %78, i64 noundef %217) #8
-  %381 = load double, ptr %7, align 8
-  %382 = load ptr, ptr %96, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %382, ptr noundef %380, ptr noundef nonnull %78, i64 noundef %217) #8
-  %383 = load double, ptr %8, align 8
-  %384 = fcmp uge double %381, 1.000000e-05
-  %385 = fcmp uge double %383, 1.000000e-05
-  %386 = and i1 %384, %385
-  %387 = fmul double %381, 1.000000e-02
-  %388 = fdiv double %387, %383
-  %389 = select i1 %386, double %388, double 0x3EB0C6F7A0B5ED8D
-  %390 = fcmp olt double %379, %389
-  %391 = select i1 %390, double %379, double %389
-  %392 = tail call double @llvm.fabs.f64(double %248)
-  %393 = fmul double %392, 0x3D30000000000000
-  %394 = fcmp ogt double %393, %391
-  %395 = select i1 %394, double %393, double %391
-  %396 = fcmp olt double %379, %395
-  %397 = select i1 %396, double %379, double %395
-  %398 = tail call i1 @llvm.is.fpclass.f64(double %397, i32 639)
-  br i1 %398, label %399, label %401
+388:                                              ; preds = %386
+  %389 = load ptr, ptr %81, align 8
+  %390 = getelementptr inbounds i8, ptr %389, i64 24
+  %391 = load i64, ptr %390, align 8
+  %392 = getelementptr inbounds i8, ptr %221, i64 16
+  %393 = load double, ptr %392, align 8
+  %394 = load ptr, ptr %82, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %11, ptr noundef %394, ptr noundef %394, ptr noundef nonnull %82, i64 noundef %391) #9
+  %395 = load double, ptr %11, align 8
+  %396 = load ptr, ptr %100, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %12, ptr noundef %396, ptr noundef %394, ptr noundef nonnull %82, i64 noundef %391) #9
+  %397 = load double, ptr %12, align 8
+  %398 = fcmp uge double %395, 1.000000e-05
+  %399 = fcmp uge double %397, 1.000000e-05
+  %400 = and i1 %398, %399
+  %401 = fmul double %395, 1.000000e-02
+  %402 = fdiv double %401, %397
+  %403 = select i1 %400, double %402, double 0x3EB0C6F7A0B5ED8D
+  %404 = fcmp olt double %393, %403
+  %405 = select i1 %404, double %393, double %403
+  %406 = tail call double @llvm.fabs.f64(double %259)
+  %407 = fmul double %406, 0x3D30000000000000
+  %408 = fcmp ogt double %407, %405
+  %409 = select i1 %408, double %407, double %405
+  %410 = fcmp olt double %393, %409
+  %411 = select i1 %410, double %393, double %409
+  %412 = tail call i1 @llvm.is.fpclass.f64(double %411, i32 639)
+  br i1 %412, label %413, label %415
 
-399:                                              ; preds = %377
-  %400 = getelementptr inbounds i8, ptr %231, i64 72
-  store i64 4, ptr %400, align 8
-  br label %401
+413:                                              ; preds = %388
+  %414 = getelementptr inbounds i8, ptr %222, i64 72
+  store i64 4, ptr %414, align 8
+  br label %415
 
-401:                                              ; preds = %377, %399, %375, %235
-  %402 = phi double [ %250, %375 ], [ %250, %235 ], [ %397, %399 ], [ %397, %377 ]
-  %403 = load i64, ptr %232, align 8
-  %404 = icmp eq i64 %403, 0
-  br i1 %404, label %431, label %405
+415:                                              ; preds = %388, %413, %386, %250
+  %416 = phi double [ %261, %386 ], [ %261, %250 ], [ %411, %413 ], [ %411, %388 ]
+  %417 = load i64, ptr %223, align 8
+  %418 = icmp eq i64 %417, 0
+  br i1 %418, label %445, label %419
 
-405:                                              ; preds = %401
-  %406 = getelementptr inbounds i8, ptr %231, i64 8
-  %407 = getelementptr inbounds i8, ptr %231, i64 16
-  %408 = getelementptr inbounds i8, ptr %231, i64 64
-  %409 = getelementptr inbounds i8, ptr %230, i64 16
-  %410 = fcmp ogt double %229, 0x3CB0000000000000
-  %411 = select i1 %410, double %229, double 0x3CB0000000000000
-  %412 = fdiv double 0x3CE4000000000000, %411
-  %413 = tail call double @llvm.sqrt.f64(double %229)
-  %414 = fcmp olt double %413, 3.000000e-02
-  %415 = select i1 %414, double %413, double 3.000000e-02
-  %416 = fcmp ogt double %415, %412
-  %417 = select i1 %416, double %415, double %412
-  %418 = fmul double %229, %417
-  %419 = fmul double %418, %418
-  %420 = getelementptr inbounds i8, ptr %231, i64 24
-  %421 = getelementptr inbounds i8, ptr %231, i64 32
-  %422 = getelementptr inbounds i8, ptr %231, i64 40
-  %423 = getelementptr inbounds i8, ptr %231, i64 72
-  %424 = getelementptr inbounds i8, ptr %230, i64 32
-  %425 = getelementptr inbounds i8, ptr %231, i64 48
-  %426 = icmp sgt i64 %217, 0
-  %427 = getelementptr inbounds i8, ptr %231, i64 72
-  %428 = getelementptr inbounds i8, ptr %231, i64 48
-  %429 = getelementptr inbounds i8, ptr %231, i64 72
-  %430 = getelementptr inbounds i8, ptr %231, i64 72
-  br label %439
+419:                                              ; preds = %415
+  %420 = getelementptr inbounds i8, ptr %222, i64 8
+  %421 = getelementptr inbounds i8, ptr %222, i64 16
+  %422 = getelementptr inbounds i8, ptr %222, i64 64
+  %423 = getelementptr inbounds i8, ptr %221, i64 16
+  %424 = fcmp ogt double %251, 0x3CB0000000000000
+  %425 = select i1 %424, double %251, double 0x3CB0000000000000
+  %426 = fdiv double 0x3CE4000000000000, %425
+  %427 = tail call double @llvm.sqrt.f64(double %251)
+  %428 = fcmp olt double %427, 3.000000e-02
+  %429 = select i1 %428, double %427, double 3.000000e-02
+  %430 = fcmp ogt double %429, %426
+  %431 = select i1 %430, double %429, double %426
+  %432 = fmul double %251, %431
+  %433 = fmul double %432, %432
+  %434 = getelementptr inbounds i8, ptr %222, i64 24
+  %435 = getelementptr inbounds i8, ptr %222, i64 32
+  %436 = getelementptr inbounds i8, ptr %222, i64 40
+  %437 = getelementptr inbounds i8, ptr %222, i64 72
+  %438 = getelementptr inbounds i8, ptr %221, i64 32
+  %439 = getelementptr inbounds i8, ptr %222, i64 48
+  %440 = icmp sgt i64 %229, 0
+  %441 = getelementptr inbounds i8, ptr %222, i64 72
+  %442 = getelementptr inbounds i8, ptr %222, i64 48
+  %443 = getelementptr inbounds i8, ptr %222, i64 72
+  %444 = getelementptr inbounds i8, ptr %222, i64 72
+  br label %453
 
-431:                                              ; preds = %2241, %401
-  %432 = phi double [ %207, %401 ], [ %2231, %2241 ]
-  %433 = phi double [ %208, %401 ], [ %2232, %2241 ]
-  %434 = phi double [ %209, %401 ], [ %2233, %2241 ]
-  %435 = phi i64 [ %210, %401 ], [ %2234, %2241 ]
-  %436 = phi i64 [ %211, %401 ], [ %2235, %2241 ]
-  %437 = phi i64 [ %212, %401 ], [ %2236, %2241 ]
-  %438 = phi double [ %402, %401 ], [ %2237, %2241 ]
-  store double %438, ptr %249, align 8
-  br label %2244
+445:                                              ; preds = %2602, %415
+  %446 = phi double [ %215, %415 ], [ %2592, %2602 ]
+  %447 = phi double [ %216, %415 ], [ %2593, %2602 ]
+  %448 = phi double [ %217, %415 ], [ %2594, %2602 ]
+  %449 = phi i64 [ %218, %415 ], [ %2595, %2602 ]
+  %450 = phi i64 [ %219, %415 ], [ %2596, %2602 ]
+  %451 = phi i64 [ %220, %415 ], [ %2597, %2602 ]
+  %452 = phi double [ %416, %415 ], [ %2598, %2602 ]
+  store double %452, ptr %260, align 8
+  br label %2605
 
-439:                                              ; preds = %405, %2241
-  %440 = phi i64 [ %403, %405 ], [ %2242, %2241 ]
-  %441 = phi i64 [ undef, %405 ], [ %2240, %2241 ]
-  %442 = phi double [ %248, %405 ], [ %2238, %2241 ]
-  %443 = phi double [ %402, %405 ], [ %2237, %2241 ]
-  %444 = phi i64 [ %212, %405 ], [ %2236, %2241 ]
-  %445 = phi i64 [ %211, %405 ], [ %2235, %2241 ]
-  %446 = phi i64 [ %210, %405 ], [ %2234, %2241 ]
-  %447 = phi double [ %209, %405 ], [ %2233, %2241 ]
-  %448 = phi double [ %208, %405 ], [ %2232, %2241 ]
-  %449 = phi double [ %207, %405 ], [ %2231, %2241 ]
-  %450 = load ptr, ptr %97, align 8
-  %451 = getelementptr inbounds i8, ptr %450, i64 8
-  %452 = load i64, ptr %451, align 8
-  %453 = icmp sgt i64 %452, 0
-  br i1 %453, label %454, label %459
+453:                                              ; preds = %419, %2602
+  %454 = phi i64 [ %417, %419 ], [ %2603, %2602 ]
+  %455 = phi i64 [ undef, %419 ], [ %2601, %2602 ]
+  %456 = phi double [ %259, %419 ], [ %2599, %2602 ]
+  %457 = phi double [ %416, %419 ], [ %2598, %2602 ]
+  %458 = phi i64 [ %220, %419 ], [ %2597, %2602 ]
+  %459 = phi i64 [ %219, %419 ], [ %2596, %2602 ]
+  %460 = phi i64 [ %218, %419 ], [ %2595, %2602 ]
+  %461 = phi double [ %217, %419 ], [ %2594, %2602 ]
+  %462 = phi double [ %216, %419 ], [ %2593, %2602 ]
+  %463 = phi double [ %215, %419 ], [ %2592, %2602 ]
+  %464 = load ptr, ptr %101, align 8
+  %465 = getelementptr inbounds i8, ptr %464, i64 8
+  %466 = load i64, ptr %465, align 8
+  %467 = icmp sgt i64 %466, 0
+  br i1 %467, label %468, label %473
 
-454:                                              ; preds = %439
-  %455 = load i64, ptr %450, align 8
-  %456 = add nsw i64 %455, 3
-  %457 = icmp slt i64 %452, %456
-  %458 = zext i1 %457 to i32
-  br label %459
+468:                                              ; preds = %453
+  %469 = load i64, ptr %464, align 8
+  %470 = add nsw i64 %469, 3
+  %471 = icmp slt i64 %466, %470
+  %472 = zext i1 %471 to i32
+  br label %473
 
-459:                                              ; preds = %439, %454
-  %460 = phi i32 [ 0, %439 ], [ %458, %454 ]
-  %461 = icmp eq i32 %460, 0
-  br i1 %461, label %463, label %462
+473:                                              ; preds = %453, %468
+  %474 = phi i32 [ 0, %453 ], [ %472, %468 ]
+  %475 = icmp eq i32 %474, 0
+  br i1 %475, label %477, label %476
 
-462:                                              ; preds = %459
-  store double %443, ptr %249, align 8
-  br label %2244
+476:                                              ; preds = %473
+  store double %457, ptr %260, align 8
+  br label %2605
 
-463:                                              ; preds = %459
-  %464 = add nsw i64 %440, -1
-  store i64 %464, ptr %232, align 8
-  %465 = load i64, ptr %406, align 8
-  %466 = load i64, ptr %407, align 8
-  %467 = add nsw i64 %466, %465
-  %468 = load i64, ptr %408, align 8
-  %469 = icmp slt i64 %467, %468
-  br i1 %469, label %471, label %470
+477:                                              ; preds = %473
+  %478 = add nsw i64 %454, -1
+  store i64 %478, ptr %223, align 8
+  %479 = load i64, ptr %420, align 8
+  %480 = load i64, ptr %421, align 8
+  %481 = add nsw i64 %480, %479
+  %482 = load i64, ptr %422, align 8
+  %483 = icmp slt i64 %481, %482
+  br i1 %483, label %485, label %484
 
-470:                                              ; preds = %463
-  store double %443, ptr %249, align 8
-  br label %2244
+484:                                              ; preds = %477
+  store double %457, ptr %260, align 8
+  br label %2605
 
-471:                                              ; preds = %463
-  %472 = load i64, ptr %98, align 8
-  %473 = icmp eq i64 %472, 0
-  br i1 %473, label %507, label %474
+485:                                              ; preds = %477
+  %486 = load i64, ptr %102, align 8
+  %487 = icmp eq i64 %486, 0
+  br i1 %487, label %521, label %488
 
-474:                                              ; preds = %471
-  %475 = icmp sgt i64 %472, 0
-  br i1 %475, label %476, label %491
+488:                                              ; preds = %485
+  %489 = icmp sgt i64 %486, 0
+  br i1 %489, label %490, label %505
 
-476:                                              ; preds = %474
-  %477 = load ptr, ptr %99, align 8
-  br label %478
+490:                                              ; preds = %488
+  %491 = load ptr, ptr %103, align 8
+  br label %492
 
-478:                                              ; preds = %476, %478
-  %479 = phi i64 [ 0, %476 ], [ %489, %478 ]
-  %480 = phi i64 [ %472, %476 ], [ %488, %478 ]
-  %481 = add nuw nsw i64 %479, %480
-  %482 = lshr i64 %481, 1
-  %483 = mul i64 %482, 24
-  %484 = getelementptr inbounds i8, ptr %477, i64 %483
-  %485 = load double, ptr %484, align 8
-  %486 = fcmp ogt double %485, %442
-  %487 = add nuw nsw i64 %482, 1
-  %488 = select i1 %486, i64 %482, i64 %480
-  %489 = select i1 %486, i64 %479, i64 %487
-  %490 = icmp slt i64 %489, %488
-  br i1 %490, label %478, label %491, !llvm.loop !12
-
-491:                                              ; preds = %478, %474
-  %492 = phi i64 [ 0, %474 ], [ %489, %478 ]
-  %493 = load ptr, ptr %99, align 8
-  %494 = mul i64 %492, 24
-  %495 = getelementptr inbounds i8, ptr %493, i64 %494
-  %496 = icmp slt i64 %492, %472
-  br i1 %496, label %497, label %500
-
-497:                                              ; preds = %491
-  %498 = getelementptr inbounds i8, ptr %495, i64 8
+492:                                              ; preds = %490, %492
+  %493 = phi i64 [ 0, %490 ], [ %503, %492 ]
+  %494 = phi i64 [ %486, %490 ], [ %502, %492 ]
+  %495 = add nuw nsw i64 %493, %494
+  %496 = lshr i64 %495, 1
+  %497 = mul i64 %496, 24
+  %498 = getelementptr inbounds i8, ptr %491, i64 %497
   %499 = load double, ptr %498, align 8
-  br label %500
+  %500 = fcmp ogt double %499, %456
+  %501 = add nuw nsw i64 %496, 1
+  %502 = select i1 %500, i64 %496, i64 %494
+  %503 = select i1 %500, i64 %493, i64 %501
+  %504 = icmp slt i64 %503, %502
+  br i1 %504, label %492, label %505, !llvm.loop !12
 
-500:                                              ; preds = %497, %491
-  %501 = phi double [ %499, %497 ], [ 0x7FF0000000000000, %491 ]
-  %502 = load ptr, ptr %100, align 8
-  store double %501, ptr %502, align 8
-  %503 = load i64, ptr %98, align 8
-  %504 = icmp slt i64 %492, %503
-  br i1 %504, label %505, label %507
+505:                                              ; preds = %492, %488
+  %506 = phi i64 [ 0, %488 ], [ %503, %492 ]
+  %507 = load ptr, ptr %103, align 8
+  %508 = mul i64 %506, 24
+  %509 = getelementptr inbounds i8, ptr %507, i64 %508
+  %510 = icmp slt i64 %506, %486
+  br i1 %510, label %511, label %514
 
-505:                                              ; preds = %500
-  %506 = load double, ptr %495, align 8
-  br label %507
+511:                                              ; preds = %505
+  %512 = getelementptr inbounds i8, ptr %509, i64 8
+  %513 = load double, ptr %512, align 8
+  br label %514
 
-507:                                              ; preds = %471, %500, %505
-  %508 = phi double [ 0x7FF0000000000000, %471 ], [ %506, %505 ], [ 0x7FF0000000000000, %500 ]
-  %509 = fcmp olt double %240, %508
-  %510 = select i1 %509, double %240, double %508
-  %511 = load double, ptr %409, align 8
-  %512 = fcmp olt double %443, %511
-  %513 = select i1 %512, double %443, double %511
-  %514 = fadd double %442, %513
-  %515 = fmul double %513, 1.000000e-03
-  %516 = fsub double %510, %515
-  %517 = fcmp ule double %514, %516
-  %518 = select i1 %517, double %514, double %510
-  %519 = fsub double %518, %442
-  %520 = fmul double %519, 6.250000e-02
-  %521 = fadd double %442, %520
-  %522 = fcmp ule double %521, %442
-  %523 = fcmp une double %518, %510
-  %524 = and i1 %523, %522
-  br i1 %524, label %525, label %526
+514:                                              ; preds = %511, %505
+  %515 = phi double [ %513, %511 ], [ 0x7FF0000000000000, %505 ]
+  %516 = load ptr, ptr %104, align 8
+  store double %515, ptr %516, align 8
+  %517 = load i64, ptr %102, align 8
+  %518 = icmp slt i64 %506, %517
+  br i1 %518, label %519, label %521
 
-525:                                              ; preds = %507
-  store double %519, ptr %249, align 8
-  br label %2230
+519:                                              ; preds = %514
+  %520 = load double, ptr %509, align 8
+  br label %521
 
-526:                                              ; preds = %507
-  %527 = load ptr, ptr %77, align 8, !noalias !15
-  %528 = getelementptr inbounds i8, ptr %527, i64 8
-  %529 = load i64, ptr %528, align 8, !noalias !15
-  %530 = load ptr, ptr %79, align 8, !noalias !15
-  %531 = getelementptr inbounds i8, ptr %530, i64 8
-  %532 = load i64, ptr %531, align 8, !noalias !15
-  %533 = and i64 %532, 1
-  %534 = icmp eq i64 %533, 0
-  br i1 %534, label %666, label %535
+521:                                              ; preds = %485, %514, %519
+  %522 = phi double [ 0x7FF0000000000000, %485 ], [ %520, %519 ], [ 0x7FF0000000000000, %514 ]
+  %523 = fcmp olt double %234, %522
+  %524 = select i1 %523, double %234, double %522
+  %525 = load double, ptr %423, align 8
+  %526 = fcmp olt double %457, %525
+  %527 = select i1 %526, double %457, double %525
+  %528 = fadd double %456, %527
+  %529 = fmul double %527, 1.000000e-03
+  %530 = fsub double %524, %529
+  %531 = fcmp ule double %528, %530
+  %532 = select i1 %531, double %528, double %524
+  %533 = fsub double %532, %456
+  %534 = fmul double %533, 6.250000e-02
+  %535 = fadd double %456, %534
+  %536 = fcmp ule double %535, %456
+  %537 = fcmp une double %532, %524
+  %538 = and i1 %537, %536
+  br i1 %538, label %539, label %540
 
-535:                                              ; preds = %526
-  %536 = load ptr, ptr %102, align 8, !noalias !15
-  %537 = load i64, ptr %530, align 8, !noalias !15
-  %538 = icmp eq i64 %537, 0
-  br i1 %538, label %539, label %541
+539:                                              ; preds = %521
+  store double %533, ptr %260, align 8
+  br label %2591
 
-539:                                              ; preds = %535
-  %540 = icmp sgt i64 %529, 0
-  br i1 %540, label %565, label %563
+540:                                              ; preds = %521
+  %541 = load ptr, ptr %81, align 8, !noalias !15
+  %542 = getelementptr inbounds i8, ptr %541, i64 8
+  %543 = load i64, ptr %542, align 8, !noalias !15
+  %544 = load ptr, ptr %83, align 8, !noalias !15
+  %545 = getelementptr inbounds i8, ptr %544, i64 8
+  %546 = load i64, ptr %545, align 8, !noalias !15
+  %547 = and i64 %546, 1
+  %548 = icmp eq i64 %547, 0
+  br i1 %548, label %680, label %549
 
-541:                                              ; preds = %535
-  %542 = load ptr, ptr %103, align 8, !noalias !15
-  store double %442, ptr %542, align 8, !noalias !15
-  %543 = load ptr, ptr %77, align 8, !noalias !15
-  %544 = getelementptr inbounds i8, ptr %543, i64 40
-  %545 = load i64, ptr %544, align 8, !noalias !15
-  %546 = icmp eq i64 %545, 0
-  br i1 %546, label %548, label %547
+549:                                              ; preds = %540
+  %550 = load ptr, ptr %106, align 8, !noalias !15
+  %551 = load i64, ptr %544, align 8, !noalias !15
+  %552 = icmp eq i64 %551, 0
+  br i1 %552, label %553, label %555
 
-547:                                              ; preds = %541
-  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !15
-  br label %548
+553:                                              ; preds = %549
+  %554 = icmp sgt i64 %543, 0
+  br i1 %554, label %579, label %577
 
-548:                                              ; preds = %547, %541
-  %549 = load i64, ptr %104, align 8, !noalias !15
-  %550 = icmp sgt i64 %549, 0
-  br i1 %550, label %551, label %552
+555:                                              ; preds = %549
+  %556 = load ptr, ptr %107, align 8, !noalias !15
+  store double %456, ptr %556, align 8, !noalias !15
+  %557 = load ptr, ptr %81, align 8, !noalias !15
+  %558 = getelementptr inbounds i8, ptr %557, i64 40
+  %559 = load i64, ptr %558, align 8, !noalias !15
+  %560 = icmp eq i64 %559, 0
+  br i1 %560, label %562, label %561
 
-551:                                              ; preds = %548
-  tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !15
-  br label %552
+561:                                              ; preds = %555
+  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !15
+  br label %562
 
-552:                                              ; preds = %551, %548
-  %553 = load ptr, ptr %79, align 8, !noalias !15
-  %554 = load i64, ptr %553, align 8, !noalias !15
-  %555 = load ptr, ptr %103, align 8, !noalias !15
-  %556 = load ptr, ptr %78, align 8, !noalias !15
-  %557 = load ptr, ptr %105, align 8, !noalias !15
-  %558 = load ptr, ptr %106, align 8, !noalias !15
-  %559 = inttoptr i64 %554 to ptr
-  %560 = load ptr, ptr %559, align 8, !noalias !15
-  %561 = tail call i32 %560(ptr noundef %555, ptr noundef %556, ptr noundef %557, ptr noundef %558, ptr noundef %536) #9, !noalias !15
-  %562 = sext i32 %561 to i64
-  br label %637
+562:                                              ; preds = %561, %555
+  %563 = load i64, ptr %108, align 8, !noalias !15
+  %564 = icmp sgt i64 %563, 0
+  br i1 %564, label %565, label %566
 
-563:                                              ; preds = %565, %539
-  %564 = icmp sgt i64 %529, 0
-  br i1 %564, label %577, label %637
+565:                                              ; preds = %562
+  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !15
+  br label %566
 
-565:                                              ; preds = %539, %565
-  %566 = phi i64 [ %572, %565 ], [ 0, %539 ]
-  %567 = load ptr, ptr %78, align 8, !noalias !15
-  %568 = getelementptr inbounds double, ptr %567, i64 %566
-  %569 = load double, ptr %568, align 8, !noalias !15
-  %570 = load ptr, ptr %107, align 8, !noalias !15
-  %571 = getelementptr inbounds double, ptr %570, i64 %566
-  store double %569, ptr %571, align 8, !noalias !15
-  %572 = add nuw nsw i64 %566, 1
-  %573 = icmp eq i64 %572, %529
-  br i1 %573, label %563, label %565, !llvm.loop !18
+566:                                              ; preds = %565, %562
+  %567 = load ptr, ptr %83, align 8, !noalias !15
+  %568 = load i64, ptr %567, align 8, !noalias !15
+  %569 = load ptr, ptr %107, align 8, !noalias !15
+  %570 = load ptr, ptr %82, align 8, !noalias !15
+  %571 = load ptr, ptr %109, align 8, !noalias !15
+  %572 = load ptr, ptr %110, align 8, !noalias !15
+  %573 = inttoptr i64 %568 to ptr
+  %574 = load ptr, ptr %573, align 8, !noalias !15
+  %575 = tail call i32 %574(ptr noundef %569, ptr noundef %570, ptr noundef %571, ptr noundef %572, ptr noundef %550) #10, !noalias !15
+  %576 = sext i32 %575 to i64
+  br label %651
 
-574:                                              ; preds = %635
-  %575 = add nuw nsw i64 %579, 1
-  %576 = icmp eq i64 %575, %529
-  br i1 %576, label %637, label %577, !llvm.loop !19
+577:                                              ; preds = %579, %553
+  %578 = icmp sgt i64 %543, 0
+  br i1 %578, label %591, label %651
 
-577:                                              ; preds = %563, %574
-  %578 = phi i64 [ %636, %574 ], [ undef, %563 ]
-  %579 = phi i64 [ %575, %574 ], [ 0, %563 ]
-  %580 = phi double [ %591, %574 ], [ 0.000000e+00, %563 ]
-  %581 = load ptr, ptr %78, align 8, !noalias !15
-  %582 = getelementptr inbounds double, ptr %581, i64 %579
+579:                                              ; preds = %553, %579
+  %580 = phi i64 [ %586, %579 ], [ 0, %553 ]
+  %581 = load ptr, ptr %82, align 8, !noalias !15
+  %582 = getelementptr inbounds double, ptr %581, i64 %580
   %583 = load double, ptr %582, align 8, !noalias !15
-  %584 = tail call double @llvm.fabs.f64(double %583)
-  %585 = fcmp olt double %584, 1.000000e-05
-  %586 = select i1 %585, double 1.000000e-05, double %584
-  %587 = fmul double %586, 1.500000e-08
-  %588 = fadd double %583, %587
-  %589 = load ptr, ptr %108, align 8, !noalias !15
-  %590 = getelementptr inbounds double, ptr %589, i64 %579
-  store double %588, ptr %590, align 8, !noalias !15
-  %591 = fadd double %580, 1.000000e+00
-  %592 = load ptr, ptr %108, align 8, !noalias !15
-  %593 = load ptr, ptr %109, align 8, !noalias !15
-  %594 = load ptr, ptr %110, align 8, !noalias !15
-  store double %442, ptr %594, align 8, !noalias !15
-  %595 = load ptr, ptr %77, align 8, !noalias !15
-  %596 = getelementptr inbounds i8, ptr %595, i64 40
-  %597 = load i64, ptr %596, align 8, !noalias !15
-  %598 = icmp eq i64 %597, 0
-  br i1 %598, label %600, label %599
+  %584 = load ptr, ptr %111, align 8, !noalias !15
+  %585 = getelementptr inbounds double, ptr %584, i64 %580
+  store double %583, ptr %585, align 8, !noalias !15
+  %586 = add nuw nsw i64 %580, 1
+  %587 = icmp eq i64 %586, %543
+  br i1 %587, label %577, label %579, !llvm.loop !18
 
-599:                                              ; preds = %577
-  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !15
-  br label %600
+588:                                              ; preds = %649
+  %589 = add nuw nsw i64 %593, 1
+  %590 = icmp eq i64 %589, %543
+  br i1 %590, label %651, label %591, !llvm.loop !19
 
-600:                                              ; preds = %599, %577
-  %601 = load i64, ptr %111, align 8, !noalias !15
-  %602 = icmp sgt i64 %601, 0
-  br i1 %602, label %603, label %604
+591:                                              ; preds = %577, %588
+  %592 = phi i64 [ %650, %588 ], [ undef, %577 ]
+  %593 = phi i64 [ %589, %588 ], [ 0, %577 ]
+  %594 = phi double [ %605, %588 ], [ 0.000000e+00, %577 ]
+  %595 = load ptr, ptr %82, align 8, !noalias !15
+  %596 = getelementptr inbounds double, ptr %595, i64 %593
+  %597 = load double, ptr %596, align 8, !noalias !15
+  %598 = tail call double @llvm.fabs.f64(double %597)
+  %599 = fcmp olt double %598, 1.000000e-05
+  %600 = select i1 %599, double 1.000000e-05, double %598
+  %601 = fmul double %600, 1.500000e-08
+  %602 = fadd double %597, %601
+  %603 = load ptr, ptr %112, align 8, !noalias !15
+  %604 = getelementptr inbounds double, ptr %603, i64 %593
+  store double %602, ptr %604, align 8, !noalias !15
+  %605 = fadd double %594, 1.000000e+00
+  %606 = load ptr, ptr %112, align 8, !noalias !15
+  %607 = load ptr, ptr %113, align 8, !noalias !15
+  %608 = load ptr, ptr %114, align 8, !noalias !15
+  store double %456, ptr %608, align 8, !noalias !15
+  %609 = load ptr, ptr %81, align 8, !noalias !15
+  %610 = getelementptr inbounds i8, ptr %609, i64 40
+  %611 = load i64, ptr %610, align 8, !noalias !15
+  %612 = icmp eq i64 %611, 0
+  br i1 %612, label %614, label %613
 
-603:                                              ; preds = %600
-  tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !15
-  br label %604
+613:                                              ; preds = %591
+  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !15
+  br label %614
 
-604:                                              ; preds = %603, %600
-  %605 = load ptr, ptr %77, align 8, !noalias !15
-  %606 = load i64, ptr %605, align 8, !noalias !15
-  %607 = load ptr, ptr %110, align 8, !noalias !15
-  %608 = load ptr, ptr %112, align 8, !noalias !15
-  %609 = load ptr, ptr %113, align 8, !noalias !15
-  %610 = inttoptr i64 %606 to ptr
-  %611 = load ptr, ptr %610, align 8, !noalias !15
-  %612 = tail call i32 %611(ptr noundef %607, ptr noundef %592, ptr noundef %608, ptr noundef %609, ptr noundef %593) #9, !noalias !15
-  %613 = sext i32 %612 to i64
-  %614 = icmp eq i32 %612, 0
-  br i1 %614, label %615, label %635
+614:                                              ; preds = %613, %591
+  %615 = load i64, ptr %115, align 8, !noalias !15
+  %616 = icmp sgt i64 %615, 0
+  br i1 %616, label %617, label %618
 
-615:                                              ; preds = %604
-  %616 = getelementptr double, ptr %536, i64 %579
-  %617 = fsub double %588, %583
-  br label %621
+617:                                              ; preds = %614
+  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !15
+  br label %618
 
-618:                                              ; preds = %621
-  %619 = load ptr, ptr %108, align 8, !noalias !15
-  %620 = getelementptr inbounds double, ptr %619, i64 %579
-  store double %583, ptr %620, align 8, !noalias !15
+618:                                              ; preds = %617, %614
+  %619 = load ptr, ptr %81, align 8, !noalias !15
+  %620 = load i64, ptr %619, align 8, !noalias !15
+  %621 = load ptr, ptr %114, align 8, !noalias !15
+  %622 = load ptr, ptr %116, align 8, !noalias !15
+  %623 = load ptr, ptr %117, align 8, !noalias !15
+  %624 = inttoptr i64 %620 to ptr
+  %625 = load ptr, ptr %624, align 8, !noalias !15
+  %626 = tail call i32 %625(ptr noundef %621, ptr noundef %606, ptr noundef %622, ptr noundef %623, ptr noundef %607) #10, !noalias !15
+  %627 = sext i32 %626 to i64
+  %628 = icmp eq i32 %626, 0
+  br i1 %628, label %629, label %649
+
+629:                                              ; preds = %618
+  %630 = getelementptr double, ptr %550, i64 %593
+  %631 = fsub double %602, %597
   br label %635
 
-621:                                              ; preds = %615, %621
-  %622 = phi i64 [ 0, %615 ], [ %633, %621 ]
-  %623 = load ptr, ptr %109, align 8, !noalias !15
-  %624 = getelementptr inbounds double, ptr %623, i64 %622
-  %625 = load double, ptr %624, align 8, !noalias !15
-  %626 = load ptr, ptr %114, align 8, !noalias !15
-  %627 = getelementptr inbounds double, ptr %626, i64 %622
-  %628 = load double, ptr %627, align 8, !noalias !15
-  %629 = fsub double %625, %628
-  %630 = fdiv double %629, %617
-  %631 = mul nuw nsw i64 %622, %529
-  %632 = getelementptr double, ptr %616, i64 %631
-  store double %630, ptr %632, align 8, !noalias !15
-  %633 = add nuw nsw i64 %622, 1
-  %634 = icmp eq i64 %633, %529
-  br i1 %634, label %618, label %621, !llvm.loop !20
+632:                                              ; preds = %635
+  %633 = load ptr, ptr %112, align 8, !noalias !15
+  %634 = getelementptr inbounds double, ptr %633, i64 %593
+  store double %597, ptr %634, align 8, !noalias !15
+  br label %649
 
-635:                                              ; preds = %618, %604
-  %636 = phi i64 [ %578, %618 ], [ %613, %604 ]
-  br i1 %614, label %574, label %637
+635:                                              ; preds = %629, %635
+  %636 = phi i64 [ 0, %629 ], [ %647, %635 ]
+  %637 = load ptr, ptr %113, align 8, !noalias !15
+  %638 = getelementptr inbounds double, ptr %637, i64 %636
+  %639 = load double, ptr %638, align 8, !noalias !15
+  %640 = load ptr, ptr %118, align 8, !noalias !15
+  %641 = getelementptr inbounds double, ptr %640, i64 %636
+  %642 = load double, ptr %641, align 8, !noalias !15
+  %643 = fsub double %639, %642
+  %644 = fdiv double %643, %631
+  %645 = mul nuw nsw i64 %636, %543
+  %646 = getelementptr double, ptr %630, i64 %645
+  store double %644, ptr %646, align 8, !noalias !15
+  %647 = add nuw nsw i64 %636, 1
+  %648 = icmp eq i64 %647, %543
+  br i1 %648, label %632, label %635, !llvm.loop !20
 
-637:                                              ; preds = %635, %574, %563, %552
-  %638 = phi double [ 0.000000e+00, %552 ], [ 0.000000e+00, %563 ], [ %591, %574 ], [ %591, %635 ]
-  %639 = phi i64 [ %562, %552 ], [ 0, %563 ], [ %636, %635 ], [ 0, %574 ]
-  %640 = load i64, ptr %115, align 8, !noalias !15
-  %641 = icmp sgt i64 %640, 0
-  br i1 %641, label %642, label %655
+649:                                              ; preds = %632, %618
+  %650 = phi i64 [ %592, %632 ], [ %627, %618 ]
+  br i1 %628, label %588, label %651
 
-642:                                              ; preds = %637, %642
-  %643 = phi i64 [ %652, %642 ], [ 0, %637 ]
-  %644 = load ptr, ptr %102, align 8, !noalias !15
-  %645 = getelementptr inbounds double, ptr %644, i64 %643
-  %646 = load double, ptr %645, align 8, !noalias !15
-  %647 = tail call double @llvm.fabs.f64(double %646)
-  %648 = fcmp ueq double %647, 0x7FF0000000000000
-  %649 = select i1 %648, double 0.000000e+00, double %646
-  %650 = load ptr, ptr %101, align 8, !noalias !15
-  %651 = getelementptr inbounds double, ptr %650, i64 %643
-  store double %649, ptr %651, align 8, !noalias !15
-  %652 = add nuw nsw i64 %643, 1
-  %653 = load i64, ptr %115, align 8, !noalias !15
-  %654 = icmp slt i64 %652, %653
-  br i1 %654, label %642, label %655, !llvm.loop !21
+651:                                              ; preds = %649, %588, %577, %566
+  %652 = phi double [ 0.000000e+00, %566 ], [ 0.000000e+00, %577 ], [ %605, %588 ], [ %605, %649 ]
+  %653 = phi i64 [ %576, %566 ], [ 0, %577 ], [ %650, %649 ], [ 0, %588 ]
+  %654 = load i64, ptr %119, align 8, !noalias !15
+  %655 = icmp sgt i64 %654, 0
+  br i1 %655, label %656, label %669
 
-655:                                              ; preds = %642, %637
-  %656 = icmp slt i64 %639, 0
-  br i1 %656, label %1620, label %657
+656:                                              ; preds = %651, %656
+  %657 = phi i64 [ %666, %656 ], [ 0, %651 ]
+  %658 = load ptr, ptr %106, align 8, !noalias !15
+  %659 = getelementptr inbounds double, ptr %658, i64 %657
+  %660 = load double, ptr %659, align 8, !noalias !15
+  %661 = tail call double @llvm.fabs.f64(double %660)
+  %662 = fcmp ueq double %661, 0x7FF0000000000000
+  %663 = select i1 %662, double 0.000000e+00, double %660
+  %664 = load ptr, ptr %105, align 8, !noalias !15
+  %665 = getelementptr inbounds double, ptr %664, i64 %657
+  store double %663, ptr %665, align 8, !noalias !15
+  %666 = add nuw nsw i64 %657, 1
+  %667 = load i64, ptr %119, align 8, !noalias !15
+  %668 = icmp slt i64 %666, %667
+  br i1 %668, label %656, label %669, !llvm.loop !21
 
-657:                                              ; preds = %655
-  %658 = load i64, ptr %531, align 8, !noalias !15
-  %659 = and i64 %658, -2
-  store i64 %659, ptr %531, align 8, !noalias !15
-  %660 = getelementptr inbounds i8, ptr %530, i64 16
-  %661 = load i64, ptr %660, align 8, !noalias !15
-  %662 = or i64 %661, 1
-  store i64 %662, ptr %660, align 8, !noalias !15
-  %663 = getelementptr inbounds i8, ptr %530, i64 24
-  %664 = load i64, ptr %663, align 8, !noalias !15
-  %665 = and i64 %664, -2
-  store i64 %665, ptr %663, align 8, !noalias !15
-  br label %666
+669:                                              ; preds = %656, %651
+  %670 = icmp slt i64 %653, 0
+  br i1 %670, label %1981, label %671
 
-666:                                              ; preds = %657, %526
-  %667 = phi double [ 0.000000e+00, %526 ], [ %638, %657 ]
-  %668 = load ptr, ptr %79, align 8, !noalias !15
-  %669 = load ptr, ptr %116, align 8, !noalias !15
-  %670 = load double, ptr %669, align 8, !noalias !15
-  %671 = fsub double %519, %670
-  %672 = tail call double @llvm.fabs.f64(double %671)
-  %673 = tail call double @llvm.fabs.f64(double %518)
-  %674 = fmul double %673, 0x3CB0000000000000
-  %675 = fcmp ogt double %672, %674
-  %676 = getelementptr inbounds i8, ptr %668, i64 24
-  %677 = load i64, ptr %676, align 8, !noalias !15
-  %678 = trunc i64 %677 to i1
-  %679 = xor i1 %678, true
-  %680 = or i1 %675, %679
-  %681 = zext i1 %680 to i64
-  br i1 %680, label %682, label %742
+671:                                              ; preds = %669
+  %672 = load i64, ptr %545, align 8, !noalias !15
+  %673 = and i64 %672, -2
+  store i64 %673, ptr %545, align 8, !noalias !15
+  %674 = getelementptr inbounds i8, ptr %544, i64 16
+  %675 = load i64, ptr %674, align 8, !noalias !15
+  %676 = or i64 %675, 1
+  store i64 %676, ptr %674, align 8, !noalias !15
+  %677 = getelementptr inbounds i8, ptr %544, i64 24
+  %678 = load i64, ptr %677, align 8, !noalias !15
+  %679 = and i64 %678, -2
+  store i64 %679, ptr %677, align 8, !noalias !15
+  br label %680
 
-682:                                              ; preds = %666
-  store double %519, ptr %669, align 8, !noalias !15
-  %683 = load i64, ptr %117, align 8, !noalias !15
-  %684 = load ptr, ptr %118, align 8, !noalias !15
-  %685 = load ptr, ptr %119, align 8, !noalias !15
-  %686 = icmp sgt i64 %683, 0
-  br i1 %686, label %687, label %717
+680:                                              ; preds = %671, %540
+  %681 = phi double [ 0.000000e+00, %540 ], [ %652, %671 ]
+  %682 = load ptr, ptr %83, align 8, !noalias !15
+  %683 = load ptr, ptr %120, align 8, !noalias !15
+  %684 = load double, ptr %683, align 8, !noalias !15
+  %685 = fsub double %533, %684
+  %686 = tail call double @llvm.fabs.f64(double %685)
+  %687 = tail call double @llvm.fabs.f64(double %532)
+  %688 = fmul double %687, 0x3CB0000000000000
+  %689 = fcmp ogt double %686, %688
+  %690 = getelementptr inbounds i8, ptr %682, i64 24
+  %691 = load i64, ptr %690, align 8, !noalias !15
+  %692 = trunc i64 %691 to i1
+  %693 = xor i1 %692, true
+  %694 = or i1 %689, %693
+  %695 = zext i1 %694 to i64
+  br i1 %694, label %696, label %756
 
-687:                                              ; preds = %682
-  %688 = fdiv double 0x400D1A48D83E731D, %519
-  %689 = fdiv double 0x400572DB93E0C672, %519
-  %690 = fdiv double 0xC0086747F2C3FCB6, %519
-  br label %691
+696:                                              ; preds = %680
+  store double %533, ptr %683, align 8, !noalias !15
+  %697 = load i64, ptr %121, align 8, !noalias !15
+  %698 = load ptr, ptr %122, align 8, !noalias !15
+  %699 = load ptr, ptr %123, align 8, !noalias !15
+  %700 = icmp sgt i64 %697, 0
+  br i1 %700, label %701, label %731
 
-691:                                              ; preds = %687, %694
-  %692 = phi i64 [ 0, %687 ], [ %695, %694 ]
-  %693 = mul nuw nsw i64 %692, %683
-  br label %697
+701:                                              ; preds = %696
+  %702 = fdiv double 0x400D1A48D83E731D, %533
+  %703 = fdiv double 0x400572DB93E0C672, %533
+  %704 = fdiv double 0xC0086747F2C3FCB6, %533
+  br label %705
 
-694:                                              ; preds = %697
-  %695 = add nuw nsw i64 %692, 1
-  %696 = icmp eq i64 %695, %683
-  br i1 %696, label %717, label %691, !llvm.loop !22
+705:                                              ; preds = %701, %708
+  %706 = phi i64 [ 0, %701 ], [ %709, %708 ]
+  %707 = mul nuw nsw i64 %706, %697
+  br label %711
 
-697:                                              ; preds = %691, %697
-  %698 = phi i64 [ 0, %691 ], [ %715, %697 ]
-  %699 = load ptr, ptr %120, align 8, !noalias !15
-  %700 = add nuw nsw i64 %698, %693
-  %701 = getelementptr inbounds double, ptr %699, i64 %700
-  %702 = load double, ptr %701, align 8, !noalias !15
-  %703 = fneg double %702
-  %704 = icmp eq i64 %692, %698
-  %705 = fsub double %688, %702
-  %706 = select i1 %704, double %705, double %703
-  %707 = fsub double %689, %702
-  %708 = select i1 %704, double %707, double %703
-  %709 = getelementptr inbounds double, ptr %684, i64 %700
-  store double %706, ptr %709, align 8, !noalias !15
-  %710 = select i1 %704, double %690, double 0.000000e+00
-  %711 = shl nuw nsw i64 %700, 1
-  %712 = getelementptr inbounds double, ptr %685, i64 %711
-  store double %708, ptr %712, align 8, !noalias !15
-  %713 = or disjoint i64 %711, 1
-  %714 = getelementptr inbounds double, ptr %685, i64 %713
-  store double %710, ptr %714, align 8, !noalias !15
-  %715 = add nuw nsw i64 %698, 1
-  %716 = icmp eq i64 %715, %683
-  br i1 %716, label %694, label %697, !llvm.loop !23
+708:                                              ; preds = %711
+  %709 = add nuw nsw i64 %706, 1
+  %710 = icmp eq i64 %709, %697
+  br i1 %710, label %731, label %705, !llvm.loop !22
 
-717:                                              ; preds = %694, %682
-  %718 = load ptr, ptr %121, align 8, !noalias !15
-  %719 = tail call fastcc i64 @real_factorise(ptr noundef %684, i64 noundef %683, ptr noundef %718) #8, !noalias !15
-  %720 = load ptr, ptr %122, align 8, !noalias !15
-  %721 = tail call fastcc i64 @pair_factorise(ptr noundef %685, i64 noundef %683, ptr noundef %720) #8, !noalias !15
-  %722 = or i64 %721, %719
-  %723 = and i64 %722, %681
-  %724 = load i64, ptr %676, align 8, !noalias !15
-  %725 = or i64 %724, %681
-  %726 = xor i64 %723, -1
-  %727 = xor i64 %723, %725
-  store i64 %727, ptr %676, align 8, !noalias !15
-  %728 = icmp eq i64 %723, 0
-  %729 = select i1 %728, double 2.000000e+00, double 4.000000e+00
-  %730 = fmul double %519, 5.000000e-01
-  %731 = select i1 %728, double %443, double %730
-  %732 = load ptr, ptr %79, align 8, !noalias !15
-  %733 = getelementptr inbounds i8, ptr %732, i64 8
-  %734 = load i64, ptr %733, align 8, !noalias !15
-  %735 = and i64 %734, %726
-  %736 = getelementptr inbounds i8, ptr %732, i64 16
-  %737 = load i64, ptr %736, align 8, !noalias !15
-  %738 = xor i64 %737, -1
-  %739 = and i64 %723, %738
-  %740 = or disjoint i64 %739, %735
-  store i64 %740, ptr %733, align 8, !noalias !15
-  %741 = and i64 %726, 1
-  br label %742
+711:                                              ; preds = %705, %711
+  %712 = phi i64 [ 0, %705 ], [ %729, %711 ]
+  %713 = load ptr, ptr %124, align 8, !noalias !15
+  %714 = add nuw nsw i64 %712, %707
+  %715 = getelementptr inbounds double, ptr %713, i64 %714
+  %716 = load double, ptr %715, align 8, !noalias !15
+  %717 = fneg double %716
+  %718 = icmp eq i64 %706, %712
+  %719 = fsub double %702, %716
+  %720 = select i1 %718, double %719, double %717
+  %721 = fsub double %703, %716
+  %722 = select i1 %718, double %721, double %717
+  %723 = getelementptr inbounds double, ptr %698, i64 %714
+  store double %720, ptr %723, align 8, !noalias !15
+  %724 = select i1 %718, double %704, double 0.000000e+00
+  %725 = shl nuw nsw i64 %714, 1
+  %726 = getelementptr inbounds double, ptr %699, i64 %725
+  store double %722, ptr %726, align 8, !noalias !15
+  %727 = or disjoint i64 %725, 1
+  %728 = getelementptr inbounds double, ptr %699, i64 %727
+  store double %724, ptr %728, align 8, !noalias !15
+  %729 = add nuw nsw i64 %712, 1
+  %730 = icmp eq i64 %729, %697
+  br i1 %730, label %708, label %711, !llvm.loop !23
 
-742:                                              ; preds = %666, %717
-  %743 = phi double [ %443, %666 ], [ %731, %717 ]
-  %744 = phi double [ 2.000000e+00, %666 ], [ %729, %717 ]
-  %745 = phi i64 [ 1, %666 ], [ %741, %717 ]
-  %746 = icmp eq i64 %745, 0
-  br i1 %746, label %1620, label %747
+731:                                              ; preds = %708, %696
+  %732 = load ptr, ptr %125, align 8, !noalias !15
+  %733 = tail call fastcc i64 @real_factorise(ptr noundef %698, i64 noundef %697, ptr noundef %732) #9, !noalias !15
+  %734 = load ptr, ptr %126, align 8, !noalias !15
+  %735 = tail call fastcc i64 @pair_factorise(ptr noundef %699, i64 noundef %697, ptr noundef %734) #9, !noalias !15
+  %736 = or i64 %735, %733
+  %737 = and i64 %736, %695
+  %738 = load i64, ptr %690, align 8, !noalias !15
+  %739 = or i64 %738, %695
+  %740 = xor i64 %737, -1
+  %741 = xor i64 %737, %739
+  store i64 %741, ptr %690, align 8, !noalias !15
+  %742 = icmp eq i64 %737, 0
+  %743 = select i1 %742, double 2.000000e+00, double 4.000000e+00
+  %744 = fmul double %533, 5.000000e-01
+  %745 = select i1 %742, double %457, double %744
+  %746 = load ptr, ptr %83, align 8, !noalias !15
+  %747 = getelementptr inbounds i8, ptr %746, i64 8
+  %748 = load i64, ptr %747, align 8, !noalias !15
+  %749 = and i64 %748, %740
+  %750 = getelementptr inbounds i8, ptr %746, i64 16
+  %751 = load i64, ptr %750, align 8, !noalias !15
+  %752 = xor i64 %751, -1
+  %753 = and i64 %737, %752
+  %754 = or disjoint i64 %753, %749
+  store i64 %754, ptr %747, align 8, !noalias !15
+  %755 = and i64 %740, 1
+  br label %756
 
-747:                                              ; preds = %742
-  %748 = load ptr, ptr %116, align 8, !noalias !15
-  %749 = getelementptr inbounds i8, ptr %748, i64 8
-  %750 = load double, ptr %749, align 8, !noalias !15
-  %751 = load ptr, ptr %77, align 8, !noalias !15
-  %752 = getelementptr inbounds i8, ptr %751, i64 8
-  %753 = load i64, ptr %752, align 8, !noalias !15
-  %754 = load ptr, ptr %123, align 8, !noalias !15
-  %755 = load ptr, ptr %78, align 8, !noalias !15
-  %756 = load ptr, ptr %124, align 8, !noalias !15
-  %757 = load ptr, ptr %125, align 8, !noalias !15
-  %758 = fcmp ule double %750, 0.000000e+00
-  %759 = icmp sgt i64 %753, 0
-  %760 = shl i64 %753, 4
-  %761 = getelementptr i8, ptr %754, i64 %760
-  %762 = mul i64 %753, 24
-  %763 = getelementptr i8, ptr %754, i64 %762
-  %764 = getelementptr double, ptr %754, i64 %753
-  br label %770
+756:                                              ; preds = %680, %731
+  %757 = phi double [ %457, %680 ], [ %745, %731 ]
+  %758 = phi double [ 2.000000e+00, %680 ], [ %743, %731 ]
+  %759 = phi i64 [ 1, %680 ], [ %755, %731 ]
+  %760 = icmp eq i64 %759, 0
+  br i1 %760, label %1981, label %761
 
-765:                                              ; preds = %781
-  %766 = icmp sgt i64 %753, 0
-  %767 = getelementptr double, ptr %756, i64 %753
-  %768 = shl i64 %753, 4
-  %769 = getelementptr i8, ptr %756, i64 %768
-  br label %807
-
-770:                                              ; preds = %747, %781
-  %771 = phi i64 [ 0, %747 ], [ %782, %781 ]
-  %772 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %771
-  %773 = load double, ptr %772, align 8, !noalias !15
-  %774 = fmul double %519, %773
-  %775 = fdiv double %774, %750
-  %776 = fadd double %775, 1.000000e+00
-  br i1 %759, label %777, label %781
-
-777:                                              ; preds = %770
-  %778 = fsub double 1.000000e+00, %776
-  %779 = mul nuw nsw i64 %753, %771
-  %780 = getelementptr double, ptr %756, i64 %779
+761:                                              ; preds = %756
+  %762 = load ptr, ptr %120, align 8, !noalias !15
+  %763 = getelementptr inbounds i8, ptr %762, i64 8
+  %764 = load double, ptr %763, align 8, !noalias !15
+  %765 = load ptr, ptr %81, align 8, !noalias !15
+  %766 = getelementptr inbounds i8, ptr %765, i64 8
+  %767 = load i64, ptr %766, align 8, !noalias !15
+  %768 = load ptr, ptr %127, align 8, !noalias !15
+  %769 = load ptr, ptr %82, align 8, !noalias !15
+  %770 = load ptr, ptr %128, align 8, !noalias !15
+  %771 = load ptr, ptr %129, align 8, !noalias !15
+  %772 = fcmp ule double %764, 0.000000e+00
+  %773 = icmp sgt i64 %767, 0
+  %774 = shl i64 %767, 4
+  %775 = getelementptr i8, ptr %768, i64 %774
+  %776 = mul i64 %767, 24
+  %777 = getelementptr i8, ptr %768, i64 %776
+  %778 = getelementptr double, ptr %768, i64 %767
   br label %784
 
-781:                                              ; preds = %784, %770
-  %782 = add nuw nsw i64 %771, 1
-  %783 = icmp eq i64 %782, 3
-  br i1 %783, label %765, label %770, !llvm.loop !24
-
-784:                                              ; preds = %777, %784
-  %785 = phi i64 [ 0, %777 ], [ %805, %784 ]
-  %786 = getelementptr double, ptr %761, i64 %785
-  %787 = load double, ptr %786, align 8, !noalias !15
-  %788 = getelementptr double, ptr %763, i64 %785
-  %789 = load double, ptr %788, align 8, !noalias !15
-  %790 = fmul double %776, %789
-  %791 = fadd double %787, %790
-  %792 = fmul double %778, %791
-  %793 = getelementptr inbounds double, ptr %754, i64 %785
-  %794 = load double, ptr %793, align 8, !noalias !15
-  %795 = getelementptr double, ptr %764, i64 %785
-  %796 = load double, ptr %795, align 8, !noalias !15
-  %797 = fadd double %796, %792
-  %798 = fmul double %776, %797
-  %799 = fadd double %794, %798
-  %800 = getelementptr inbounds double, ptr %755, i64 %785
-  %801 = load double, ptr %800, align 8, !noalias !15
-  %802 = fsub double %799, %801
-  %803 = select i1 %758, double 0.000000e+00, double %802
-  %804 = getelementptr double, ptr %780, i64 %785
-  store double %803, ptr %804, align 8, !noalias !15
-  %805 = add nuw nsw i64 %785, 1
-  %806 = icmp eq i64 %805, %753
-  br i1 %806, label %781, label %784, !llvm.loop !25
-
-807:                                              ; preds = %765, %818
-  %808 = phi i64 [ 0, %765 ], [ %819, %818 ]
-  br i1 %766, label %809, label %818
-
-809:                                              ; preds = %807
-  %810 = mul nuw nsw i64 %753, %808
-  %811 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %808
-  %812 = load double, ptr %811, align 8, !noalias !15
-  %813 = getelementptr inbounds i8, ptr %811, i64 8
-  %814 = load double, ptr %813, align 8, !noalias !15
-  %815 = getelementptr inbounds i8, ptr %811, i64 16
-  %816 = load double, ptr %815, align 8, !noalias !15
-  %817 = getelementptr double, ptr %757, i64 %810
+779:                                              ; preds = %795
+  %780 = icmp sgt i64 %767, 0
+  %781 = getelementptr double, ptr %770, i64 %767
+  %782 = shl i64 %767, 4
+  %783 = getelementptr i8, ptr %770, i64 %782
   br label %821
 
-818:                                              ; preds = %821, %807
-  %819 = add nuw nsw i64 %808, 1
-  %820 = icmp eq i64 %819, 3
-  br i1 %820, label %837, label %807, !llvm.loop !26
+784:                                              ; preds = %761, %795
+  %785 = phi i64 [ 0, %761 ], [ %796, %795 ]
+  %786 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %785
+  %787 = load double, ptr %786, align 8, !noalias !15
+  %788 = fmul double %533, %787
+  %789 = fdiv double %788, %764
+  %790 = fadd double %789, 1.000000e+00
+  br i1 %773, label %791, label %795
 
-821:                                              ; preds = %809, %821
-  %822 = phi i64 [ 0, %809 ], [ %835, %821 ]
-  %823 = getelementptr inbounds double, ptr %756, i64 %822
-  %824 = load double, ptr %823, align 8, !noalias !15
-  %825 = fmul double %812, %824
-  %826 = getelementptr double, ptr %767, i64 %822
-  %827 = load double, ptr %826, align 8, !noalias !15
-  %828 = fmul double %814, %827
-  %829 = fadd double %825, %828
-  %830 = getelementptr double, ptr %769, i64 %822
-  %831 = load double, ptr %830, align 8, !noalias !15
-  %832 = fmul double %816, %831
-  %833 = fadd double %829, %832
-  %834 = getelementptr double, ptr %817, i64 %822
-  store double %833, ptr %834, align 8, !noalias !15
-  %835 = add nuw nsw i64 %822, 1
-  %836 = icmp eq i64 %835, %753
-  br i1 %836, label %818, label %821, !llvm.loop !27
+791:                                              ; preds = %784
+  %792 = fsub double 1.000000e+00, %790
+  %793 = mul nuw nsw i64 %767, %785
+  %794 = getelementptr double, ptr %770, i64 %793
+  br label %798
 
-837:                                              ; preds = %818
-  %838 = load ptr, ptr %79, align 8, !noalias !28
-  %839 = getelementptr inbounds i8, ptr %838, i64 40
-  %840 = load i64, ptr %839, align 8, !noalias !28
-  %841 = icmp sgt i64 %840, 0
-  %842 = select i1 %841, i64 10, i64 6
-  %843 = fdiv double 0x400572DB93E0C672, %519
-  %844 = fdiv double 0xC0086747F2C3FCB6, %519
-  %845 = fdiv double 0x400D1A48D83E731D, %519
-  %846 = fneg double %844
-  br label %850
+795:                                              ; preds = %798, %784
+  %796 = add nuw nsw i64 %785, 1
+  %797 = icmp eq i64 %796, 3
+  br i1 %797, label %779, label %784, !llvm.loop !24
 
-847:                                              ; preds = %1307
-  %848 = add nuw nsw i64 %854, 1
-  %849 = icmp eq i64 %848, %842
-  br i1 %849, label %1322, label %850, !llvm.loop !31
+798:                                              ; preds = %791, %798
+  %799 = phi i64 [ 0, %791 ], [ %819, %798 ]
+  %800 = getelementptr double, ptr %775, i64 %799
+  %801 = load double, ptr %800, align 8, !noalias !15
+  %802 = getelementptr double, ptr %777, i64 %799
+  %803 = load double, ptr %802, align 8, !noalias !15
+  %804 = fmul double %790, %803
+  %805 = fadd double %801, %804
+  %806 = fmul double %792, %805
+  %807 = getelementptr inbounds double, ptr %768, i64 %799
+  %808 = load double, ptr %807, align 8, !noalias !15
+  %809 = getelementptr double, ptr %778, i64 %799
+  %810 = load double, ptr %809, align 8, !noalias !15
+  %811 = fadd double %810, %806
+  %812 = fmul double %790, %811
+  %813 = fadd double %808, %812
+  %814 = getelementptr inbounds double, ptr %769, i64 %799
+  %815 = load double, ptr %814, align 8, !noalias !15
+  %816 = fsub double %813, %815
+  %817 = select i1 %772, double 0.000000e+00, double %816
+  %818 = getelementptr double, ptr %794, i64 %799
+  store double %817, ptr %818, align 8, !noalias !15
+  %819 = add nuw nsw i64 %799, 1
+  %820 = icmp eq i64 %819, %767
+  br i1 %820, label %795, label %798, !llvm.loop !25
 
-850:                                              ; preds = %837, %847
-  %851 = phi double [ -1.000000e+00, %837 ], [ %1320, %847 ]
-  %852 = phi i64 [ %745, %837 ], [ %1319, %847 ]
-  %853 = phi i64 [ 0, %837 ], [ %1318, %847 ]
-  %854 = phi i64 [ 0, %837 ], [ %848, %847 ]
-  %855 = phi i64 [ 0, %837 ], [ %1316, %847 ]
-  %856 = phi i64 [ 0, %837 ], [ %944, %847 ]
-  %857 = phi i64 [ 0, %837 ], [ %943, %847 ]
-  %858 = phi double [ 0.000000e+00, %837 ], [ %1315, %847 ]
-  %859 = phi double [ 0.000000e+00, %837 ], [ %1314, %847 ]
-  %860 = phi double [ 0.000000e+00, %837 ], [ %942, %847 ]
-  %861 = phi i64 [ %444, %837 ], [ %1313, %847 ]
-  %862 = phi i64 [ %445, %837 ], [ %1312, %847 ]
-  %863 = phi i64 [ %446, %837 ], [ %1311, %847 ]
-  %864 = phi double [ %447, %837 ], [ %1310, %847 ]
-  %865 = phi double [ %448, %837 ], [ %1309, %847 ]
-  %866 = phi double [ %449, %837 ], [ %1308, %847 ]
-  %867 = icmp ugt i64 %854, 5
-  %868 = select i1 %867, i64 %855, i64 -1
-  %869 = and i64 %852, %868
-  %870 = load ptr, ptr %77, align 8, !noalias !28
-  %871 = getelementptr inbounds i8, ptr %870, i64 8
-  %872 = load i64, ptr %871, align 8, !noalias !28
-  %873 = load ptr, ptr %124, align 8, !noalias !28
-  %874 = icmp eq i64 %869, 0
-  br i1 %874, label %941, label %875
+821:                                              ; preds = %779, %832
+  %822 = phi i64 [ 0, %779 ], [ %833, %832 ]
+  br i1 %780, label %823, label %832
 
-875:                                              ; preds = %850
-  %876 = icmp sgt i64 %872, 0
-  br label %877
+823:                                              ; preds = %821
+  %824 = mul nuw nsw i64 %767, %822
+  %825 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %822
+  %826 = load double, ptr %825, align 8, !noalias !15
+  %827 = getelementptr inbounds i8, ptr %825, i64 8
+  %828 = load double, ptr %827, align 8, !noalias !15
+  %829 = getelementptr inbounds i8, ptr %825, i64 16
+  %830 = load double, ptr %829, align 8, !noalias !15
+  %831 = getelementptr double, ptr %771, i64 %824
+  br label %835
 
-877:                                              ; preds = %875, %909
-  %878 = phi i64 [ %869, %875 ], [ %924, %909 ]
-  %879 = phi i64 [ 0, %875 ], [ %925, %909 ]
-  %880 = phi i64 [ %856, %875 ], [ %922, %909 ]
-  %881 = phi i64 [ %857, %875 ], [ %920, %909 ]
-  %882 = phi double [ %860, %875 ], [ %890, %909 ]
-  br i1 %876, label %883, label %886
+832:                                              ; preds = %835, %821
+  %833 = add nuw nsw i64 %822, 1
+  %834 = icmp eq i64 %833, 3
+  br i1 %834, label %851, label %821, !llvm.loop !26
 
-883:                                              ; preds = %877
-  %884 = mul nuw nsw i64 %879, %872
-  %885 = getelementptr double, ptr %873, i64 %884
-  br label %929
+835:                                              ; preds = %823, %835
+  %836 = phi i64 [ 0, %823 ], [ %849, %835 ]
+  %837 = getelementptr inbounds double, ptr %770, i64 %836
+  %838 = load double, ptr %837, align 8, !noalias !15
+  %839 = fmul double %826, %838
+  %840 = getelementptr double, ptr %781, i64 %836
+  %841 = load double, ptr %840, align 8, !noalias !15
+  %842 = fmul double %828, %841
+  %843 = fadd double %839, %842
+  %844 = getelementptr double, ptr %783, i64 %836
+  %845 = load double, ptr %844, align 8, !noalias !15
+  %846 = fmul double %830, %845
+  %847 = fadd double %843, %846
+  %848 = getelementptr double, ptr %831, i64 %836
+  store double %847, ptr %848, align 8, !noalias !15
+  %849 = add nuw nsw i64 %836, 1
+  %850 = icmp eq i64 %849, %767
+  br i1 %850, label %832, label %835, !llvm.loop !27
 
-886:                                              ; preds = %929, %877
-  %887 = and i64 %878, 4294967295
-  %888 = icmp eq i64 %887, 0
-  %889 = select i1 %888, double 0.000000e+00, double 1.000000e+00
-  %890 = fadd double %882, %889
-  %891 = load ptr, ptr %127, align 8, !noalias !28
-  %892 = mul nsw i64 %879, %872
-  %893 = getelementptr inbounds double, ptr %891, i64 %892
-  %894 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %879
-  %895 = load double, ptr %894, align 8, !noalias !28
-  %896 = fmul double %519, %895
-  %897 = fadd double %442, %896
-  %898 = load ptr, ptr %128, align 8, !noalias !28
-  %899 = load ptr, ptr %129, align 8, !noalias !28
-  store double %897, ptr %899, align 8, !noalias !28
-  %900 = load ptr, ptr %77, align 8, !noalias !28
-  %901 = getelementptr inbounds i8, ptr %900, i64 40
-  %902 = load i64, ptr %901, align 8, !noalias !28
-  %903 = icmp eq i64 %902, 0
-  br i1 %903, label %905, label %904
+851:                                              ; preds = %832
+  %852 = load ptr, ptr %83, align 8, !noalias !28
+  %853 = getelementptr inbounds i8, ptr %852, i64 40
+  %854 = load i64, ptr %853, align 8, !noalias !28
+  %855 = icmp sgt i64 %854, 0
+  %856 = select i1 %855, i64 10, i64 6
+  %857 = fdiv double 0x400572DB93E0C672, %533
+  %858 = fdiv double 0xC0086747F2C3FCB6, %533
+  %859 = fdiv double 0x400D1A48D83E731D, %533
+  %860 = fneg double %858
+  br label %864
 
-904:                                              ; preds = %886
-  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !28
-  br label %905
+861:                                              ; preds = %1327
+  %862 = add nuw nsw i64 %868, 1
+  %863 = icmp eq i64 %862, %856
+  br i1 %863, label %1342, label %864, !llvm.loop !31
 
-905:                                              ; preds = %904, %886
-  %906 = load i64, ptr %130, align 8, !noalias !28
-  %907 = icmp sgt i64 %906, 0
-  br i1 %907, label %908, label %909
+864:                                              ; preds = %851, %861
+  %865 = phi double [ -1.000000e+00, %851 ], [ %1340, %861 ]
+  %866 = phi i64 [ %759, %851 ], [ %1339, %861 ]
+  %867 = phi i64 [ 0, %851 ], [ %1338, %861 ]
+  %868 = phi i64 [ 0, %851 ], [ %862, %861 ]
+  %869 = phi i64 [ 0, %851 ], [ %1336, %861 ]
+  %870 = phi i64 [ 0, %851 ], [ %958, %861 ]
+  %871 = phi i64 [ 0, %851 ], [ %957, %861 ]
+  %872 = phi double [ 0.000000e+00, %851 ], [ %1335, %861 ]
+  %873 = phi double [ 0.000000e+00, %851 ], [ %1334, %861 ]
+  %874 = phi double [ 0.000000e+00, %851 ], [ %956, %861 ]
+  %875 = phi i64 [ %458, %851 ], [ %1333, %861 ]
+  %876 = phi i64 [ %459, %851 ], [ %1332, %861 ]
+  %877 = phi i64 [ %460, %851 ], [ %1331, %861 ]
+  %878 = phi double [ %461, %851 ], [ %1330, %861 ]
+  %879 = phi double [ %462, %851 ], [ %1329, %861 ]
+  %880 = phi double [ %463, %851 ], [ %1328, %861 ]
+  %881 = icmp ugt i64 %868, 5
+  %882 = select i1 %881, i64 %869, i64 -1
+  %883 = and i64 %866, %882
+  %884 = load ptr, ptr %81, align 8, !noalias !28
+  %885 = getelementptr inbounds i8, ptr %884, i64 8
+  %886 = load i64, ptr %885, align 8, !noalias !28
+  %887 = load ptr, ptr %128, align 8, !noalias !28
+  %888 = icmp eq i64 %883, 0
+  br i1 %888, label %955, label %889
 
-908:                                              ; preds = %905
-  tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !28
-  br label %909
+889:                                              ; preds = %864
+  %890 = icmp sgt i64 %886, 0
+  br label %891
 
-909:                                              ; preds = %908, %905
-  %910 = load ptr, ptr %77, align 8, !noalias !28
-  %911 = load i64, ptr %910, align 8, !noalias !28
-  %912 = load ptr, ptr %129, align 8, !noalias !28
-  %913 = load ptr, ptr %131, align 8, !noalias !28
-  %914 = load ptr, ptr %132, align 8, !noalias !28
-  %915 = inttoptr i64 %911 to ptr
-  %916 = load ptr, ptr %915, align 8, !noalias !28
-  %917 = tail call i32 %916(ptr noundef %912, ptr noundef %898, ptr noundef %913, ptr noundef %914, ptr noundef %893) #9, !noalias !28
-  %918 = sext i32 %917 to i64
-  %919 = icmp slt i32 %917, 0
-  %920 = select i1 %919, i64 %918, i64 %881
-  %921 = and i64 %878, %918
-  %922 = or i64 %921, %880
-  %923 = xor i64 %918, -1
-  %924 = and i64 %878, %923
-  %925 = add nuw nsw i64 %879, 1
-  %926 = icmp ult i64 %879, 2
-  %927 = icmp ne i64 %924, 0
-  %928 = select i1 %926, i1 %927, i1 false
-  br i1 %928, label %877, label %941, !llvm.loop !32
+891:                                              ; preds = %889, %923
+  %892 = phi i64 [ %883, %889 ], [ %938, %923 ]
+  %893 = phi i64 [ 0, %889 ], [ %939, %923 ]
+  %894 = phi i64 [ %870, %889 ], [ %936, %923 ]
+  %895 = phi i64 [ %871, %889 ], [ %934, %923 ]
+  %896 = phi double [ %874, %889 ], [ %904, %923 ]
+  br i1 %890, label %897, label %900
 
-929:                                              ; preds = %883, %929
-  %930 = phi i64 [ 0, %883 ], [ %939, %929 ]
-  %931 = load ptr, ptr %126, align 8, !noalias !28
-  %932 = load ptr, ptr %78, align 8, !noalias !28
-  %933 = getelementptr inbounds double, ptr %932, i64 %930
-  %934 = load double, ptr %933, align 8, !noalias !28
-  %935 = getelementptr double, ptr %885, i64 %930
-  %936 = load double, ptr %935, align 8, !noalias !28
-  %937 = fadd double %934, %936
-  %938 = getelementptr inbounds double, ptr %931, i64 %930
-  store double %937, ptr %938, align 8, !noalias !28
-  %939 = add nuw nsw i64 %930, 1
-  %940 = icmp eq i64 %939, %872
-  br i1 %940, label %886, label %929, !llvm.loop !33
+897:                                              ; preds = %891
+  %898 = mul nuw nsw i64 %893, %886
+  %899 = getelementptr double, ptr %887, i64 %898
+  br label %943
 
-941:                                              ; preds = %909, %850
-  %942 = phi double [ %860, %850 ], [ %890, %909 ]
-  %943 = phi i64 [ %857, %850 ], [ %920, %909 ]
-  %944 = phi i64 [ %856, %850 ], [ %922, %909 ]
-  %945 = phi i64 [ %869, %850 ], [ %924, %909 ]
-  %946 = icmp eq i64 %945, 0
-  br i1 %946, label %947, label %951
+900:                                              ; preds = %943, %891
+  %901 = and i64 %892, 4294967295
+  %902 = icmp eq i64 %901, 0
+  %903 = select i1 %902, double 0.000000e+00, double 1.000000e+00
+  %904 = fadd double %896, %903
+  %905 = load ptr, ptr %131, align 8, !noalias !28
+  %906 = mul nsw i64 %893, %886
+  %907 = getelementptr inbounds double, ptr %905, i64 %906
+  %908 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %893
+  %909 = load double, ptr %908, align 8, !noalias !28
+  %910 = fmul double %533, %909
+  %911 = fadd double %456, %910
+  %912 = load ptr, ptr %132, align 8, !noalias !28
+  %913 = load ptr, ptr %133, align 8, !noalias !28
+  store double %911, ptr %913, align 8, !noalias !28
+  %914 = load ptr, ptr %81, align 8, !noalias !28
+  %915 = getelementptr inbounds i8, ptr %914, i64 40
+  %916 = load i64, ptr %915, align 8, !noalias !28
+  %917 = icmp eq i64 %916, 0
+  br i1 %917, label %919, label %918
 
-947:                                              ; preds = %941
-  %948 = or i64 %869, %853
-  %949 = xor i64 %948, -1
-  %950 = and i64 %855, %949
-  br label %1307
+918:                                              ; preds = %900
+  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !28
+  br label %919
 
-951:                                              ; preds = %941
-  %952 = load ptr, ptr %77, align 8, !noalias !28
-  %953 = getelementptr inbounds i8, ptr %952, i64 8
-  %954 = load i64, ptr %953, align 8, !noalias !28
-  %955 = load ptr, ptr %133, align 8, !noalias !28
-  %956 = load ptr, ptr %125, align 8, !noalias !28
-  %957 = icmp sgt i64 %954, 0
-  br i1 %957, label %958, label %1036
+919:                                              ; preds = %918, %900
+  %920 = load i64, ptr %134, align 8, !noalias !28
+  %921 = icmp sgt i64 %920, 0
+  br i1 %921, label %922, label %923
 
-958:                                              ; preds = %951
-  %959 = shl nuw nsw i64 %954, 1
-  br label %960
+922:                                              ; preds = %919
+  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !28
+  br label %923
 
-960:                                              ; preds = %958, %960
-  %961 = phi i32 [ 1, %958 ], [ %976, %960 ]
-  %962 = phi i64 [ 0, %958 ], [ %1034, %960 ]
-  %963 = phi double [ 0.000000e+00, %958 ], [ %1033, %960 ]
-  %964 = getelementptr inbounds double, ptr %955, i64 %962
-  %965 = load double, ptr %964, align 8, !noalias !28
-  %966 = add nuw nsw i64 %962, %954
-  %967 = getelementptr inbounds double, ptr %955, i64 %966
-  %968 = load double, ptr %967, align 8, !noalias !28
-  %969 = fadd double %965, %968
-  %970 = add nuw nsw i64 %962, %959
-  %971 = getelementptr inbounds double, ptr %955, i64 %970
-  %972 = load double, ptr %971, align 8, !noalias !28
-  %973 = fadd double %969, %972
-  %974 = tail call double @llvm.fabs.f64(double %973)
-  %975 = fcmp one double %974, 0x7FF0000000000000
-  %976 = select i1 %975, i32 %961, i32 0
-  %977 = getelementptr inbounds double, ptr %956, i64 %966
-  %978 = load double, ptr %977, align 8, !noalias !28
-  %979 = getelementptr inbounds double, ptr %956, i64 %970
-  %980 = load double, ptr %979, align 8, !noalias !28
-  %981 = fmul double %965, 0xC010B70201A79C46
-  %982 = fmul double %968, 0x3FD4F8C15DA84E86
-  %983 = fsub double %981, %982
-  %984 = fmul double %972, 0x3FDE810014C55221
-  %985 = fadd double %983, %984
-  %986 = fmul double %965, 0x3FE017885A24A7F2
-  %987 = fmul double %968, 0x4004934E6FCAA598
-  %988 = fsub double %986, %987
-  %989 = fmul double %972, 0x3FE312C0CF7BDFD1
-  %990 = fadd double %988, %989
-  %991 = fmul double %965, 0x4010B70201A79C46
-  %992 = fmul double %968, 0x3FD4F8C15DA84E86
-  %993 = fadd double %991, %992
-  %994 = fmul double %972, 0x3FE0BF7FF59D56EF
-  %995 = fadd double %993, %994
-  %996 = getelementptr inbounds double, ptr %956, i64 %962
-  %997 = load double, ptr %996, align 8, !noalias !28
-  %998 = fmul double %845, %997
-  %999 = fsub double %995, %998
-  %1000 = fmul double %980, %846
-  %1001 = tail call double @llvm.fma.f64(double %843, double %978, double %1000)
-  %1002 = fmul double %844, %978
-  %1003 = tail call double @llvm.fma.f64(double %843, double %980, double %1002)
-  %1004 = fsub double %985, %1001
-  %1005 = fsub double %990, %1003
-  %1006 = load ptr, ptr %134, align 8, !noalias !28
-  %1007 = getelementptr inbounds double, ptr %1006, i64 %962
-  store double %999, ptr %1007, align 8, !noalias !28
-  %1008 = load ptr, ptr %135, align 8, !noalias !28
-  %1009 = shl nuw nsw i64 %962, 1
-  %1010 = getelementptr inbounds double, ptr %1008, i64 %1009
-  store double %1004, ptr %1010, align 8, !noalias !28
-  %1011 = or disjoint i64 %1009, 1
-  %1012 = getelementptr inbounds double, ptr %1008, i64 %1011
-  store double %1005, ptr %1012, align 8, !noalias !28
-  %1013 = load ptr, ptr %78, align 8, !noalias !28
-  %1014 = getelementptr inbounds double, ptr %1013, i64 %962
-  %1015 = load double, ptr %1014, align 8, !noalias !28
-  %1016 = tail call double @llvm.fabs.f64(double %999)
-  %1017 = tail call double @llvm.fabs.f64(double %1004)
-  %1018 = tail call double @llvm.fabs.f64(double %1005)
-  %1019 = fadd double %1018, %1017
-  %1020 = fadd double %1016, %1019
-  %1021 = fmul double %519, %1020
-  %1022 = load ptr, ptr %136, align 8, !noalias !28
-  %1023 = getelementptr inbounds double, ptr %1022, i64 %962
-  %1024 = load double, ptr %1023, align 8, !noalias !28
-  %1025 = load ptr, ptr %80, align 8, !noalias !28
-  %1026 = getelementptr inbounds double, ptr %1025, i64 %962
-  %1027 = load double, ptr %1026, align 8, !noalias !28
-  %1028 = tail call double @llvm.fabs.f64(double %1015)
-  %1029 = fmul double %1028, %1027
-  %1030 = fadd double %1024, %1029
-  %1031 = fdiv double %1021, %1030
-  %1032 = fmul double %1031, %1031
-  %1033 = fadd double %963, %1032
-  %1034 = add nuw nsw i64 %962, 1
-  %1035 = icmp eq i64 %1034, %954
-  br i1 %1035, label %1036, label %960, !llvm.loop !34
+923:                                              ; preds = %922, %919
+  %924 = load ptr, ptr %81, align 8, !noalias !28
+  %925 = load i64, ptr %924, align 8, !noalias !28
+  %926 = load ptr, ptr %133, align 8, !noalias !28
+  %927 = load ptr, ptr %135, align 8, !noalias !28
+  %928 = load ptr, ptr %136, align 8, !noalias !28
+  %929 = inttoptr i64 %925 to ptr
+  %930 = load ptr, ptr %929, align 8, !noalias !28
+  %931 = tail call i32 %930(ptr noundef %926, ptr noundef %912, ptr noundef %927, ptr noundef %928, ptr noundef %907) #10, !noalias !28
+  %932 = sext i32 %931 to i64
+  %933 = icmp slt i32 %931, 0
+  %934 = select i1 %933, i64 %932, i64 %895
+  %935 = and i64 %892, %932
+  %936 = or i64 %935, %894
+  %937 = xor i64 %932, -1
+  %938 = and i64 %892, %937
+  %939 = add nuw nsw i64 %893, 1
+  %940 = icmp ult i64 %893, 2
+  %941 = icmp ne i64 %938, 0
+  %942 = select i1 %940, i1 %941, i1 false
+  br i1 %942, label %891, label %955, !llvm.loop !32
 
-1036:                                             ; preds = %960, %951
-  %1037 = phi double [ 0.000000e+00, %951 ], [ %1033, %960 ]
-  %1038 = phi i32 [ 1, %951 ], [ %976, %960 ]
-  %1039 = zext nneg i32 %1038 to i64
-  %1040 = xor i64 %1039, 4294967295
-  %1041 = and i64 %945, %1040
-  %1042 = icmp eq i64 %1041, 0
-  %1043 = select i1 %1042, double %859, double 0x7FF0000000000000
-  %1044 = load ptr, ptr %77, align 8, !noalias !28
-  %1045 = getelementptr inbounds i8, ptr %1044, i64 8
-  %1046 = load i64, ptr %1045, align 8, !noalias !28
-  %1047 = load i64, ptr %138, align 8, !noalias !28
-  %1048 = load ptr, ptr %79, align 8, !noalias !28
-  %1049 = getelementptr inbounds i8, ptr %1048, i64 40
-  %1050 = load i64, ptr %1049, align 8, !noalias !28
-  %1051 = load ptr, ptr %139, align 8, !noalias !28
-  %1052 = load ptr, ptr %140, align 8, !noalias !28
-  %1053 = load ptr, ptr %141, align 8, !noalias !28
-  %1054 = load ptr, ptr %137, align 8, !noalias !28
-  tail call fastcc void @real_solve(ptr noundef %1053, i64 noundef %1047, ptr noundef %1054, ptr noundef %1051) #8, !noalias !28
-  %1055 = load ptr, ptr %142, align 8, !noalias !28
-  %1056 = load ptr, ptr %143, align 8, !noalias !28
-  tail call fastcc void @pair_solve(ptr noundef %1055, i64 noundef %1047, ptr noundef %1056, ptr noundef %1052) #8, !noalias !28
-  %1057 = icmp sgt i64 %1050, 0
-  br i1 %1057, label %1058, label %1066
+943:                                              ; preds = %897, %943
+  %944 = phi i64 [ 0, %897 ], [ %953, %943 ]
+  %945 = load ptr, ptr %130, align 8, !noalias !28
+  %946 = load ptr, ptr %82, align 8, !noalias !28
+  %947 = getelementptr inbounds double, ptr %946, i64 %944
+  %948 = load double, ptr %947, align 8, !noalias !28
+  %949 = getelementptr double, ptr %899, i64 %944
+  %950 = load double, ptr %949, align 8, !noalias !28
+  %951 = fadd double %948, %950
+  %952 = getelementptr inbounds double, ptr %945, i64 %944
+  store double %951, ptr %952, align 8, !noalias !28
+  %953 = add nuw nsw i64 %944, 1
+  %954 = icmp eq i64 %953, %886
+  br i1 %954, label %900, label %943, !llvm.loop !33
 
-1058:                                             ; preds = %1036
-  %1059 = load ptr, ptr %141, align 8, !noalias !28
-  %1060 = load ptr, ptr %137, align 8, !noalias !28
-  %1061 = getelementptr inbounds double, ptr %1051, i64 %1047
-  tail call fastcc void @real_solve_columns(ptr noundef %1059, i64 noundef %1047, ptr noundef %1060, ptr noundef %1061, i64 noundef %1050) #8, !noalias !28
-  %1062 = load ptr, ptr %142, align 8, !noalias !28
-  %1063 = load ptr, ptr %143, align 8, !noalias !28
-  %1064 = shl nsw i64 %1047, 4
-  %1065 = getelementptr inbounds i8, ptr %1052, i64 %1064
-  tail call fastcc void @pair_solve_columns(ptr noundef %1062, i64 noundef %1047, ptr noundef %1063, ptr noundef %1065, i64 noundef %1050) #8, !noalias !28
-  br label %1066
+955:                                              ; preds = %923, %864
+  %956 = phi double [ %874, %864 ], [ %904, %923 ]
+  %957 = phi i64 [ %871, %864 ], [ %934, %923 ]
+  %958 = phi i64 [ %870, %864 ], [ %936, %923 ]
+  %959 = phi i64 [ %883, %864 ], [ %938, %923 ]
+  %960 = icmp eq i64 %959, 0
+  br i1 %960, label %961, label %965
 
-1066:                                             ; preds = %1058, %1036
-  %1067 = icmp sgt i64 %1046, 0
-  br i1 %1067, label %1068, label %1103
+961:                                              ; preds = %955
+  %962 = or i64 %883, %867
+  %963 = xor i64 %962, -1
+  %964 = and i64 %869, %963
+  br label %1327
 
-1068:                                             ; preds = %1066
-  %1069 = load ptr, ptr %78, align 8, !noalias !28
-  %1070 = load ptr, ptr %144, align 8, !noalias !28
-  %1071 = load ptr, ptr %80, align 8, !noalias !28
-  br label %1072
+965:                                              ; preds = %955
+  %966 = load ptr, ptr %81, align 8, !noalias !28
+  %967 = getelementptr inbounds i8, ptr %966, i64 8
+  %968 = load i64, ptr %967, align 8, !noalias !28
+  %969 = getelementptr inbounds i8, ptr %966, i64 24
+  %970 = load i64, ptr %969, align 8, !noalias !28
+  %971 = load ptr, ptr %137, align 8, !noalias !28
+  %972 = load ptr, ptr %129, align 8, !noalias !28
+  %973 = icmp sgt i64 %968, 0
+  br i1 %973, label %974, label %1056
 
-1072:                                             ; preds = %1068, %1072
-  %1073 = phi double [ 0.000000e+00, %1068 ], [ %1100, %1072 ]
-  %1074 = phi i64 [ 0, %1068 ], [ %1101, %1072 ]
-  %1075 = getelementptr inbounds double, ptr %1069, i64 %1074
-  %1076 = load double, ptr %1075, align 8, !noalias !28
-  %1077 = getelementptr inbounds double, ptr %1070, i64 %1074
-  %1078 = load double, ptr %1077, align 8, !noalias !28
-  %1079 = getelementptr inbounds double, ptr %1071, i64 %1074
-  %1080 = load double, ptr %1079, align 8, !noalias !28
-  %1081 = tail call double @llvm.fabs.f64(double %1076)
-  %1082 = fmul double %1081, %1080
-  %1083 = fadd double %1078, %1082
-  %1084 = getelementptr inbounds double, ptr %1051, i64 %1074
-  %1085 = load double, ptr %1084, align 8, !noalias !28
-  %1086 = fdiv double %1085, %1083
-  %1087 = shl nuw nsw i64 %1074, 1
-  %1088 = getelementptr inbounds double, ptr %1052, i64 %1087
-  %1089 = load double, ptr %1088, align 8, !noalias !28
-  %1090 = or disjoint i64 %1087, 1
-  %1091 = getelementptr inbounds double, ptr %1052, i64 %1090
-  %1092 = load double, ptr %1091, align 8, !noalias !28
-  %1093 = fdiv double %1089, %1083
-  %1094 = fdiv double %1092, %1083
-  %1095 = fmul double %1086, %1086
-  %1096 = fmul double %1093, %1093
-  %1097 = fadd double %1095, %1096
-  %1098 = fmul double %1094, %1094
-  %1099 = fadd double %1097, %1098
-  %1100 = fadd double %1073, %1099
-  %1101 = add nuw nsw i64 %1074, 1
-  %1102 = icmp eq i64 %1101, %1046
-  br i1 %1102, label %1103, label %1072, !llvm.loop !35
+974:                                              ; preds = %965
+  %975 = shl nuw nsw i64 %968, 1
+  br label %976
 
-1103:                                             ; preds = %1072, %1066
-  %1104 = phi double [ 0.000000e+00, %1066 ], [ %1100, %1072 ]
-  %1105 = mul nsw i64 %1046, 3
-  %1106 = sitofp i64 %1105 to double
-  %1107 = fdiv double %1104, %1106
-  %1108 = tail call double @llvm.sqrt.f64(double %1107)
-  %1109 = fcmp oeq double %1108, 0.000000e+00
-  %1110 = fcmp ogt double %1037, 0.000000e+00
-  %1111 = and i1 %1110, %1109
-  %1112 = zext i1 %1111 to i64
-  %1113 = xor i64 %1112, -1
-  %1114 = and i64 %1039, %1113
-  %1115 = and i64 %1114, %945
-  %1116 = xor i64 %855, -1
-  %1117 = and i64 %1115, %1116
-  %1118 = trunc nuw nsw i64 %1117 to i32
-  %1119 = fcmp ogt double %851, 0.000000e+00
-  %1120 = and i32 %1118, 1
-  %1121 = select i1 %1119, i32 %1120, i32 0
-  %1122 = fdiv double %1108, %851
-  %1123 = icmp eq i32 %1121, 0
-  %1124 = select i1 %1123, double %1043, double %1122
-  %1125 = fsub double 1.000000e+00, %1124
-  %1126 = fdiv double %1108, %1125
-  %1127 = icmp ult i64 %854, 5
-  br i1 %1127, label %1220, label %1128
+976:                                              ; preds = %974, %1052
+  %977 = phi i32 [ 1, %974 ], [ %992, %1052 ]
+  %978 = phi i64 [ 0, %974 ], [ %1054, %1052 ]
+  %979 = phi double [ 0.000000e+00, %974 ], [ %1053, %1052 ]
+  %980 = getelementptr inbounds double, ptr %971, i64 %978
+  %981 = load double, ptr %980, align 8, !noalias !28
+  %982 = add nuw nsw i64 %978, %968
+  %983 = getelementptr inbounds double, ptr %971, i64 %982
+  %984 = load double, ptr %983, align 8, !noalias !28
+  %985 = fadd double %981, %984
+  %986 = add nuw nsw i64 %978, %975
+  %987 = getelementptr inbounds double, ptr %971, i64 %986
+  %988 = load double, ptr %987, align 8, !noalias !28
+  %989 = fadd double %985, %988
+  %990 = tail call double @llvm.fabs.f64(double %989)
+  %991 = fcmp one double %990, 0x7FF0000000000000
+  %992 = select i1 %991, i32 %977, i32 0
+  %993 = getelementptr inbounds double, ptr %972, i64 %982
+  %994 = load double, ptr %993, align 8, !noalias !28
+  %995 = getelementptr inbounds double, ptr %972, i64 %986
+  %996 = load double, ptr %995, align 8, !noalias !28
+  %997 = fmul double %981, 0xC010B70201A79C46
+  %998 = fmul double %984, 0x3FD4F8C15DA84E86
+  %999 = fsub double %997, %998
+  %1000 = fmul double %988, 0x3FDE810014C55221
+  %1001 = fadd double %999, %1000
+  %1002 = fmul double %981, 0x3FE017885A24A7F2
+  %1003 = fmul double %984, 0x4004934E6FCAA598
+  %1004 = fsub double %1002, %1003
+  %1005 = fmul double %988, 0x3FE312C0CF7BDFD1
+  %1006 = fadd double %1004, %1005
+  %1007 = fmul double %981, 0x4010B70201A79C46
+  %1008 = fmul double %984, 0x3FD4F8C15DA84E86
+  %1009 = fadd double %1007, %1008
+  %1010 = fmul double %988, 0x3FE0BF7FF59D56EF
+  %1011 = fadd double %1009, %1010
+  %1012 = getelementptr inbounds double, ptr %972, i64 %978
+  %1013 = load double, ptr %1012, align 8, !noalias !28
+  %1014 = fmul double %859, %1013
+  %1015 = fsub double %1011, %1014
+  %1016 = fmul double %996, %860
+  %1017 = tail call double @llvm.fma.f64(double %857, double %994, double %1016)
+  %1018 = fmul double %858, %994
+  %1019 = tail call double @llvm.fma.f64(double %857, double %996, double %1018)
+  %1020 = fsub double %1001, %1017
+  %1021 = fsub double %1006, %1019
+  %1022 = load ptr, ptr %138, align 8, !noalias !28
+  %1023 = getelementptr inbounds double, ptr %1022, i64 %978
+  store double %1015, ptr %1023, align 8, !noalias !28
+  %1024 = load ptr, ptr %139, align 8, !noalias !28
+  %1025 = shl nuw nsw i64 %978, 1
+  %1026 = getelementptr inbounds double, ptr %1024, i64 %1025
+  store double %1020, ptr %1026, align 8, !noalias !28
+  %1027 = or disjoint i64 %1025, 1
+  %1028 = getelementptr inbounds double, ptr %1024, i64 %1027
+  store double %1021, ptr %1028, align 8, !noalias !28
+  %1029 = icmp slt i64 %978, %970
+  br i1 %1029, label %1030, label %1052
 
-1128:                                             ; preds = %1220, %1103
-  %1129 = phi double [ %1126, %1103 ], [ %1223, %1220 ]
-  %1130 = fcmp oge double %1124, 1.000000e+00
-  %1131 = fcmp ogt double %1129, %417
-  %1132 = or i1 %1130, %1131
-  %1133 = xor i32 %1121, -1
-  %1134 = zext i32 %1133 to i64
-  %1135 = select i1 %1132, i64 %1134, i64 2147483647
-  %1136 = and i64 %1135, %1115
-  %1137 = xor i64 %1136, -1
-  %1138 = and i64 %869, %1137
-  %1139 = or i64 %1138, %853
-  %1140 = load ptr, ptr %77, align 8, !noalias !28
-  %1141 = getelementptr inbounds i8, ptr %1140, i64 8
-  %1142 = load i64, ptr %1141, align 8, !noalias !28
-  %1143 = load ptr, ptr %124, align 8, !noalias !28
-  %1144 = load ptr, ptr %125, align 8, !noalias !28
-  %1145 = icmp sgt i64 %1142, 0
-  br i1 %1145, label %1146, label %1206
+1030:                                             ; preds = %976
+  %1031 = load ptr, ptr %82, align 8, !noalias !28
+  %1032 = getelementptr inbounds double, ptr %1031, i64 %978
+  %1033 = load double, ptr %1032, align 8, !noalias !28
+  %1034 = tail call double @llvm.fabs.f64(double %1015)
+  %1035 = tail call double @llvm.fabs.f64(double %1020)
+  %1036 = tail call double @llvm.fabs.f64(double %1021)
+  %1037 = fadd double %1036, %1035
+  %1038 = fadd double %1034, %1037
+  %1039 = fmul double %533, %1038
+  %1040 = load ptr, ptr %140, align 8, !noalias !28
+  %1041 = getelementptr inbounds double, ptr %1040, i64 %978
+  %1042 = load double, ptr %1041, align 8, !noalias !28
+  %1043 = load ptr, ptr %88, align 8, !noalias !28
+  %1044 = getelementptr inbounds double, ptr %1043, i64 %978
+  %1045 = load double, ptr %1044, align 8, !noalias !28
+  %1046 = tail call double @llvm.fabs.f64(double %1033)
+  %1047 = fmul double %1046, %1045
+  %1048 = fadd double %1042, %1047
+  %1049 = fdiv double %1039, %1048
+  %1050 = fmul double %1049, %1049
+  %1051 = fadd double %979, %1050
+  br label %1052
 
-1146:                                             ; preds = %1128
-  %1147 = icmp eq i64 %1136, 0
-  %1148 = getelementptr double, ptr %1144, i64 %1142
-  %1149 = shl i64 %1142, 4
-  %1150 = getelementptr i8, ptr %1144, i64 %1149
-  %1151 = icmp eq i64 %1136, 0
-  br label %1152
+1052:                                             ; preds = %1030, %976
+  %1053 = phi double [ %1051, %1030 ], [ %979, %976 ]
+  %1054 = add nuw nsw i64 %978, 1
+  %1055 = icmp eq i64 %1054, %968
+  br i1 %1055, label %1056, label %976, !llvm.loop !34
 
-1152:                                             ; preds = %1146, %1181
-  %1153 = phi i64 [ 0, %1146 ], [ %1182, %1181 ]
-  %1154 = load ptr, ptr %140, align 8, !noalias !28
-  %1155 = shl nuw nsw i64 %1153, 1
-  %1156 = getelementptr inbounds double, ptr %1154, i64 %1155
-  %1157 = load double, ptr %1156, align 8, !noalias !28
-  %1158 = or disjoint i64 %1155, 1
-  %1159 = getelementptr inbounds double, ptr %1154, i64 %1158
-  %1160 = load double, ptr %1159, align 8, !noalias !28
-  %1161 = load ptr, ptr %139, align 8, !noalias !28
-  %1162 = getelementptr inbounds double, ptr %1161, i64 %1153
-  %1163 = load double, ptr %1162, align 8, !noalias !28
-  store double %1163, ptr %4, align 16, !noalias !28
-  store double %1157, ptr %145, align 8, !noalias !28
-  store double %1160, ptr %146, align 16, !noalias !28
-  %1164 = getelementptr double, ptr %1144, i64 %1153
-  br label %1170
+1056:                                             ; preds = %1052, %965
+  %1057 = phi double [ 0.000000e+00, %965 ], [ %1053, %1052 ]
+  %1058 = phi i32 [ 1, %965 ], [ %992, %1052 ]
+  %1059 = zext nneg i32 %1058 to i64
+  %1060 = xor i64 %1059, 4294967295
+  %1061 = and i64 %959, %1060
+  %1062 = icmp eq i64 %1061, 0
+  %1063 = select i1 %1062, double %873, double 0x7FF0000000000000
+  %1064 = load ptr, ptr %81, align 8, !noalias !28
+  %1065 = getelementptr inbounds i8, ptr %1064, i64 24
+  %1066 = load i64, ptr %1065, align 8, !noalias !28
+  %1067 = load i64, ptr %142, align 8, !noalias !28
+  %1068 = load ptr, ptr %83, align 8, !noalias !28
+  %1069 = getelementptr inbounds i8, ptr %1068, i64 40
+  %1070 = load i64, ptr %1069, align 8, !noalias !28
+  %1071 = load ptr, ptr %143, align 8, !noalias !28
+  %1072 = load ptr, ptr %144, align 8, !noalias !28
+  %1073 = load ptr, ptr %145, align 8, !noalias !28
+  %1074 = load ptr, ptr %141, align 8, !noalias !28
+  tail call fastcc void @real_solve(ptr noundef %1073, i64 noundef %1067, ptr noundef %1074, ptr noundef %1071) #9, !noalias !28
+  %1075 = load ptr, ptr %146, align 8, !noalias !28
+  %1076 = load ptr, ptr %147, align 8, !noalias !28
+  tail call fastcc void @pair_solve(ptr noundef %1075, i64 noundef %1067, ptr noundef %1076, ptr noundef %1072) #9, !noalias !28
+  %1077 = icmp sgt i64 %1070, 0
+  br i1 %1077, label %1078, label %1086
 
-1165:                                             ; preds = %1170
-  %1166 = getelementptr inbounds double, ptr %1144, i64 %1153
-  %1167 = getelementptr double, ptr %1148, i64 %1153
-  %1168 = getelementptr double, ptr %1150, i64 %1153
-  %1169 = getelementptr double, ptr %1143, i64 %1153
-  br label %1184
+1078:                                             ; preds = %1056
+  %1079 = load ptr, ptr %145, align 8, !noalias !28
+  %1080 = load ptr, ptr %141, align 8, !noalias !28
+  %1081 = getelementptr inbounds double, ptr %1071, i64 %1067
+  tail call fastcc void @real_solve_columns(ptr noundef %1079, i64 noundef %1067, ptr noundef %1080, ptr noundef %1081, i64 noundef %1070) #9, !noalias !28
+  %1082 = load ptr, ptr %146, align 8, !noalias !28
+  %1083 = load ptr, ptr %147, align 8, !noalias !28
+  %1084 = shl nsw i64 %1067, 4
+  %1085 = getelementptr inbounds i8, ptr %1072, i64 %1084
+  tail call fastcc void @pair_solve_columns(ptr noundef %1082, i64 noundef %1067, ptr noundef %1083, ptr noundef %1085, i64 noundef %1070) #9, !noalias !28
+  br label %1086
 
-1170:                                             ; preds = %1152, %1170
-  %1171 = phi i64 [ 0, %1152 ], [ %1179, %1170 ]
-  %1172 = mul nuw nsw i64 %1142, %1171
-  %1173 = getelementptr double, ptr %1164, i64 %1172
-  %1174 = load double, ptr %1173, align 8, !noalias !28
-  %1175 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %1171
-  %1176 = load double, ptr %1175, align 8, !noalias !28
-  %1177 = fadd double %1174, %1176
-  %1178 = select i1 %1147, double %1174, double %1177
-  store double %1178, ptr %1173, align 8, !noalias !28
-  %1179 = add nuw nsw i64 %1171, 1
-  %1180 = icmp eq i64 %1179, 3
-  br i1 %1180, label %1165, label %1170, !llvm.loop !36
+1086:                                             ; preds = %1078, %1056
+  %1087 = icmp sgt i64 %1066, 0
+  br i1 %1087, label %1088, label %1123
 
-1181:                                             ; preds = %1184
-  %1182 = add nuw nsw i64 %1153, 1
-  %1183 = icmp eq i64 %1182, %1142
-  br i1 %1183, label %1206, label %1152, !llvm.loop !37
+1088:                                             ; preds = %1086
+  %1089 = load ptr, ptr %82, align 8, !noalias !28
+  %1090 = load ptr, ptr %148, align 8, !noalias !28
+  %1091 = load ptr, ptr %88, align 8, !noalias !28
+  br label %1092
 
-1184:                                             ; preds = %1165, %1184
-  %1185 = phi i64 [ 0, %1165 ], [ %1204, %1184 ]
-  %1186 = mul nuw nsw i64 %1142, %1185
-  %1187 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1185
-  %1188 = load double, ptr %1187, align 8, !noalias !28
-  %1189 = load double, ptr %1166, align 8, !noalias !28
-  %1190 = fmul double %1188, %1189
-  %1191 = getelementptr inbounds i8, ptr %1187, i64 8
-  %1192 = load double, ptr %1191, align 8, !noalias !28
-  %1193 = load double, ptr %1167, align 8, !noalias !28
-  %1194 = fmul double %1192, %1193
-  %1195 = fadd double %1190, %1194
-  %1196 = getelementptr inbounds i8, ptr %1187, i64 16
-  %1197 = load double, ptr %1196, align 8, !noalias !28
-  %1198 = load double, ptr %1168, align 8, !noalias !28
-  %1199 = fmul double %1197, %1198
-  %1200 = fadd double %1195, %1199
-  %1201 = getelementptr double, ptr %1169, i64 %1186
-  %1202 = load double, ptr %1201, align 8, !noalias !28
-  %1203 = select i1 %1151, double %1202, double %1200
-  store double %1203, ptr %1201, align 8, !noalias !28
-  %1204 = add nuw nsw i64 %1185, 1
-  %1205 = icmp eq i64 %1204, 3
-  br i1 %1205, label %1181, label %1184, !llvm.loop !38
+1092:                                             ; preds = %1088, %1092
+  %1093 = phi double [ 0.000000e+00, %1088 ], [ %1120, %1092 ]
+  %1094 = phi i64 [ 0, %1088 ], [ %1121, %1092 ]
+  %1095 = getelementptr inbounds double, ptr %1089, i64 %1094
+  %1096 = load double, ptr %1095, align 8, !noalias !28
+  %1097 = getelementptr inbounds double, ptr %1090, i64 %1094
+  %1098 = load double, ptr %1097, align 8, !noalias !28
+  %1099 = getelementptr inbounds double, ptr %1091, i64 %1094
+  %1100 = load double, ptr %1099, align 8, !noalias !28
+  %1101 = tail call double @llvm.fabs.f64(double %1096)
+  %1102 = fmul double %1101, %1100
+  %1103 = fadd double %1098, %1102
+  %1104 = getelementptr inbounds double, ptr %1071, i64 %1094
+  %1105 = load double, ptr %1104, align 8, !noalias !28
+  %1106 = fdiv double %1105, %1103
+  %1107 = shl nuw nsw i64 %1094, 1
+  %1108 = getelementptr inbounds double, ptr %1072, i64 %1107
+  %1109 = load double, ptr %1108, align 8, !noalias !28
+  %1110 = or disjoint i64 %1107, 1
+  %1111 = getelementptr inbounds double, ptr %1072, i64 %1110
+  %1112 = load double, ptr %1111, align 8, !noalias !28
+  %1113 = fdiv double %1109, %1103
+  %1114 = fdiv double %1112, %1103
+  %1115 = fmul double %1106, %1106
+  %1116 = fmul double %1113, %1113
+  %1117 = fadd double %1115, %1116
+  %1118 = fmul double %1114, %1114
+  %1119 = fadd double %1117, %1118
+  %1120 = fadd double %1093, %1119
+  %1121 = add nuw nsw i64 %1094, 1
+  %1122 = icmp eq i64 %1121, %1066
+  br i1 %1122, label %1123, label %1092, !llvm.loop !35
 
-1206:                                             ; preds = %1181, %1128
-  %1207 = fdiv double %1124, %1125
-  %1208 = fmul double %1108, %1207
-  %1209 = fcmp olt double %1208, %417
-  %1210 = and i1 %1119, %1209
-  %1211 = or i1 %1109, %1210
-  %1212 = and i64 %1116, 1
-  %1213 = select i1 %1211, i64 %1212, i64 0
-  %1214 = and i64 %1136, %1213
-  %1215 = add nuw nsw i64 %854, 1
-  %1216 = uitofp nneg i64 %1215 to double
-  %1217 = icmp eq i64 %1214, 0
-  %1218 = select i1 %1217, double %858, double %1216
-  %1219 = or i64 %1214, %855
-  br i1 %841, label %1226, label %1300
+1123:                                             ; preds = %1092, %1086
+  %1124 = phi double [ 0.000000e+00, %1086 ], [ %1120, %1092 ]
+  %1125 = mul nsw i64 %1066, 3
+  %1126 = sitofp i64 %1125 to double
+  %1127 = fdiv double %1124, %1126
+  %1128 = tail call double @llvm.sqrt.f64(double %1127)
+  %1129 = fcmp oeq double %1128, 0.000000e+00
+  %1130 = fcmp ogt double %1057, 0.000000e+00
+  %1131 = and i1 %1130, %1129
+  %1132 = zext i1 %1131 to i64
+  %1133 = xor i64 %1132, -1
+  %1134 = and i64 %1059, %1133
+  %1135 = and i64 %1134, %959
+  %1136 = xor i64 %869, -1
+  %1137 = and i64 %1135, %1136
+  %1138 = trunc nuw nsw i64 %1137 to i32
+  %1139 = fcmp ogt double %865, 0.000000e+00
+  %1140 = and i32 %1138, 1
+  %1141 = select i1 %1139, i32 %1140, i32 0
+  %1142 = fdiv double %1128, %865
+  %1143 = icmp eq i32 %1141, 0
+  %1144 = select i1 %1143, double %1063, double %1142
+  %1145 = fsub double 1.000000e+00, %1144
+  %1146 = fdiv double %1128, %1145
+  %1147 = icmp ult i64 %868, 5
+  br i1 %1147, label %1240, label %1148
 
-1220:                                             ; preds = %1103, %1220
-  %1221 = phi i64 [ %1224, %1220 ], [ %854, %1103 ]
-  %1222 = phi double [ %1223, %1220 ], [ %1126, %1103 ]
-  %1223 = fmul double %1124, %1222
-  %1224 = add nuw nsw i64 %1221, 1
-  %1225 = icmp ult i64 %1221, 4
-  br i1 %1225, label %1220, label %1128, !llvm.loop !39
+1148:                                             ; preds = %1240, %1123
+  %1149 = phi double [ %1146, %1123 ], [ %1243, %1240 ]
+  %1150 = fcmp oge double %1144, 1.000000e+00
+  %1151 = fcmp ogt double %1149, %431
+  %1152 = or i1 %1150, %1151
+  %1153 = xor i32 %1141, -1
+  %1154 = zext i32 %1153 to i64
+  %1155 = select i1 %1152, i64 %1154, i64 2147483647
+  %1156 = and i64 %1155, %1135
+  %1157 = xor i64 %1156, -1
+  %1158 = and i64 %883, %1157
+  %1159 = or i64 %1158, %867
+  %1160 = load ptr, ptr %81, align 8, !noalias !28
+  %1161 = getelementptr inbounds i8, ptr %1160, i64 8
+  %1162 = load i64, ptr %1161, align 8, !noalias !28
+  %1163 = load ptr, ptr %128, align 8, !noalias !28
+  %1164 = load ptr, ptr %129, align 8, !noalias !28
+  %1165 = icmp sgt i64 %1162, 0
+  br i1 %1165, label %1166, label %1226
 
-1226:                                             ; preds = %1206
-  %1227 = load i64, ptr %138, align 8, !noalias !28
-  %1228 = load ptr, ptr %79, align 8, !noalias !28
-  %1229 = getelementptr inbounds i8, ptr %1228, i64 40
-  %1230 = load i64, ptr %1229, align 8, !noalias !28
-  %1231 = load ptr, ptr %77, align 8, !noalias !28
-  %1232 = getelementptr inbounds i8, ptr %1231, i64 8
-  %1233 = load i64, ptr %1232, align 8, !noalias !28
-  %1234 = load ptr, ptr %125, align 8, !noalias !28
-  %1235 = icmp sgt i64 %1230, 0
-  br i1 %1235, label %1236, label %1295
+1166:                                             ; preds = %1148
+  %1167 = icmp eq i64 %1156, 0
+  %1168 = getelementptr double, ptr %1164, i64 %1162
+  %1169 = shl i64 %1162, 4
+  %1170 = getelementptr i8, ptr %1164, i64 %1169
+  %1171 = icmp eq i64 %1156, 0
+  br label %1172
 
-1236:                                             ; preds = %1226
-  %1237 = icmp sgt i64 %1227, 0
-  br label %1238
+1172:                                             ; preds = %1166, %1201
+  %1173 = phi i64 [ 0, %1166 ], [ %1202, %1201 ]
+  %1174 = load ptr, ptr %144, align 8, !noalias !28
+  %1175 = shl nuw nsw i64 %1173, 1
+  %1176 = getelementptr inbounds double, ptr %1174, i64 %1175
+  %1177 = load double, ptr %1176, align 8, !noalias !28
+  %1178 = or disjoint i64 %1175, 1
+  %1179 = getelementptr inbounds double, ptr %1174, i64 %1178
+  %1180 = load double, ptr %1179, align 8, !noalias !28
+  %1181 = load ptr, ptr %143, align 8, !noalias !28
+  %1182 = getelementptr inbounds double, ptr %1181, i64 %1173
+  %1183 = load double, ptr %1182, align 8, !noalias !28
+  store double %1183, ptr %10, align 16, !noalias !28
+  store double %1177, ptr %149, align 8, !noalias !28
+  store double %1180, ptr %150, align 16, !noalias !28
+  %1184 = getelementptr double, ptr %1164, i64 %1173
+  br label %1190
 
-1238:                                             ; preds = %1236, %1246
-  %1239 = phi double [ 0.000000e+00, %1236 ], [ %1254, %1246 ]
-  %1240 = phi i64 [ 0, %1236 ], [ %1255, %1246 ]
-  br i1 %1237, label %1241, label %1246
+1185:                                             ; preds = %1190
+  %1186 = getelementptr inbounds double, ptr %1164, i64 %1173
+  %1187 = getelementptr double, ptr %1168, i64 %1173
+  %1188 = getelementptr double, ptr %1170, i64 %1173
+  %1189 = getelementptr double, ptr %1163, i64 %1173
+  br label %1204
 
-1241:                                             ; preds = %1238
-  %1242 = add nuw i64 %1240, %1227
-  %1243 = load ptr, ptr %139, align 8, !noalias !28
-  %1244 = load ptr, ptr %78, align 8, !noalias !28
-  %1245 = load ptr, ptr %140, align 8, !noalias !28
-  br label %1257
+1190:                                             ; preds = %1172, %1190
+  %1191 = phi i64 [ 0, %1172 ], [ %1199, %1190 ]
+  %1192 = mul nuw nsw i64 %1162, %1191
+  %1193 = getelementptr double, ptr %1184, i64 %1192
+  %1194 = load double, ptr %1193, align 8, !noalias !28
+  %1195 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1191
+  %1196 = load double, ptr %1195, align 8, !noalias !28
+  %1197 = fadd double %1194, %1196
+  %1198 = select i1 %1167, double %1194, double %1197
+  store double %1198, ptr %1193, align 8, !noalias !28
+  %1199 = add nuw nsw i64 %1191, 1
+  %1200 = icmp eq i64 %1199, 3
+  br i1 %1200, label %1185, label %1190, !llvm.loop !36
 
-1246:                                             ; preds = %1281, %1238
-  %1247 = phi double [ 0.000000e+00, %1238 ], [ %1292, %1281 ]
-  %1248 = phi double [ 0.000000e+00, %1238 ], [ %1282, %1281 ]
-  %1249 = fcmp ule double %1247, 0.000000e+00
-  %1250 = fdiv double %1248, %1247
-  %1251 = select i1 %1249, double 1.000000e+00, double %1250
-  %1252 = fmul double %1239, %1247
-  %1253 = fcmp ule double %1248, %1252
-  %1254 = select i1 %1253, double %1239, double %1251
-  %1255 = add nuw nsw i64 %1240, 1
-  %1256 = icmp eq i64 %1255, %1230
-  br i1 %1256, label %1295, label %1238, !llvm.loop !40
+1201:                                             ; preds = %1204
+  %1202 = add nuw nsw i64 %1173, 1
+  %1203 = icmp eq i64 %1202, %1162
+  br i1 %1203, label %1226, label %1172, !llvm.loop !37
 
-1257:                                             ; preds = %1241, %1281
-  %1258 = phi double [ 0.000000e+00, %1241 ], [ %1282, %1281 ]
-  %1259 = phi double [ 0.000000e+00, %1241 ], [ %1292, %1281 ]
-  %1260 = phi i64 [ 0, %1241 ], [ %1283, %1281 ]
-  %1261 = mul nuw nsw i64 %1260, %1230
-  %1262 = add i64 %1242, %1261
-  %1263 = getelementptr inbounds double, ptr %1243, i64 %1262
-  %1264 = load double, ptr %1263, align 8, !noalias !28
-  %1265 = getelementptr inbounds double, ptr %1244, i64 %1262
-  %1266 = load double, ptr %1265, align 8, !noalias !28
-  %1267 = shl nsw i64 %1262, 1
-  %1268 = getelementptr inbounds double, ptr %1245, i64 %1267
-  %1269 = load double, ptr %1268, align 8, !noalias !28
-  %1270 = or disjoint i64 %1267, 1
-  %1271 = getelementptr inbounds double, ptr %1245, i64 %1270
-  %1272 = load double, ptr %1271, align 8, !noalias !28
-  %1273 = fmul double %1264, %1264
-  %1274 = fmul double %1269, %1269
-  %1275 = fmul double %1272, %1272
-  %1276 = fadd double %1274, %1275
-  %1277 = fadd double %1273, %1276
-  %1278 = fmul double %1266, %1266
-  %1279 = fadd double %1259, %1278
-  %1280 = getelementptr double, ptr %1234, i64 %1262
-  br label %1285
+1204:                                             ; preds = %1185, %1204
+  %1205 = phi i64 [ 0, %1185 ], [ %1224, %1204 ]
+  %1206 = mul nuw nsw i64 %1162, %1205
+  %1207 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1205
+  %1208 = load double, ptr %1207, align 8, !noalias !28
+  %1209 = load double, ptr %1186, align 8, !noalias !28
+  %1210 = fmul double %1208, %1209
+  %1211 = getelementptr inbounds i8, ptr %1207, i64 8
+  %1212 = load double, ptr %1211, align 8, !noalias !28
+  %1213 = load double, ptr %1187, align 8, !noalias !28
+  %1214 = fmul double %1212, %1213
+  %1215 = fadd double %1210, %1214
+  %1216 = getelementptr inbounds i8, ptr %1207, i64 16
+  %1217 = load double, ptr %1216, align 8, !noalias !28
+  %1218 = load double, ptr %1188, align 8, !noalias !28
+  %1219 = fmul double %1217, %1218
+  %1220 = fadd double %1215, %1219
+  %1221 = getelementptr double, ptr %1189, i64 %1206
+  %1222 = load double, ptr %1221, align 8, !noalias !28
+  %1223 = select i1 %1171, double %1222, double %1220
+  store double %1223, ptr %1221, align 8, !noalias !28
+  %1224 = add nuw nsw i64 %1205, 1
+  %1225 = icmp eq i64 %1224, 3
+  br i1 %1225, label %1201, label %1204, !llvm.loop !38
 
-1281:                                             ; preds = %1285
-  %1282 = fadd double %1258, %1277
-  %1283 = add nuw nsw i64 %1260, 1
-  %1284 = icmp eq i64 %1283, %1227
-  br i1 %1284, label %1246, label %1257, !llvm.loop !41
+1226:                                             ; preds = %1201, %1148
+  %1227 = fdiv double %1144, %1145
+  %1228 = fmul double %1128, %1227
+  %1229 = fcmp olt double %1228, %431
+  %1230 = and i1 %1139, %1229
+  %1231 = or i1 %1129, %1230
+  %1232 = and i64 %1136, 1
+  %1233 = select i1 %1231, i64 %1232, i64 0
+  %1234 = and i64 %1156, %1233
+  %1235 = add nuw nsw i64 %868, 1
+  %1236 = uitofp nneg i64 %1235 to double
+  %1237 = icmp eq i64 %1234, 0
+  %1238 = select i1 %1237, double %872, double %1236
+  %1239 = or i64 %1234, %869
+  br i1 %855, label %1246, label %1320
 
-1285:                                             ; preds = %1257, %1285
-  %1286 = phi i64 [ 0, %1257 ], [ %1293, %1285 ]
-  %1287 = phi double [ %1279, %1257 ], [ %1292, %1285 ]
-  %1288 = mul nsw i64 %1233, %1286
-  %1289 = getelementptr double, ptr %1280, i64 %1288
-  %1290 = load double, ptr %1289, align 8, !noalias !28
-  %1291 = fmul double %1290, %1290
-  %1292 = fadd double %1287, %1291
-  %1293 = add nuw nsw i64 %1286, 1
-  %1294 = icmp eq i64 %1293, 3
-  br i1 %1294, label %1281, label %1285, !llvm.loop !42
+1240:                                             ; preds = %1123, %1240
+  %1241 = phi i64 [ %1244, %1240 ], [ %868, %1123 ]
+  %1242 = phi double [ %1243, %1240 ], [ %1146, %1123 ]
+  %1243 = fmul double %1144, %1242
+  %1244 = add nuw nsw i64 %1241, 1
+  %1245 = icmp ult i64 %1241, 4
+  br i1 %1245, label %1240, label %1148, !llvm.loop !39
 
-1295:                                             ; preds = %1246, %1226
-  %1296 = phi double [ 0.000000e+00, %1226 ], [ %1254, %1246 ]
-  %1297 = fcmp ole double %1296, %419
-  %1298 = and i64 %1219, 1
-  %1299 = select i1 %1297, i64 %1298, i64 0
-  br label %1300
+1246:                                             ; preds = %1226
+  %1247 = load i64, ptr %142, align 8, !noalias !28
+  %1248 = load ptr, ptr %83, align 8, !noalias !28
+  %1249 = getelementptr inbounds i8, ptr %1248, i64 40
+  %1250 = load i64, ptr %1249, align 8, !noalias !28
+  %1251 = load ptr, ptr %81, align 8, !noalias !28
+  %1252 = getelementptr inbounds i8, ptr %1251, i64 8
+  %1253 = load i64, ptr %1252, align 8, !noalias !28
+  %1254 = load ptr, ptr %129, align 8, !noalias !28
+  %1255 = icmp sgt i64 %1250, 0
+  br i1 %1255, label %1256, label %1315
 
-1300:                                             ; preds = %1295, %1206
-  %1301 = phi i64 [ %1299, %1295 ], [ %1219, %1206 ]
-  %1302 = xor i64 %1301, -1
-  %1303 = and i64 %1136, %1302
-  %1304 = icmp eq i64 %1303, 0
-  %1305 = select i1 %1304, i32 2, i32 0
-  %1306 = select i1 %1304, double %851, double %1108
-  br label %1307
+1256:                                             ; preds = %1246
+  %1257 = icmp sgt i64 %1247, 0
+  br label %1258
 
-1307:                                             ; preds = %1300, %947
-  %1308 = phi double [ %942, %947 ], [ %866, %1300 ]
-  %1309 = phi double [ %859, %947 ], [ %865, %1300 ]
-  %1310 = phi double [ %858, %947 ], [ %864, %1300 ]
-  %1311 = phi i64 [ %943, %947 ], [ %863, %1300 ]
-  %1312 = phi i64 [ %944, %947 ], [ %862, %1300 ]
-  %1313 = phi i64 [ %950, %947 ], [ %861, %1300 ]
-  %1314 = phi double [ %859, %947 ], [ %1124, %1300 ]
-  %1315 = phi double [ %858, %947 ], [ %1218, %1300 ]
-  %1316 = phi i64 [ %950, %947 ], [ %1219, %1300 ]
-  %1317 = phi i32 [ 1, %947 ], [ %1305, %1300 ]
-  %1318 = phi i64 [ %853, %947 ], [ %1139, %1300 ]
-  %1319 = phi i64 [ %869, %947 ], [ %1303, %1300 ]
-  %1320 = phi double [ %851, %947 ], [ %1306, %1300 ]
-  %1321 = icmp eq i32 %1317, 0
-  br i1 %1321, label %847, label %1322
+1258:                                             ; preds = %1256, %1266
+  %1259 = phi double [ 0.000000e+00, %1256 ], [ %1274, %1266 ]
+  %1260 = phi i64 [ 0, %1256 ], [ %1275, %1266 ]
+  br i1 %1257, label %1261, label %1266
 
-1322:                                             ; preds = %1307, %847
-  %1323 = phi i32 [ %1317, %1307 ], [ 2, %847 ]
-  %1324 = icmp eq i32 %1323, 2
-  br i1 %1324, label %1325, label %1328
+1261:                                             ; preds = %1258
+  %1262 = add nuw i64 %1260, %1247
+  %1263 = load ptr, ptr %143, align 8, !noalias !28
+  %1264 = load ptr, ptr %82, align 8, !noalias !28
+  %1265 = load ptr, ptr %144, align 8, !noalias !28
+  br label %1277
 
-1325:                                             ; preds = %1322
-  %1326 = xor i64 %1318, -1
-  %1327 = and i64 %1316, %1326
-  br label %1328
+1266:                                             ; preds = %1301, %1258
+  %1267 = phi double [ 0.000000e+00, %1258 ], [ %1312, %1301 ]
+  %1268 = phi double [ 0.000000e+00, %1258 ], [ %1302, %1301 ]
+  %1269 = fcmp ule double %1267, 0.000000e+00
+  %1270 = fdiv double %1268, %1267
+  %1271 = select i1 %1269, double 1.000000e+00, double %1270
+  %1272 = fmul double %1259, %1267
+  %1273 = fcmp ule double %1268, %1272
+  %1274 = select i1 %1273, double %1259, double %1271
+  %1275 = add nuw nsw i64 %1260, 1
+  %1276 = icmp eq i64 %1275, %1250
+  br i1 %1276, label %1315, label %1258, !llvm.loop !40
 
-1328:                                             ; preds = %1322, %1325
-  %1329 = phi double [ %942, %1325 ], [ %1308, %1322 ]
-  %1330 = phi double [ %1314, %1325 ], [ %1309, %1322 ]
-  %1331 = phi double [ %1315, %1325 ], [ %1310, %1322 ]
-  %1332 = phi i64 [ %943, %1325 ], [ %1311, %1322 ]
-  %1333 = phi i64 [ %944, %1325 ], [ %1312, %1322 ]
-  %1334 = phi i64 [ %1327, %1325 ], [ %1313, %1322 ]
-  %1335 = fadd double %667, %1329
-  %1336 = fcmp ogt double %1331, 2.000000e+00
-  %1337 = fcmp ogt double %1330, 1.000000e-03
-  %1338 = and i1 %1337, %1336
-  %1339 = icmp eq i64 %1334, %745
-  br i1 %1339, label %1407, label %1340
+1277:                                             ; preds = %1261, %1301
+  %1278 = phi double [ 0.000000e+00, %1261 ], [ %1302, %1301 ]
+  %1279 = phi double [ 0.000000e+00, %1261 ], [ %1312, %1301 ]
+  %1280 = phi i64 [ 0, %1261 ], [ %1303, %1301 ]
+  %1281 = mul nuw nsw i64 %1280, %1250
+  %1282 = add i64 %1262, %1281
+  %1283 = getelementptr inbounds double, ptr %1263, i64 %1282
+  %1284 = load double, ptr %1283, align 8, !noalias !28
+  %1285 = getelementptr inbounds double, ptr %1264, i64 %1282
+  %1286 = load double, ptr %1285, align 8, !noalias !28
+  %1287 = shl nsw i64 %1282, 1
+  %1288 = getelementptr inbounds double, ptr %1265, i64 %1287
+  %1289 = load double, ptr %1288, align 8, !noalias !28
+  %1290 = or disjoint i64 %1287, 1
+  %1291 = getelementptr inbounds double, ptr %1265, i64 %1290
+  %1292 = load double, ptr %1291, align 8, !noalias !28
+  %1293 = fmul double %1284, %1284
+  %1294 = fmul double %1289, %1289
+  %1295 = fmul double %1292, %1292
+  %1296 = fadd double %1294, %1295
+  %1297 = fadd double %1293, %1296
+  %1298 = fmul double %1286, %1286
+  %1299 = fadd double %1279, %1298
+  %1300 = getelementptr double, ptr %1254, i64 %1282
+  br label %1305
 
-1340:                                             ; preds = %1328
-  %1341 = xor i64 %1334, -1
-  %1342 = and i64 %745, %1341
-  %1343 = load ptr, ptr %79, align 8, !noalias !15
-  %1344 = getelementptr inbounds i8, ptr %1343, i64 16
-  %1345 = load i64, ptr %1344, align 8, !noalias !15
-  %1346 = xor i64 %1333, -1
-  %1347 = and i64 %1345, %1346
-  %1348 = and i64 %1347, %1342
-  %1349 = tail call double @llvm.fabs.f64(double %1330)
-  %1350 = fcmp ueq double %1349, 0x7FF0000000000000
-  %1351 = select i1 %1350, double 4.000000e+00, double 7.000000e+00
-  %1352 = and i64 %1333, 4294967295
-  %1353 = icmp eq i64 %1352, 0
-  %1354 = select i1 %1353, double %1351, double 3.000000e+00
-  %1355 = icmp eq i64 %1342, 0
-  %1356 = select i1 %1355, double %744, double %1354
-  %1357 = icmp eq i64 %1348, 0
-  br i1 %1357, label %1378, label %1358
+1301:                                             ; preds = %1305
+  %1302 = fadd double %1278, %1297
+  %1303 = add nuw nsw i64 %1280, 1
+  %1304 = icmp eq i64 %1303, %1247
+  br i1 %1304, label %1266, label %1277, !llvm.loop !41
 
-1358:                                             ; preds = %1340
-  %1359 = load i64, ptr %147, align 8, !noalias !15
-  %1360 = icmp sgt i64 %1359, 0
-  br i1 %1360, label %1361, label %1373
+1305:                                             ; preds = %1277, %1305
+  %1306 = phi i64 [ 0, %1277 ], [ %1313, %1305 ]
+  %1307 = phi double [ %1299, %1277 ], [ %1312, %1305 ]
+  %1308 = mul nsw i64 %1253, %1306
+  %1309 = getelementptr double, ptr %1300, i64 %1308
+  %1310 = load double, ptr %1309, align 8, !noalias !28
+  %1311 = fmul double %1310, %1310
+  %1312 = fadd double %1307, %1311
+  %1313 = add nuw nsw i64 %1306, 1
+  %1314 = icmp eq i64 %1313, 3
+  br i1 %1314, label %1301, label %1305, !llvm.loop !42
 
-1361:                                             ; preds = %1358, %1361
-  %1362 = phi i32 [ %1369, %1361 ], [ 0, %1358 ]
-  %1363 = phi i64 [ %1370, %1361 ], [ 0, %1358 ]
-  %1364 = load ptr, ptr %148, align 8, !noalias !15
-  %1365 = getelementptr inbounds double, ptr %1364, i64 %1363
-  %1366 = load double, ptr %1365, align 8, !noalias !15
-  %1367 = fcmp une double %1366, 0.000000e+00
-  %1368 = zext i1 %1367 to i32
-  %1369 = or i32 %1362, %1368
-  store double 0.000000e+00, ptr %1365, align 8, !noalias !15
-  %1370 = add nuw nsw i64 %1363, 1
-  %1371 = load i64, ptr %147, align 8, !noalias !15
-  %1372 = icmp slt i64 %1370, %1371
-  br i1 %1372, label %1361, label %1373, !llvm.loop !43
+1315:                                             ; preds = %1266, %1246
+  %1316 = phi double [ 0.000000e+00, %1246 ], [ %1274, %1266 ]
+  %1317 = fcmp ole double %1316, %433
+  %1318 = and i64 %1239, 1
+  %1319 = select i1 %1317, i64 %1318, i64 0
+  br label %1320
 
-1373:                                             ; preds = %1361, %1358
-  %1374 = phi i32 [ 0, %1358 ], [ %1369, %1361 ]
-  %1375 = zext nneg i32 %1374 to i64
-  %1376 = and i64 %1348, %1375
-  %1377 = xor i64 %1376, -1
-  br label %1378
+1320:                                             ; preds = %1315, %1226
+  %1321 = phi i64 [ %1319, %1315 ], [ %1239, %1226 ]
+  %1322 = xor i64 %1321, -1
+  %1323 = and i64 %1156, %1322
+  %1324 = icmp eq i64 %1323, 0
+  %1325 = select i1 %1324, i32 2, i32 0
+  %1326 = select i1 %1324, double %865, double %1128
+  br label %1327
 
-1378:                                             ; preds = %1340, %1373
-  %1379 = phi i64 [ %1377, %1373 ], [ -1, %1340 ]
-  %1380 = and i64 %1379, %1348
-  %1381 = getelementptr inbounds i8, ptr %1343, i64 24
-  %1382 = load i64, ptr %1381, align 8, !noalias !15
-  %1383 = and i64 %1382, %1379
-  store i64 %1383, ptr %1381, align 8, !noalias !15
-  %1384 = xor i64 %1380, -1
-  %1385 = load i64, ptr %1344, align 8, !noalias !15
-  %1386 = and i64 %1385, %1384
-  store i64 %1386, ptr %1344, align 8, !noalias !15
-  %1387 = fmul double %519, 5.000000e-01
-  %1388 = icmp eq i64 %1380, 0
-  %1389 = select i1 %1388, double %743, double %1387
-  %1390 = fmul double %519, 2.500000e-01
-  %1391 = select i1 %1353, double %1389, double %1390
-  %1392 = load ptr, ptr %116, align 8, !noalias !15
-  %1393 = getelementptr inbounds i8, ptr %1392, i64 8
-  %1394 = load double, ptr %1393, align 8, !noalias !15
-  %1395 = select i1 %1353, double %1394, double 0.000000e+00
-  store double %1395, ptr %1393, align 8, !noalias !15
-  %1396 = and i64 %1379, %1342
-  %1397 = load ptr, ptr %79, align 8, !noalias !15
-  %1398 = getelementptr inbounds i8, ptr %1397, i64 8
-  %1399 = load i64, ptr %1398, align 8, !noalias !15
-  %1400 = xor i64 %1396, -1
-  %1401 = and i64 %1399, %1400
-  %1402 = getelementptr inbounds i8, ptr %1397, i64 16
-  %1403 = load i64, ptr %1402, align 8, !noalias !15
-  %1404 = xor i64 %1403, -1
-  %1405 = and i64 %1396, %1404
-  %1406 = or disjoint i64 %1405, %1401
-  store i64 %1406, ptr %1398, align 8, !noalias !15
-  br label %1407
+1327:                                             ; preds = %1320, %961
+  %1328 = phi double [ %956, %961 ], [ %880, %1320 ]
+  %1329 = phi double [ %873, %961 ], [ %879, %1320 ]
+  %1330 = phi double [ %872, %961 ], [ %878, %1320 ]
+  %1331 = phi i64 [ %957, %961 ], [ %877, %1320 ]
+  %1332 = phi i64 [ %958, %961 ], [ %876, %1320 ]
+  %1333 = phi i64 [ %964, %961 ], [ %875, %1320 ]
+  %1334 = phi double [ %873, %961 ], [ %1144, %1320 ]
+  %1335 = phi double [ %872, %961 ], [ %1238, %1320 ]
+  %1336 = phi i64 [ %964, %961 ], [ %1239, %1320 ]
+  %1337 = phi i32 [ 1, %961 ], [ %1325, %1320 ]
+  %1338 = phi i64 [ %867, %961 ], [ %1159, %1320 ]
+  %1339 = phi i64 [ %883, %961 ], [ %1323, %1320 ]
+  %1340 = phi double [ %865, %961 ], [ %1326, %1320 ]
+  %1341 = icmp eq i32 %1337, 0
+  br i1 %1341, label %861, label %1342
 
-1407:                                             ; preds = %1378, %1328
-  %1408 = phi double [ %743, %1328 ], [ %1391, %1378 ]
-  %1409 = phi double [ %744, %1328 ], [ %1356, %1378 ]
-  %1410 = icmp eq i64 %1334, 0
-  %1411 = icmp ne i64 %1332, 0
-  %1412 = select i1 %1410, i1 true, i1 %1411
-  br i1 %1412, label %1620, label %1413
+1342:                                             ; preds = %1327, %861
+  %1343 = phi i32 [ %1337, %1327 ], [ 2, %861 ]
+  %1344 = icmp eq i32 %1343, 2
+  br i1 %1344, label %1345, label %1348
 
-1413:                                             ; preds = %1407
-  %1414 = icmp sgt i64 %529, 0
-  br i1 %1414, label %1415, label %1417
+1345:                                             ; preds = %1342
+  %1346 = xor i64 %1338, -1
+  %1347 = and i64 %1336, %1346
+  br label %1348
 
-1415:                                             ; preds = %1413
-  %1416 = shl i64 %529, 4
-  br label %1606
+1348:                                             ; preds = %1342, %1345
+  %1349 = phi double [ %956, %1345 ], [ %1328, %1342 ]
+  %1350 = phi double [ %1334, %1345 ], [ %1329, %1342 ]
+  %1351 = phi double [ %1335, %1345 ], [ %1330, %1342 ]
+  %1352 = phi i64 [ %957, %1345 ], [ %1331, %1342 ]
+  %1353 = phi i64 [ %958, %1345 ], [ %1332, %1342 ]
+  %1354 = phi i64 [ %1347, %1345 ], [ %1333, %1342 ]
+  %1355 = fadd double %681, %1349
+  %1356 = fcmp ogt double %1351, 2.000000e+00
+  %1357 = fcmp ogt double %1350, 1.000000e-03
+  %1358 = and i1 %1357, %1356
+  %1359 = icmp eq i64 %1354, %759
+  br i1 %1359, label %1427, label %1360
 
-1417:                                             ; preds = %1606, %1413
-  %1418 = getelementptr inbounds i8, ptr %530, i64 32
+1360:                                             ; preds = %1348
+  %1361 = xor i64 %1354, -1
+  %1362 = and i64 %759, %1361
+  %1363 = load ptr, ptr %83, align 8, !noalias !15
+  %1364 = getelementptr inbounds i8, ptr %1363, i64 16
+  %1365 = load i64, ptr %1364, align 8, !noalias !15
+  %1366 = xor i64 %1353, -1
+  %1367 = and i64 %1365, %1366
+  %1368 = and i64 %1367, %1362
+  %1369 = tail call double @llvm.fabs.f64(double %1350)
+  %1370 = fcmp ueq double %1369, 0x7FF0000000000000
+  %1371 = select i1 %1370, double 4.000000e+00, double 7.000000e+00
+  %1372 = and i64 %1353, 4294967295
+  %1373 = icmp eq i64 %1372, 0
+  %1374 = select i1 %1373, double %1371, double 3.000000e+00
+  %1375 = icmp eq i64 %1362, 0
+  %1376 = select i1 %1375, double %758, double %1374
+  %1377 = icmp eq i64 %1368, 0
+  br i1 %1377, label %1398, label %1378
+
+1378:                                             ; preds = %1360
+  %1379 = load i64, ptr %151, align 8, !noalias !15
+  %1380 = icmp sgt i64 %1379, 0
+  br i1 %1380, label %1381, label %1393
+
+1381:                                             ; preds = %1378, %1381
+  %1382 = phi i32 [ %1389, %1381 ], [ 0, %1378 ]
+  %1383 = phi i64 [ %1390, %1381 ], [ 0, %1378 ]
+  %1384 = load ptr, ptr %152, align 8, !noalias !15
+  %1385 = getelementptr inbounds double, ptr %1384, i64 %1383
+  %1386 = load double, ptr %1385, align 8, !noalias !15
+  %1387 = fcmp une double %1386, 0.000000e+00
+  %1388 = zext i1 %1387 to i32
+  %1389 = or i32 %1382, %1388
+  store double 0.000000e+00, ptr %1385, align 8, !noalias !15
+  %1390 = add nuw nsw i64 %1383, 1
+  %1391 = load i64, ptr %151, align 8, !noalias !15
+  %1392 = icmp slt i64 %1390, %1391
+  br i1 %1392, label %1381, label %1393, !llvm.loop !43
+
+1393:                                             ; preds = %1381, %1378
+  %1394 = phi i32 [ 0, %1378 ], [ %1389, %1381 ]
+  %1395 = zext nneg i32 %1394 to i64
+  %1396 = and i64 %1368, %1395
+  %1397 = xor i64 %1396, -1
+  br label %1398
+
+1398:                                             ; preds = %1360, %1393
+  %1399 = phi i64 [ %1397, %1393 ], [ -1, %1360 ]
+  %1400 = and i64 %1399, %1368
+  %1401 = getelementptr inbounds i8, ptr %1363, i64 24
+  %1402 = load i64, ptr %1401, align 8, !noalias !15
+  %1403 = and i64 %1402, %1399
+  store i64 %1403, ptr %1401, align 8, !noalias !15
+  %1404 = xor i64 %1400, -1
+  %1405 = load i64, ptr %1364, align 8, !noalias !15
+  %1406 = and i64 %1405, %1404
+  store i64 %1406, ptr %1364, align 8, !noalias !15
+  %1407 = fmul double %533, 5.000000e-01
+  %1408 = icmp eq i64 %1400, 0
+  %1409 = select i1 %1408, double %757, double %1407
+  %1410 = fmul double %533, 2.500000e-01
+  %1411 = select i1 %1373, double %1409, double %1410
+  %1412 = load ptr, ptr %120, align 8, !noalias !15
+  %1413 = getelementptr inbounds i8, ptr %1412, i64 8
+  %1414 = load double, ptr %1413, align 8, !noalias !15
+  %1415 = select i1 %1373, double %1414, double 0.000000e+00
+  store double %1415, ptr %1413, align 8, !noalias !15
+  %1416 = and i64 %1399, %1362
+  %1417 = load ptr, ptr %83, align 8, !noalias !15
+  %1418 = getelementptr inbounds i8, ptr %1417, i64 8
   %1419 = load i64, ptr %1418, align 8, !noalias !15
-  %1420 = load ptr, ptr %77, align 8, !noalias !15
-  %1421 = getelementptr inbounds i8, ptr %1420, i64 8
-  %1422 = load i64, ptr %1421, align 8, !noalias !15
-  %1423 = load i64, ptr %151, align 8, !noalias !15
-  %1424 = load ptr, ptr %152, align 8, !noalias !15
-  %1425 = load ptr, ptr %153, align 8, !noalias !15
-  %1426 = icmp sgt i64 %1422, 0
-  br i1 %1426, label %1427, label %1429
+  %1420 = xor i64 %1416, -1
+  %1421 = and i64 %1419, %1420
+  %1422 = getelementptr inbounds i8, ptr %1417, i64 16
+  %1423 = load i64, ptr %1422, align 8, !noalias !15
+  %1424 = xor i64 %1423, -1
+  %1425 = and i64 %1416, %1424
+  %1426 = or disjoint i64 %1425, %1421
+  store i64 %1426, ptr %1418, align 8, !noalias !15
+  br label %1427
 
-1427:                                             ; preds = %1417
-  %1428 = shl i64 %1422, 4
-  br label %1443
+1427:                                             ; preds = %1398, %1348
+  %1428 = phi double [ %757, %1348 ], [ %1411, %1398 ]
+  %1429 = phi double [ %758, %1348 ], [ %1376, %1398 ]
+  %1430 = icmp eq i64 %1354, 0
+  %1431 = icmp ne i64 %1352, 0
+  %1432 = select i1 %1430, i1 true, i1 %1431
+  br i1 %1432, label %1981, label %1433
 
-1429:                                             ; preds = %1443, %1417
-  %1430 = load ptr, ptr %155, align 8, !noalias !15
-  %1431 = load ptr, ptr %150, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1430, i64 noundef %1423, ptr noundef %1431, ptr noundef %1425) #8, !noalias !15
-  %1432 = load ptr, ptr %156, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %1425, ptr noundef %1432, ptr noundef nonnull %78, i64 noundef %1422) #8, !noalias !15
-  %1433 = load double, ptr %5, align 8, !noalias !15
-  %1434 = fcmp olt double %1433, 1.000000e+00
-  %1435 = zext i1 %1434 to i64
-  %1436 = xor i64 %1435, -1
-  %1437 = and i64 %1419, %1436
-  %1438 = and i64 %1437, %1334
-  %1439 = and i64 %1334, %1435
-  %1440 = icmp eq i64 %1438, 0
-  br i1 %1440, label %1539, label %1441
+1433:                                             ; preds = %1427
+  %1434 = icmp sgt i64 %543, 0
+  br i1 %1434, label %1435, label %1437
 
-1441:                                             ; preds = %1429
-  %1442 = icmp sgt i64 %1422, 0
-  br i1 %1442, label %1502, label %1468
+1435:                                             ; preds = %1433
+  %1436 = shl i64 %543, 4
+  br label %1967
 
-1443:                                             ; preds = %1427, %1443
-  %1444 = phi i64 [ 0, %1427 ], [ %1466, %1443 ]
-  %1445 = load ptr, ptr %124, align 8, !noalias !15
-  %1446 = getelementptr inbounds double, ptr %1445, i64 %1444
-  %1447 = load double, ptr %1446, align 8, !noalias !15
-  %1448 = fmul double %1447, 0x402418FD8BAFFE05
-  %1449 = getelementptr double, ptr %1445, i64 %1422
-  %1450 = getelementptr double, ptr %1449, i64 %1444
-  %1451 = load double, ptr %1450, align 8, !noalias !15
-  %1452 = fmul double %1451, 0x3FF61D41B2D54580
-  %1453 = fsub double %1452, %1448
-  %1454 = getelementptr i8, ptr %1445, i64 %1428
-  %1455 = getelementptr double, ptr %1454, i64 %1444
-  %1456 = load double, ptr %1455, align 8, !noalias !15
-  %1457 = fmul double %1456, 0x3FD5555555555555
-  %1458 = fsub double %1453, %1457
-  %1459 = fdiv double %1458, %519
-  %1460 = getelementptr inbounds double, ptr %1424, i64 %1444
-  store double %1459, ptr %1460, align 8, !noalias !15
-  %1461 = load ptr, ptr %154, align 8, !noalias !15
-  %1462 = getelementptr inbounds double, ptr %1461, i64 %1444
-  %1463 = load double, ptr %1462, align 8, !noalias !15
-  %1464 = fadd double %1463, %1459
-  %1465 = getelementptr inbounds double, ptr %1425, i64 %1444
-  store double %1464, ptr %1465, align 8, !noalias !15
-  %1466 = add nuw nsw i64 %1444, 1
-  %1467 = icmp eq i64 %1466, %1422
-  br i1 %1467, label %1429, label %1443, !llvm.loop !44
+1437:                                             ; preds = %1967, %1433
+  %1438 = getelementptr inbounds i8, ptr %544, i64 32
+  %1439 = load i64, ptr %1438, align 8, !noalias !15
+  %1440 = load ptr, ptr %81, align 8, !noalias !15
+  %1441 = getelementptr inbounds i8, ptr %1440, i64 8
+  %1442 = load i64, ptr %1441, align 8, !noalias !15
+  %1443 = load ptr, ptr %154, align 8, !noalias !15
+  %1444 = load ptr, ptr %155, align 8, !noalias !15
+  %1445 = icmp sgt i64 %1442, 0
+  br i1 %1445, label %1446, label %1448
 
-1468:                                             ; preds = %1502, %1441
-  %1469 = and i64 %1438, 4294967295
-  %1470 = icmp eq i64 %1469, 0
-  %1471 = select i1 %1470, double 0.000000e+00, double 1.000000e+00
-  %1472 = fadd double %1335, %1471
-  %1473 = load ptr, ptr %158, align 8, !noalias !15
-  %1474 = load ptr, ptr %159, align 8, !noalias !15
-  %1475 = load ptr, ptr %160, align 8, !noalias !15
-  store double %442, ptr %1475, align 8, !noalias !15
-  %1476 = load ptr, ptr %77, align 8, !noalias !15
-  %1477 = getelementptr inbounds i8, ptr %1476, i64 40
-  %1478 = load i64, ptr %1477, align 8, !noalias !15
-  %1479 = icmp eq i64 %1478, 0
-  br i1 %1479, label %1481, label %1480
+1446:                                             ; preds = %1437
+  %1447 = shl i64 %1442, 4
+  br label %1633
 
-1480:                                             ; preds = %1468
-  tail call fastcc void @settle(ptr noundef nonnull %77) #8, !noalias !15
-  br label %1481
+1448:                                             ; preds = %1633, %1437
+  %1449 = load i64, ptr %158, align 8, !noalias !15
+  %1450 = load ptr, ptr %83, align 8, !noalias !15
+  %1451 = getelementptr inbounds i8, ptr %1450, i64 40
+  %1452 = load i64, ptr %1451, align 8, !noalias !15
+  %1453 = load ptr, ptr %159, align 8, !noalias !15
+  %1454 = load ptr, ptr %157, align 8, !noalias !15
+  tail call fastcc void @real_solve(ptr noundef %1453, i64 noundef %1449, ptr noundef %1454, ptr noundef %1444) #9, !noalias !15
+  %1455 = icmp sgt i64 %1452, 0
+  br i1 %1455, label %1456, label %1460
 
-1481:                                             ; preds = %1480, %1468
-  %1482 = load i64, ptr %161, align 8, !noalias !15
-  %1483 = icmp sgt i64 %1482, 0
-  br i1 %1483, label %1484, label %1485
+1456:                                             ; preds = %1448
+  %1457 = load ptr, ptr %159, align 8, !noalias !15
+  %1458 = load ptr, ptr %157, align 8, !noalias !15
+  %1459 = getelementptr inbounds double, ptr %1444, i64 %1449
+  tail call fastcc void @real_solve_columns(ptr noundef %1457, i64 noundef %1449, ptr noundef %1458, ptr noundef %1459, i64 noundef %1452) #9, !noalias !15
+  br label %1460
 
-1484:                                             ; preds = %1481
-  tail call fastcc void @sample(ptr noundef nonnull %77) #8, !noalias !15
-  br label %1485
+1460:                                             ; preds = %1448, %1456
+  %1461 = load ptr, ptr %81, align 8, !noalias !15
+  %1462 = getelementptr inbounds i8, ptr %1461, i64 24
+  %1463 = load i64, ptr %1462, align 8, !noalias !15
+  %1464 = load ptr, ptr %160, align 8, !noalias !15
+  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %1444, ptr noundef %1464, ptr noundef nonnull %82, i64 noundef %1463) #9, !noalias !15
+  %1465 = load double, ptr %8, align 8, !noalias !15
+  %1466 = getelementptr inbounds i8, ptr %1461, i64 8
+  %1467 = load i64, ptr %1466, align 8, !noalias !15
+  %1468 = add nsw i64 %1467, -3
+  %1469 = getelementptr i8, ptr %1464, i64 8
+  %1470 = getelementptr i8, ptr %1464, i64 16
+  %1471 = getelementptr i8, ptr %1464, i64 24
+  %1472 = icmp slt i64 %1463, %1468
+  br i1 %1472, label %1480, label %1473
 
-1485:                                             ; preds = %1484, %1481
-  %1486 = load ptr, ptr %77, align 8, !noalias !15
-  %1487 = load i64, ptr %1486, align 8, !noalias !15
-  %1488 = load ptr, ptr %160, align 8, !noalias !15
-  %1489 = load ptr, ptr %162, align 8, !noalias !15
-  %1490 = load ptr, ptr %163, align 8, !noalias !15
-  %1491 = inttoptr i64 %1487 to ptr
-  %1492 = load ptr, ptr %1491, align 8, !noalias !15
-  %1493 = tail call i32 %1492(ptr noundef %1488, ptr noundef %1473, ptr noundef %1489, ptr noundef %1490, ptr noundef %1474) #9, !noalias !15
-  %1494 = sext i32 %1493 to i64
-  %1495 = icmp slt i32 %1493, 0
-  %1496 = select i1 %1495, i64 %1494, i64 %1332
-  %1497 = trunc i64 %1438 to i32
-  %1498 = and i32 %1493, %1497
-  %1499 = icmp eq i32 %1498, 0
-  %1500 = select i1 %1499, double %1409, double 3.000000e+00
-  %1501 = icmp sgt i64 %1422, 0
-  br i1 %1501, label %1528, label %1514
+1473:                                             ; preds = %1480, %1460
+  %1474 = phi double [ 0.000000e+00, %1460 ], [ %1489, %1480 ]
+  %1475 = phi double [ 0.000000e+00, %1460 ], [ %1493, %1480 ]
+  %1476 = phi double [ 0.000000e+00, %1460 ], [ %1497, %1480 ]
+  %1477 = phi double [ 0.000000e+00, %1460 ], [ %1501, %1480 ]
+  %1478 = phi i64 [ %1463, %1460 ], [ %1502, %1480 ]
+  %1479 = icmp slt i64 %1478, %1467
+  br i1 %1479, label %1504, label %1513
 
-1502:                                             ; preds = %1441, %1502
-  %1503 = phi i64 [ %1512, %1502 ], [ 0, %1441 ]
-  %1504 = load ptr, ptr %157, align 8, !noalias !15
-  %1505 = load ptr, ptr %78, align 8, !noalias !15
-  %1506 = getelementptr inbounds double, ptr %1505, i64 %1503
-  %1507 = load double, ptr %1506, align 8, !noalias !15
-  %1508 = getelementptr inbounds double, ptr %1425, i64 %1503
-  %1509 = load double, ptr %1508, align 8, !noalias !15
-  %1510 = fadd double %1507, %1509
-  %1511 = getelementptr inbounds double, ptr %1504, i64 %1503
-  store double %1510, ptr %1511, align 8, !noalias !15
-  %1512 = add nuw nsw i64 %1503, 1
-  %1513 = icmp eq i64 %1512, %1422
-  br i1 %1513, label %1468, label %1502, !llvm.loop !45
+1480:                                             ; preds = %1460, %1480
+  %1481 = phi i64 [ %1502, %1480 ], [ %1463, %1460 ]
+  %1482 = phi double [ %1501, %1480 ], [ 0.000000e+00, %1460 ]
+  %1483 = phi double [ %1497, %1480 ], [ 0.000000e+00, %1460 ]
+  %1484 = phi double [ %1493, %1480 ], [ 0.000000e+00, %1460 ]
+  %1485 = phi double [ %1489, %1480 ], [ 0.000000e+00, %1460 ]
+  %1486 = getelementptr inbounds double, ptr %1464, i64 %1481
+  %1487 = load double, ptr %1486, align 8, !noalias !15
+  %1488 = fmul double %1487, 0.000000e+00
+  %1489 = fadd double %1485, %1488
+  %1490 = getelementptr double, ptr %1469, i64 %1481
+  %1491 = load double, ptr %1490, align 8, !noalias !15
+  %1492 = fmul double %1491, 0.000000e+00
+  %1493 = fadd double %1484, %1492
+  %1494 = getelementptr double, ptr %1470, i64 %1481
+  %1495 = load double, ptr %1494, align 8, !noalias !15
+  %1496 = fmul double %1495, 0.000000e+00
+  %1497 = fadd double %1483, %1496
+  %1498 = getelementptr double, ptr %1471, i64 %1481
+  %1499 = load double, ptr %1498, align 8, !noalias !15
+  %1500 = fmul double %1499, 0.000000e+00
+  %1501 = fadd double %1482, %1500
+  %1502 = add nsw i64 %1481, 4
+  %1503 = icmp slt i64 %1502, %1468
+  br i1 %1503, label %1480, label %1473, !llvm.loop !44
 
-1514:                                             ; preds = %1528, %1485
-  %1515 = load ptr, ptr %155, align 8, !noalias !15
-  %1516 = load ptr, ptr %150, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1515, i64 noundef %1423, ptr noundef %1516, ptr noundef %1425) #8, !noalias !15
-  %1517 = load ptr, ptr %156, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1425, ptr noundef %1517, ptr noundef nonnull %78, i64 noundef %1422) #8, !noalias !15
-  %1518 = load double, ptr %6, align 8, !noalias !15
-  %1519 = xor i64 %1494, -1
-  %1520 = and i64 %1438, %1519
-  %1521 = fcmp olt double %1518, 1.000000e+00
-  %1522 = and i64 %1520, 1
-  %1523 = select i1 %1521, i64 %1522, i64 0
-  %1524 = or i64 %1523, %1439
-  %1525 = and i64 %1520, 4294967295
-  %1526 = icmp eq i64 %1525, 0
-  %1527 = select i1 %1526, double %1433, double %1518
-  br label %1539
+1504:                                             ; preds = %1473, %1504
+  %1505 = phi i64 [ %1511, %1504 ], [ %1478, %1473 ]
+  %1506 = phi double [ %1510, %1504 ], [ %1474, %1473 ]
+  %1507 = getelementptr inbounds double, ptr %1464, i64 %1505
+  %1508 = load double, ptr %1507, align 8, !noalias !15
+  %1509 = fmul double %1508, 0.000000e+00
+  %1510 = fadd double %1506, %1509
+  %1511 = add nsw i64 %1505, 1
+  %1512 = icmp eq i64 %1511, %1467
+  br i1 %1512, label %1513, label %1504, !llvm.loop !45
 
-1528:                                             ; preds = %1485, %1528
-  %1529 = phi i64 [ %1537, %1528 ], [ 0, %1485 ]
-  %1530 = load ptr, ptr %159, align 8, !noalias !15
-  %1531 = getelementptr inbounds double, ptr %1530, i64 %1529
-  %1532 = load double, ptr %1531, align 8, !noalias !15
-  %1533 = getelementptr inbounds double, ptr %1424, i64 %1529
-  %1534 = load double, ptr %1533, align 8, !noalias !15
-  %1535 = fadd double %1532, %1534
-  %1536 = getelementptr inbounds double, ptr %1425, i64 %1529
-  store double %1535, ptr %1536, align 8, !noalias !15
-  %1537 = add nuw nsw i64 %1529, 1
-  %1538 = icmp eq i64 %1537, %1422
-  br i1 %1538, label %1514, label %1528, !llvm.loop !46
+1513:                                             ; preds = %1504, %1473
+  %1514 = phi double [ %1474, %1473 ], [ %1510, %1504 ]
+  %1515 = fadd double %1475, %1514
+  %1516 = fadd double %1476, %1477
+  %1517 = fadd double %1516, %1515
+  %1518 = fadd double %1465, %1517
+  %1519 = getelementptr inbounds i8, ptr %1461, i64 48
+  %1520 = load i64, ptr %1519, align 8, !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %6, i8 0, i64 64, i1 false), !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %7, i8 0, i64 64, i1 false), !noalias !15
+  %1521 = icmp eq i64 %1520, 0
+  br i1 %1521, label %1622, label %1522
 
-1539:                                             ; preds = %1429, %1514
-  %1540 = phi double [ %1335, %1429 ], [ %1472, %1514 ]
-  %1541 = phi i64 [ %1332, %1429 ], [ %1496, %1514 ]
-  %1542 = phi i64 [ %1439, %1429 ], [ %1524, %1514 ]
-  %1543 = phi double [ %1409, %1429 ], [ %1500, %1514 ]
-  %1544 = phi double [ %1433, %1429 ], [ %1527, %1514 ]
-  %1545 = fcmp olt double %1544, 1.000000e-10
-  %1546 = select i1 %1545, double 1.000000e-10, double %1544
-  %1547 = load ptr, ptr %116, align 8, !noalias !15
-  %1548 = getelementptr inbounds i8, ptr %1547, i64 24
-  %1549 = load double, ptr %1548, align 8, !noalias !15
-  %1550 = fadd double %1331, 1.200000e+01
-  %1551 = fdiv double 0x4027666666666667, %1550
-  %1552 = tail call double @llvm.sqrt.f64(double %1546)
-  %1553 = tail call double @llvm.sqrt.f64(double %1552)
-  %1554 = fdiv double 1.000000e+00, %1553
-  %1555 = fmul double %1551, %1554
-  %1556 = fcmp ogt double %1555, 2.000000e-01
-  %1557 = select i1 %1556, double %1555, double 2.000000e-01
-  %1558 = tail call double @llvm.fabs.f64(double %1544)
-  %1559 = fcmp ueq double %1558, 0x7FF0000000000000
-  %1560 = select i1 %1559, double 2.500000e-01, double %1557
-  %1561 = fmul double %519, %1560
-  %1562 = getelementptr inbounds i8, ptr %1547, i64 16
-  %1563 = load double, ptr %1562, align 8, !noalias !15
-  %1564 = fdiv double %519, %1563
-  %1565 = fdiv double %1549, %1546
-  %1566 = tail call double @llvm.sqrt.f64(double %1565)
-  %1567 = tail call double @llvm.sqrt.f64(double %1566)
-  %1568 = fmul double %1564, %1567
-  %1569 = fcmp ule double %1549, 0.000000e+00
-  %1570 = fcmp olt double %1568, 1.000000e+00
-  %1571 = select i1 %1570, double %1568, double 1.000000e+00
-  %1572 = select i1 %1569, double 1.000000e+00, double %1571
-  %1573 = fmul double %1555, %1572
-  %1574 = fcmp olt double %1573, 1.000000e+01
-  %1575 = select i1 %1574, double %1573, double 1.000000e+01
-  %1576 = fcmp ule double %1575, 1.000000e+00
-  %1577 = fcmp uge double %1575, 1.200000e+00
-  %1578 = or i1 %1576, %1577
-  %1579 = select i1 %1578, i1 true, i1 %1338
-  %1580 = load double, ptr %1547, align 8, !noalias !15
-  %1581 = fcmp ogt double %1575, 2.000000e-01
-  %1582 = select i1 %1581, double %1575, double 2.000000e-01
-  %1583 = fmul double %519, %1582
-  %1584 = select i1 %1579, double %1583, double %1580
-  %1585 = icmp eq i64 %1542, 0
-  %1586 = select i1 %1585, double %1561, double %1584
-  %1587 = and i64 %1334, 4294967295
-  %1588 = icmp eq i64 %1587, 0
-  %1589 = select i1 %1588, double %1408, double %1586
-  %1590 = xor i64 %1542, -1
-  %1591 = and i64 %1334, %1590
-  %1592 = load ptr, ptr %79, align 8, !noalias !15
-  %1593 = getelementptr inbounds i8, ptr %1592, i64 32
-  %1594 = load i64, ptr %1593, align 8, !noalias !15
-  %1595 = or i64 %1594, %1591
-  store i64 %1595, ptr %1593, align 8, !noalias !15
-  %1596 = load ptr, ptr %79, align 8, !noalias !15
-  %1597 = getelementptr inbounds i8, ptr %1596, i64 8
-  %1598 = load i64, ptr %1597, align 8, !noalias !15
-  %1599 = xor i64 %1591, -1
-  %1600 = and i64 %1598, %1599
-  %1601 = getelementptr inbounds i8, ptr %1596, i64 16
-  %1602 = load i64, ptr %1601, align 8, !noalias !15
-  %1603 = xor i64 %1602, -1
-  %1604 = and i64 %1591, %1603
-  %1605 = or disjoint i64 %1604, %1600
-  store i64 %1605, ptr %1597, align 8, !noalias !15
-  br label %1620
+1522:                                             ; preds = %1513
+  %1523 = add nsw i64 %1463, 7
+  %1524 = sdiv i64 %1523, 8
+  %1525 = shl nsw i64 %1524, 3
+  %1526 = tail call i64 @llvm.smin.i64(i64 %1525, i64 %1520)
+  %1527 = icmp slt i64 %1463, %1526
+  br i1 %1527, label %1528, label %1562
 
-1606:                                             ; preds = %1415, %1606
-  %1607 = phi i64 [ 0, %1415 ], [ %1618, %1606 ]
-  %1608 = load ptr, ptr %149, align 8, !noalias !15
-  %1609 = load ptr, ptr %78, align 8, !noalias !15
-  %1610 = getelementptr inbounds double, ptr %1609, i64 %1607
-  %1611 = load double, ptr %1610, align 8, !noalias !15
-  %1612 = load ptr, ptr %124, align 8, !noalias !15
-  %1613 = getelementptr i8, ptr %1612, i64 %1416
-  %1614 = getelementptr double, ptr %1613, i64 %1607
-  %1615 = load double, ptr %1614, align 8, !noalias !15
-  %1616 = fadd double %1611, %1615
-  %1617 = getelementptr inbounds double, ptr %1608, i64 %1607
-  store double %1616, ptr %1617, align 8, !noalias !15
-  %1618 = add nuw nsw i64 %1607, 1
-  %1619 = icmp eq i64 %1618, %529
-  br i1 %1619, label %1417, label %1606, !llvm.loop !47
+1528:                                             ; preds = %1522
+  %1529 = load ptr, ptr %82, align 8, !noalias !15
+  %1530 = load ptr, ptr %161, align 8, !noalias !15
+  %1531 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1532
 
-1620:                                             ; preds = %1539, %1407, %742, %655
-  %1621 = phi double [ %449, %655 ], [ %449, %742 ], [ %1329, %1407 ], [ %1329, %1539 ]
-  %1622 = phi double [ %448, %655 ], [ %448, %742 ], [ %1330, %1407 ], [ %1330, %1539 ]
-  %1623 = phi double [ %447, %655 ], [ %447, %742 ], [ %1331, %1407 ], [ %1331, %1539 ]
-  %1624 = phi i64 [ %446, %655 ], [ %446, %742 ], [ %1332, %1407 ], [ %1332, %1539 ]
-  %1625 = phi i64 [ %445, %655 ], [ %445, %742 ], [ %1333, %1407 ], [ %1333, %1539 ]
-  %1626 = phi i64 [ %444, %655 ], [ %444, %742 ], [ %1334, %1407 ], [ %1334, %1539 ]
-  %1627 = phi i1 [ false, %655 ], [ false, %742 ], [ %1338, %1407 ], [ %1338, %1539 ]
-  %1628 = phi double [ 2.000000e+00, %655 ], [ %744, %742 ], [ %1409, %1407 ], [ %1543, %1539 ]
-  %1629 = phi double [ 0.000000e+00, %655 ], [ 0.000000e+00, %742 ], [ 0.000000e+00, %1407 ], [ %1544, %1539 ]
-  %1630 = phi double [ %443, %655 ], [ %743, %742 ], [ %1408, %1407 ], [ %1589, %1539 ]
-  %1631 = phi double [ %638, %655 ], [ %667, %742 ], [ %1335, %1407 ], [ %1540, %1539 ]
-  %1632 = phi i64 [ 0, %655 ], [ %681, %742 ], [ %681, %1407 ], [ %681, %1539 ]
-  %1633 = phi i64 [ 1, %655 ], [ 0, %742 ], [ %1332, %1407 ], [ %1541, %1539 ]
-  %1634 = phi i64 [ 0, %655 ], [ 0, %742 ], [ 0, %1407 ], [ %1542, %1539 ]
-  %1635 = zext i1 %1627 to i64
-  %1636 = fptosi double %1631 to i64
-  %1637 = load i64, ptr %420, align 8
-  %1638 = add nsw i64 %1637, %1636
-  store i64 %1638, ptr %420, align 8
-  %1639 = load i64, ptr %421, align 8
-  %1640 = add nsw i64 %1639, %533
-  store i64 %1640, ptr %421, align 8
-  %1641 = load i64, ptr %422, align 8
-  %1642 = add nsw i64 %1641, %1632
-  store i64 %1642, ptr %422, align 8
-  %1643 = icmp eq i64 %1633, 0
-  br i1 %1643, label %1644, label %2230
+1532:                                             ; preds = %1528, %1532
+  %1533 = phi i64 [ %1463, %1528 ], [ %1560, %1532 ]
+  %1534 = getelementptr inbounds double, ptr %1529, i64 %1533
+  %1535 = load double, ptr %1534, align 8, !noalias !15
+  %1536 = tail call double @llvm.fabs.f64(double %1535)
+  %1537 = getelementptr inbounds double, ptr %1464, i64 %1533
+  %1538 = load double, ptr %1537, align 8, !noalias !15
+  %1539 = tail call double @llvm.fabs.f64(double %1538)
+  %1540 = fcmp ogt double %1536, %1539
+  %1541 = select i1 %1540, double %1536, double %1539
+  %1542 = getelementptr inbounds double, ptr %1530, i64 %1533
+  %1543 = load double, ptr %1542, align 8, !noalias !15
+  %1544 = getelementptr inbounds double, ptr %1531, i64 %1533
+  %1545 = load double, ptr %1544, align 8, !noalias !15
+  %1546 = fmul double %1541, %1545
+  %1547 = fadd double %1543, %1546
+  %1548 = fdiv double 1.000000e+00, %1547
+  %1549 = getelementptr inbounds double, ptr %1444, i64 %1533
+  %1550 = load double, ptr %1549, align 8, !noalias !15
+  %1551 = fmul double %1550, %1548
+  %1552 = srem i64 %1533, 8
+  %1553 = getelementptr inbounds double, ptr %6, i64 %1552
+  %1554 = load double, ptr %1553, align 8, !noalias !15
+  %1555 = fmul double %1551, %1551
+  %1556 = fadd double %1554, %1555
+  store double %1556, ptr %1553, align 8, !noalias !15
+  %1557 = getelementptr inbounds double, ptr %7, i64 %1552
+  %1558 = load double, ptr %1557, align 8, !noalias !15
+  %1559 = fadd double %1558, %1555
+  store double %1559, ptr %1557, align 8, !noalias !15
+  %1560 = add nsw i64 %1533, 1
+  %1561 = icmp eq i64 %1560, %1526
+  br i1 %1561, label %1562, label %1532, !llvm.loop !46
 
-1644:                                             ; preds = %1620
-  %1645 = icmp eq i64 %1634, 0
-  br i1 %1645, label %1646, label %1650
+1562:                                             ; preds = %1532, %1522
+  %1563 = phi i64 [ %1463, %1522 ], [ %1560, %1532 ]
+  %1564 = load <8 x double>, ptr %6, align 16, !noalias !15
+  %1565 = load <8 x double>, ptr %7, align 16, !noalias !15
+  %1566 = icmp slt i64 %1563, %1520
+  br i1 %1566, label %1567, label %1602
 
-1646:                                             ; preds = %1644
-  %1647 = load i64, ptr %407, align 8
-  %1648 = add nsw i64 %1647, 1
-  store i64 %1648, ptr %407, align 8
-  %1649 = fptosi double %1628 to i64
-  store i64 %1649, ptr %430, align 8
-  br label %2230, !llvm.loop !48
+1567:                                             ; preds = %1562
+  %1568 = load ptr, ptr %82, align 8, !noalias !15
+  %1569 = load ptr, ptr %162, align 8, !noalias !15
+  %1570 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1571
 
-1650:                                             ; preds = %1644
-  br i1 %243, label %1651, label %1679
+1571:                                             ; preds = %1567, %1571
+  %1572 = phi i64 [ %1563, %1567 ], [ %1600, %1571 ]
+  %1573 = phi <8 x double> [ %1564, %1567 ], [ %1598, %1571 ]
+  %1574 = phi <8 x double> [ %1565, %1567 ], [ %1599, %1571 ]
+  %1575 = getelementptr inbounds double, ptr %1568, i64 %1572
+  %1576 = load <8 x double>, ptr %1575, align 8, !noalias !15
+  %1577 = fneg <8 x double> %1576
+  %1578 = fcmp ogt <8 x double> %1576, zeroinitializer
+  %1579 = select <8 x i1> %1578, <8 x double> %1576, <8 x double> %1577
+  %1580 = getelementptr inbounds double, ptr %1464, i64 %1572
+  %1581 = load <8 x double>, ptr %1580, align 8, !noalias !15
+  %1582 = fneg <8 x double> %1581
+  %1583 = fcmp ogt <8 x double> %1581, zeroinitializer
+  %1584 = select <8 x i1> %1583, <8 x double> %1581, <8 x double> %1582
+  %1585 = fcmp ogt <8 x double> %1579, %1584
+  %1586 = select <8 x i1> %1585, <8 x double> %1579, <8 x double> %1584
+  %1587 = getelementptr inbounds double, ptr %1569, i64 %1572
+  %1588 = load <8 x double>, ptr %1587, align 8, !noalias !15
+  %1589 = getelementptr inbounds double, ptr %1570, i64 %1572
+  %1590 = load <8 x double>, ptr %1589, align 8, !noalias !15
+  %1591 = fmul <8 x double> %1590, %1586
+  %1592 = fadd <8 x double> %1588, %1591
+  %1593 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1592
+  %1594 = getelementptr inbounds double, ptr %1444, i64 %1572
+  %1595 = load <8 x double>, ptr %1594, align 8, !noalias !15
+  %1596 = fmul <8 x double> %1595, %1593
+  %1597 = fmul <8 x double> %1596, %1596
+  %1598 = fadd <8 x double> %1573, %1597
+  %1599 = fadd <8 x double> %1574, %1597
+  %1600 = add nsw i64 %1572, 8
+  %1601 = icmp slt i64 %1600, %1520
+  br i1 %1601, label %1571, label %1602, !llvm.loop !47
 
-1651:                                             ; preds = %1650
-  %1652 = load ptr, ptr %164, align 8
-  %1653 = load ptr, ptr %78, align 8
-  %1654 = load ptr, ptr %85, align 8
-  %1655 = getelementptr inbounds i8, ptr %1654, i64 56
-  %1656 = load i64, ptr %1655, align 8
-  %1657 = inttoptr i64 %1656 to ptr
-  %1658 = tail call i64 %1657(ptr noundef %0, double noundef %518, ptr noundef %1652, ptr noundef %1653) #9
-  %1659 = icmp eq i64 %1658, 0
-  br i1 %1659, label %1679, label %1660
+1602:                                             ; preds = %1571, %1562
+  %1603 = phi <8 x double> [ %1565, %1562 ], [ %1599, %1571 ]
+  %1604 = phi <8 x double> [ %1564, %1562 ], [ %1598, %1571 ]
+  store <8 x double> %1604, ptr %6, align 16, !noalias !15
+  store <8 x double> %1603, ptr %7, align 16, !noalias !15
+  br label %1614
 
-1660:                                             ; preds = %1651
-  %1661 = load i64, ptr %407, align 8
-  %1662 = add nsw i64 %1661, 1
-  store i64 %1662, ptr %407, align 8
-  store i64 6, ptr %423, align 8
-  %1663 = fmul double %519, 2.500000e-01
-  %1664 = load ptr, ptr %79, align 8
-  %1665 = getelementptr inbounds i8, ptr %1664, i64 32
-  %1666 = load i64, ptr %1665, align 8
-  %1667 = or i64 %1666, 1
-  store i64 %1667, ptr %1665, align 8
-  %1668 = load ptr, ptr %79, align 8
-  %1669 = getelementptr inbounds i8, ptr %1668, i64 8
-  %1670 = load i64, ptr %1669, align 8
-  %1671 = and i64 %1670, -2
-  %1672 = getelementptr inbounds i8, ptr %1668, i64 16
-  %1673 = load i64, ptr %1672, align 8
-  %1674 = and i64 %1673, 1
-  %1675 = or disjoint i64 %1674, %1671
-  %1676 = xor i64 %1675, 1
-  store i64 %1676, ptr %1669, align 8
-  %1677 = load ptr, ptr %165, align 8
-  %1678 = getelementptr inbounds i8, ptr %1677, i64 8
-  store double 0.000000e+00, ptr %1678, align 8
-  br label %2230, !llvm.loop !48
+1605:                                             ; preds = %1614
+  %1606 = sub nsw i64 %1520, %1463
+  %1607 = sitofp i64 %1606 to double
+  %1608 = fdiv double %1619, %1607
+  %1609 = tail call double @llvm.sqrt.f64(double %1608)
+  %1610 = fcmp ule double %533, %237
+  %1611 = fcmp ogt double %1609, %1518
+  %1612 = select i1 %1611, double %1609, double %1518
+  %1613 = select i1 %1610, double %1518, double %1612
+  br label %1622
 
-1679:                                             ; preds = %1651, %1650
-  %1680 = load i64, ptr %406, align 8
-  %1681 = add nsw i64 %1680, 1
-  store i64 %1681, ptr %406, align 8
-  store double %518, ptr %230, align 8
-  store double %519, ptr %424, align 8
-  %1682 = load ptr, ptr %77, align 8
-  %1683 = getelementptr inbounds i8, ptr %1682, i64 8
-  %1684 = load i64, ptr %1683, align 8
-  %1685 = load i64, ptr %166, align 8
-  %1686 = load ptr, ptr %167, align 8
-  %1687 = load ptr, ptr %168, align 8
-  %1688 = load ptr, ptr %169, align 8
-  %1689 = load ptr, ptr %170, align 8
-  br label %1705
+1614:                                             ; preds = %1602, %1614
+  %1615 = phi i64 [ 0, %1602 ], [ %1620, %1614 ]
+  %1616 = phi double [ 0.000000e+00, %1602 ], [ %1619, %1614 ]
+  %1617 = getelementptr inbounds double, ptr %6, i64 %1615
+  %1618 = load double, ptr %1617, align 8, !noalias !15
+  %1619 = fadd double %1616, %1618
+  %1620 = add nuw nsw i64 %1615, 1
+  %1621 = icmp eq i64 %1620, 8
+  br i1 %1621, label %1605, label %1614, !llvm.loop !48
 
-1690:                                             ; preds = %1705
-  %1691 = icmp sgt i64 %1684, 0
-  br i1 %1691, label %1692, label %1765
+1622:                                             ; preds = %1513, %1605
+  %1623 = phi double [ %1613, %1605 ], [ %1518, %1513 ]
+  %1624 = fcmp olt double %1623, 1.000000e+00
+  %1625 = zext i1 %1624 to i64
+  %1626 = xor i64 %1625, -1
+  %1627 = and i64 %1439, %1626
+  %1628 = and i64 %1627, %1354
+  %1629 = and i64 %1354, %1625
+  %1630 = icmp eq i64 %1628, 0
+  br i1 %1630, label %1900, label %1631
 
-1692:                                             ; preds = %1690
-  %1693 = load double, ptr %9, align 16
-  %1694 = load double, ptr %171, align 8
-  %1695 = getelementptr double, ptr %1686, i64 %1684
-  %1696 = load double, ptr %172, align 16
-  %1697 = shl i64 %1684, 4
-  %1698 = getelementptr i8, ptr %1686, i64 %1697
-  %1699 = load double, ptr %10, align 16
-  %1700 = load double, ptr %173, align 8
-  %1701 = load double, ptr %174, align 16
-  %1702 = getelementptr inbounds double, ptr %1687, i64 %1685
-  %1703 = shl nsw i64 %1685, 4
-  %1704 = getelementptr inbounds i8, ptr %1687, i64 %1703
+1631:                                             ; preds = %1622
+  %1632 = icmp sgt i64 %1442, 0
+  br i1 %1632, label %1692, label %1658
+
+1633:                                             ; preds = %1446, %1633
+  %1634 = phi i64 [ 0, %1446 ], [ %1656, %1633 ]
+  %1635 = load ptr, ptr %128, align 8, !noalias !15
+  %1636 = getelementptr inbounds double, ptr %1635, i64 %1634
+  %1637 = load double, ptr %1636, align 8, !noalias !15
+  %1638 = fmul double %1637, 0x402418FD8BAFFE05
+  %1639 = getelementptr double, ptr %1635, i64 %1442
+  %1640 = getelementptr double, ptr %1639, i64 %1634
+  %1641 = load double, ptr %1640, align 8, !noalias !15
+  %1642 = fmul double %1641, 0x3FF61D41B2D54580
+  %1643 = fsub double %1642, %1638
+  %1644 = getelementptr i8, ptr %1635, i64 %1447
+  %1645 = getelementptr double, ptr %1644, i64 %1634
+  %1646 = load double, ptr %1645, align 8, !noalias !15
+  %1647 = fmul double %1646, 0x3FD5555555555555
+  %1648 = fsub double %1643, %1647
+  %1649 = fdiv double %1648, %533
+  %1650 = getelementptr inbounds double, ptr %1443, i64 %1634
+  store double %1649, ptr %1650, align 8, !noalias !15
+  %1651 = load ptr, ptr %156, align 8, !noalias !15
+  %1652 = getelementptr inbounds double, ptr %1651, i64 %1634
+  %1653 = load double, ptr %1652, align 8, !noalias !15
+  %1654 = fadd double %1653, %1649
+  %1655 = getelementptr inbounds double, ptr %1444, i64 %1634
+  store double %1654, ptr %1655, align 8, !noalias !15
+  %1656 = add nuw nsw i64 %1634, 1
+  %1657 = icmp eq i64 %1656, %1442
+  br i1 %1657, label %1448, label %1633, !llvm.loop !49
+
+1658:                                             ; preds = %1692, %1631
+  %1659 = and i64 %1628, 4294967295
+  %1660 = icmp eq i64 %1659, 0
+  %1661 = select i1 %1660, double 0.000000e+00, double 1.000000e+00
+  %1662 = fadd double %1355, %1661
+  %1663 = load ptr, ptr %164, align 8, !noalias !15
+  %1664 = load ptr, ptr %165, align 8, !noalias !15
+  %1665 = load ptr, ptr %166, align 8, !noalias !15
+  store double %456, ptr %1665, align 8, !noalias !15
+  %1666 = load ptr, ptr %81, align 8, !noalias !15
+  %1667 = getelementptr inbounds i8, ptr %1666, i64 40
+  %1668 = load i64, ptr %1667, align 8, !noalias !15
+  %1669 = icmp eq i64 %1668, 0
+  br i1 %1669, label %1671, label %1670
+
+1670:                                             ; preds = %1658
+  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !15
+  br label %1671
+
+1671:                                             ; preds = %1670, %1658
+  %1672 = load i64, ptr %167, align 8, !noalias !15
+  %1673 = icmp sgt i64 %1672, 0
+  br i1 %1673, label %1674, label %1675
+
+1674:                                             ; preds = %1671
+  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !15
+  br label %1675
+
+1675:                                             ; preds = %1674, %1671
+  %1676 = load ptr, ptr %81, align 8, !noalias !15
+  %1677 = load i64, ptr %1676, align 8, !noalias !15
+  %1678 = load ptr, ptr %166, align 8, !noalias !15
+  %1679 = load ptr, ptr %168, align 8, !noalias !15
+  %1680 = load ptr, ptr %169, align 8, !noalias !15
+  %1681 = inttoptr i64 %1677 to ptr
+  %1682 = load ptr, ptr %1681, align 8, !noalias !15
+  %1683 = tail call i32 %1682(ptr noundef %1678, ptr noundef %1663, ptr noundef %1679, ptr noundef %1680, ptr noundef %1664) #10, !noalias !15
+  %1684 = sext i32 %1683 to i64
+  %1685 = icmp slt i32 %1683, 0
+  %1686 = select i1 %1685, i64 %1684, i64 %1352
+  %1687 = trunc i64 %1628 to i32
+  %1688 = and i32 %1683, %1687
+  %1689 = icmp eq i32 %1688, 0
+  %1690 = select i1 %1689, double %1429, double 3.000000e+00
+  %1691 = icmp sgt i64 %1442, 0
+  br i1 %1691, label %1889, label %1704
+
+1692:                                             ; preds = %1631, %1692
+  %1693 = phi i64 [ %1702, %1692 ], [ 0, %1631 ]
+  %1694 = load ptr, ptr %163, align 8, !noalias !15
+  %1695 = load ptr, ptr %82, align 8, !noalias !15
+  %1696 = getelementptr inbounds double, ptr %1695, i64 %1693
+  %1697 = load double, ptr %1696, align 8, !noalias !15
+  %1698 = getelementptr inbounds double, ptr %1444, i64 %1693
+  %1699 = load double, ptr %1698, align 8, !noalias !15
+  %1700 = fadd double %1697, %1699
+  %1701 = getelementptr inbounds double, ptr %1694, i64 %1693
+  store double %1700, ptr %1701, align 8, !noalias !15
+  %1702 = add nuw nsw i64 %1693, 1
+  %1703 = icmp eq i64 %1702, %1442
+  br i1 %1703, label %1658, label %1692, !llvm.loop !50
+
+1704:                                             ; preds = %1889, %1675
+  %1705 = load i64, ptr %158, align 8, !noalias !15
+  %1706 = load ptr, ptr %83, align 8, !noalias !15
+  %1707 = getelementptr inbounds i8, ptr %1706, i64 40
+  %1708 = load i64, ptr %1707, align 8, !noalias !15
+  %1709 = load ptr, ptr %159, align 8, !noalias !15
+  %1710 = load ptr, ptr %157, align 8, !noalias !15
+  tail call fastcc void @real_solve(ptr noundef %1709, i64 noundef %1705, ptr noundef %1710, ptr noundef %1444) #9, !noalias !15
+  %1711 = icmp sgt i64 %1708, 0
+  br i1 %1711, label %1712, label %1716
+
+1712:                                             ; preds = %1704
+  %1713 = load ptr, ptr %159, align 8, !noalias !15
+  %1714 = load ptr, ptr %157, align 8, !noalias !15
+  %1715 = getelementptr inbounds double, ptr %1444, i64 %1705
+  tail call fastcc void @real_solve_columns(ptr noundef %1713, i64 noundef %1705, ptr noundef %1714, ptr noundef %1715, i64 noundef %1708) #9, !noalias !15
   br label %1716
 
-1705:                                             ; preds = %1679, %1705
-  %1706 = phi i64 [ 0, %1679 ], [ %1714, %1705 ]
-  %1707 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1706
-  %1708 = getelementptr inbounds i8, ptr %1707, i64 8
-  %1709 = load double, ptr %1708, align 8
-  %1710 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1706
-  store double %1709, ptr %1710, align 8
-  %1711 = getelementptr inbounds i8, ptr %1707, i64 16
-  %1712 = load double, ptr %1711, align 8
-  %1713 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1706
-  store double %1712, ptr %1713, align 8
-  %1714 = add nuw nsw i64 %1706, 1
-  %1715 = icmp eq i64 %1714, 3
-  br i1 %1715, label %1690, label %1705, !llvm.loop !49
+1716:                                             ; preds = %1704, %1712
+  %1717 = load ptr, ptr %81, align 8, !noalias !15
+  %1718 = getelementptr inbounds i8, ptr %1717, i64 24
+  %1719 = load i64, ptr %1718, align 8, !noalias !15
+  %1720 = load ptr, ptr %160, align 8, !noalias !15
+  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1444, ptr noundef %1720, ptr noundef nonnull %82, i64 noundef %1719) #9, !noalias !15
+  %1721 = load double, ptr %9, align 8, !noalias !15
+  %1722 = getelementptr inbounds i8, ptr %1717, i64 8
+  %1723 = load i64, ptr %1722, align 8, !noalias !15
+  %1724 = add nsw i64 %1723, -3
+  %1725 = getelementptr i8, ptr %1720, i64 8
+  %1726 = getelementptr i8, ptr %1720, i64 16
+  %1727 = getelementptr i8, ptr %1720, i64 24
+  %1728 = icmp slt i64 %1719, %1724
+  br i1 %1728, label %1736, label %1729
 
-1716:                                             ; preds = %1692, %1753
-  %1717 = phi i64 [ 0, %1692 ], [ %1754, %1753 ]
-  %1718 = getelementptr inbounds double, ptr %1686, i64 %1717
-  %1719 = load double, ptr %1718, align 8
-  %1720 = fmul double %1693, %1719
-  %1721 = getelementptr double, ptr %1695, i64 %1717
-  %1722 = load double, ptr %1721, align 8
-  %1723 = fmul double %1694, %1722
-  %1724 = fadd double %1720, %1723
-  %1725 = getelementptr double, ptr %1698, i64 %1717
-  %1726 = load double, ptr %1725, align 8
-  %1727 = fmul double %1696, %1726
-  %1728 = fadd double %1724, %1727
-  %1729 = fmul double %1719, %1699
-  %1730 = fmul double %1722, %1700
-  %1731 = fadd double %1729, %1730
-  %1732 = fmul double %1726, %1701
-  %1733 = fadd double %1731, %1732
-  %1734 = load ptr, ptr %175, align 8
-  %1735 = getelementptr inbounds double, ptr %1734, i64 %1717
-  %1736 = load double, ptr %1735, align 8
-  %1737 = load ptr, ptr %78, align 8
-  %1738 = getelementptr inbounds double, ptr %1737, i64 %1717
-  %1739 = load double, ptr %1738, align 8
-  %1740 = fsub double %1736, %1739
-  %1741 = getelementptr inbounds double, ptr %1687, i64 %1717
-  store double %1740, ptr %1741, align 8
-  %1742 = fneg double %1728
-  %1743 = fsub double %1742, %1733
-  %1744 = getelementptr inbounds double, ptr %1702, i64 %1717
-  store double %1743, ptr %1744, align 8
-  %1745 = fneg double %1733
-  %1746 = getelementptr inbounds double, ptr %1704, i64 %1717
-  store double %1745, ptr %1746, align 8
-  %1747 = load ptr, ptr %78, align 8
-  %1748 = getelementptr inbounds double, ptr %1747, i64 %1717
-  %1749 = load double, ptr %1748, align 8
-  %1750 = getelementptr inbounds double, ptr %1688, i64 %1717
-  store double %1749, ptr %1750, align 8
-  %1751 = getelementptr double, ptr %1687, i64 %1717
-  %1752 = getelementptr double, ptr %1688, i64 %1717
-  br label %1756
+1729:                                             ; preds = %1736, %1716
+  %1730 = phi double [ 0.000000e+00, %1716 ], [ %1745, %1736 ]
+  %1731 = phi double [ 0.000000e+00, %1716 ], [ %1749, %1736 ]
+  %1732 = phi double [ 0.000000e+00, %1716 ], [ %1753, %1736 ]
+  %1733 = phi double [ 0.000000e+00, %1716 ], [ %1757, %1736 ]
+  %1734 = phi i64 [ %1719, %1716 ], [ %1758, %1736 ]
+  %1735 = icmp slt i64 %1734, %1723
+  br i1 %1735, label %1760, label %1769
 
-1753:                                             ; preds = %1756
-  %1754 = add nuw nsw i64 %1717, 1
-  %1755 = icmp eq i64 %1754, %1684
-  br i1 %1755, label %1765, label %1716, !llvm.loop !50
+1736:                                             ; preds = %1716, %1736
+  %1737 = phi i64 [ %1758, %1736 ], [ %1719, %1716 ]
+  %1738 = phi double [ %1757, %1736 ], [ 0.000000e+00, %1716 ]
+  %1739 = phi double [ %1753, %1736 ], [ 0.000000e+00, %1716 ]
+  %1740 = phi double [ %1749, %1736 ], [ 0.000000e+00, %1716 ]
+  %1741 = phi double [ %1745, %1736 ], [ 0.000000e+00, %1716 ]
+  %1742 = getelementptr inbounds double, ptr %1720, i64 %1737
+  %1743 = load double, ptr %1742, align 8, !noalias !15
+  %1744 = fmul double %1743, 0.000000e+00
+  %1745 = fadd double %1741, %1744
+  %1746 = getelementptr double, ptr %1725, i64 %1737
+  %1747 = load double, ptr %1746, align 8, !noalias !15
+  %1748 = fmul double %1747, 0.000000e+00
+  %1749 = fadd double %1740, %1748
+  %1750 = getelementptr double, ptr %1726, i64 %1737
+  %1751 = load double, ptr %1750, align 8, !noalias !15
+  %1752 = fmul double %1751, 0.000000e+00
+  %1753 = fadd double %1739, %1752
+  %1754 = getelementptr double, ptr %1727, i64 %1737
+  %1755 = load double, ptr %1754, align 8, !noalias !15
+  %1756 = fmul double %1755, 0.000000e+00
+  %1757 = fadd double %1738, %1756
+  %1758 = add nsw i64 %1737, 4
+  %1759 = icmp slt i64 %1758, %1724
+  br i1 %1759, label %1736, label %1729, !llvm.loop !44
 
-1756:                                             ; preds = %1716, %1756
-  %1757 = phi i64 [ 0, %1716 ], [ %1758, %1756 ]
-  %1758 = add nuw nsw i64 %1757, 1
-  %1759 = mul nuw nsw i64 %1684, %1758
-  %1760 = mul nsw i64 %1685, %1757
-  %1761 = getelementptr double, ptr %1751, i64 %1760
-  %1762 = load double, ptr %1761, align 8
-  %1763 = getelementptr double, ptr %1752, i64 %1759
-  store double %1762, ptr %1763, align 8
-  %1764 = icmp eq i64 %1758, 3
-  br i1 %1764, label %1753, label %1756, !llvm.loop !51
+1760:                                             ; preds = %1729, %1760
+  %1761 = phi i64 [ %1767, %1760 ], [ %1734, %1729 ]
+  %1762 = phi double [ %1766, %1760 ], [ %1730, %1729 ]
+  %1763 = getelementptr inbounds double, ptr %1720, i64 %1761
+  %1764 = load double, ptr %1763, align 8, !noalias !15
+  %1765 = fmul double %1764, 0.000000e+00
+  %1766 = fadd double %1762, %1765
+  %1767 = add nsw i64 %1761, 1
+  %1768 = icmp eq i64 %1767, %1723
+  br i1 %1768, label %1769, label %1760, !llvm.loop !45
 
-1765:                                             ; preds = %1753, %1690
-  %1766 = fcmp olt double %1629, 1.000000e-10
-  %1767 = select i1 %1766, double 1.000000e-10, double %1629
-  %1768 = getelementptr inbounds i8, ptr %1689, i64 8
-  store double %519, ptr %1768, align 8
-  %1769 = getelementptr inbounds i8, ptr %1689, i64 16
-  store double %519, ptr %1769, align 8
-  %1770 = getelementptr inbounds i8, ptr %1689, i64 24
-  store double %1767, ptr %1770, align 8
-  %1771 = load ptr, ptr %79, align 8
-  %1772 = getelementptr inbounds i8, ptr %1771, i64 8
-  %1773 = load i64, ptr %1772, align 8
-  %1774 = and i64 %1773, -2
-  %1775 = or disjoint i64 %1774, %1635
-  store i64 %1775, ptr %1772, align 8
-  %1776 = load ptr, ptr %79, align 8
-  %1777 = getelementptr inbounds i8, ptr %1776, i64 16
-  %1778 = load i64, ptr %1777, align 8
-  %1779 = and i64 %1778, -2
-  store i64 %1779, ptr %1777, align 8
-  %1780 = load ptr, ptr %79, align 8
-  %1781 = getelementptr inbounds i8, ptr %1780, i64 32
-  %1782 = load i64, ptr %1781, align 8
-  %1783 = and i64 %1782, -2
-  store i64 %1783, ptr %1781, align 8
-  %1784 = load ptr, ptr %0, align 8
-  %1785 = getelementptr inbounds i8, ptr %1784, i64 24
-  %1786 = load i64, ptr %1785, align 8
-  %1787 = load ptr, ptr %97, align 8
-  %1788 = getelementptr inbounds i8, ptr %1787, i64 8
-  %1789 = load i64, ptr %1788, align 8
-  %1790 = icmp eq i64 %1789, 0
-  br i1 %1790, label %1837, label %1791
+1769:                                             ; preds = %1760, %1729
+  %1770 = phi double [ %1730, %1729 ], [ %1766, %1760 ]
+  %1771 = fadd double %1731, %1770
+  %1772 = fadd double %1732, %1733
+  %1773 = fadd double %1772, %1771
+  %1774 = fadd double %1721, %1773
+  %1775 = getelementptr inbounds i8, ptr %1717, i64 48
+  %1776 = load i64, ptr %1775, align 8, !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %4, i8 0, i64 64, i1 false), !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %5, i8 0, i64 64, i1 false), !noalias !15
+  %1777 = icmp eq i64 %1776, 0
+  br i1 %1777, label %1878, label %1778
 
-1791:                                             ; preds = %1765
-  %1792 = load i64, ptr %1787, align 8
-  %1793 = load ptr, ptr %77, align 8
-  %1794 = getelementptr inbounds i8, ptr %1793, i64 8
-  %1795 = load i64, ptr %1794, align 8
-  %1796 = load ptr, ptr %176, align 8
-  %1797 = load i64, ptr %177, align 8
-  %1798 = mul nsw i64 %1797, %1792
-  %1799 = getelementptr inbounds double, ptr %1796, i64 %1798
-  %1800 = getelementptr inbounds double, ptr %1799, i64 %1797
-  store double %442, ptr %1799, align 8
-  %1801 = getelementptr inbounds i8, ptr %1799, i64 8
-  store double %519, ptr %1801, align 8
-  store double %518, ptr %1800, align 8
-  %1802 = getelementptr inbounds i8, ptr %1800, i64 8
-  store double 0.000000e+00, ptr %1802, align 8
-  %1803 = icmp sgt i64 %1795, 0
-  br i1 %1803, label %1804, label %1807
+1778:                                             ; preds = %1769
+  %1779 = add nsw i64 %1719, 7
+  %1780 = sdiv i64 %1779, 8
+  %1781 = shl nsw i64 %1780, 3
+  %1782 = tail call i64 @llvm.smin.i64(i64 %1781, i64 %1776)
+  %1783 = icmp slt i64 %1719, %1782
+  br i1 %1783, label %1784, label %1818
 
-1804:                                             ; preds = %1791
-  %1805 = getelementptr i8, ptr %1799, i64 16
-  %1806 = icmp sgt i64 %1786, 0
-  br label %1810
+1784:                                             ; preds = %1778
+  %1785 = load ptr, ptr %82, align 8, !noalias !15
+  %1786 = load ptr, ptr %170, align 8, !noalias !15
+  %1787 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1788
 
-1807:                                             ; preds = %1822, %1791
-  %1808 = add nsw i64 %1792, 1
-  %1809 = load ptr, ptr %97, align 8
-  store i64 %1808, ptr %1809, align 8
-  br label %1837
+1788:                                             ; preds = %1784, %1788
+  %1789 = phi i64 [ %1719, %1784 ], [ %1816, %1788 ]
+  %1790 = getelementptr inbounds double, ptr %1785, i64 %1789
+  %1791 = load double, ptr %1790, align 8, !noalias !15
+  %1792 = tail call double @llvm.fabs.f64(double %1791)
+  %1793 = getelementptr inbounds double, ptr %1720, i64 %1789
+  %1794 = load double, ptr %1793, align 8, !noalias !15
+  %1795 = tail call double @llvm.fabs.f64(double %1794)
+  %1796 = fcmp ogt double %1792, %1795
+  %1797 = select i1 %1796, double %1792, double %1795
+  %1798 = getelementptr inbounds double, ptr %1786, i64 %1789
+  %1799 = load double, ptr %1798, align 8, !noalias !15
+  %1800 = getelementptr inbounds double, ptr %1787, i64 %1789
+  %1801 = load double, ptr %1800, align 8, !noalias !15
+  %1802 = fmul double %1797, %1801
+  %1803 = fadd double %1799, %1802
+  %1804 = fdiv double 1.000000e+00, %1803
+  %1805 = getelementptr inbounds double, ptr %1444, i64 %1789
+  %1806 = load double, ptr %1805, align 8, !noalias !15
+  %1807 = fmul double %1806, %1804
+  %1808 = srem i64 %1789, 8
+  %1809 = getelementptr inbounds double, ptr %4, i64 %1808
+  %1810 = load double, ptr %1809, align 8, !noalias !15
+  %1811 = fmul double %1807, %1807
+  %1812 = fadd double %1810, %1811
+  store double %1812, ptr %1809, align 8, !noalias !15
+  %1813 = getelementptr inbounds double, ptr %5, i64 %1808
+  %1814 = load double, ptr %1813, align 8, !noalias !15
+  %1815 = fadd double %1814, %1811
+  store double %1815, ptr %1813, align 8, !noalias !15
+  %1816 = add nsw i64 %1789, 1
+  %1817 = icmp eq i64 %1816, %1782
+  br i1 %1817, label %1818, label %1788, !llvm.loop !46
 
-1810:                                             ; preds = %1804, %1822
-  %1811 = phi i64 [ 0, %1804 ], [ %1823, %1822 ]
-  %1812 = load ptr, ptr %78, align 8
-  %1813 = getelementptr inbounds double, ptr %1812, i64 %1811
-  %1814 = load double, ptr %1813, align 8
-  %1815 = add nuw nsw i64 %1811, 2
-  %1816 = getelementptr inbounds double, ptr %1799, i64 %1815
-  store double %1814, ptr %1816, align 8
-  %1817 = load ptr, ptr %178, align 8
-  %1818 = getelementptr inbounds double, ptr %1817, i64 %1811
-  %1819 = load double, ptr %1818, align 8
-  %1820 = getelementptr inbounds double, ptr %1800, i64 %1815
-  store double %1819, ptr %1820, align 8
-  %1821 = getelementptr double, ptr %1805, i64 %1811
-  br i1 %1806, label %1825, label %1822
+1818:                                             ; preds = %1788, %1778
+  %1819 = phi i64 [ %1719, %1778 ], [ %1816, %1788 ]
+  %1820 = load <8 x double>, ptr %4, align 16, !noalias !15
+  %1821 = load <8 x double>, ptr %5, align 16, !noalias !15
+  %1822 = icmp slt i64 %1819, %1776
+  br i1 %1822, label %1823, label %1858
 
-1822:                                             ; preds = %1825, %1810
-  %1823 = add nuw nsw i64 %1811, 1
-  %1824 = icmp eq i64 %1823, %1795
-  br i1 %1824, label %1807, label %1810, !llvm.loop !52
+1823:                                             ; preds = %1818
+  %1824 = load ptr, ptr %82, align 8, !noalias !15
+  %1825 = load ptr, ptr %171, align 8, !noalias !15
+  %1826 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1827
 
-1825:                                             ; preds = %1810, %1825
-  %1826 = phi i64 [ %1833, %1825 ], [ 0, %1810 ]
-  %1827 = load ptr, ptr %179, align 8
-  %1828 = load i64, ptr %180, align 8
-  %1829 = mul nsw i64 %1828, %1826
-  %1830 = getelementptr double, ptr %1827, i64 %1829
-  %1831 = getelementptr double, ptr %1830, i64 %1811
-  %1832 = load double, ptr %1831, align 8
-  %1833 = add nuw nsw i64 %1826, 1
-  %1834 = mul nuw nsw i64 %1833, %1795
-  %1835 = getelementptr double, ptr %1821, i64 %1834
-  store double %1832, ptr %1835, align 8
-  %1836 = icmp eq i64 %1833, %1786
-  br i1 %1836, label %1822, label %1825, !llvm.loop !53
+1827:                                             ; preds = %1823, %1827
+  %1828 = phi i64 [ %1819, %1823 ], [ %1856, %1827 ]
+  %1829 = phi <8 x double> [ %1820, %1823 ], [ %1854, %1827 ]
+  %1830 = phi <8 x double> [ %1821, %1823 ], [ %1855, %1827 ]
+  %1831 = getelementptr inbounds double, ptr %1824, i64 %1828
+  %1832 = load <8 x double>, ptr %1831, align 8, !noalias !15
+  %1833 = fneg <8 x double> %1832
+  %1834 = fcmp ogt <8 x double> %1832, zeroinitializer
+  %1835 = select <8 x i1> %1834, <8 x double> %1832, <8 x double> %1833
+  %1836 = getelementptr inbounds double, ptr %1720, i64 %1828
+  %1837 = load <8 x double>, ptr %1836, align 8, !noalias !15
+  %1838 = fneg <8 x double> %1837
+  %1839 = fcmp ogt <8 x double> %1837, zeroinitializer
+  %1840 = select <8 x i1> %1839, <8 x double> %1837, <8 x double> %1838
+  %1841 = fcmp ogt <8 x double> %1835, %1840
+  %1842 = select <8 x i1> %1841, <8 x double> %1835, <8 x double> %1840
+  %1843 = getelementptr inbounds double, ptr %1825, i64 %1828
+  %1844 = load <8 x double>, ptr %1843, align 8, !noalias !15
+  %1845 = getelementptr inbounds double, ptr %1826, i64 %1828
+  %1846 = load <8 x double>, ptr %1845, align 8, !noalias !15
+  %1847 = fmul <8 x double> %1846, %1842
+  %1848 = fadd <8 x double> %1844, %1847
+  %1849 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1848
+  %1850 = getelementptr inbounds double, ptr %1444, i64 %1828
+  %1851 = load <8 x double>, ptr %1850, align 8, !noalias !15
+  %1852 = fmul <8 x double> %1851, %1849
+  %1853 = fmul <8 x double> %1852, %1852
+  %1854 = fadd <8 x double> %1829, %1853
+  %1855 = fadd <8 x double> %1830, %1853
+  %1856 = add nsw i64 %1828, 8
+  %1857 = icmp slt i64 %1856, %1776
+  br i1 %1857, label %1827, label %1858, !llvm.loop !47
 
-1837:                                             ; preds = %1765, %1807
-  br i1 %247, label %1838, label %1946
+1858:                                             ; preds = %1827, %1818
+  %1859 = phi <8 x double> [ %1821, %1818 ], [ %1855, %1827 ]
+  %1860 = phi <8 x double> [ %1820, %1818 ], [ %1854, %1827 ]
+  store <8 x double> %1860, ptr %4, align 16, !noalias !15
+  store <8 x double> %1859, ptr %5, align 16, !noalias !15
+  br label %1870
 
-1838:                                             ; preds = %1837
-  %1839 = load ptr, ptr %86, align 8
-  %1840 = load ptr, ptr %77, align 8
-  %1841 = getelementptr inbounds i8, ptr %1840, i64 8
-  %1842 = load i64, ptr %1841, align 8
-  %1843 = load ptr, ptr %181, align 8
-  %1844 = getelementptr inbounds i8, ptr %1839, i64 32
-  %1845 = load i64, ptr %1844, align 8
-  %1846 = getelementptr inbounds double, ptr %1843, i64 %1845
-  %1847 = load ptr, ptr %182, align 8
-  %1848 = getelementptr inbounds i8, ptr %1839, i64 24
-  %1849 = load i64, ptr %1848, align 8
-  %1850 = icmp eq i64 %1849, 0
-  br i1 %1850, label %1943, label %1851
+1861:                                             ; preds = %1870
+  %1862 = sub nsw i64 %1776, %1719
+  %1863 = sitofp i64 %1862 to double
+  %1864 = fdiv double %1875, %1863
+  %1865 = tail call double @llvm.sqrt.f64(double %1864)
+  %1866 = fcmp ule double %533, %237
+  %1867 = fcmp ogt double %1865, %1774
+  %1868 = select i1 %1867, double %1865, double %1774
+  %1869 = select i1 %1866, double %1774, double %1868
+  br label %1878
 
-1851:                                             ; preds = %1838
-  %1852 = getelementptr inbounds i8, ptr %1839, i64 40
-  %1853 = load i64, ptr %1852, align 8
-  %1854 = icmp sgt i64 %1853, 0
-  br i1 %1854, label %1855, label %1859
+1870:                                             ; preds = %1858, %1870
+  %1871 = phi i64 [ 0, %1858 ], [ %1876, %1870 ]
+  %1872 = phi double [ 0.000000e+00, %1858 ], [ %1875, %1870 ]
+  %1873 = getelementptr inbounds double, ptr %4, i64 %1871
+  %1874 = load double, ptr %1873, align 8, !noalias !15
+  %1875 = fadd double %1872, %1874
+  %1876 = add nuw nsw i64 %1871, 1
+  %1877 = icmp eq i64 %1876, 8
+  br i1 %1877, label %1861, label %1870, !llvm.loop !48
 
-1855:                                             ; preds = %1851
-  %1856 = getelementptr double, ptr %1847, i64 %1842
-  %1857 = shl i64 %1842, 4
-  %1858 = getelementptr i8, ptr %1847, i64 %1857
-  br label %1913
+1878:                                             ; preds = %1769, %1861
+  %1879 = phi double [ %1869, %1861 ], [ %1774, %1769 ]
+  %1880 = xor i64 %1684, -1
+  %1881 = and i64 %1628, %1880
+  %1882 = fcmp olt double %1879, 1.000000e+00
+  %1883 = and i64 %1881, 1
+  %1884 = select i1 %1882, i64 %1883, i64 0
+  %1885 = or i64 %1884, %1629
+  %1886 = and i64 %1881, 4294967295
+  %1887 = icmp eq i64 %1886, 0
+  %1888 = select i1 %1887, double %1623, double %1879
+  br label %1900
 
-1859:                                             ; preds = %1913, %1851
-  %1860 = load ptr, ptr %184, align 8
-  %1861 = load ptr, ptr %86, align 8
-  %1862 = getelementptr inbounds i8, ptr %1861, i64 8
-  %1863 = load i64, ptr %1862, align 8
-  %1864 = load ptr, ptr %185, align 8
-  %1865 = load ptr, ptr %181, align 8
-  %1866 = getelementptr inbounds i8, ptr %1861, i64 32
-  %1867 = load i64, ptr %1866, align 8
-  %1868 = getelementptr inbounds i8, ptr %1861, i64 40
-  %1869 = load i64, ptr %1868, align 8
-  %1870 = getelementptr double, ptr %1865, i64 %1867
-  %1871 = getelementptr double, ptr %1870, i64 %1869
-  store double %519, ptr %1871, align 8
-  %1872 = load ptr, ptr %184, align 8
-  store double %442, ptr %1872, align 8
-  %1873 = load ptr, ptr %86, align 8
-  %1874 = getelementptr inbounds i8, ptr %1873, i64 24
-  %1875 = load i64, ptr %1874, align 8
-  %1876 = load ptr, ptr %78, align 8
-  %1877 = load ptr, ptr %181, align 8
-  %1878 = load ptr, ptr %186, align 8
-  %1879 = inttoptr i64 %1875 to ptr
-  %1880 = load ptr, ptr %1879, align 8
-  %1881 = tail call i32 %1880(ptr noundef %1860, ptr noundef %1876, ptr noundef %1877, ptr noundef %1878, ptr noundef %1864) #9
-  %1882 = icmp eq i32 %1881, 0
-  br i1 %1882, label %1883, label %1943
+1889:                                             ; preds = %1675, %1889
+  %1890 = phi i64 [ %1898, %1889 ], [ 0, %1675 ]
+  %1891 = load ptr, ptr %165, align 8, !noalias !15
+  %1892 = getelementptr inbounds double, ptr %1891, i64 %1890
+  %1893 = load double, ptr %1892, align 8, !noalias !15
+  %1894 = getelementptr inbounds double, ptr %1443, i64 %1890
+  %1895 = load double, ptr %1894, align 8, !noalias !15
+  %1896 = fadd double %1893, %1895
+  %1897 = getelementptr inbounds double, ptr %1444, i64 %1890
+  store double %1896, ptr %1897, align 8, !noalias !15
+  %1898 = add nuw nsw i64 %1890, 1
+  %1899 = icmp eq i64 %1898, %1442
+  br i1 %1899, label %1704, label %1889, !llvm.loop !51
 
-1883:                                             ; preds = %1859
-  %1884 = icmp slt i64 %1863, 1
-  br i1 %1884, label %1910, label %1885
+1900:                                             ; preds = %1622, %1878
+  %1901 = phi double [ %1355, %1622 ], [ %1662, %1878 ]
+  %1902 = phi i64 [ %1352, %1622 ], [ %1686, %1878 ]
+  %1903 = phi i64 [ %1629, %1622 ], [ %1885, %1878 ]
+  %1904 = phi double [ %1429, %1622 ], [ %1690, %1878 ]
+  %1905 = phi double [ %1623, %1622 ], [ %1888, %1878 ]
+  %1906 = fcmp olt double %1905, 1.000000e-10
+  %1907 = select i1 %1906, double 1.000000e-10, double %1905
+  %1908 = load ptr, ptr %120, align 8, !noalias !15
+  %1909 = getelementptr inbounds i8, ptr %1908, i64 24
+  %1910 = load double, ptr %1909, align 8, !noalias !15
+  %1911 = fadd double %1351, 1.200000e+01
+  %1912 = fdiv double 0x4027666666666667, %1911
+  %1913 = tail call double @llvm.sqrt.f64(double %1907)
+  %1914 = tail call double @llvm.sqrt.f64(double %1913)
+  %1915 = fdiv double 1.000000e+00, %1914
+  %1916 = fmul double %1912, %1915
+  %1917 = fcmp ogt double %1916, 2.000000e-01
+  %1918 = select i1 %1917, double %1916, double 2.000000e-01
+  %1919 = tail call double @llvm.fabs.f64(double %1905)
+  %1920 = fcmp ueq double %1919, 0x7FF0000000000000
+  %1921 = select i1 %1920, double 2.500000e-01, double %1918
+  %1922 = fmul double %533, %1921
+  %1923 = getelementptr inbounds i8, ptr %1908, i64 16
+  %1924 = load double, ptr %1923, align 8, !noalias !15
+  %1925 = fdiv double %533, %1924
+  %1926 = fdiv double %1910, %1907
+  %1927 = tail call double @llvm.sqrt.f64(double %1926)
+  %1928 = tail call double @llvm.sqrt.f64(double %1927)
+  %1929 = fmul double %1925, %1928
+  %1930 = fcmp ule double %1910, 0.000000e+00
+  %1931 = fcmp olt double %1929, 1.000000e+00
+  %1932 = select i1 %1931, double %1929, double 1.000000e+00
+  %1933 = select i1 %1930, double 1.000000e+00, double %1932
+  %1934 = fmul double %1916, %1933
+  %1935 = fcmp olt double %1934, 1.000000e+01
+  %1936 = select i1 %1935, double %1934, double 1.000000e+01
+  %1937 = fcmp ule double %1936, 1.000000e+00
+  %1938 = fcmp uge double %1936, 1.200000e+00
+  %1939 = or i1 %1937, %1938
+  %1940 = select i1 %1939, i1 true, i1 %1358
+  %1941 = load double, ptr %1908, align 8, !noalias !15
+  %1942 = fcmp ogt double %1936, 2.000000e-01
+  %1943 = select i1 %1942, double %1936, double 2.000000e-01
+  %1944 = fmul double %533, %1943
+  %1945 = select i1 %1940, double %1944, double %1941
+  %1946 = icmp eq i64 %1903, 0
+  %1947 = select i1 %1946, double %1922, double %1945
+  %1948 = and i64 %1354, 4294967295
+  %1949 = icmp eq i64 %1948, 0
+  %1950 = select i1 %1949, double %1428, double %1947
+  %1951 = xor i64 %1903, -1
+  %1952 = and i64 %1354, %1951
+  %1953 = load ptr, ptr %83, align 8, !noalias !15
+  %1954 = getelementptr inbounds i8, ptr %1953, i64 32
+  %1955 = load i64, ptr %1954, align 8, !noalias !15
+  %1956 = or i64 %1955, %1952
+  store i64 %1956, ptr %1954, align 8, !noalias !15
+  %1957 = load ptr, ptr %83, align 8, !noalias !15
+  %1958 = getelementptr inbounds i8, ptr %1957, i64 8
+  %1959 = load i64, ptr %1958, align 8, !noalias !15
+  %1960 = xor i64 %1952, -1
+  %1961 = and i64 %1959, %1960
+  %1962 = getelementptr inbounds i8, ptr %1957, i64 16
+  %1963 = load i64, ptr %1962, align 8, !noalias !15
+  %1964 = xor i64 %1963, -1
+  %1965 = and i64 %1952, %1964
+  %1966 = or disjoint i64 %1965, %1961
+  store i64 %1966, ptr %1958, align 8, !noalias !15
+  br label %1981
 
-1885:                                             ; preds = %1883
-  %1886 = load ptr, ptr %187, align 8
-  %1887 = getelementptr double, ptr %1864, i64 %1863
-  br label %1888
+1967:                                             ; preds = %1435, %1967
+  %1968 = phi i64 [ 0, %1435 ], [ %1979, %1967 ]
+  %1969 = load ptr, ptr %153, align 8, !noalias !15
+  %1970 = load ptr, ptr %82, align 8, !noalias !15
+  %1971 = getelementptr inbounds double, ptr %1970, i64 %1968
+  %1972 = load double, ptr %1971, align 8, !noalias !15
+  %1973 = load ptr, ptr %128, align 8, !noalias !15
+  %1974 = getelementptr i8, ptr %1973, i64 %1436
+  %1975 = getelementptr double, ptr %1974, i64 %1968
+  %1976 = load double, ptr %1975, align 8, !noalias !15
+  %1977 = fadd double %1972, %1976
+  %1978 = getelementptr inbounds double, ptr %1969, i64 %1968
+  store double %1977, ptr %1978, align 8, !noalias !15
+  %1979 = add nuw nsw i64 %1968, 1
+  %1980 = icmp eq i64 %1979, %543
+  br i1 %1980, label %1437, label %1967, !llvm.loop !52
 
-1888:                                             ; preds = %1885, %1906
-  %1889 = phi i1 [ %1884, %1885 ], [ %1908, %1906 ]
-  %1890 = phi i64 [ 0, %1885 ], [ %1907, %1906 ]
-  %1891 = getelementptr inbounds i64, ptr %1886, i64 %1890
-  %1892 = load i64, ptr %1891, align 8
-  %1893 = and i64 %1892, 2
-  %1894 = icmp eq i64 %1893, 0
-  br i1 %1894, label %1895, label %1906
+1981:                                             ; preds = %1900, %1427, %756, %669
+  %1982 = phi double [ %463, %669 ], [ %463, %756 ], [ %1349, %1427 ], [ %1349, %1900 ]
+  %1983 = phi double [ %462, %669 ], [ %462, %756 ], [ %1350, %1427 ], [ %1350, %1900 ]
+  %1984 = phi double [ %461, %669 ], [ %461, %756 ], [ %1351, %1427 ], [ %1351, %1900 ]
+  %1985 = phi i64 [ %460, %669 ], [ %460, %756 ], [ %1352, %1427 ], [ %1352, %1900 ]
+  %1986 = phi i64 [ %459, %669 ], [ %459, %756 ], [ %1353, %1427 ], [ %1353, %1900 ]
+  %1987 = phi i64 [ %458, %669 ], [ %458, %756 ], [ %1354, %1427 ], [ %1354, %1900 ]
+  %1988 = phi i1 [ false, %669 ], [ false, %756 ], [ %1358, %1427 ], [ %1358, %1900 ]
+  %1989 = phi double [ 2.000000e+00, %669 ], [ %758, %756 ], [ %1429, %1427 ], [ %1904, %1900 ]
+  %1990 = phi double [ 0.000000e+00, %669 ], [ 0.000000e+00, %756 ], [ 0.000000e+00, %1427 ], [ %1905, %1900 ]
+  %1991 = phi double [ %457, %669 ], [ %757, %756 ], [ %1428, %1427 ], [ %1950, %1900 ]
+  %1992 = phi double [ %652, %669 ], [ %681, %756 ], [ %1355, %1427 ], [ %1901, %1900 ]
+  %1993 = phi i64 [ 0, %669 ], [ %695, %756 ], [ %695, %1427 ], [ %695, %1900 ]
+  %1994 = phi i64 [ 1, %669 ], [ 0, %756 ], [ %1352, %1427 ], [ %1902, %1900 ]
+  %1995 = phi i64 [ 0, %669 ], [ 0, %756 ], [ 0, %1427 ], [ %1903, %1900 ]
+  %1996 = zext i1 %1988 to i64
+  %1997 = fptosi double %1992 to i64
+  %1998 = load i64, ptr %434, align 8
+  %1999 = add nsw i64 %1998, %1997
+  store i64 %1999, ptr %434, align 8
+  %2000 = load i64, ptr %435, align 8
+  %2001 = add nsw i64 %2000, %547
+  store i64 %2001, ptr %435, align 8
+  %2002 = load i64, ptr %436, align 8
+  %2003 = add nsw i64 %2002, %1993
+  store i64 %2003, ptr %436, align 8
+  %2004 = icmp eq i64 %1994, 0
+  br i1 %2004, label %2005, label %2591
 
-1895:                                             ; preds = %1888
-  %1896 = getelementptr inbounds double, ptr %1864, i64 %1890
-  %1897 = load double, ptr %1896, align 8
-  %1898 = load ptr, ptr %188, align 8
-  %1899 = getelementptr inbounds i64, ptr %1898, i64 %1890
-  %1900 = load i64, ptr %1899, align 8
-  %1901 = sitofp i64 %1900 to double
-  %1902 = fmul double %1897, %1901
-  %1903 = getelementptr double, ptr %1887, i64 %1890
-  %1904 = load double, ptr %1903, align 8
-  %1905 = fcmp ogt double %1902, %1904
-  br i1 %1905, label %1906, label %1910
+2005:                                             ; preds = %1981
+  %2006 = icmp eq i64 %1995, 0
+  br i1 %2006, label %2007, label %2011
 
-1906:                                             ; preds = %1895, %1888
-  %1907 = add nuw nsw i64 %1890, 1
-  %1908 = icmp sge i64 %1907, %1863
-  %1909 = icmp eq i64 %1907, %1863
-  br i1 %1909, label %1910, label %1888, !llvm.loop !54
+2007:                                             ; preds = %2005
+  %2008 = load i64, ptr %421, align 8
+  %2009 = add nsw i64 %2008, 1
+  store i64 %2009, ptr %421, align 8
+  %2010 = fptosi double %1989 to i64
+  store i64 %2010, ptr %444, align 8
+  br label %2591, !llvm.loop !53
 
-1910:                                             ; preds = %1906, %1895, %1883
-  %1911 = phi i1 [ %1884, %1883 ], [ %1908, %1906 ], [ %1889, %1895 ]
-  %1912 = zext i1 %1911 to i32
-  br label %1943
+2011:                                             ; preds = %2005
+  br i1 %254, label %2012, label %2040
 
-1913:                                             ; preds = %1855, %1913
-  %1914 = phi i64 [ 0, %1855 ], [ %1940, %1913 ]
-  %1915 = load ptr, ptr %183, align 8
-  %1916 = getelementptr inbounds double, ptr %1915, i64 %1914
-  %1917 = load double, ptr %1916, align 8
-  %1918 = load ptr, ptr %78, align 8
-  %1919 = getelementptr inbounds double, ptr %1918, i64 %1914
-  %1920 = load double, ptr %1919, align 8
-  %1921 = fsub double %1917, %1920
-  %1922 = tail call double @llvm.fabs.f64(double %1921)
-  %1923 = getelementptr inbounds double, ptr %1847, i64 %1914
-  %1924 = load double, ptr %1923, align 8
-  %1925 = tail call double @llvm.fabs.f64(double %1924)
-  %1926 = getelementptr double, ptr %1856, i64 %1914
-  %1927 = load double, ptr %1926, align 8
-  %1928 = tail call double @llvm.fabs.f64(double %1927)
-  %1929 = fcmp ogt double %1925, %1928
-  %1930 = select i1 %1929, double %1925, double %1928
-  %1931 = getelementptr double, ptr %1858, i64 %1914
-  %1932 = load double, ptr %1931, align 8
-  %1933 = tail call double @llvm.fabs.f64(double %1932)
-  %1934 = fcmp ogt double %1930, %1933
-  %1935 = select i1 %1934, double %1930, double %1933
-  %1936 = fcmp ogt double %1935, %1922
-  %1937 = select i1 %1936, double %1935, double %1922
-  %1938 = fmul double %1937, 8.000000e+00
-  %1939 = getelementptr inbounds double, ptr %1846, i64 %1914
-  store double %1938, ptr %1939, align 8
-  %1940 = add nuw nsw i64 %1914, 1
-  %1941 = load i64, ptr %1852, align 8
-  %1942 = icmp slt i64 %1940, %1941
-  br i1 %1942, label %1913, label %1859, !llvm.loop !55
+2012:                                             ; preds = %2011
+  %2013 = load ptr, ptr %172, align 8
+  %2014 = load ptr, ptr %82, align 8
+  %2015 = load ptr, ptr %89, align 8
+  %2016 = getelementptr inbounds i8, ptr %2015, i64 56
+  %2017 = load i64, ptr %2016, align 8
+  %2018 = inttoptr i64 %2017 to ptr
+  %2019 = tail call i64 %2018(ptr noundef %0, double noundef %532, ptr noundef %2013, ptr noundef %2014) #10
+  %2020 = icmp eq i64 %2019, 0
+  br i1 %2020, label %2040, label %2021
 
-1943:                                             ; preds = %1910, %1859, %1838
-  %1944 = phi i32 [ 0, %1838 ], [ 0, %1859 ], [ %1912, %1910 ]
-  %1945 = icmp eq i32 %1944, 0
-  br label %1946
+2021:                                             ; preds = %2012
+  %2022 = load i64, ptr %421, align 8
+  %2023 = add nsw i64 %2022, 1
+  store i64 %2023, ptr %421, align 8
+  store i64 6, ptr %437, align 8
+  %2024 = fmul double %533, 2.500000e-01
+  %2025 = load ptr, ptr %83, align 8
+  %2026 = getelementptr inbounds i8, ptr %2025, i64 32
+  %2027 = load i64, ptr %2026, align 8
+  %2028 = or i64 %2027, 1
+  store i64 %2028, ptr %2026, align 8
+  %2029 = load ptr, ptr %83, align 8
+  %2030 = getelementptr inbounds i8, ptr %2029, i64 8
+  %2031 = load i64, ptr %2030, align 8
+  %2032 = and i64 %2031, -2
+  %2033 = getelementptr inbounds i8, ptr %2029, i64 16
+  %2034 = load i64, ptr %2033, align 8
+  %2035 = and i64 %2034, 1
+  %2036 = or disjoint i64 %2035, %2032
+  %2037 = xor i64 %2036, 1
+  store i64 %2037, ptr %2030, align 8
+  %2038 = load ptr, ptr %173, align 8
+  %2039 = getelementptr inbounds i8, ptr %2038, i64 8
+  store double 0.000000e+00, ptr %2039, align 8
+  br label %2591, !llvm.loop !53
 
-1946:                                             ; preds = %1943, %1837
-  %1947 = phi i1 [ false, %1837 ], [ %1945, %1943 ]
-  br i1 %1947, label %1953, label %1948
+2040:                                             ; preds = %2012, %2011
+  %2041 = load i64, ptr %420, align 8
+  %2042 = add nsw i64 %2041, 1
+  store i64 %2042, ptr %420, align 8
+  store double %532, ptr %221, align 8
+  store double %533, ptr %438, align 8
+  %2043 = load ptr, ptr %81, align 8
+  %2044 = getelementptr inbounds i8, ptr %2043, i64 8
+  %2045 = load i64, ptr %2044, align 8
+  %2046 = load i64, ptr %174, align 8
+  %2047 = load ptr, ptr %175, align 8
+  %2048 = load ptr, ptr %176, align 8
+  %2049 = load ptr, ptr %177, align 8
+  %2050 = load ptr, ptr %178, align 8
+  br label %2066
 
-1948:                                             ; preds = %1946
-  %1949 = load i64, ptr %425, align 8
-  %1950 = getelementptr inbounds double, ptr %236, i64 %1949
-  %1951 = load double, ptr %1950, align 8
-  %1952 = fcmp ugt double %1951, %518
-  br i1 %1952, label %2178, label %1953
+2051:                                             ; preds = %2066
+  %2052 = icmp sgt i64 %2045, 0
+  br i1 %2052, label %2053, label %2126
 
-1953:                                             ; preds = %1948, %1946
-  %1954 = load ptr, ptr %81, align 8
-  br i1 %1947, label %1955, label %1966
+2053:                                             ; preds = %2051
+  %2054 = load double, ptr %13, align 16
+  %2055 = load double, ptr %179, align 8
+  %2056 = getelementptr double, ptr %2047, i64 %2045
+  %2057 = load double, ptr %180, align 16
+  %2058 = shl i64 %2045, 4
+  %2059 = getelementptr i8, ptr %2047, i64 %2058
+  %2060 = load double, ptr %14, align 16
+  %2061 = load double, ptr %181, align 8
+  %2062 = load double, ptr %182, align 16
+  %2063 = getelementptr inbounds double, ptr %2048, i64 %2046
+  %2064 = shl nsw i64 %2046, 4
+  %2065 = getelementptr inbounds i8, ptr %2048, i64 %2064
+  br label %2077
 
-1955:                                             ; preds = %1953
-  %1956 = load ptr, ptr %86, align 8
-  %1957 = getelementptr inbounds i8, ptr %1956, i64 16
-  %1958 = load i64, ptr %1957, align 8
-  %1959 = inttoptr i64 %1958 to ptr
-  %1960 = tail call i64 %1959(ptr noundef %0, double noundef %442, double noundef %519) #9
-  %1961 = icmp eq i64 %1960, -6
-  br i1 %1961, label %1962, label %1963
+2066:                                             ; preds = %2040, %2066
+  %2067 = phi i64 [ 0, %2040 ], [ %2075, %2066 ]
+  %2068 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %2067
+  %2069 = getelementptr inbounds i8, ptr %2068, i64 8
+  %2070 = load double, ptr %2069, align 8
+  %2071 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %2067
+  store double %2070, ptr %2071, align 8
+  %2072 = getelementptr inbounds i8, ptr %2068, i64 16
+  %2073 = load double, ptr %2072, align 8
+  %2074 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %2067
+  store double %2073, ptr %2074, align 8
+  %2075 = add nuw nsw i64 %2067, 1
+  %2076 = icmp eq i64 %2075, 3
+  br i1 %2076, label %2051, label %2066, !llvm.loop !54
 
-1962:                                             ; preds = %1955
-  store double %442, ptr %1954, align 8
-  br label %2141
+2077:                                             ; preds = %2053, %2114
+  %2078 = phi i64 [ 0, %2053 ], [ %2115, %2114 ]
+  %2079 = getelementptr inbounds double, ptr %2047, i64 %2078
+  %2080 = load double, ptr %2079, align 8
+  %2081 = fmul double %2054, %2080
+  %2082 = getelementptr double, ptr %2056, i64 %2078
+  %2083 = load double, ptr %2082, align 8
+  %2084 = fmul double %2055, %2083
+  %2085 = fadd double %2081, %2084
+  %2086 = getelementptr double, ptr %2059, i64 %2078
+  %2087 = load double, ptr %2086, align 8
+  %2088 = fmul double %2057, %2087
+  %2089 = fadd double %2085, %2088
+  %2090 = fmul double %2080, %2060
+  %2091 = fmul double %2083, %2061
+  %2092 = fadd double %2090, %2091
+  %2093 = fmul double %2087, %2062
+  %2094 = fadd double %2092, %2093
+  %2095 = load ptr, ptr %183, align 8
+  %2096 = getelementptr inbounds double, ptr %2095, i64 %2078
+  %2097 = load double, ptr %2096, align 8
+  %2098 = load ptr, ptr %82, align 8
+  %2099 = getelementptr inbounds double, ptr %2098, i64 %2078
+  %2100 = load double, ptr %2099, align 8
+  %2101 = fsub double %2097, %2100
+  %2102 = getelementptr inbounds double, ptr %2048, i64 %2078
+  store double %2101, ptr %2102, align 8
+  %2103 = fneg double %2089
+  %2104 = fsub double %2103, %2094
+  %2105 = getelementptr inbounds double, ptr %2063, i64 %2078
+  store double %2104, ptr %2105, align 8
+  %2106 = fneg double %2094
+  %2107 = getelementptr inbounds double, ptr %2065, i64 %2078
+  store double %2106, ptr %2107, align 8
+  %2108 = load ptr, ptr %82, align 8
+  %2109 = getelementptr inbounds double, ptr %2108, i64 %2078
+  %2110 = load double, ptr %2109, align 8
+  %2111 = getelementptr inbounds double, ptr %2049, i64 %2078
+  store double %2110, ptr %2111, align 8
+  %2112 = getelementptr double, ptr %2048, i64 %2078
+  %2113 = getelementptr double, ptr %2049, i64 %2078
+  br label %2117
 
-1963:                                             ; preds = %1955
-  %1964 = getelementptr inbounds i8, ptr %1954, i64 48
-  %1965 = load double, ptr %1964, align 8
-  br label %1966
+2114:                                             ; preds = %2117
+  %2115 = add nuw nsw i64 %2078, 1
+  %2116 = icmp eq i64 %2115, %2045
+  br i1 %2116, label %2126, label %2077, !llvm.loop !55
 
-1966:                                             ; preds = %1963, %1953
-  %1967 = phi double [ %1965, %1963 ], [ 1.000000e+00, %1953 ]
-  %1968 = phi i64 [ %1960, %1963 ], [ 0, %1953 ]
-  %1969 = fcmp oeq double %1967, 1.000000e+00
-  br i1 %1969, label %1970, label %1972
+2117:                                             ; preds = %2077, %2117
+  %2118 = phi i64 [ 0, %2077 ], [ %2119, %2117 ]
+  %2119 = add nuw nsw i64 %2118, 1
+  %2120 = mul nuw nsw i64 %2045, %2119
+  %2121 = mul nsw i64 %2046, %2118
+  %2122 = getelementptr double, ptr %2112, i64 %2121
+  %2123 = load double, ptr %2122, align 8
+  %2124 = getelementptr double, ptr %2113, i64 %2120
+  store double %2123, ptr %2124, align 8
+  %2125 = icmp eq i64 %2119, 3
+  br i1 %2125, label %2114, label %2117, !llvm.loop !56
 
-1970:                                             ; preds = %1966
-  %1971 = load double, ptr %1954, align 8
-  br label %1975
+2126:                                             ; preds = %2114, %2051
+  %2127 = fcmp olt double %1990, 1.000000e-10
+  %2128 = select i1 %2127, double 1.000000e-10, double %1990
+  %2129 = getelementptr inbounds i8, ptr %2050, i64 8
+  store double %533, ptr %2129, align 8
+  %2130 = getelementptr inbounds i8, ptr %2050, i64 16
+  store double %533, ptr %2130, align 8
+  %2131 = getelementptr inbounds i8, ptr %2050, i64 24
+  store double %2128, ptr %2131, align 8
+  %2132 = load ptr, ptr %83, align 8
+  %2133 = getelementptr inbounds i8, ptr %2132, i64 8
+  %2134 = load i64, ptr %2133, align 8
+  %2135 = and i64 %2134, -2
+  %2136 = or disjoint i64 %2135, %1996
+  store i64 %2136, ptr %2133, align 8
+  %2137 = load ptr, ptr %83, align 8
+  %2138 = getelementptr inbounds i8, ptr %2137, i64 16
+  %2139 = load i64, ptr %2138, align 8
+  %2140 = and i64 %2139, -2
+  store i64 %2140, ptr %2138, align 8
+  %2141 = load ptr, ptr %83, align 8
+  %2142 = getelementptr inbounds i8, ptr %2141, i64 32
+  %2143 = load i64, ptr %2142, align 8
+  %2144 = and i64 %2143, -2
+  store i64 %2144, ptr %2142, align 8
+  %2145 = load ptr, ptr %0, align 8
+  %2146 = getelementptr inbounds i8, ptr %2145, i64 24
+  %2147 = load i64, ptr %2146, align 8
+  %2148 = load ptr, ptr %101, align 8
+  %2149 = getelementptr inbounds i8, ptr %2148, i64 8
+  %2150 = load i64, ptr %2149, align 8
+  %2151 = icmp eq i64 %2150, 0
+  br i1 %2151, label %2198, label %2152
 
-1972:                                             ; preds = %1966
-  %1973 = fmul double %519, %1967
-  %1974 = fadd double %442, %1973
-  br label %1975
-
-1975:                                             ; preds = %1972, %1970
-  %1976 = phi double [ %1971, %1970 ], [ %1974, %1972 ]
-  %1977 = icmp eq i64 %1968, -4
-  %1978 = select i1 %1977, i64 -4, i64 0
-  br i1 %1977, label %2036, label %1979
-
-1979:                                             ; preds = %1975
-  %1980 = fcmp olt double %1967, 1.000000e+00
-  %1981 = load ptr, ptr %77, align 8
-  %1982 = getelementptr inbounds i8, ptr %1981, i64 8
-  %1983 = load i64, ptr %1982, align 8
-  %1984 = load i64, ptr %84, align 8
-  %1985 = load ptr, ptr %83, align 8
-  %1986 = load ptr, ptr %82, align 8
-  %1987 = getelementptr inbounds i8, ptr %1986, i64 48
-  %1988 = load i64, ptr %1987, align 8
-  %1989 = icmp slt i64 %1988, %1984
-  br i1 %1989, label %1990, label %2032
-
-1990:                                             ; preds = %1979, %2028
-  %1991 = phi i64 [ %2029, %2028 ], [ undef, %1979 ]
-  %1992 = phi i64 [ %2030, %2028 ], [ %1988, %1979 ]
-  %1993 = getelementptr inbounds double, ptr %1985, i64 %1992
-  %1994 = load double, ptr %1993, align 8
-  %1995 = fcmp olt double %1994, %1976
-  %1996 = fcmp oeq double %1994, %1976
-  %1997 = and i1 %1980, %1996
-  %1998 = or i1 %1995, %1997
-  br i1 %1998, label %1999, label %2032
-
-1999:                                             ; preds = %1990
-  %2000 = fsub double %1994, %442
-  %2001 = fdiv double %2000, %519
-  %2002 = mul nsw i64 %1992, %1983
-  %2003 = getelementptr inbounds double, ptr %1, i64 %2002
-  %2004 = load ptr, ptr %189, align 8
-  %2005 = insertelement <8 x double> poison, double %2001, i64 0
-  %2006 = shufflevector <8 x double> %2005, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %2006, ptr %2004, align 8
-  %2007 = load ptr, ptr %78, align 8
-  %2008 = load ptr, ptr %168, align 8
-  %2009 = load i64, ptr %166, align 8
-  %2010 = load ptr, ptr %0, align 8
-  %2011 = getelementptr inbounds i8, ptr %2010, i64 24
-  %2012 = load i64, ptr %2011, align 8
-  %2013 = load ptr, ptr %189, align 8
-  %2014 = load ptr, ptr %77, align 8
-  %2015 = getelementptr inbounds i8, ptr %2014, i64 16
-  %2016 = load i64, ptr %2015, align 8
-  tail call fastcc void @nested(ptr noundef %2003, ptr noundef %2007, ptr noundef %2008, i64 noundef %2009, i64 noundef %2012, ptr noundef %2013, i64 noundef %2016) #8
-  %2017 = load ptr, ptr %85, align 8
-  %2018 = load i64, ptr %2017, align 8
-  %2019 = icmp eq i64 %2018, 1
-  br i1 %2019, label %2020, label %2028
-
-2020:                                             ; preds = %1999
-  %2021 = load double, ptr %1993, align 8
-  %2022 = getelementptr inbounds i8, ptr %2017, i64 56
-  %2023 = load i64, ptr %2022, align 8
-  %2024 = inttoptr i64 %2023 to ptr
-  %2025 = tail call i64 %2024(ptr noundef %0, double noundef %2021, ptr noundef %2003, ptr noundef null) #9
-  %2026 = icmp eq i64 %2025, 0
-  %2027 = select i1 %2026, i64 %1991, i64 %2025
-  br i1 %2026, label %2028, label %2036
-
-2028:                                             ; preds = %2020, %1999
-  %2029 = phi i64 [ %2027, %2020 ], [ %1991, %1999 ]
-  %2030 = add i64 %1992, 1
-  %2031 = icmp eq i64 %2030, %1984
-  br i1 %2031, label %2032, label %1990, !llvm.loop !56
-
-2032:                                             ; preds = %2028, %1990, %1979
-  %2033 = phi i64 [ %1988, %1979 ], [ %1984, %2028 ], [ %1992, %1990 ]
-  %2034 = load ptr, ptr %82, align 8
-  %2035 = getelementptr inbounds i8, ptr %2034, i64 48
-  store i64 %2033, ptr %2035, align 8
-  br label %2036
-
-2036:                                             ; preds = %2020, %2032, %1975
-  %2037 = phi i64 [ %1978, %1975 ], [ 0, %2032 ], [ %2027, %2020 ]
-  %2038 = icmp eq i64 %2037, 0
-  %2039 = icmp ne i64 %1968, 0
-  %2040 = fcmp olt double %1967, 1.000000e+00
-  %2041 = and i1 %2040, %2038
-  %2042 = and i1 %2039, %2041
-  br i1 %2042, label %2043, label %2080
-
-2043:                                             ; preds = %2036
-  %2044 = load ptr, ptr %190, align 8
-  %2045 = load ptr, ptr %191, align 8
-  %2046 = insertelement <8 x double> poison, double %1967, i64 0
-  %2047 = shufflevector <8 x double> %2046, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %2047, ptr %2045, align 8
-  %2048 = load ptr, ptr %78, align 8
-  %2049 = load ptr, ptr %168, align 8
-  %2050 = load i64, ptr %166, align 8
-  %2051 = load ptr, ptr %0, align 8
-  %2052 = getelementptr inbounds i8, ptr %2051, i64 24
-  %2053 = load i64, ptr %2052, align 8
-  %2054 = load ptr, ptr %191, align 8
-  %2055 = load ptr, ptr %77, align 8
-  %2056 = getelementptr inbounds i8, ptr %2055, i64 16
-  %2057 = load i64, ptr %2056, align 8
-  tail call fastcc void @nested(ptr noundef %2044, ptr noundef %2048, ptr noundef %2049, i64 noundef %2050, i64 noundef %2053, ptr noundef %2054, i64 noundef %2057) #8
-  %2058 = load i64, ptr %192, align 8
-  %2059 = icmp sgt i64 %2058, 0
-  br i1 %2059, label %2064, label %2060
-
-2060:                                             ; preds = %2064, %2043
-  %2061 = load ptr, ptr %85, align 8
-  %2062 = load i64, ptr %2061, align 8
-  %2063 = icmp eq i64 %2062, 1
-  br i1 %2063, label %2074, label %2080
-
-2064:                                             ; preds = %2043, %2064
-  %2065 = phi i64 [ %2071, %2064 ], [ 0, %2043 ]
-  %2066 = load ptr, ptr %190, align 8
-  %2067 = getelementptr inbounds double, ptr %2066, i64 %2065
-  %2068 = load double, ptr %2067, align 8
-  %2069 = load ptr, ptr %193, align 8
-  %2070 = getelementptr inbounds double, ptr %2069, i64 %2065
-  store double %2068, ptr %2070, align 8
-  %2071 = add nuw nsw i64 %2065, 1
-  %2072 = load i64, ptr %192, align 8
-  %2073 = icmp slt i64 %2071, %2072
-  br i1 %2073, label %2064, label %2060, !llvm.loop !57
-
-2074:                                             ; preds = %2060
-  %2075 = load ptr, ptr %194, align 8
-  %2076 = getelementptr inbounds i8, ptr %2061, i64 56
-  %2077 = load i64, ptr %2076, align 8
-  %2078 = inttoptr i64 %2077 to ptr
-  %2079 = tail call i64 %2078(ptr noundef %0, double noundef %1976, ptr noundef %2075, ptr noundef null) #9
-  br label %2080
-
-2080:                                             ; preds = %2074, %2060, %2036
-  %2081 = phi i64 [ %2079, %2074 ], [ 0, %2060 ], [ %2037, %2036 ]
-  %2082 = icmp eq i64 %2081, 0
-  br i1 %2082, label %2085, label %2083
-
-2083:                                             ; preds = %2080
-  store double %442, ptr %1954, align 8
-  %2084 = getelementptr inbounds i8, ptr %1954, i64 8
-  store double %519, ptr %2084, align 8
-  br label %2141
-
-2085:                                             ; preds = %2080
-  br i1 %1969, label %2086, label %2124
-
-2086:                                             ; preds = %2085
-  %2087 = load ptr, ptr %195, align 8
-  %2088 = load ptr, ptr %77, align 8
-  %2089 = getelementptr inbounds i8, ptr %2088, i64 8
-  %2090 = load i64, ptr %2089, align 8
-  %2091 = load i64, ptr %84, align 8
-  %2092 = load ptr, ptr %83, align 8
-  %2093 = load ptr, ptr %82, align 8
-  %2094 = getelementptr inbounds i8, ptr %2093, i64 48
-  %2095 = load i64, ptr %2094, align 8
-  %2096 = icmp slt i64 %2095, %2091
-  br i1 %2096, label %2097, label %2120
-
-2097:                                             ; preds = %2086
-  %2098 = icmp sgt i64 %2090, 0
-  br label %2099
-
-2099:                                             ; preds = %2097, %2110
-  %2100 = phi i64 [ %2095, %2097 ], [ %2111, %2110 ]
-  %2101 = getelementptr inbounds double, ptr %2092, i64 %2100
-  %2102 = load double, ptr %2101, align 8
-  %2103 = load ptr, ptr %81, align 8
-  %2104 = load double, ptr %2103, align 8
-  %2105 = fcmp ugt double %2102, %2104
-  br i1 %2105, label %2120, label %2106
-
-2106:                                             ; preds = %2099
-  br i1 %2098, label %2107, label %2110
-
-2107:                                             ; preds = %2106
-  %2108 = mul nsw i64 %2100, %2090
-  %2109 = getelementptr double, ptr %1, i64 %2108
-  br label %2113
-
-2110:                                             ; preds = %2113, %2106
-  %2111 = add i64 %2100, 1
-  %2112 = icmp eq i64 %2111, %2091
-  br i1 %2112, label %2120, label %2099, !llvm.loop !13
-
-2113:                                             ; preds = %2107, %2113
-  %2114 = phi i64 [ 0, %2107 ], [ %2118, %2113 ]
-  %2115 = getelementptr inbounds double, ptr %2087, i64 %2114
-  %2116 = load double, ptr %2115, align 8
-  %2117 = getelementptr double, ptr %2109, i64 %2114
-  store double %2116, ptr %2117, align 8
-  %2118 = add nuw nsw i64 %2114, 1
-  %2119 = icmp eq i64 %2118, %2090
-  br i1 %2119, label %2110, label %2113, !llvm.loop !14
-
-2120:                                             ; preds = %2110, %2099, %2086
-  %2121 = phi i64 [ %2095, %2086 ], [ %2091, %2110 ], [ %2100, %2099 ]
-  %2122 = load ptr, ptr %82, align 8
-  %2123 = getelementptr inbounds i8, ptr %2122, i64 48
-  store i64 %2121, ptr %2123, align 8
-  br label %2124
-
-2124:                                             ; preds = %2120, %2085
-  br i1 %2039, label %2125, label %2141
-
-2125:                                             ; preds = %2124
-  %2126 = load i64, ptr %196, align 8
-  %2127 = icmp sgt i64 %2126, 0
-  br i1 %2127, label %2131, label %2128
-
-2128:                                             ; preds = %2131, %2125
-  store double %1976, ptr %1954, align 8
-  %2129 = getelementptr inbounds i8, ptr %1954, i64 8
-  store double 0.000000e+00, ptr %2129, align 8
-  %2130 = load ptr, ptr %82, align 8
-  store i64 0, ptr %2130, align 8
-  br label %2141
-
-2131:                                             ; preds = %2125, %2131
-  %2132 = phi i64 [ %2138, %2131 ], [ 0, %2125 ]
-  %2133 = load ptr, ptr %197, align 8
-  %2134 = getelementptr inbounds double, ptr %2133, i64 %2132
-  %2135 = load double, ptr %2134, align 8
-  %2136 = load ptr, ptr %78, align 8
-  %2137 = getelementptr inbounds double, ptr %2136, i64 %2132
-  store double %2135, ptr %2137, align 8
-  %2138 = add nuw nsw i64 %2132, 1
-  %2139 = load i64, ptr %196, align 8
-  %2140 = icmp slt i64 %2138, %2139
-  br i1 %2140, label %2131, label %2128, !llvm.loop !58
-
-2141:                                             ; preds = %1962, %2083, %2124, %2128
-  %2142 = phi i64 [ -6, %1962 ], [ %2081, %2083 ], [ %1968, %2128 ], [ %1968, %2124 ]
-  %2143 = icmp eq i64 %2142, -6
-  br i1 %2143, label %2147, label %2144
-
-2144:                                             ; preds = %2141
-  %2145 = icmp ne i64 %2142, 6
-  %2146 = select i1 %2145, i1 true, i1 %247
-  br i1 %2146, label %2172, label %2147
-
-2147:                                             ; preds = %2144, %2141
-  %2148 = phi i64 [ %2142, %2144 ], [ 2, %2141 ]
-  %2149 = load i64, ptr %406, align 8
-  %2150 = add nsw i64 %2149, -1
-  store i64 %2150, ptr %406, align 8
-  %2151 = load ptr, ptr %97, align 8
-  %2152 = load i64, ptr %2151, align 8
-  %2153 = add nsw i64 %2152, -1
-  store i64 %2153, ptr %2151, align 8
-  %2154 = load ptr, ptr %79, align 8
-  %2155 = getelementptr inbounds i8, ptr %2154, i64 32
+2152:                                             ; preds = %2126
+  %2153 = load i64, ptr %2148, align 8
+  %2154 = load ptr, ptr %81, align 8
+  %2155 = getelementptr inbounds i8, ptr %2154, i64 8
   %2156 = load i64, ptr %2155, align 8
-  %2157 = or i64 %2156, 1
-  store i64 %2157, ptr %2155, align 8
-  %2158 = load ptr, ptr %79, align 8
-  %2159 = getelementptr inbounds i8, ptr %2158, i64 8
-  %2160 = load i64, ptr %2159, align 8
-  %2161 = and i64 %2160, -2
-  %2162 = getelementptr inbounds i8, ptr %2158, i64 16
-  %2163 = load i64, ptr %2162, align 8
-  %2164 = and i64 %2163, 1
-  %2165 = or disjoint i64 %2164, %2161
-  %2166 = xor i64 %2165, 1
-  store i64 %2166, ptr %2159, align 8
-  %2167 = load ptr, ptr %170, align 8
-  %2168 = getelementptr inbounds i8, ptr %2167, i64 8
-  store double 0.000000e+00, ptr %2168, align 8
-  %2169 = load i64, ptr %407, align 8
-  %2170 = add nsw i64 %2169, 1
-  store i64 %2170, ptr %407, align 8
-  store i64 %2148, ptr %429, align 8
-  %2171 = fmul double %519, 2.500000e-01
-  br label %2230, !llvm.loop !48
+  %2157 = load ptr, ptr %184, align 8
+  %2158 = load i64, ptr %185, align 8
+  %2159 = mul nsw i64 %2158, %2153
+  %2160 = getelementptr inbounds double, ptr %2157, i64 %2159
+  %2161 = getelementptr inbounds double, ptr %2160, i64 %2158
+  store double %456, ptr %2160, align 8
+  %2162 = getelementptr inbounds i8, ptr %2160, i64 8
+  store double %533, ptr %2162, align 8
+  store double %532, ptr %2161, align 8
+  %2163 = getelementptr inbounds i8, ptr %2161, i64 8
+  store double 0.000000e+00, ptr %2163, align 8
+  %2164 = icmp sgt i64 %2156, 0
+  br i1 %2164, label %2165, label %2168
 
-2172:                                             ; preds = %2144
-  %2173 = icmp eq i64 %2142, 0
-  br i1 %2173, label %2178, label %2174
+2165:                                             ; preds = %2152
+  %2166 = getelementptr i8, ptr %2160, i64 16
+  %2167 = icmp sgt i64 %2147, 0
+  br label %2171
 
-2174:                                             ; preds = %2172
-  %2175 = load ptr, ptr %97, align 8
-  %2176 = load i64, ptr %2175, align 8
-  %2177 = add nsw i64 %2176, 1
-  store i64 %2177, ptr %2175, align 8
-  br label %2230
+2168:                                             ; preds = %2183, %2152
+  %2169 = add nsw i64 %2153, 1
+  %2170 = load ptr, ptr %101, align 8
+  store i64 %2169, ptr %2170, align 8
+  br label %2198
 
-2178:                                             ; preds = %2172, %1948
-  br i1 %426, label %2209, label %2179
+2171:                                             ; preds = %2165, %2183
+  %2172 = phi i64 [ 0, %2165 ], [ %2184, %2183 ]
+  %2173 = load ptr, ptr %82, align 8
+  %2174 = getelementptr inbounds double, ptr %2173, i64 %2172
+  %2175 = load double, ptr %2174, align 8
+  %2176 = add nuw nsw i64 %2172, 2
+  %2177 = getelementptr inbounds double, ptr %2160, i64 %2176
+  store double %2175, ptr %2177, align 8
+  %2178 = load ptr, ptr %186, align 8
+  %2179 = getelementptr inbounds double, ptr %2178, i64 %2172
+  %2180 = load double, ptr %2179, align 8
+  %2181 = getelementptr inbounds double, ptr %2161, i64 %2176
+  store double %2180, ptr %2181, align 8
+  %2182 = getelementptr double, ptr %2166, i64 %2172
+  br i1 %2167, label %2186, label %2183
 
-2179:                                             ; preds = %2209, %2178
-  %2180 = load i64, ptr %98, align 8
-  %2181 = icmp sgt i64 %2180, 0
-  br i1 %2181, label %2182, label %2184
+2183:                                             ; preds = %2186, %2171
+  %2184 = add nuw nsw i64 %2172, 1
+  %2185 = icmp eq i64 %2184, %2156
+  br i1 %2185, label %2168, label %2171, !llvm.loop !57
 
-2182:                                             ; preds = %2179
-  %2183 = load ptr, ptr %199, align 8
-  store double 0x7FF0000000000000, ptr %2183, align 8
-  br label %2184
+2186:                                             ; preds = %2171, %2186
+  %2187 = phi i64 [ %2194, %2186 ], [ 0, %2171 ]
+  %2188 = load ptr, ptr %187, align 8
+  %2189 = load i64, ptr %188, align 8
+  %2190 = mul nsw i64 %2189, %2187
+  %2191 = getelementptr double, ptr %2188, i64 %2190
+  %2192 = getelementptr double, ptr %2191, i64 %2172
+  %2193 = load double, ptr %2192, align 8
+  %2194 = add nuw nsw i64 %2187, 1
+  %2195 = mul nuw nsw i64 %2194, %2156
+  %2196 = getelementptr double, ptr %2182, i64 %2195
+  store double %2193, ptr %2196, align 8
+  %2197 = icmp eq i64 %2194, %2147
+  br i1 %2197, label %2183, label %2186, !llvm.loop !58
 
-2184:                                             ; preds = %2179, %2182
-  %2185 = load i64, ptr %420, align 8
-  %2186 = add nsw i64 %2185, 1
-  store i64 %2186, ptr %420, align 8
-  %2187 = load ptr, ptr %78, align 8
-  %2188 = load ptr, ptr %200, align 8
-  %2189 = load ptr, ptr %201, align 8
-  store double %518, ptr %2189, align 8
-  %2190 = load ptr, ptr %77, align 8
-  %2191 = getelementptr inbounds i8, ptr %2190, i64 40
-  %2192 = load i64, ptr %2191, align 8
-  %2193 = icmp eq i64 %2192, 0
-  br i1 %2193, label %2195, label %2194
+2198:                                             ; preds = %2126, %2168
+  br i1 %258, label %2199, label %2307
 
-2194:                                             ; preds = %2184
-  tail call fastcc void @settle(ptr noundef nonnull %77) #8
-  br label %2195
+2199:                                             ; preds = %2198
+  %2200 = load ptr, ptr %90, align 8
+  %2201 = load ptr, ptr %81, align 8
+  %2202 = getelementptr inbounds i8, ptr %2201, i64 8
+  %2203 = load i64, ptr %2202, align 8
+  %2204 = load ptr, ptr %189, align 8
+  %2205 = getelementptr inbounds i8, ptr %2200, i64 32
+  %2206 = load i64, ptr %2205, align 8
+  %2207 = getelementptr inbounds double, ptr %2204, i64 %2206
+  %2208 = load ptr, ptr %190, align 8
+  %2209 = getelementptr inbounds i8, ptr %2200, i64 24
+  %2210 = load i64, ptr %2209, align 8
+  %2211 = icmp eq i64 %2210, 0
+  br i1 %2211, label %2304, label %2212
 
-2195:                                             ; preds = %2194, %2184
-  %2196 = load i64, ptr %202, align 8
-  %2197 = icmp sgt i64 %2196, 0
-  br i1 %2197, label %2198, label %2199
+2212:                                             ; preds = %2199
+  %2213 = getelementptr inbounds i8, ptr %2200, i64 40
+  %2214 = load i64, ptr %2213, align 8
+  %2215 = icmp sgt i64 %2214, 0
+  br i1 %2215, label %2216, label %2220
 
-2198:                                             ; preds = %2195
-  tail call fastcc void @sample(ptr noundef nonnull %77) #8
-  br label %2199
+2216:                                             ; preds = %2212
+  %2217 = getelementptr double, ptr %2208, i64 %2203
+  %2218 = shl i64 %2203, 4
+  %2219 = getelementptr i8, ptr %2208, i64 %2218
+  br label %2274
 
-2199:                                             ; preds = %2195, %2198
-  %2200 = load ptr, ptr %77, align 8
-  %2201 = load i64, ptr %2200, align 8
-  %2202 = load ptr, ptr %201, align 8
-  %2203 = load ptr, ptr %203, align 8
-  %2204 = load ptr, ptr %204, align 8
-  %2205 = inttoptr i64 %2201 to ptr
-  %2206 = load ptr, ptr %2205, align 8
-  %2207 = tail call i32 %2206(ptr noundef %2202, ptr noundef %2187, ptr noundef %2203, ptr noundef %2204, ptr noundef %2188) #9
-  %2208 = icmp eq i32 %2207, 0
-  br i1 %2208, label %2221, label %2218
+2220:                                             ; preds = %2274, %2212
+  %2221 = load ptr, ptr %192, align 8
+  %2222 = load ptr, ptr %90, align 8
+  %2223 = getelementptr inbounds i8, ptr %2222, i64 8
+  %2224 = load i64, ptr %2223, align 8
+  %2225 = load ptr, ptr %193, align 8
+  %2226 = load ptr, ptr %189, align 8
+  %2227 = getelementptr inbounds i8, ptr %2222, i64 32
+  %2228 = load i64, ptr %2227, align 8
+  %2229 = getelementptr inbounds i8, ptr %2222, i64 40
+  %2230 = load i64, ptr %2229, align 8
+  %2231 = getelementptr double, ptr %2226, i64 %2228
+  %2232 = getelementptr double, ptr %2231, i64 %2230
+  store double %533, ptr %2232, align 8
+  %2233 = load ptr, ptr %192, align 8
+  store double %456, ptr %2233, align 8
+  %2234 = load ptr, ptr %90, align 8
+  %2235 = getelementptr inbounds i8, ptr %2234, i64 24
+  %2236 = load i64, ptr %2235, align 8
+  %2237 = load ptr, ptr %82, align 8
+  %2238 = load ptr, ptr %189, align 8
+  %2239 = load ptr, ptr %194, align 8
+  %2240 = inttoptr i64 %2236 to ptr
+  %2241 = load ptr, ptr %2240, align 8
+  %2242 = tail call i32 %2241(ptr noundef %2221, ptr noundef %2237, ptr noundef %2238, ptr noundef %2239, ptr noundef %2225) #10
+  %2243 = icmp eq i32 %2242, 0
+  br i1 %2243, label %2244, label %2304
 
-2209:                                             ; preds = %2178, %2209
-  %2210 = phi i64 [ %2216, %2209 ], [ 0, %2178 ]
-  %2211 = load ptr, ptr %198, align 8
-  %2212 = getelementptr inbounds double, ptr %2211, i64 %2210
-  %2213 = load double, ptr %2212, align 8
-  %2214 = load ptr, ptr %78, align 8
-  %2215 = getelementptr inbounds double, ptr %2214, i64 %2210
-  store double %2213, ptr %2215, align 8
-  %2216 = add nuw nsw i64 %2210, 1
-  %2217 = icmp eq i64 %2216, %217
-  br i1 %2217, label %2179, label %2209, !llvm.loop !59
+2244:                                             ; preds = %2220
+  %2245 = icmp slt i64 %2224, 1
+  br i1 %2245, label %2271, label %2246
 
-2218:                                             ; preds = %2199
-  store i64 3, ptr %427, align 8
-  store double %519, ptr %249, align 8
-  %2219 = icmp slt i32 %2207, 0
-  %2220 = select i1 %2219, i64 -4, i64 2
-  br label %2230
+2246:                                             ; preds = %2244
+  %2247 = load ptr, ptr %195, align 8
+  %2248 = getelementptr double, ptr %2225, i64 %2224
+  br label %2249
 
-2221:                                             ; preds = %2199
-  %2222 = fcmp oeq double %518, %508
-  %2223 = fcmp ogt double %443, %1630
-  %2224 = select i1 %2222, i1 %2223, i1 false
-  %2225 = select i1 %2224, double %443, double %1630
-  %2226 = load i64, ptr %428, align 8
-  %2227 = load i64, ptr %84, align 8
-  %2228 = icmp eq i64 %2226, %2227
-  br i1 %2228, label %2229, label %2230
+2249:                                             ; preds = %2246, %2267
+  %2250 = phi i1 [ %2245, %2246 ], [ %2269, %2267 ]
+  %2251 = phi i64 [ 0, %2246 ], [ %2268, %2267 ]
+  %2252 = getelementptr inbounds i64, ptr %2247, i64 %2251
+  %2253 = load i64, ptr %2252, align 8
+  %2254 = and i64 %2253, 2
+  %2255 = icmp eq i64 %2254, 0
+  br i1 %2255, label %2256, label %2267
 
-2229:                                             ; preds = %2221
-  store double %2225, ptr %249, align 8
-  br label %2230
+2256:                                             ; preds = %2249
+  %2257 = getelementptr inbounds double, ptr %2225, i64 %2251
+  %2258 = load double, ptr %2257, align 8
+  %2259 = load ptr, ptr %196, align 8
+  %2260 = getelementptr inbounds i64, ptr %2259, i64 %2251
+  %2261 = load i64, ptr %2260, align 8
+  %2262 = sitofp i64 %2261 to double
+  %2263 = fmul double %2258, %2262
+  %2264 = getelementptr double, ptr %2248, i64 %2251
+  %2265 = load double, ptr %2264, align 8
+  %2266 = fcmp ogt double %2263, %2265
+  br i1 %2266, label %2267, label %2271
 
-2230:                                             ; preds = %1620, %1646, %1660, %2147, %2174, %2218, %2221, %2229, %525
-  %2231 = phi double [ %449, %525 ], [ %1621, %2229 ], [ %1621, %2221 ], [ %1621, %2218 ], [ %1621, %2174 ], [ %1621, %2147 ], [ %1621, %1660 ], [ %1621, %1646 ], [ %1621, %1620 ]
-  %2232 = phi double [ %448, %525 ], [ %1622, %2229 ], [ %1622, %2221 ], [ %1622, %2218 ], [ %1622, %2174 ], [ %1622, %2147 ], [ %1622, %1660 ], [ %1622, %1646 ], [ %1622, %1620 ]
-  %2233 = phi double [ %447, %525 ], [ %1623, %2229 ], [ %1623, %2221 ], [ %1623, %2218 ], [ %1623, %2174 ], [ %1623, %2147 ], [ %1623, %1660 ], [ %1623, %1646 ], [ %1623, %1620 ]
-  %2234 = phi i64 [ %446, %525 ], [ %1624, %2229 ], [ %1624, %2221 ], [ %1624, %2218 ], [ %1624, %2174 ], [ %1624, %2147 ], [ %1624, %1660 ], [ %1624, %1646 ], [ %1624, %1620 ]
-  %2235 = phi i64 [ %445, %525 ], [ %1625, %2229 ], [ %1625, %2221 ], [ %1625, %2218 ], [ %1625, %2174 ], [ %1625, %2147 ], [ %1625, %1660 ], [ %1625, %1646 ], [ %1625, %1620 ]
-  %2236 = phi i64 [ %444, %525 ], [ %1626, %2229 ], [ %1626, %2221 ], [ %1626, %2218 ], [ %1626, %2174 ], [ %1626, %2147 ], [ %1626, %1660 ], [ %1626, %1646 ], [ %1626, %1620 ]
-  %2237 = phi double [ %443, %525 ], [ %2225, %2229 ], [ %2225, %2221 ], [ %1630, %2218 ], [ %1630, %2174 ], [ %2171, %2147 ], [ %1663, %1660 ], [ %1630, %1646 ], [ %443, %1620 ]
-  %2238 = phi double [ %442, %525 ], [ %518, %2229 ], [ %518, %2221 ], [ %518, %2218 ], [ %442, %2174 ], [ %442, %2147 ], [ %442, %1660 ], [ %442, %1646 ], [ %442, %1620 ]
-  %2239 = phi i32 [ 1, %525 ], [ 1, %2229 ], [ 0, %2221 ], [ 1, %2218 ], [ 1, %2174 ], [ 3, %2147 ], [ 3, %1660 ], [ 3, %1646 ], [ 1, %1620 ]
-  %2240 = phi i64 [ 2, %525 ], [ 0, %2229 ], [ %441, %2221 ], [ %2220, %2218 ], [ %2142, %2174 ], [ %441, %2147 ], [ %441, %1660 ], [ %441, %1646 ], [ -4, %1620 ]
-  switch i32 %2239, label %2244 [
-    i32 0, label %2241
-    i32 3, label %2241
+2267:                                             ; preds = %2256, %2249
+  %2268 = add nuw nsw i64 %2251, 1
+  %2269 = icmp sge i64 %2268, %2224
+  %2270 = icmp eq i64 %2268, %2224
+  br i1 %2270, label %2271, label %2249, !llvm.loop !59
+
+2271:                                             ; preds = %2267, %2256, %2244
+  %2272 = phi i1 [ %2245, %2244 ], [ %2269, %2267 ], [ %2250, %2256 ]
+  %2273 = zext i1 %2272 to i32
+  br label %2304
+
+2274:                                             ; preds = %2216, %2274
+  %2275 = phi i64 [ 0, %2216 ], [ %2301, %2274 ]
+  %2276 = load ptr, ptr %191, align 8
+  %2277 = getelementptr inbounds double, ptr %2276, i64 %2275
+  %2278 = load double, ptr %2277, align 8
+  %2279 = load ptr, ptr %82, align 8
+  %2280 = getelementptr inbounds double, ptr %2279, i64 %2275
+  %2281 = load double, ptr %2280, align 8
+  %2282 = fsub double %2278, %2281
+  %2283 = tail call double @llvm.fabs.f64(double %2282)
+  %2284 = getelementptr inbounds double, ptr %2208, i64 %2275
+  %2285 = load double, ptr %2284, align 8
+  %2286 = tail call double @llvm.fabs.f64(double %2285)
+  %2287 = getelementptr double, ptr %2217, i64 %2275
+  %2288 = load double, ptr %2287, align 8
+  %2289 = tail call double @llvm.fabs.f64(double %2288)
+  %2290 = fcmp ogt double %2286, %2289
+  %2291 = select i1 %2290, double %2286, double %2289
+  %2292 = getelementptr double, ptr %2219, i64 %2275
+  %2293 = load double, ptr %2292, align 8
+  %2294 = tail call double @llvm.fabs.f64(double %2293)
+  %2295 = fcmp ogt double %2291, %2294
+  %2296 = select i1 %2295, double %2291, double %2294
+  %2297 = fcmp ogt double %2296, %2283
+  %2298 = select i1 %2297, double %2296, double %2283
+  %2299 = fmul double %2298, 8.000000e+00
+  %2300 = getelementptr inbounds double, ptr %2207, i64 %2275
+  store double %2299, ptr %2300, align 8
+  %2301 = add nuw nsw i64 %2275, 1
+  %2302 = load i64, ptr %2213, align 8
+  %2303 = icmp slt i64 %2301, %2302
+  br i1 %2303, label %2274, label %2220, !llvm.loop !60
+
+2304:                                             ; preds = %2271, %2220, %2199
+  %2305 = phi i32 [ 0, %2199 ], [ 0, %2220 ], [ %2273, %2271 ]
+  %2306 = icmp eq i32 %2305, 0
+  br label %2307
+
+2307:                                             ; preds = %2304, %2198
+  %2308 = phi i1 [ false, %2198 ], [ %2306, %2304 ]
+  br i1 %2308, label %2314, label %2309
+
+2309:                                             ; preds = %2307
+  %2310 = load i64, ptr %439, align 8
+  %2311 = getelementptr inbounds double, ptr %230, i64 %2310
+  %2312 = load double, ptr %2311, align 8
+  %2313 = fcmp ugt double %2312, %532
+  br i1 %2313, label %2539, label %2314
+
+2314:                                             ; preds = %2309, %2307
+  %2315 = load ptr, ptr %84, align 8
+  br i1 %2308, label %2316, label %2327
+
+2316:                                             ; preds = %2314
+  %2317 = load ptr, ptr %90, align 8
+  %2318 = getelementptr inbounds i8, ptr %2317, i64 16
+  %2319 = load i64, ptr %2318, align 8
+  %2320 = inttoptr i64 %2319 to ptr
+  %2321 = tail call i64 %2320(ptr noundef %0, double noundef %456, double noundef %533) #10
+  %2322 = icmp eq i64 %2321, -6
+  br i1 %2322, label %2323, label %2324
+
+2323:                                             ; preds = %2316
+  store double %456, ptr %2315, align 8
+  br label %2502
+
+2324:                                             ; preds = %2316
+  %2325 = getelementptr inbounds i8, ptr %2315, i64 48
+  %2326 = load double, ptr %2325, align 8
+  br label %2327
+
+2327:                                             ; preds = %2324, %2314
+  %2328 = phi double [ %2326, %2324 ], [ 1.000000e+00, %2314 ]
+  %2329 = phi i64 [ %2321, %2324 ], [ 0, %2314 ]
+  %2330 = fcmp oeq double %2328, 1.000000e+00
+  br i1 %2330, label %2331, label %2333
+
+2331:                                             ; preds = %2327
+  %2332 = load double, ptr %2315, align 8
+  br label %2336
+
+2333:                                             ; preds = %2327
+  %2334 = fmul double %533, %2328
+  %2335 = fadd double %456, %2334
+  br label %2336
+
+2336:                                             ; preds = %2333, %2331
+  %2337 = phi double [ %2332, %2331 ], [ %2335, %2333 ]
+  %2338 = icmp eq i64 %2329, -4
+  %2339 = select i1 %2338, i64 -4, i64 0
+  br i1 %2338, label %2397, label %2340
+
+2340:                                             ; preds = %2336
+  %2341 = fcmp olt double %2328, 1.000000e+00
+  %2342 = load ptr, ptr %81, align 8
+  %2343 = getelementptr inbounds i8, ptr %2342, i64 8
+  %2344 = load i64, ptr %2343, align 8
+  %2345 = load i64, ptr %87, align 8
+  %2346 = load ptr, ptr %86, align 8
+  %2347 = load ptr, ptr %85, align 8
+  %2348 = getelementptr inbounds i8, ptr %2347, i64 48
+  %2349 = load i64, ptr %2348, align 8
+  %2350 = icmp slt i64 %2349, %2345
+  br i1 %2350, label %2351, label %2393
+
+2351:                                             ; preds = %2340, %2389
+  %2352 = phi i64 [ %2390, %2389 ], [ undef, %2340 ]
+  %2353 = phi i64 [ %2391, %2389 ], [ %2349, %2340 ]
+  %2354 = getelementptr inbounds double, ptr %2346, i64 %2353
+  %2355 = load double, ptr %2354, align 8
+  %2356 = fcmp olt double %2355, %2337
+  %2357 = fcmp oeq double %2355, %2337
+  %2358 = and i1 %2341, %2357
+  %2359 = or i1 %2356, %2358
+  br i1 %2359, label %2360, label %2393
+
+2360:                                             ; preds = %2351
+  %2361 = fsub double %2355, %456
+  %2362 = fdiv double %2361, %533
+  %2363 = mul nsw i64 %2353, %2344
+  %2364 = getelementptr inbounds double, ptr %1, i64 %2363
+  %2365 = load ptr, ptr %197, align 8
+  %2366 = insertelement <8 x double> poison, double %2362, i64 0
+  %2367 = shufflevector <8 x double> %2366, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2367, ptr %2365, align 8
+  %2368 = load ptr, ptr %82, align 8
+  %2369 = load ptr, ptr %176, align 8
+  %2370 = load i64, ptr %174, align 8
+  %2371 = load ptr, ptr %0, align 8
+  %2372 = getelementptr inbounds i8, ptr %2371, i64 24
+  %2373 = load i64, ptr %2372, align 8
+  %2374 = load ptr, ptr %197, align 8
+  %2375 = load ptr, ptr %81, align 8
+  %2376 = getelementptr inbounds i8, ptr %2375, i64 16
+  %2377 = load i64, ptr %2376, align 8
+  tail call fastcc void @nested(ptr noundef %2364, ptr noundef %2368, ptr noundef %2369, i64 noundef %2370, i64 noundef %2373, ptr noundef %2374, i64 noundef %2377) #9
+  %2378 = load ptr, ptr %89, align 8
+  %2379 = load i64, ptr %2378, align 8
+  %2380 = icmp eq i64 %2379, 1
+  br i1 %2380, label %2381, label %2389
+
+2381:                                             ; preds = %2360
+  %2382 = load double, ptr %2354, align 8
+  %2383 = getelementptr inbounds i8, ptr %2378, i64 56
+  %2384 = load i64, ptr %2383, align 8
+  %2385 = inttoptr i64 %2384 to ptr
+  %2386 = tail call i64 %2385(ptr noundef %0, double noundef %2382, ptr noundef %2364, ptr noundef null) #10
+  %2387 = icmp eq i64 %2386, 0
+  %2388 = select i1 %2387, i64 %2352, i64 %2386
+  br i1 %2387, label %2389, label %2397
+
+2389:                                             ; preds = %2381, %2360
+  %2390 = phi i64 [ %2388, %2381 ], [ %2352, %2360 ]
+  %2391 = add i64 %2353, 1
+  %2392 = icmp eq i64 %2391, %2345
+  br i1 %2392, label %2393, label %2351, !llvm.loop !61
+
+2393:                                             ; preds = %2389, %2351, %2340
+  %2394 = phi i64 [ %2349, %2340 ], [ %2345, %2389 ], [ %2353, %2351 ]
+  %2395 = load ptr, ptr %85, align 8
+  %2396 = getelementptr inbounds i8, ptr %2395, i64 48
+  store i64 %2394, ptr %2396, align 8
+  br label %2397
+
+2397:                                             ; preds = %2381, %2393, %2336
+  %2398 = phi i64 [ %2339, %2336 ], [ 0, %2393 ], [ %2388, %2381 ]
+  %2399 = icmp eq i64 %2398, 0
+  %2400 = icmp ne i64 %2329, 0
+  %2401 = fcmp olt double %2328, 1.000000e+00
+  %2402 = and i1 %2401, %2399
+  %2403 = and i1 %2400, %2402
+  br i1 %2403, label %2404, label %2441
+
+2404:                                             ; preds = %2397
+  %2405 = load ptr, ptr %198, align 8
+  %2406 = load ptr, ptr %199, align 8
+  %2407 = insertelement <8 x double> poison, double %2328, i64 0
+  %2408 = shufflevector <8 x double> %2407, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2408, ptr %2406, align 8
+  %2409 = load ptr, ptr %82, align 8
+  %2410 = load ptr, ptr %176, align 8
+  %2411 = load i64, ptr %174, align 8
+  %2412 = load ptr, ptr %0, align 8
+  %2413 = getelementptr inbounds i8, ptr %2412, i64 24
+  %2414 = load i64, ptr %2413, align 8
+  %2415 = load ptr, ptr %199, align 8
+  %2416 = load ptr, ptr %81, align 8
+  %2417 = getelementptr inbounds i8, ptr %2416, i64 16
+  %2418 = load i64, ptr %2417, align 8
+  tail call fastcc void @nested(ptr noundef %2405, ptr noundef %2409, ptr noundef %2410, i64 noundef %2411, i64 noundef %2414, ptr noundef %2415, i64 noundef %2418) #9
+  %2419 = load i64, ptr %200, align 8
+  %2420 = icmp sgt i64 %2419, 0
+  br i1 %2420, label %2425, label %2421
+
+2421:                                             ; preds = %2425, %2404
+  %2422 = load ptr, ptr %89, align 8
+  %2423 = load i64, ptr %2422, align 8
+  %2424 = icmp eq i64 %2423, 1
+  br i1 %2424, label %2435, label %2441
+
+2425:                                             ; preds = %2404, %2425
+  %2426 = phi i64 [ %2432, %2425 ], [ 0, %2404 ]
+  %2427 = load ptr, ptr %198, align 8
+  %2428 = getelementptr inbounds double, ptr %2427, i64 %2426
+  %2429 = load double, ptr %2428, align 8
+  %2430 = load ptr, ptr %201, align 8
+  %2431 = getelementptr inbounds double, ptr %2430, i64 %2426
+  store double %2429, ptr %2431, align 8
+  %2432 = add nuw nsw i64 %2426, 1
+  %2433 = load i64, ptr %200, align 8
+  %2434 = icmp slt i64 %2432, %2433
+  br i1 %2434, label %2425, label %2421, !llvm.loop !62
+
+2435:                                             ; preds = %2421
+  %2436 = load ptr, ptr %202, align 8
+  %2437 = getelementptr inbounds i8, ptr %2422, i64 56
+  %2438 = load i64, ptr %2437, align 8
+  %2439 = inttoptr i64 %2438 to ptr
+  %2440 = tail call i64 %2439(ptr noundef %0, double noundef %2337, ptr noundef %2436, ptr noundef null) #10
+  br label %2441
+
+2441:                                             ; preds = %2435, %2421, %2397
+  %2442 = phi i64 [ %2440, %2435 ], [ 0, %2421 ], [ %2398, %2397 ]
+  %2443 = icmp eq i64 %2442, 0
+  br i1 %2443, label %2446, label %2444
+
+2444:                                             ; preds = %2441
+  store double %456, ptr %2315, align 8
+  %2445 = getelementptr inbounds i8, ptr %2315, i64 8
+  store double %533, ptr %2445, align 8
+  br label %2502
+
+2446:                                             ; preds = %2441
+  br i1 %2330, label %2447, label %2485
+
+2447:                                             ; preds = %2446
+  %2448 = load ptr, ptr %203, align 8
+  %2449 = load ptr, ptr %81, align 8
+  %2450 = getelementptr inbounds i8, ptr %2449, i64 8
+  %2451 = load i64, ptr %2450, align 8
+  %2452 = load i64, ptr %87, align 8
+  %2453 = load ptr, ptr %86, align 8
+  %2454 = load ptr, ptr %85, align 8
+  %2455 = getelementptr inbounds i8, ptr %2454, i64 48
+  %2456 = load i64, ptr %2455, align 8
+  %2457 = icmp slt i64 %2456, %2452
+  br i1 %2457, label %2458, label %2481
+
+2458:                                             ; preds = %2447
+  %2459 = icmp sgt i64 %2451, 0
+  br label %2460
+
+2460:                                             ; preds = %2458, %2471
+  %2461 = phi i64 [ %2456, %2458 ], [ %2472, %2471 ]
+  %2462 = getelementptr inbounds double, ptr %2453, i64 %2461
+  %2463 = load double, ptr %2462, align 8
+  %2464 = load ptr, ptr %84, align 8
+  %2465 = load double, ptr %2464, align 8
+  %2466 = fcmp ugt double %2463, %2465
+  br i1 %2466, label %2481, label %2467
+
+2467:                                             ; preds = %2460
+  br i1 %2459, label %2468, label %2471
+
+2468:                                             ; preds = %2467
+  %2469 = mul nsw i64 %2461, %2451
+  %2470 = getelementptr double, ptr %1, i64 %2469
+  br label %2474
+
+2471:                                             ; preds = %2474, %2467
+  %2472 = add i64 %2461, 1
+  %2473 = icmp eq i64 %2472, %2452
+  br i1 %2473, label %2481, label %2460, !llvm.loop !13
+
+2474:                                             ; preds = %2468, %2474
+  %2475 = phi i64 [ 0, %2468 ], [ %2479, %2474 ]
+  %2476 = getelementptr inbounds double, ptr %2448, i64 %2475
+  %2477 = load double, ptr %2476, align 8
+  %2478 = getelementptr double, ptr %2470, i64 %2475
+  store double %2477, ptr %2478, align 8
+  %2479 = add nuw nsw i64 %2475, 1
+  %2480 = icmp eq i64 %2479, %2451
+  br i1 %2480, label %2471, label %2474, !llvm.loop !14
+
+2481:                                             ; preds = %2471, %2460, %2447
+  %2482 = phi i64 [ %2456, %2447 ], [ %2452, %2471 ], [ %2461, %2460 ]
+  %2483 = load ptr, ptr %85, align 8
+  %2484 = getelementptr inbounds i8, ptr %2483, i64 48
+  store i64 %2482, ptr %2484, align 8
+  br label %2485
+
+2485:                                             ; preds = %2481, %2446
+  br i1 %2400, label %2486, label %2502
+
+2486:                                             ; preds = %2485
+  %2487 = load i64, ptr %204, align 8
+  %2488 = icmp sgt i64 %2487, 0
+  br i1 %2488, label %2492, label %2489
+
+2489:                                             ; preds = %2492, %2486
+  store double %2337, ptr %2315, align 8
+  %2490 = getelementptr inbounds i8, ptr %2315, i64 8
+  store double 0.000000e+00, ptr %2490, align 8
+  %2491 = load ptr, ptr %85, align 8
+  store i64 0, ptr %2491, align 8
+  br label %2502
+
+2492:                                             ; preds = %2486, %2492
+  %2493 = phi i64 [ %2499, %2492 ], [ 0, %2486 ]
+  %2494 = load ptr, ptr %205, align 8
+  %2495 = getelementptr inbounds double, ptr %2494, i64 %2493
+  %2496 = load double, ptr %2495, align 8
+  %2497 = load ptr, ptr %82, align 8
+  %2498 = getelementptr inbounds double, ptr %2497, i64 %2493
+  store double %2496, ptr %2498, align 8
+  %2499 = add nuw nsw i64 %2493, 1
+  %2500 = load i64, ptr %204, align 8
+  %2501 = icmp slt i64 %2499, %2500
+  br i1 %2501, label %2492, label %2489, !llvm.loop !63
+
+2502:                                             ; preds = %2323, %2444, %2485, %2489
+  %2503 = phi i64 [ -6, %2323 ], [ %2442, %2444 ], [ %2329, %2489 ], [ %2329, %2485 ]
+  %2504 = icmp eq i64 %2503, -6
+  br i1 %2504, label %2508, label %2505
+
+2505:                                             ; preds = %2502
+  %2506 = icmp ne i64 %2503, 6
+  %2507 = select i1 %2506, i1 true, i1 %258
+  br i1 %2507, label %2533, label %2508
+
+2508:                                             ; preds = %2505, %2502
+  %2509 = phi i64 [ %2503, %2505 ], [ 2, %2502 ]
+  %2510 = load i64, ptr %420, align 8
+  %2511 = add nsw i64 %2510, -1
+  store i64 %2511, ptr %420, align 8
+  %2512 = load ptr, ptr %101, align 8
+  %2513 = load i64, ptr %2512, align 8
+  %2514 = add nsw i64 %2513, -1
+  store i64 %2514, ptr %2512, align 8
+  %2515 = load ptr, ptr %83, align 8
+  %2516 = getelementptr inbounds i8, ptr %2515, i64 32
+  %2517 = load i64, ptr %2516, align 8
+  %2518 = or i64 %2517, 1
+  store i64 %2518, ptr %2516, align 8
+  %2519 = load ptr, ptr %83, align 8
+  %2520 = getelementptr inbounds i8, ptr %2519, i64 8
+  %2521 = load i64, ptr %2520, align 8
+  %2522 = and i64 %2521, -2
+  %2523 = getelementptr inbounds i8, ptr %2519, i64 16
+  %2524 = load i64, ptr %2523, align 8
+  %2525 = and i64 %2524, 1
+  %2526 = or disjoint i64 %2525, %2522
+  %2527 = xor i64 %2526, 1
+  store i64 %2527, ptr %2520, align 8
+  %2528 = load ptr, ptr %178, align 8
+  %2529 = getelementptr inbounds i8, ptr %2528, i64 8
+  store double 0.000000e+00, ptr %2529, align 8
+  %2530 = load i64, ptr %421, align 8
+  %2531 = add nsw i64 %2530, 1
+  store i64 %2531, ptr %421, align 8
+  store i64 %2509, ptr %443, align 8
+  %2532 = fmul double %533, 2.500000e-01
+  br label %2591, !llvm.loop !53
+
+2533:                                             ; preds = %2505
+  %2534 = icmp eq i64 %2503, 0
+  br i1 %2534, label %2539, label %2535
+
+2535:                                             ; preds = %2533
+  %2536 = load ptr, ptr %101, align 8
+  %2537 = load i64, ptr %2536, align 8
+  %2538 = add nsw i64 %2537, 1
+  store i64 %2538, ptr %2536, align 8
+  br label %2591
+
+2539:                                             ; preds = %2533, %2309
+  br i1 %440, label %2570, label %2540
+
+2540:                                             ; preds = %2570, %2539
+  %2541 = load i64, ptr %102, align 8
+  %2542 = icmp sgt i64 %2541, 0
+  br i1 %2542, label %2543, label %2545
+
+2543:                                             ; preds = %2540
+  %2544 = load ptr, ptr %207, align 8
+  store double 0x7FF0000000000000, ptr %2544, align 8
+  br label %2545
+
+2545:                                             ; preds = %2540, %2543
+  %2546 = load i64, ptr %434, align 8
+  %2547 = add nsw i64 %2546, 1
+  store i64 %2547, ptr %434, align 8
+  %2548 = load ptr, ptr %82, align 8
+  %2549 = load ptr, ptr %208, align 8
+  %2550 = load ptr, ptr %209, align 8
+  store double %532, ptr %2550, align 8
+  %2551 = load ptr, ptr %81, align 8
+  %2552 = getelementptr inbounds i8, ptr %2551, i64 40
+  %2553 = load i64, ptr %2552, align 8
+  %2554 = icmp eq i64 %2553, 0
+  br i1 %2554, label %2556, label %2555
+
+2555:                                             ; preds = %2545
+  tail call fastcc void @settle(ptr noundef nonnull %81) #9
+  br label %2556
+
+2556:                                             ; preds = %2555, %2545
+  %2557 = load i64, ptr %210, align 8
+  %2558 = icmp sgt i64 %2557, 0
+  br i1 %2558, label %2559, label %2560
+
+2559:                                             ; preds = %2556
+  tail call fastcc void @sample(ptr noundef nonnull %81) #9
+  br label %2560
+
+2560:                                             ; preds = %2556, %2559
+  %2561 = load ptr, ptr %81, align 8
+  %2562 = load i64, ptr %2561, align 8
+  %2563 = load ptr, ptr %209, align 8
+  %2564 = load ptr, ptr %211, align 8
+  %2565 = load ptr, ptr %212, align 8
+  %2566 = inttoptr i64 %2562 to ptr
+  %2567 = load ptr, ptr %2566, align 8
+  %2568 = tail call i32 %2567(ptr noundef %2563, ptr noundef %2548, ptr noundef %2564, ptr noundef %2565, ptr noundef %2549) #10
+  %2569 = icmp eq i32 %2568, 0
+  br i1 %2569, label %2582, label %2579
+
+2570:                                             ; preds = %2539, %2570
+  %2571 = phi i64 [ %2577, %2570 ], [ 0, %2539 ]
+  %2572 = load ptr, ptr %206, align 8
+  %2573 = getelementptr inbounds double, ptr %2572, i64 %2571
+  %2574 = load double, ptr %2573, align 8
+  %2575 = load ptr, ptr %82, align 8
+  %2576 = getelementptr inbounds double, ptr %2575, i64 %2571
+  store double %2574, ptr %2576, align 8
+  %2577 = add nuw nsw i64 %2571, 1
+  %2578 = icmp eq i64 %2577, %229
+  br i1 %2578, label %2540, label %2570, !llvm.loop !64
+
+2579:                                             ; preds = %2560
+  store i64 3, ptr %441, align 8
+  store double %533, ptr %260, align 8
+  %2580 = icmp slt i32 %2568, 0
+  %2581 = select i1 %2580, i64 -4, i64 2
+  br label %2591
+
+2582:                                             ; preds = %2560
+  %2583 = fcmp oeq double %532, %522
+  %2584 = fcmp ogt double %457, %1991
+  %2585 = select i1 %2583, i1 %2584, i1 false
+  %2586 = select i1 %2585, double %457, double %1991
+  %2587 = load i64, ptr %442, align 8
+  %2588 = load i64, ptr %87, align 8
+  %2589 = icmp eq i64 %2587, %2588
+  br i1 %2589, label %2590, label %2591
+
+2590:                                             ; preds = %2582
+  store double %2586, ptr %260, align 8
+  br label %2591
+
+2591:                                             ; preds = %1981, %2007, %2021, %2508, %2535, %2579, %2582, %2590, %539
+  %2592 = phi double [ %463, %539 ], [ %1982, %2590 ], [ %1982, %2582 ], [ %1982, %2579 ], [ %1982, %2535 ], [ %1982, %2508 ], [ %1982, %2021 ], [ %1982, %2007 ], [ %1982, %1981 ]
+  %2593 = phi double [ %462, %539 ], [ %1983, %2590 ], [ %1983, %2582 ], [ %1983, %2579 ], [ %1983, %2535 ], [ %1983, %2508 ], [ %1983, %2021 ], [ %1983, %2007 ], [ %1983, %1981 ]
+  %2594 = phi double [ %461, %539 ], [ %1984, %2590 ], [ %1984, %2582 ], [ %1984, %2579 ], [ %1984, %2535 ], [ %1984, %2508 ], [ %1984, %2021 ], [ %1984, %2007 ], [ %1984, %1981 ]
+  %2595 = phi i64 [ %460, %539 ], [ %1985, %2590 ], [ %1985, %2582 ], [ %1985, %2579 ], [ %1985, %2535 ], [ %1985, %2508 ], [ %1985, %2021 ], [ %1985, %2007 ], [ %1985, %1981 ]
+  %2596 = phi i64 [ %459, %539 ], [ %1986, %2590 ], [ %1986, %2582 ], [ %1986, %2579 ], [ %1986, %2535 ], [ %1986, %2508 ], [ %1986, %2021 ], [ %1986, %2007 ], [ %1986, %1981 ]
+  %2597 = phi i64 [ %458, %539 ], [ %1987, %2590 ], [ %1987, %2582 ], [ %1987, %2579 ], [ %1987, %2535 ], [ %1987, %2508 ], [ %1987, %2021 ], [ %1987, %2007 ], [ %1987, %1981 ]
+  %2598 = phi double [ %457, %539 ], [ %2586, %2590 ], [ %2586, %2582 ], [ %1991, %2579 ], [ %1991, %2535 ], [ %2532, %2508 ], [ %2024, %2021 ], [ %1991, %2007 ], [ %457, %1981 ]
+  %2599 = phi double [ %456, %539 ], [ %532, %2590 ], [ %532, %2582 ], [ %532, %2579 ], [ %456, %2535 ], [ %456, %2508 ], [ %456, %2021 ], [ %456, %2007 ], [ %456, %1981 ]
+  %2600 = phi i32 [ 1, %539 ], [ 1, %2590 ], [ 0, %2582 ], [ 1, %2579 ], [ 1, %2535 ], [ 3, %2508 ], [ 3, %2021 ], [ 3, %2007 ], [ 1, %1981 ]
+  %2601 = phi i64 [ 2, %539 ], [ 0, %2590 ], [ %455, %2582 ], [ %2581, %2579 ], [ %2503, %2535 ], [ %455, %2508 ], [ %455, %2021 ], [ %455, %2007 ], [ -4, %1981 ]
+  switch i32 %2600, label %2605 [
+    i32 0, label %2602
+    i32 3, label %2602
   ]
 
-2241:                                             ; preds = %2230, %2230
-  %2242 = load i64, ptr %232, align 8
-  %2243 = icmp eq i64 %2242, 0
-  br i1 %2243, label %431, label %439, !llvm.loop !48
+2602:                                             ; preds = %2591, %2591
+  %2603 = load i64, ptr %223, align 8
+  %2604 = icmp eq i64 %2603, 0
+  br i1 %2604, label %445, label %453, !llvm.loop !53
 
-2244:                                             ; preds = %2230, %228, %311, %370, %431, %462, %470
-  %2245 = phi double [ %207, %228 ], [ %432, %431 ], [ %449, %470 ], [ %449, %462 ], [ %207, %370 ], [ %207, %311 ], [ %2231, %2230 ]
-  %2246 = phi double [ %208, %228 ], [ %433, %431 ], [ %448, %470 ], [ %448, %462 ], [ %208, %370 ], [ %208, %311 ], [ %2232, %2230 ]
-  %2247 = phi double [ %209, %228 ], [ %434, %431 ], [ %447, %470 ], [ %447, %462 ], [ %209, %370 ], [ %209, %311 ], [ %2233, %2230 ]
-  %2248 = phi i64 [ %210, %228 ], [ %435, %431 ], [ %446, %470 ], [ %446, %462 ], [ %210, %370 ], [ %210, %311 ], [ %2234, %2230 ]
-  %2249 = phi i64 [ %211, %228 ], [ %436, %431 ], [ %445, %470 ], [ %445, %462 ], [ %211, %370 ], [ %211, %311 ], [ %2235, %2230 ]
-  %2250 = phi i64 [ %212, %228 ], [ %437, %431 ], [ %444, %470 ], [ %444, %462 ], [ %212, %370 ], [ %212, %311 ], [ %2236, %2230 ]
-  %2251 = phi i64 [ -1, %228 ], [ -1, %431 ], [ 1, %470 ], [ -5, %462 ], [ 0, %370 ], [ %314, %311 ], [ %2240, %2230 ]
-  %2252 = load ptr, ptr %205, align 8
-  %2253 = getelementptr inbounds i8, ptr %2252, i64 48
-  %2254 = load i64, ptr %2253, align 8
-  %2255 = icmp ne i64 %2251, -2
-  %2256 = icmp eq i64 %2254, 0
-  %2257 = select i1 %2255, i1 true, i1 %2256
-  br i1 %2257, label %2265, label %2258
+2605:                                             ; preds = %2591, %322, %381, %445, %476, %484, %214
+  %2606 = phi double [ %215, %214 ], [ %446, %445 ], [ %463, %484 ], [ %463, %476 ], [ %215, %381 ], [ %215, %322 ], [ %2592, %2591 ]
+  %2607 = phi double [ %216, %214 ], [ %447, %445 ], [ %462, %484 ], [ %462, %476 ], [ %216, %381 ], [ %216, %322 ], [ %2593, %2591 ]
+  %2608 = phi double [ %217, %214 ], [ %448, %445 ], [ %461, %484 ], [ %461, %476 ], [ %217, %381 ], [ %217, %322 ], [ %2594, %2591 ]
+  %2609 = phi i64 [ %218, %214 ], [ %449, %445 ], [ %460, %484 ], [ %460, %476 ], [ %218, %381 ], [ %218, %322 ], [ %2595, %2591 ]
+  %2610 = phi i64 [ %219, %214 ], [ %450, %445 ], [ %459, %484 ], [ %459, %476 ], [ %219, %381 ], [ %219, %322 ], [ %2596, %2591 ]
+  %2611 = phi i64 [ %220, %214 ], [ %451, %445 ], [ %458, %484 ], [ %458, %476 ], [ %220, %381 ], [ %220, %322 ], [ %2597, %2591 ]
+  %2612 = phi i64 [ -1, %214 ], [ -1, %445 ], [ 1, %484 ], [ -5, %476 ], [ 0, %381 ], [ %325, %322 ], [ %2601, %2591 ]
+  %2613 = load ptr, ptr %213, align 8
+  %2614 = getelementptr inbounds i8, ptr %2613, i64 48
+  %2615 = load i64, ptr %2614, align 8
+  %2616 = icmp ne i64 %2612, -2
+  %2617 = icmp eq i64 %2615, 0
+  %2618 = select i1 %2616, i1 true, i1 %2617
+  br i1 %2618, label %2626, label %2619
 
-2258:                                             ; preds = %2244
-  %2259 = inttoptr i64 %2254 to ptr
-  %2260 = tail call i64 %2259(ptr noundef %0) #9
-  %2261 = icmp eq i64 %2260, 8
-  %2262 = select i1 %2261, i64 8, i64 %2251
-  %2263 = icmp eq i64 %2260, 1
-  %2264 = zext i1 %2263 to i32
-  br label %2265
+2619:                                             ; preds = %2605
+  %2620 = inttoptr i64 %2615 to ptr
+  %2621 = tail call i64 %2620(ptr noundef %0) #10
+  %2622 = icmp eq i64 %2621, 8
+  %2623 = select i1 %2622, i64 8, i64 %2612
+  %2624 = icmp eq i64 %2621, 1
+  %2625 = zext i1 %2624 to i32
+  br label %2626
 
-2265:                                             ; preds = %2244, %2258
-  %2266 = phi i64 [ %2251, %2244 ], [ %2262, %2258 ]
-  %2267 = phi i32 [ 0, %2244 ], [ %2264, %2258 ]
-  %2268 = icmp eq i32 %2267, 0
-  br i1 %2268, label %2269, label %206, !llvm.loop !60
+2626:                                             ; preds = %2605, %2619
+  %2627 = phi i64 [ %2612, %2605 ], [ %2623, %2619 ]
+  %2628 = phi i32 [ 0, %2605 ], [ %2625, %2619 ]
+  %2629 = icmp eq i32 %2628, 0
+  br i1 %2629, label %2630, label %214, !llvm.loop !65
 
-2269:                                             ; preds = %2265
-  %2270 = getelementptr inbounds i8, ptr %0, i64 320
-  %2271 = load i64, ptr %2270, align 8
-  %2272 = icmp sgt i64 %2271, 0
-  br i1 %2272, label %2273, label %2276
+2630:                                             ; preds = %2626
+  %2631 = getelementptr inbounds i8, ptr %0, i64 320
+  %2632 = load i64, ptr %2631, align 8
+  %2633 = icmp sgt i64 %2632, 0
+  br i1 %2633, label %2634, label %2637
 
-2273:                                             ; preds = %2269
-  %2274 = getelementptr inbounds i8, ptr %0, i64 336
-  %2275 = load ptr, ptr %2274, align 8
-  store double 0x7FF0000000000000, ptr %2275, align 8
-  br label %2276
+2634:                                             ; preds = %2630
+  %2635 = getelementptr inbounds i8, ptr %0, i64 336
+  %2636 = load ptr, ptr %2635, align 8
+  store double 0x7FF0000000000000, ptr %2636, align 8
+  br label %2637
 
-2276:                                             ; preds = %2269, %2273
-  ret i64 %2266
+2637:                                             ; preds = %2630, %2634
+  ret i64 %2627
 }
 
 
@@ -3111,7 +3554,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %58 = select i1 %56, i64 %53, i64 %50
   %59 = sub nsw i64 %58, %57
   %60 = icmp sgt i64 %59, 1
-  br i1 %60, label %49, label %61, !llvm.loop !61
+  br i1 %60, label %49, label %61, !llvm.loop !66
 
 61:                                               ; preds = %49, %47, %40, %43
   %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
@@ -3143,7 +3586,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %86 = add nuw nsw i64 %15, 1
   %87 = load i64, ptr %2, align 8
   %88 = icmp slt i64 %86, %87
-  br i1 %88, label %14, label %13, !llvm.loop !62
+  br i1 %88, label %14, label %13, !llvm.loop !67
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #3 {
@@ -3190,7 +3633,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !63
+  br i1 %41, label %13, label %18, !llvm.loop !68
 }
 
 declare double @llvm.sqrt.f64(double) #4
@@ -3203,7 +3646,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
 
 5:                                                ; preds = %98, %49
   %6 = icmp eq i64 %20, %1
-  br i1 %6, label %7, label %11, !llvm.loop !64
+  br i1 %6, label %7, label %11, !llvm.loop !69
 
 7:                                                ; preds = %5
   %8 = zext nneg i32 %29 to i64
@@ -3258,7 +3701,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   %46 = select i1 %43, double %37, double %42
   %47 = add nuw nsw i64 %38, 1
   %48 = icmp slt i64 %47, %1
-  br i1 %48, label %35, label %23, !llvm.loop !65
+  br i1 %48, label %35, label %23, !llvm.loop !70
 
 49:                                               ; preds = %63, %23
   %50 = load double, ptr %17, align 8
@@ -3287,7 +3730,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   %64 = add nuw nsw i64 %57, 1
   %65 = icmp sge i64 %64, %1
   %66 = select i1 %65, i1 true, i1 %30
-  br i1 %66, label %49, label %56, !llvm.loop !66
+  br i1 %66, label %49, label %56, !llvm.loop !71
 
 67:                                               ; preds = %60, %67
   %68 = phi i64 [ 0, %60 ], [ %75, %67 ]
@@ -3302,7 +3745,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   %75 = add nuw nsw i64 %68, 1
   %76 = icmp slt i64 %75, %1
   %77 = and i1 %76, %59
-  br i1 %77, label %67, label %63, !llvm.loop !67
+  br i1 %77, label %67, label %63, !llvm.loop !72
 
 78:                                               ; preds = %54, %98
   %79 = phi i64 [ %20, %54 ], [ %99, %98 ]
@@ -3330,12 +3773,12 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   store double %95, ptr %90, align 8
   %96 = add nuw nsw i64 %89, 1
   %97 = icmp slt i64 %96, %1
-  br i1 %97, label %88, label %98, !llvm.loop !68
+  br i1 %97, label %88, label %98, !llvm.loop !73
 
 98:                                               ; preds = %88, %78
   %99 = add nuw nsw i64 %79, 1
   %100 = icmp slt i64 %99, %1
-  br i1 %100, label %78, label %5, !llvm.loop !69
+  br i1 %100, label %78, label %5, !llvm.loop !74
 }
 
 define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #5 {
@@ -3344,7 +3787,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
 
 5:                                                ; preds = %156, %59
   %6 = icmp eq i64 %26, %1
-  br i1 %6, label %7, label %11, !llvm.loop !70
+  br i1 %6, label %7, label %11, !llvm.loop !75
 
 7:                                                ; preds = %5
   %8 = zext nneg i32 %34 to i64
@@ -3407,7 +3850,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   %56 = select i1 %53, double %40, double %52
   %57 = add nuw nsw i64 %41, 1
   %58 = icmp slt i64 %57, %1
-  br i1 %58, label %38, label %28, !llvm.loop !71
+  br i1 %58, label %38, label %28, !llvm.loop !76
 
 59:                                               ; preds = %82, %28
   %60 = load double, ptr %18, align 8
@@ -3444,7 +3887,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   %83 = add nuw nsw i64 %77, 1
   %84 = icmp sge i64 %83, %1
   %85 = select i1 %84, i1 true, i1 %35
-  br i1 %85, label %59, label %76, !llvm.loop !72
+  br i1 %85, label %59, label %76, !llvm.loop !77
 
 86:                                               ; preds = %80, %86
   %87 = phi i64 [ 0, %80 ], [ %106, %86 ]
@@ -3473,7 +3916,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   %106 = add nuw nsw i64 %87, 1
   %107 = icmp slt i64 %106, %1
   %108 = and i1 %107, %79
-  br i1 %108, label %86, label %82, !llvm.loop !73
+  br i1 %108, label %86, label %82, !llvm.loop !78
 
 109:                                              ; preds = %59, %156
   %110 = phi i64 [ %157, %156 ], [ %26, %59 ]
@@ -3530,15 +3973,17 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   store double %153, ptr %137, align 8
   %154 = add nuw nsw i64 %131, 1
   %155 = icmp slt i64 %154, %1
-  br i1 %155, label %130, label %156, !llvm.loop !74
+  br i1 %155, label %130, label %156, !llvm.loop !79
 
 156:                                              ; preds = %130, %109
   %157 = add nuw nsw i64 %110, 1
   %158 = icmp slt i64 %157, %1
-  br i1 %158, label %109, label %5, !llvm.loop !75
+  br i1 %158, label %109, label %5, !llvm.loop !80
 }
 
 declare double @llvm.fma.f64(double, double, double) #4
+
+declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg) #6
 
 define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
   %5 = icmp sgt i64 %1, 0
@@ -3559,7 +4004,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
 14:                                               ; preds = %17, %8
   %15 = add nuw nsw i64 %9, 1
   %16 = icmp eq i64 %15, %1
-  br i1 %16, label %6, label %8, !llvm.loop !76
+  br i1 %16, label %6, label %8, !llvm.loop !81
 
 17:                                               ; preds = %8
   %18 = getelementptr inbounds double, ptr %3, i64 %9
@@ -3596,7 +4041,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %36, ptr %29, align 8
   %37 = add nuw nsw i64 %28, 1
   %38 = icmp eq i64 %37, %1
-  br i1 %38, label %23, label %27, !llvm.loop !77
+  br i1 %38, label %23, label %27, !llvm.loop !82
 
 39:                                               ; preds = %32, %39
   %40 = phi i64 [ 0, %32 ], [ %48, %39 ]
@@ -3609,7 +4054,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %47 = tail call double @llvm.fma.f64(double %46, double %45, double %41)
   %48 = add nuw nsw i64 %40, 1
   %49 = icmp eq i64 %48, %28
-  br i1 %49, label %35, label %39, !llvm.loop !78
+  br i1 %49, label %35, label %39, !llvm.loop !83
 
 50:                                               ; preds = %60, %23
   ret void
@@ -3635,7 +4080,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %65 = fmul double %61, %64
   store double %65, ptr %54, align 8
   %66 = icmp sgt i64 %52, 1
-  br i1 %66, label %51, label %50, !llvm.loop !79
+  br i1 %66, label %51, label %50, !llvm.loop !84
 
 67:                                               ; preds = %57, %67
   %68 = phi i64 [ %52, %57 ], [ %76, %67 ]
@@ -3648,7 +4093,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %75 = tail call double @llvm.fma.f64(double %74, double %73, double %69)
   %76 = add nuw nsw i64 %68, 1
   %77 = icmp eq i64 %76, %1
-  br i1 %77, label %60, label %67, !llvm.loop !80
+  br i1 %77, label %60, label %67, !llvm.loop !85
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
@@ -3670,7 +4115,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 14:                                               ; preds = %23, %8
   %15 = add nuw nsw i64 %9, 1
   %16 = icmp eq i64 %15, %1
-  br i1 %16, label %6, label %8, !llvm.loop !76
+  br i1 %16, label %6, label %8, !llvm.loop !81
 
 17:                                               ; preds = %8
   %18 = shl nsw i64 %9, 4
@@ -3690,7 +4135,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %26, ptr %27, align 8
   %29 = add nuw nsw i64 %24, 1
   %30 = icmp eq i64 %24, 0
-  br i1 %30, label %23, label %14, !llvm.loop !81
+  br i1 %30, label %23, label %14, !llvm.loop !86
 
 31:                                               ; preds = %47, %6
   %32 = icmp sgt i64 %1, 0
@@ -3723,7 +4168,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %49, ptr %42, align 8
   %50 = add nuw nsw i64 %37, 1
   %51 = icmp eq i64 %50, %1
-  br i1 %51, label %31, label %36, !llvm.loop !83
+  br i1 %51, label %31, label %36, !llvm.loop !88
 
 52:                                               ; preds = %45, %52
   %53 = phi double [ %43, %45 ], [ %75, %52 ]
@@ -3751,7 +4196,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %75 = fsub double %53, %73
   %76 = add nuw nsw i64 %55, 1
   %77 = icmp eq i64 %76, %37
-  br i1 %77, label %47, label %52, !llvm.loop !84
+  br i1 %77, label %47, label %52, !llvm.loop !89
 
 78:                                               ; preds = %91, %31
   ret void
@@ -3789,7 +4234,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %102, ptr %83, align 8
   store double %104, ptr %86, align 8
   %105 = icmp sgt i64 %80, 1
-  br i1 %105, label %79, label %78, !llvm.loop !85
+  br i1 %105, label %79, label %78, !llvm.loop !90
 
 106:                                              ; preds = %89, %106
   %107 = phi double [ %87, %89 ], [ %129, %106 ]
@@ -3817,7 +4262,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %129 = fsub double %107, %127
   %130 = add nuw nsw i64 %109, 1
   %131 = icmp eq i64 %130, %1
-  br i1 %131, label %91, label %106, !llvm.loop !86
+  br i1 %131, label %91, label %106, !llvm.loop !91
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -3847,7 +4292,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 19:                                               ; preds = %28, %22, %13
   %20 = add nuw nsw i64 %14, 1
   %21 = icmp eq i64 %20, %1
-  br i1 %21, label %9, label %13, !llvm.loop !76
+  br i1 %21, label %9, label %13, !llvm.loop !81
 
 22:                                               ; preds = %13
   %23 = mul nsw i64 %14, %4
@@ -3867,7 +4312,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %31, ptr %32, align 8
   %34 = add nuw nsw i64 %29, 1
   %35 = icmp eq i64 %34, %4
-  br i1 %35, label %19, label %28, !llvm.loop !81
+  br i1 %35, label %19, label %28, !llvm.loop !86
 
 36:                                               ; preds = %11, %50
   %37 = phi i64 [ 0, %11 ], [ %51, %50 ]
@@ -3894,7 +4339,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 50:                                               ; preds = %70, %36
   %51 = add nuw nsw i64 %37, 1
   %52 = icmp eq i64 %51, %1
-  br i1 %52, label %44, label %36, !llvm.loop !87
+  br i1 %52, label %44, label %36, !llvm.loop !92
 
 53:                                               ; preds = %39, %70
   %54 = phi i64 [ 0, %39 ], [ %71, %70 ]
@@ -3918,16 +4363,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %67, ptr %63, align 8
   %68 = add nuw nsw i64 %62, 1
   %69 = icmp eq i64 %68, %4
-  br i1 %69, label %70, label %61, !llvm.loop !88
+  br i1 %69, label %70, label %61, !llvm.loop !93
 
 70:                                               ; preds = %61, %53
   %71 = add nuw nsw i64 %54, 1
   %72 = icmp eq i64 %71, %37
-  br i1 %72, label %50, label %53, !llvm.loop !89
+  br i1 %72, label %50, label %53, !llvm.loop !94
 
 73:                                               ; preds = %111, %85
   %74 = icmp sgt i64 %76, 1
-  br i1 %74, label %75, label %84, !llvm.loop !90
+  br i1 %74, label %75, label %84, !llvm.loop !95
 
 75:                                               ; preds = %46, %73
   %76 = phi i64 [ %1, %46 ], [ %77, %73 ]
@@ -3977,12 +4422,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %105, ptr %101, align 8
   %106 = add nuw nsw i64 %100, 1
   %107 = icmp eq i64 %106, %4
-  br i1 %107, label %108, label %99, !llvm.loop !88
+  br i1 %107, label %108, label %99, !llvm.loop !93
 
 108:                                              ; preds = %99, %91
   %109 = add nuw nsw i64 %92, 1
   %110 = icmp eq i64 %109, %1
-  br i1 %110, label %85, label %91, !llvm.loop !91
+  br i1 %110, label %85, label %91, !llvm.loop !96
 
 111:                                              ; preds = %86, %111
   %112 = phi i64 [ 0, %86 ], [ %117, %111 ]
@@ -3993,7 +4438,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %116, ptr %113, align 8
   %117 = add nuw nsw i64 %112, 1
   %118 = icmp eq i64 %117, %4
-  br i1 %118, label %73, label %111, !llvm.loop !92
+  br i1 %118, label %73, label %111, !llvm.loop !97
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -4025,7 +4470,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 21:                                               ; preds = %30, %24, %15
   %22 = add nuw nsw i64 %16, 1
   %23 = icmp eq i64 %22, %1
-  br i1 %23, label %11, label %15, !llvm.loop !76
+  br i1 %23, label %11, label %15, !llvm.loop !81
 
 24:                                               ; preds = %15
   %25 = mul nuw nsw i64 %16, %6
@@ -4045,7 +4490,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %33, ptr %34, align 8
   %36 = add nuw nsw i64 %31, 1
   %37 = icmp eq i64 %36, %10
-  br i1 %37, label %21, label %30, !llvm.loop !81
+  br i1 %37, label %21, label %30, !llvm.loop !86
 
 38:                                               ; preds = %13, %51
   %39 = phi i64 [ 0, %13 ], [ %52, %51 ]
@@ -4071,7 +4516,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 51:                                               ; preds = %90, %38
   %52 = add nuw nsw i64 %39, 1
   %53 = icmp eq i64 %52, %1
-  br i1 %53, label %44, label %38, !llvm.loop !93
+  br i1 %53, label %44, label %38, !llvm.loop !98
 
 54:                                               ; preds = %41, %90
   %55 = phi i64 [ 0, %41 ], [ %91, %90 ]
@@ -4115,16 +4560,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %87, ptr %73, align 8
   %88 = add nuw nsw i64 %67, 1
   %89 = icmp eq i64 %88, %4
-  br i1 %89, label %90, label %66, !llvm.loop !94
+  br i1 %89, label %90, label %66, !llvm.loop !99
 
 90:                                               ; preds = %66, %54
   %91 = add nuw nsw i64 %55, 1
   %92 = icmp eq i64 %91, %39
-  br i1 %92, label %51, label %54, !llvm.loop !95
+  br i1 %92, label %51, label %54, !llvm.loop !100
 
 93:                                               ; preds = %149, %103
   %94 = icmp sgt i64 %96, 1
-  br i1 %94, label %95, label %102, !llvm.loop !96
+  br i1 %94, label %95, label %102, !llvm.loop !101
 
 95:                                               ; preds = %46, %93
   %96 = phi i64 [ %1, %46 ], [ %97, %93 ]
@@ -4193,12 +4638,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %143, ptr %129, align 8
   %144 = add nuw nsw i64 %123, 1
   %145 = icmp eq i64 %144, %4
-  br i1 %145, label %146, label %122, !llvm.loop !94
+  br i1 %145, label %146, label %122, !llvm.loop !99
 
 146:                                              ; preds = %122, %110
   %147 = add nuw nsw i64 %111, 1
   %148 = icmp eq i64 %147, %1
-  br i1 %148, label %103, label %110, !llvm.loop !97
+  br i1 %148, label %103, label %110, !llvm.loop !102
 
 149:                                              ; preds = %104, %149
   %150 = phi i64 [ 0, %104 ], [ %165, %149 ]
@@ -4220,10 +4665,10 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %164, ptr %156, align 8
   %165 = add nuw nsw i64 %150, 1
   %166 = icmp eq i64 %165, %4
-  br i1 %166, label %93, label %149, !llvm.loop !98
+  br i1 %166, label %93, label %149, !llvm.loop !103
 }
 
-define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #7 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
   %10 = shl nsw i64 %6, 3
@@ -4257,7 +4702,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !99
+  br i1 %31, label %20, label %19, !llvm.loop !104
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4271,14 +4716,16 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !100
+  br i1 %43, label %32, label %24, !llvm.loop !105
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
 
-declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #7
+declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #8
 
-declare i64 @llvm.umax.i64(i64, i64) #7
+declare i64 @llvm.smin.i64(i64, i64) #8
+
+declare i64 @llvm.umax.i64(i64, i64) #8
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -4286,11 +4733,12 @@ attributes #2 = { noinline nounwind }
 attributes #3 = { noinline nounwind }
 attributes #4 = { nounwind willreturn memory(none) }
 attributes #5 = { noinline nounwind }
-attributes #6 = { noinline nounwind }
-attributes #7 = { nounwind willreturn memory(none) }
-attributes #8 = { nounwind }
+attributes #6 = { nounwind willreturn }
+attributes #7 = { noinline nounwind }
+attributes #8 = { nounwind willreturn memory(none) }
 attributes #9 = { nounwind }
 attributes #10 = { nounwind }
+attributes #11 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -4341,12 +4789,12 @@ attributes #10 = { nounwind }
 !45 = distinct !{!45, !4, !5}
 !46 = distinct !{!46, !4, !5}
 !47 = distinct !{!47, !4, !5}
-!48 = distinct !{!48, !5}
+!48 = distinct !{!48, !4, !5}
 !49 = distinct !{!49, !4, !5}
 !50 = distinct !{!50, !4, !5}
 !51 = distinct !{!51, !4, !5}
 !52 = distinct !{!52, !4, !5}
-!53 = distinct !{!53, !4, !5}
+!53 = distinct !{!53, !5}
 !54 = distinct !{!54, !4, !5}
 !55 = distinct !{!55, !4, !5}
 !56 = distinct !{!56, !4, !5}
@@ -4374,13 +4822,13 @@ attributes #10 = { nounwind }
 !78 = distinct !{!78, !4, !5}
 !79 = distinct !{!79, !4, !5}
 !80 = distinct !{!80, !4, !5}
-!81 = distinct !{!81, !4, !5, !82}
-!82 = !{!"llvm.loop.vectorize.width", i32 1}
+!81 = distinct !{!81, !4, !5}
+!82 = distinct !{!82, !4, !5}
 !83 = distinct !{!83, !4, !5}
 !84 = distinct !{!84, !4, !5}
 !85 = distinct !{!85, !4, !5}
-!86 = distinct !{!86, !4, !5}
-!87 = distinct !{!87, !4, !5}
+!86 = distinct !{!86, !4, !5, !87}
+!87 = !{!"llvm.loop.vectorize.width", i32 1}
 !88 = distinct !{!88, !4, !5}
 !89 = distinct !{!89, !4, !5}
 !90 = distinct !{!90, !4, !5}
@@ -4394,3 +4842,8 @@ attributes #10 = { nounwind }
 !98 = distinct !{!98, !4, !5}
 !99 = distinct !{!99, !4, !5}
 !100 = distinct !{!100, !4, !5}
+!101 = distinct !{!101, !4, !5}
+!102 = distinct !{!102, !4, !5}
+!103 = distinct !{!103, !4, !5}
+!104 = distinct !{!104, !4, !5}
+!105 = distinct !{!105, !4, !5}

@@ -1,4 +1,4 @@
-; sources d01d6aaec81dcf95179f3c6ae55637abd56d7b03026cda8a11660ac705c1d3c0
+; sources a6261e1dc0aff9f64267d131d901f1849fcb41c69c973932f944db4c4f88a33f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {
@@ -8,19 +8,19 @@ define noundef i64 @begin_lanes(ptr noundef %0) #0 {
   %5 = load i64, ptr %4, align 8
   %6 = getelementptr inbounds i8, ptr %0, i64 1064
   %7 = load i64, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 1656
+  %8 = getelementptr inbounds i8, ptr %0, i64 1680
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %9, i64 56
   %11 = load i64, ptr %10, align 8
   %12 = inttoptr i64 %11 to ptr
   %13 = getelementptr inbounds i8, ptr %0, i64 432
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 1704
+  %15 = getelementptr inbounds i8, ptr %0, i64 1728
   %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 1712
+  %17 = getelementptr inbounds i8, ptr %0, i64 1736
   %18 = load i64, ptr %17, align 8
   %19 = getelementptr inbounds double, ptr %16, i64 %18
-  %20 = getelementptr inbounds i8, ptr %0, i64 1192
+  %20 = getelementptr inbounds i8, ptr %0, i64 1216
   %21 = load i64, ptr %20, align 8
   %22 = mul i64 %21, -64
   %23 = getelementptr inbounds i8, ptr %19, i64 %22
@@ -36,13 +36,13 @@ define noundef i64 @begin_lanes(ptr noundef %0) #0 {
   %31 = getelementptr inbounds i8, ptr %0, i64 1104
   %32 = getelementptr inbounds i8, ptr %0, i64 216
   %33 = getelementptr inbounds i8, ptr %0, i64 1120
-  %34 = getelementptr inbounds i8, ptr %0, i64 1176
-  %35 = getelementptr inbounds i8, ptr %0, i64 1192
+  %34 = getelementptr inbounds i8, ptr %0, i64 1200
+  %35 = getelementptr inbounds i8, ptr %0, i64 1216
   %36 = getelementptr inbounds i8, ptr %0, i64 272
   %37 = getelementptr inbounds i8, ptr %0, i64 264
   %38 = getelementptr inbounds i8, ptr %0, i64 216
-  %39 = getelementptr inbounds i8, ptr %0, i64 1176
-  %40 = getelementptr inbounds i8, ptr %0, i64 1192
+  %39 = getelementptr inbounds i8, ptr %0, i64 1200
+  %40 = getelementptr inbounds i8, ptr %0, i64 1216
   %41 = getelementptr inbounds i8, ptr %0, i64 1072
   %42 = icmp slt i64 %5, 1
   br label %44

@@ -1,4 +1,4 @@
-; sources d4b5b578d3dcdeb018bf90fd5e7cc9ec33eae05b9c5fb364a051bbc5d5e240e2
+; sources 2cf07504e117695eaf5ac46d7d334131d8c064d452ca0fabbb69e4835c92449f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

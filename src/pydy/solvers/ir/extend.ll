@@ -1,4 +1,4 @@
-; sources ee8c2448167e414daacb3644999f75c47cf008103e521f90efbb527582111d8d
+; sources 5e105657334fd0ac47bb4368f3c82ff998e879d6965947badd236bc192c17f47
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources c0fda63f5a6126ad2c5961238b79121f69e3daee5dde2ca143cb982eebf254f9
+; sources f44fb215af28e93bb8798b60c314388ba5235b282c2db7a4aea4285e63c55543
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

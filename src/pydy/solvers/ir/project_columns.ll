@@ -1,4 +1,4 @@
-; sources 994b32237018b626b1d999e8beac59013b5c893c0e58a9c98f4fbc5c1e3854e4
+; sources 2b8740b3e9120e23368950d8068209ee2d7d3905ab9b0d0d60107cb61ae5472c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

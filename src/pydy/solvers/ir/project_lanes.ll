@@ -1,4 +1,4 @@
-; sources 33a370a17eeac9feaa78d90549b9877ee50dcbc333c466a703af43cb8e7ca19a
+; sources a76e3966ccda035685da7b36f7da6a5236475a93f622a73c259a19b37d30f095
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -7,7 +7,7 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %6 = alloca %struct.Held, align 8
   %7 = load <8 x double>, ptr %1, align 8
   tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
-  %8 = getelementptr inbounds i8, ptr %0, i64 1656
+  %8 = getelementptr inbounds i8, ptr %0, i64 1680
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %9, i64 64
   %11 = load i64, ptr %10, align 8, !noalias !3
@@ -44,7 +44,7 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
   %34 = getelementptr inbounds i8, ptr %6, i64 64
   store i64 %4, ptr %34, align 8, !alias.scope !3
   %35 = getelementptr inbounds i8, ptr %6, i64 72
-  %36 = getelementptr inbounds i8, ptr %0, i64 1704
+  %36 = getelementptr inbounds i8, ptr %0, i64 1728
   %37 = load ptr, ptr %36, align 8, !noalias !3
   store ptr %37, ptr %35, align 8, !alias.scope !3
   %38 = getelementptr inbounds i8, ptr %6, i64 80
@@ -154,7 +154,7 @@ define i64 @project_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr 
 108:                                              ; preds = %158, %101
   %109 = getelementptr inbounds i8, ptr %0, i64 168
   %110 = getelementptr inbounds i8, ptr %0, i64 192
-  %111 = getelementptr inbounds i8, ptr %0, i64 1680
+  %111 = getelementptr inbounds i8, ptr %0, i64 1704
   %112 = load ptr, ptr %35, align 8
   %113 = load i64, ptr %34, align 8
   %114 = load ptr, ptr %8, align 8

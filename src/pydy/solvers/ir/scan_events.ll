@@ -1,4 +1,4 @@
-; sources 302ba6857d2d82a93d693b85b60b801aa8116a3eec4e12a9e20688ca67c25ad3
+; sources a067cb92c058948768b76392a70ce0dab0208a52af167698ce5ca18e9c5c1f88
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 650da6d42191fd4a79e00c177e3ff72485aa79defc689b036112793aae2c5384
+; sources 6d9c87488e0d9a7765406e4bffdaacb5cc930ba0d718da1c7c5ad241482dc289
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

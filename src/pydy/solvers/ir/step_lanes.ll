@@ -1,4 +1,4 @@
-; sources 886825ccd8da01ca334b3415f26db2a3f08a518e706bddcc5d7b511f515bfa8d
+; sources dd6bb3006253044653a9fed52c97ba58ded319049a6e87aea21dc575675221f8
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -6,1464 +6,1617 @@
 @PLACES = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
 
 define noundef i64 @step_lanes(ptr noundef %0) #0 {
-  %2 = alloca %struct.Stepper, align 8
-  %3 = alloca [8 x double], align 16
-  %4 = alloca [8 x double], align 16
+  %2 = alloca [64 x double], align 16
+  %3 = alloca [64 x double], align 16
+  %4 = alloca %struct.Stepper, align 8
   %5 = alloca [8 x double], align 16
-  %6 = alloca i64, align 8
-  %7 = alloca [8 x i64], align 16
+  %6 = alloca [8 x double], align 16
+  %7 = alloca [8 x double], align 16
   %8 = alloca i64, align 8
-  store ptr %0, ptr %2, align 8
-  %9 = getelementptr inbounds i8, ptr %2, i64 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %10, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %2, i64 16
-  %12 = getelementptr inbounds i8, ptr %0, i64 432
+  %9 = alloca [8 x i64], align 16
+  %10 = alloca i64, align 8
+  store ptr %0, ptr %4, align 8
+  %11 = getelementptr inbounds i8, ptr %4, i64 8
+  %12 = getelementptr inbounds i8, ptr %0, i64 144
   store ptr %12, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 984
-  %14 = load ptr, ptr %10, align 8
-  %15 = getelementptr inbounds i8, ptr %14, i64 8
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 1032
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 1040
-  %20 = load i64, ptr %19, align 8
-  %21 = getelementptr double, ptr %18, i64 %20
-  %22 = getelementptr i8, ptr %21, i64 -16
-  %23 = load double, ptr %22, align 8
-  %24 = getelementptr inbounds i8, ptr %0, i64 1008
-  %25 = load ptr, ptr %24, align 8
-  %26 = load double, ptr %25, align 8
-  %27 = load ptr, ptr %13, align 8
-  %28 = getelementptr inbounds i8, ptr %27, i64 16
-  %29 = load i64, ptr %28, align 8
-  %30 = load ptr, ptr %0, align 8
-  %31 = getelementptr inbounds i8, ptr %30, i64 8
-  %32 = load i64, ptr %31, align 8
-  %33 = icmp sgt i64 %32, 0
-  %34 = getelementptr inbounds i8, ptr %0, i64 1656
-  %35 = load ptr, ptr %34, align 8
-  %36 = load i64, ptr %35, align 8
-  %37 = getelementptr inbounds i8, ptr %0, i64 1248
-  %38 = load ptr, ptr %37, align 8
-  %39 = getelementptr inbounds i8, ptr %38, i64 8
-  %40 = load i64, ptr %39, align 8
-  store i64 0, ptr %6, align 8
-  %41 = getelementptr inbounds i8, ptr %0, i64 936
-  %42 = load ptr, ptr %41, align 8
-  br label %118
+  %13 = getelementptr inbounds i8, ptr %4, i64 16
+  %14 = getelementptr inbounds i8, ptr %0, i64 432
+  store ptr %14, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 984
+  %16 = load ptr, ptr %12, align 8
+  %17 = getelementptr inbounds i8, ptr %16, i64 8
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %0, i64 1032
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds i8, ptr %0, i64 1040
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr double, ptr %20, i64 %22
+  %24 = getelementptr i8, ptr %23, i64 -16
+  %25 = load double, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %0, i64 1008
+  %27 = load ptr, ptr %26, align 8
+  %28 = load double, ptr %27, align 8
+  %29 = load ptr, ptr %15, align 8
+  %30 = getelementptr inbounds i8, ptr %29, i64 16
+  %31 = load i64, ptr %30, align 8
+  %32 = load ptr, ptr %0, align 8
+  %33 = getelementptr inbounds i8, ptr %32, i64 8
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp sgt i64 %34, 0
+  %36 = getelementptr inbounds i8, ptr %0, i64 1680
+  %37 = load ptr, ptr %36, align 8
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr inbounds i8, ptr %0, i64 1272
+  %40 = load ptr, ptr %39, align 8
+  %41 = getelementptr inbounds i8, ptr %40, i64 8
+  %42 = load i64, ptr %41, align 8
+  store i64 0, ptr %8, align 8
+  %43 = getelementptr inbounds i8, ptr %0, i64 936
+  %44 = load ptr, ptr %43, align 8
+  br label %125
 
-43:                                               ; preds = %118
-  %44 = getelementptr inbounds i8, ptr %0, i64 696
-  %45 = sitofp i64 %29 to double
-  %46 = zext i1 %33 to i32
-  %47 = icmp eq i64 %36, 1
-  %48 = icmp sgt i64 %40, 0
-  store i64 %126, ptr %6, align 8
-  %49 = getelementptr inbounds i8, ptr %0, i64 936
-  %50 = getelementptr inbounds i8, ptr %0, i64 1568
-  %51 = getelementptr inbounds i8, ptr %0, i64 1200
-  %52 = getelementptr inbounds i8, ptr %0, i64 816
-  %53 = insertelement <8 x double> poison, double %23, i64 0
-  %54 = shufflevector <8 x double> %53, <8 x double> poison, <8 x i32> zeroinitializer
-  %55 = getelementptr inbounds i8, ptr %0, i64 720
-  %56 = getelementptr inbounds i8, ptr %0, i64 720
-  %57 = insertelement <8 x double> poison, double %26, i64 0
-  %58 = shufflevector <8 x double> %57, <8 x double> poison, <8 x i32> zeroinitializer
-  %59 = getelementptr inbounds i8, ptr %0, i64 840
-  %60 = getelementptr inbounds i8, ptr %0, i64 864
-  %61 = insertelement <8 x double> poison, double %45, i64 0
-  %62 = shufflevector <8 x double> %61, <8 x double> poison, <8 x i32> zeroinitializer
-  %63 = getelementptr inbounds i8, ptr %0, i64 504
-  %64 = getelementptr inbounds i8, ptr %0, i64 480
-  %65 = getelementptr inbounds i8, ptr %0, i64 24
-  %66 = getelementptr inbounds i8, ptr %0, i64 600
-  %67 = getelementptr inbounds i8, ptr %0, i64 48
-  %68 = getelementptr inbounds i8, ptr %0, i64 72
-  %69 = getelementptr inbounds i8, ptr %0, i64 440
-  %70 = getelementptr inbounds i8, ptr %0, i64 96
-  %71 = getelementptr inbounds i8, ptr %0, i64 168
-  %72 = getelementptr inbounds i8, ptr %0, i64 296
-  %73 = getelementptr inbounds i8, ptr %0, i64 192
-  %74 = getelementptr inbounds i8, ptr %0, i64 240
-  %75 = getelementptr inbounds i8, ptr %0, i64 456
-  %76 = getelementptr inbounds i8, ptr %0, i64 24
-  %77 = getelementptr inbounds i8, ptr %0, i64 600
-  %78 = getelementptr inbounds i8, ptr %0, i64 48
-  %79 = getelementptr inbounds i8, ptr %0, i64 72
-  %80 = getelementptr inbounds i8, ptr %0, i64 440
-  %81 = getelementptr inbounds i8, ptr %0, i64 168
-  %82 = getelementptr inbounds i8, ptr %0, i64 296
-  %83 = getelementptr inbounds i8, ptr %0, i64 192
-  %84 = getelementptr inbounds i8, ptr %0, i64 240
-  %85 = getelementptr inbounds i8, ptr %0, i64 576
-  %86 = getelementptr inbounds i8, ptr %0, i64 440
-  %87 = getelementptr inbounds i8, ptr %0, i64 552
-  %88 = getelementptr inbounds i8, ptr %0, i64 672
-  %89 = getelementptr inbounds i8, ptr %0, i64 648
-  %90 = getelementptr inbounds i8, ptr %0, i64 888
-  %91 = getelementptr inbounds i8, ptr %0, i64 456
-  %92 = getelementptr inbounds i8, ptr %0, i64 440
-  %93 = getelementptr inbounds i8, ptr %0, i64 168
-  %94 = getelementptr inbounds i8, ptr %0, i64 296
-  %95 = getelementptr inbounds i8, ptr %0, i64 192
-  %96 = getelementptr inbounds i8, ptr %0, i64 240
-  %97 = getelementptr inbounds i8, ptr %0, i64 816
-  %98 = getelementptr inbounds i8, ptr %0, i64 440
-  %99 = getelementptr inbounds i8, ptr %0, i64 624
-  %100 = getelementptr inbounds i8, ptr %0, i64 480
-  %101 = getelementptr inbounds i8, ptr %0, i64 96
-  %102 = getelementptr inbounds i8, ptr %0, i64 168
-  %103 = getelementptr inbounds i8, ptr %0, i64 296
-  %104 = getelementptr inbounds i8, ptr %0, i64 192
-  %105 = getelementptr inbounds i8, ptr %0, i64 240
-  %106 = getelementptr inbounds i8, ptr %0, i64 552
-  %107 = getelementptr inbounds i8, ptr %0, i64 456
-  %108 = getelementptr inbounds i8, ptr %0, i64 120
-  %109 = getelementptr inbounds i8, ptr %0, i64 720
-  %110 = getelementptr inbounds i8, ptr %0, i64 744
-  %111 = getelementptr inbounds i8, ptr %0, i64 768
-  %112 = getelementptr inbounds i8, ptr %0, i64 912
-  %113 = icmp sgt i64 %16, 0
+45:                                               ; preds = %125
+  %46 = getelementptr inbounds i8, ptr %0, i64 696
+  %47 = sitofp i64 %31 to double
+  %48 = zext i1 %35 to i32
+  %49 = icmp eq i64 %38, 1
+  %50 = icmp sgt i64 %42, 0
+  store i64 %133, ptr %8, align 8
+  %51 = getelementptr inbounds i8, ptr %0, i64 936
+  %52 = getelementptr inbounds i8, ptr %0, i64 1592
+  %53 = getelementptr inbounds i8, ptr %0, i64 1224
+  %54 = getelementptr inbounds i8, ptr %0, i64 816
+  %55 = insertelement <8 x double> poison, double %25, i64 0
+  %56 = shufflevector <8 x double> %55, <8 x double> poison, <8 x i32> zeroinitializer
+  %57 = getelementptr inbounds i8, ptr %0, i64 720
+  %58 = getelementptr inbounds i8, ptr %0, i64 720
+  %59 = insertelement <8 x double> poison, double %28, i64 0
+  %60 = shufflevector <8 x double> %59, <8 x double> poison, <8 x i32> zeroinitializer
+  %61 = getelementptr inbounds i8, ptr %0, i64 840
+  %62 = getelementptr inbounds i8, ptr %0, i64 864
+  %63 = insertelement <8 x double> poison, double %47, i64 0
+  %64 = shufflevector <8 x double> %63, <8 x double> poison, <8 x i32> zeroinitializer
+  %65 = load ptr, ptr %13, align 8
+  %66 = load ptr, ptr %4, align 8
+  %67 = load ptr, ptr %11, align 8
+  %68 = getelementptr inbounds i8, ptr %65, i64 72
+  %69 = getelementptr inbounds i8, ptr %65, i64 48
+  %70 = getelementptr inbounds i8, ptr %66, i64 24
+  %71 = getelementptr inbounds i8, ptr %65, i64 168
+  %72 = getelementptr inbounds i8, ptr %66, i64 48
+  %73 = getelementptr inbounds i8, ptr %66, i64 72
+  %74 = getelementptr inbounds i8, ptr %65, i64 8
+  %75 = getelementptr inbounds i8, ptr %66, i64 96
+  %76 = getelementptr inbounds i8, ptr %67, i64 24
+  %77 = getelementptr inbounds i8, ptr %67, i64 152
+  %78 = getelementptr inbounds i8, ptr %67, i64 48
+  %79 = getelementptr inbounds i8, ptr %67, i64 96
+  %80 = getelementptr inbounds i8, ptr %65, i64 24
+  %81 = getelementptr inbounds i8, ptr %66, i64 24
+  %82 = getelementptr inbounds i8, ptr %65, i64 168
+  %83 = getelementptr inbounds i8, ptr %66, i64 48
+  %84 = getelementptr inbounds i8, ptr %66, i64 72
+  %85 = getelementptr inbounds i8, ptr %65, i64 8
+  %86 = getelementptr inbounds i8, ptr %67, i64 24
+  %87 = getelementptr inbounds i8, ptr %67, i64 152
+  %88 = getelementptr inbounds i8, ptr %67, i64 48
+  %89 = getelementptr inbounds i8, ptr %67, i64 96
+  %90 = getelementptr inbounds i8, ptr %65, i64 144
+  %91 = getelementptr inbounds i8, ptr %65, i64 8
+  %92 = getelementptr inbounds i8, ptr %65, i64 120
+  %93 = getelementptr inbounds i8, ptr %65, i64 240
+  %94 = getelementptr inbounds i8, ptr %65, i64 216
+  %95 = getelementptr inbounds i8, ptr %65, i64 240
+  %96 = getelementptr inbounds i8, ptr %65, i64 216
+  %97 = getelementptr inbounds i8, ptr %0, i64 888
+  %98 = getelementptr inbounds i8, ptr %0, i64 456
+  %99 = getelementptr inbounds i8, ptr %65, i64 8
+  %100 = getelementptr inbounds i8, ptr %67, i64 24
+  %101 = getelementptr inbounds i8, ptr %67, i64 152
+  %102 = getelementptr inbounds i8, ptr %67, i64 48
+  %103 = getelementptr inbounds i8, ptr %67, i64 96
+  %104 = getelementptr inbounds i8, ptr %0, i64 816
+  %105 = getelementptr inbounds i8, ptr %65, i64 8
+  %106 = getelementptr inbounds i8, ptr %65, i64 192
+  %107 = getelementptr inbounds i8, ptr %65, i64 48
+  %108 = getelementptr inbounds i8, ptr %66, i64 96
+  %109 = getelementptr inbounds i8, ptr %67, i64 24
+  %110 = getelementptr inbounds i8, ptr %67, i64 152
+  %111 = getelementptr inbounds i8, ptr %67, i64 48
+  %112 = getelementptr inbounds i8, ptr %67, i64 96
+  %113 = getelementptr inbounds i8, ptr %65, i64 120
   %114 = getelementptr inbounds i8, ptr %0, i64 456
-  %115 = getelementptr inbounds i8, ptr %0, i64 600
-  %116 = getelementptr inbounds i8, ptr %0, i64 440
-  %117 = icmp sgt i64 %16, 0
-  br label %129
+  %115 = getelementptr inbounds i8, ptr %0, i64 120
+  %116 = getelementptr inbounds i8, ptr %0, i64 720
+  %117 = getelementptr inbounds i8, ptr %0, i64 744
+  %118 = getelementptr inbounds i8, ptr %0, i64 768
+  %119 = getelementptr inbounds i8, ptr %0, i64 912
+  %120 = icmp sgt i64 %18, 0
+  %121 = getelementptr inbounds i8, ptr %0, i64 456
+  %122 = getelementptr inbounds i8, ptr %0, i64 600
+  %123 = getelementptr inbounds i8, ptr %0, i64 440
+  %124 = icmp sgt i64 %18, 0
+  br label %136
 
-118:                                              ; preds = %1, %118
-  %119 = phi i64 [ 0, %1 ], [ %127, %118 ]
-  %120 = phi i64 [ 0, %1 ], [ %126, %118 ]
-  %121 = getelementptr inbounds i64, ptr %42, i64 %119
-  %122 = load i64, ptr %121, align 8
-  %123 = icmp sgt i64 %122, -1
-  %124 = zext i1 %123 to i64
-  %125 = shl nuw nsw i64 %124, %119
-  %126 = or i64 %125, %120
-  %127 = add nuw nsw i64 %119, 1
-  %128 = icmp eq i64 %127, 8
-  br i1 %128, label %43, label %118, !llvm.loop !3
+125:                                              ; preds = %1, %125
+  %126 = phi i64 [ 0, %1 ], [ %134, %125 ]
+  %127 = phi i64 [ 0, %1 ], [ %133, %125 ]
+  %128 = getelementptr inbounds i64, ptr %44, i64 %126
+  %129 = load i64, ptr %128, align 8
+  %130 = icmp sgt i64 %129, -1
+  %131 = zext i1 %130 to i64
+  %132 = shl nuw nsw i64 %131, %126
+  %133 = or i64 %132, %127
+  %134 = add nuw nsw i64 %126, 1
+  %135 = icmp eq i64 %134, 8
+  br i1 %135, label %45, label %125, !llvm.loop !3
 
-129:                                              ; preds = %164, %43
-  %130 = phi i32 [ 1, %43 ], [ %165, %164 ]
-  %131 = phi i64 [ 0, %43 ], [ %166, %164 ]
-  %132 = icmp ne i32 %130, 0
-  %133 = icmp ne i64 %131, 0
-  %134 = select i1 %132, i1 true, i1 %133
-  br i1 %134, label %135, label %167
+136:                                              ; preds = %171, %45
+  %137 = phi i32 [ 1, %45 ], [ %172, %171 ]
+  %138 = phi i64 [ 0, %45 ], [ %173, %171 ]
+  %139 = icmp ne i32 %137, 0
+  %140 = icmp ne i64 %138, 0
+  %141 = select i1 %139, i1 true, i1 %140
+  br i1 %141, label %142, label %174
 
-135:                                              ; preds = %129
-  br i1 %132, label %136, label %138
+142:                                              ; preds = %136
+  br i1 %139, label %143, label %145
 
-136:                                              ; preds = %135
-  %137 = call fastcc i64 @fill(ptr noundef %0, ptr noundef nonnull %6) #10
-  br label %138
+143:                                              ; preds = %142
+  %144 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %8) #11
+  br label %145
 
-138:                                              ; preds = %135, %136
-  %139 = phi i64 [ %137, %136 ], [ 0, %135 ]
-  %140 = load i64, ptr %6, align 8
-  %141 = icmp eq i64 %140, 0
-  br i1 %141, label %160, label %142
+145:                                              ; preds = %142, %143
+  %146 = phi i64 [ %144, %143 ], [ 0, %142 ]
+  %147 = load i64, ptr %8, align 8
+  %148 = icmp eq i64 %147, 0
+  br i1 %148, label %167, label %149
 
-142:                                              ; preds = %138
-  %143 = or i64 %139, %131
-  %144 = icmp eq i64 %143, 0
-  br i1 %144, label %160, label %145
+149:                                              ; preds = %145
+  %150 = or i64 %146, %138
+  %151 = icmp eq i64 %150, 0
+  br i1 %151, label %167, label %152
 
-145:                                              ; preds = %142
-  call fastcc void @start(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %139, i64 noundef %131) #10
-  br label %146
+152:                                              ; preds = %149
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %146, i64 noundef %138) #11
+  br label %153
 
-146:                                              ; preds = %145, %155
-  %147 = phi i32 [ 0, %145 ], [ %157, %155 ]
-  %148 = phi i64 [ 0, %145 ], [ %158, %155 ]
-  %149 = icmp eq i32 %147, 0
-  br i1 %149, label %150, label %155
+153:                                              ; preds = %152, %162
+  %154 = phi i32 [ 0, %152 ], [ %164, %162 ]
+  %155 = phi i64 [ 0, %152 ], [ %165, %162 ]
+  %156 = icmp eq i32 %154, 0
+  br i1 %156, label %157, label %162
 
-150:                                              ; preds = %146
-  %151 = load ptr, ptr %49, align 8
-  %152 = getelementptr inbounds i64, ptr %151, i64 %148
-  %153 = load i64, ptr %152, align 8
-  %154 = icmp eq i64 %153, -1
-  br label %155
+157:                                              ; preds = %153
+  %158 = load ptr, ptr %51, align 8
+  %159 = getelementptr inbounds i64, ptr %158, i64 %155
+  %160 = load i64, ptr %159, align 8
+  %161 = icmp eq i64 %160, -1
+  br label %162
 
-155:                                              ; preds = %150, %146
-  %156 = phi i1 [ true, %146 ], [ %154, %150 ]
-  %157 = zext i1 %156 to i32
-  %158 = add nuw nsw i64 %148, 1
-  %159 = icmp eq i64 %158, 8
-  br i1 %159, label %160, label %146, !llvm.loop !6
+162:                                              ; preds = %157, %153
+  %163 = phi i1 [ true, %153 ], [ %161, %157 ]
+  %164 = zext i1 %163 to i32
+  %165 = add nuw nsw i64 %155, 1
+  %166 = icmp eq i64 %165, 8
+  br i1 %166, label %167, label %153, !llvm.loop !6
 
-160:                                              ; preds = %155, %142, %138
-  %161 = phi i32 [ 1, %138 ], [ 8, %142 ], [ 0, %155 ]
-  %162 = phi i32 [ %130, %138 ], [ 0, %142 ], [ %157, %155 ]
-  %163 = phi i64 [ %131, %138 ], [ %131, %142 ], [ 0, %155 ]
-  switch i32 %161, label %1183 [
-    i32 0, label %164
-    i32 8, label %167
+167:                                              ; preds = %162, %149, %145
+  %168 = phi i32 [ 1, %145 ], [ 8, %149 ], [ 0, %162 ]
+  %169 = phi i32 [ %137, %145 ], [ 0, %149 ], [ %164, %162 ]
+  %170 = phi i64 [ %138, %145 ], [ %138, %149 ], [ 0, %162 ]
+  switch i32 %168, label %1304 [
+    i32 0, label %171
+    i32 8, label %174
   ]
 
-164:                                              ; preds = %160, %1181, %247
-  %165 = phi i32 [ %162, %160 ], [ %1182, %1181 ], [ 1, %247 ]
-  %166 = phi i64 [ %163, %160 ], [ %1159, %1181 ], [ %169, %247 ]
-  br label %129, !llvm.loop !7
+171:                                              ; preds = %167, %1302, %254
+  %172 = phi i32 [ %169, %167 ], [ %1303, %1302 ], [ 1, %254 ]
+  %173 = phi i64 [ %170, %167 ], [ %1280, %1302 ], [ %176, %254 ]
+  br label %136, !llvm.loop !7
 
-167:                                              ; preds = %160, %129
-  %168 = phi i32 [ %162, %160 ], [ 0, %129 ]
-  %169 = phi i64 [ %163, %160 ], [ 0, %129 ]
-  %170 = load ptr, ptr %13, align 8
-  %171 = getelementptr inbounds i8, ptr %170, i64 8
-  %172 = load i64, ptr %171, align 8
-  %173 = icmp slt i64 %172, 1
-  br i1 %173, label %1183, label %174
+174:                                              ; preds = %167, %136
+  %175 = phi i32 [ %169, %167 ], [ 0, %136 ]
+  %176 = phi i64 [ %170, %167 ], [ 0, %136 ]
+  %177 = load ptr, ptr %15, align 8
+  %178 = getelementptr inbounds i8, ptr %177, i64 8
+  %179 = load i64, ptr %178, align 8
+  %180 = icmp slt i64 %179, 1
+  br i1 %180, label %1304, label %181
 
-174:                                              ; preds = %167
-  br i1 %48, label %175, label %195
+181:                                              ; preds = %174
+  br i1 %50, label %182, label %202
 
-175:                                              ; preds = %174
-  %176 = load i64, ptr %50, align 8
-  %177 = icmp sgt i64 %176, 0
-  br i1 %177, label %178, label %192
+182:                                              ; preds = %181
+  %183 = load i64, ptr %52, align 8
+  %184 = icmp sgt i64 %183, 0
+  br i1 %184, label %185, label %199
 
-178:                                              ; preds = %175
-  %179 = load ptr, ptr %37, align 8
-  %180 = getelementptr inbounds i8, ptr %179, i64 72
-  %181 = load i64, ptr %180, align 8
-  %182 = load ptr, ptr %51, align 8
-  %183 = load i64, ptr %182, align 8
-  %184 = inttoptr i64 %183 to ptr
-  %185 = getelementptr inbounds i8, ptr %184, i64 1064
-  %186 = load i64, ptr %185, align 8
-  %187 = shl i64 %186, 4
-  %188 = add i64 %181, 16
-  %189 = add i64 %188, %187
-  %190 = icmp sgt i64 %189, %176
-  %191 = zext i1 %190 to i32
-  br label %192
+185:                                              ; preds = %182
+  %186 = load ptr, ptr %39, align 8
+  %187 = getelementptr inbounds i8, ptr %186, i64 72
+  %188 = load i64, ptr %187, align 8
+  %189 = load ptr, ptr %53, align 8
+  %190 = load i64, ptr %189, align 8
+  %191 = inttoptr i64 %190 to ptr
+  %192 = getelementptr inbounds i8, ptr %191, i64 1064
+  %193 = load i64, ptr %192, align 8
+  %194 = shl i64 %193, 4
+  %195 = add i64 %188, 16
+  %196 = add i64 %195, %194
+  %197 = icmp sgt i64 %196, %183
+  %198 = zext i1 %197 to i32
+  br label %199
 
-192:                                              ; preds = %175, %178
-  %193 = phi i32 [ 0, %175 ], [ %191, %178 ]
-  %194 = icmp eq i32 %193, 0
-  br i1 %194, label %195, label %1183
+199:                                              ; preds = %182, %185
+  %200 = phi i32 [ 0, %182 ], [ %198, %185 ]
+  %201 = icmp eq i32 %200, 0
+  br i1 %201, label %202, label %1304
 
-195:                                              ; preds = %192, %174
-  %196 = add nsw i64 %172, -1
-  store i64 %196, ptr %171, align 8
-  %197 = load i64, ptr %6, align 8
-  %198 = trunc i64 %197 to i8
-  %199 = bitcast i8 %198 to <8 x i1>
-  %200 = load ptr, ptr %44, align 8
-  %201 = load <8 x double>, ptr %200, align 8
-  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %5) #10
-  br i1 %33, label %205, label %202
+202:                                              ; preds = %199, %181
+  %203 = add nsw i64 %179, -1
+  store i64 %203, ptr %178, align 8
+  %204 = load i64, ptr %8, align 8
+  %205 = trunc i64 %204 to i8
+  %206 = bitcast i8 %205 to <8 x i1>
+  %207 = load ptr, ptr %46, align 8
+  %208 = load <8 x double>, ptr %207, align 8
+  call fastcc void @hold_all(ptr noundef nonnull %0, ptr noundef nonnull %7) #11
+  br i1 %35, label %212, label %209
 
-202:                                              ; preds = %195
-  %203 = load ptr, ptr %52, align 8
-  %204 = load <8 x double>, ptr %203, align 8
-  br label %205
+209:                                              ; preds = %202
+  %210 = load ptr, ptr %54, align 8
+  %211 = load <8 x double>, ptr %210, align 8
+  br label %212
 
-205:                                              ; preds = %195, %202
-  %206 = phi <8 x double> [ %204, %202 ], [ %54, %195 ]
-  %207 = load <8 x double>, ptr %5, align 16
-  %208 = fcmp olt <8 x double> %206, %207
-  %209 = select <8 x i1> %208, <8 x double> %206, <8 x double> %207
-  br i1 %33, label %210, label %215
+212:                                              ; preds = %202, %209
+  %213 = phi <8 x double> [ %211, %209 ], [ %56, %202 ]
+  %214 = load <8 x double>, ptr %7, align 16
+  %215 = fcmp olt <8 x double> %213, %214
+  %216 = select <8 x i1> %215, <8 x double> %213, <8 x double> %214
+  br i1 %35, label %217, label %222
 
-210:                                              ; preds = %205
-  %211 = load ptr, ptr %56, align 8
-  %212 = load <8 x double>, ptr %211, align 8
-  %213 = fcmp olt <8 x double> %212, %58
-  %214 = select <8 x i1> %213, <8 x double> %212, <8 x double> %58
-  br label %223
+217:                                              ; preds = %212
+  %218 = load ptr, ptr %58, align 8
+  %219 = load <8 x double>, ptr %218, align 8
+  %220 = fcmp olt <8 x double> %219, %60
+  %221 = select <8 x i1> %220, <8 x double> %219, <8 x double> %60
+  br label %230
 
-215:                                              ; preds = %205
-  %216 = load ptr, ptr %55, align 8
-  %217 = load <8 x double>, ptr %216, align 8
-  %218 = fsub <8 x double> %209, %201
-  %219 = fdiv <8 x double> %218, %217
-  %220 = fmul <8 x double> %219, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
-  %221 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %220)
-  %222 = fdiv <8 x double> %218, %221
-  br label %223
+222:                                              ; preds = %212
+  %223 = load ptr, ptr %57, align 8
+  %224 = load <8 x double>, ptr %223, align 8
+  %225 = fsub <8 x double> %216, %208
+  %226 = fdiv <8 x double> %225, %224
+  %227 = fmul <8 x double> %226, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %228 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %227)
+  %229 = fdiv <8 x double> %225, %228
+  br label %230
 
-223:                                              ; preds = %215, %210
-  %224 = phi <8 x double> [ %214, %210 ], [ %222, %215 ]
-  %225 = fadd <8 x double> %201, %224
-  %226 = fmul <8 x double> %224, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %227 = fsub <8 x double> %209, %226
-  %228 = fcmp ogt <8 x double> %225, %227
-  %229 = select <8 x i1> %228, <8 x double> %209, <8 x double> %225
-  %230 = fsub <8 x double> %229, %201
-  %231 = select <8 x i1> %199, <8 x double> %230, <8 x double> zeroinitializer
-  %232 = load ptr, ptr %59, align 8
-  %233 = load <8 x double>, ptr %232, align 8
-  %234 = load ptr, ptr %60, align 8
-  %235 = load <8 x double>, ptr %234, align 8
-  %236 = fadd <8 x double> %233, %235
-  %237 = fcmp oge <8 x double> %236, %62
-  %238 = fmul <8 x double> %231, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %239 = fadd <8 x double> %201, %238
-  %240 = fcmp ule <8 x double> %239, %201
-  %241 = fcmp une <8 x double> %229, %209
-  %242 = and <8 x i1> %240, %241
-  %243 = or <8 x i1> %242, %237
-  %244 = and <8 x i1> %243, %199
-  %245 = bitcast <8 x i1> %244 to i8
-  %246 = icmp eq i8 %245, 0
-  br i1 %246, label %254, label %247
+230:                                              ; preds = %222, %217
+  %231 = phi <8 x double> [ %221, %217 ], [ %229, %222 ]
+  %232 = fadd <8 x double> %208, %231
+  %233 = fmul <8 x double> %231, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %234 = fsub <8 x double> %216, %233
+  %235 = fcmp ogt <8 x double> %232, %234
+  %236 = select <8 x i1> %235, <8 x double> %216, <8 x double> %232
+  %237 = fsub <8 x double> %236, %208
+  %238 = select <8 x i1> %206, <8 x double> %237, <8 x double> zeroinitializer
+  %239 = load ptr, ptr %61, align 8
+  %240 = load <8 x double>, ptr %239, align 8
+  %241 = load ptr, ptr %62, align 8
+  %242 = load <8 x double>, ptr %241, align 8
+  %243 = fadd <8 x double> %240, %242
+  %244 = fcmp oge <8 x double> %243, %64
+  %245 = fmul <8 x double> %238, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %246 = fadd <8 x double> %208, %245
+  %247 = fcmp ule <8 x double> %246, %208
+  %248 = fcmp une <8 x double> %236, %216
+  %249 = and <8 x i1> %247, %248
+  %250 = or <8 x i1> %249, %244
+  %251 = and <8 x i1> %250, %206
+  %252 = bitcast <8 x i1> %251 to i8
+  %253 = icmp eq i8 %252, 0
+  br i1 %253, label %261, label %254
 
-247:                                              ; preds = %223
-  %248 = zext i8 %245 to i64
-  %249 = bitcast <8 x i1> %237 to i8
-  %250 = zext i8 %249 to i64
-  %251 = and i64 %248, %250
-  call fastcc void @retire(ptr noundef %0, i64 noundef %251, i64 noundef 1) #10
-  %252 = xor i64 %250, -1
-  %253 = and i64 %248, %252
-  call fastcc void @retire(ptr noundef %0, i64 noundef %253, i64 noundef -1) #10
-  br label %164
+254:                                              ; preds = %230
+  %255 = zext i8 %252 to i64
+  %256 = bitcast <8 x i1> %244 to i8
+  %257 = zext i8 %256 to i64
+  %258 = and i64 %255, %257
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %258, i64 noundef 1) #11
+  %259 = xor i64 %257, -1
+  %260 = and i64 %255, %259
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %260, i64 noundef -1) #11
+  br label %171
 
-254:                                              ; preds = %223
-  %255 = load ptr, ptr %0, align 8, !noalias !8
-  %256 = load ptr, ptr %10, align 8, !noalias !8
-  %257 = getelementptr inbounds i8, ptr %256, i64 8
-  %258 = load i64, ptr %257, align 8, !noalias !8
-  %259 = getelementptr inbounds i8, ptr %255, i64 32
-  %260 = load i64, ptr %259, align 8, !noalias !8
-  %261 = icmp ne i64 %260, 1
-  %262 = load i64, ptr %255, align 8, !noalias !8
-  %263 = load ptr, ptr %63, align 8, !noalias !8
-  store <8 x double> %231, ptr %263, align 8, !noalias !8
-  %264 = icmp sgt i64 %262, 1
-  br i1 %264, label %265, label %321
+261:                                              ; preds = %230
+  %262 = load ptr, ptr %66, align 8, !noalias !8
+  %263 = load ptr, ptr %67, align 8, !noalias !8
+  %264 = getelementptr inbounds i8, ptr %263, i64 8
+  %265 = load i64, ptr %264, align 8, !noalias !8
+  %266 = getelementptr inbounds i8, ptr %262, i64 32
+  %267 = load i64, ptr %266, align 8, !noalias !8
+  %268 = icmp ne i64 %267, 1
+  %269 = load i64, ptr %262, align 8, !noalias !8
+  %270 = load ptr, ptr %68, align 8, !noalias !8
+  store <8 x double> %238, ptr %270, align 8, !noalias !8
+  %271 = icmp sgt i64 %269, 1
+  br i1 %271, label %272, label %328
 
-265:                                              ; preds = %254, %308
-  %266 = phi i64 [ %318, %308 ], [ 0, %254 ]
-  %267 = phi i64 [ %319, %308 ], [ 1, %254 ]
-  %268 = load ptr, ptr %64, align 8, !noalias !8
-  %269 = load ptr, ptr %12, align 8, !noalias !8
-  %270 = load ptr, ptr %10, align 8, !noalias !8
-  %271 = getelementptr inbounds i8, ptr %270, i64 16
-  %272 = load i64, ptr %271, align 8, !noalias !8
-  %273 = load ptr, ptr %65, align 8, !noalias !8
-  %274 = getelementptr inbounds i64, ptr %273, i64 %267
-  %275 = load i64, ptr %274, align 8, !noalias !8
-  %276 = getelementptr i8, ptr %274, i64 8
-  %277 = load i64, ptr %276, align 8, !noalias !8
-  %278 = xor i64 %275, -1
-  %279 = add i64 %277, %278
-  %280 = load ptr, ptr %63, align 8, !noalias !8
-  %281 = load ptr, ptr %66, align 8, !noalias !8
-  %282 = load ptr, ptr %67, align 8, !noalias !8
-  %283 = getelementptr inbounds i64, ptr %282, i64 %275
-  %284 = load ptr, ptr %68, align 8, !noalias !8
-  %285 = getelementptr inbounds double, ptr %284, i64 %275
-  call fastcc void @combine(ptr noundef %268, ptr noundef %269, ptr noundef %280, ptr noundef %281, ptr noundef %283, ptr noundef %285, i64 noundef %279, i64 noundef %272) #10
-  %286 = load ptr, ptr %66, align 8, !noalias !8
-  %287 = load i64, ptr %69, align 8, !noalias !8
-  %288 = mul nsw i64 %287, %267
-  %289 = getelementptr inbounds double, ptr %286, i64 %288
-  %290 = load ptr, ptr %70, align 8, !noalias !8
-  %291 = getelementptr inbounds double, ptr %290, i64 %267
-  %292 = load double, ptr %291, align 8, !noalias !8
-  %293 = insertelement <8 x double> poison, double %292, i64 0
-  %294 = shufflevector <8 x double> %293, <8 x double> poison, <8 x i32> zeroinitializer
-  %295 = fmul <8 x double> %231, %294
-  %296 = fadd <8 x double> %201, %295
-  %297 = load ptr, ptr %64, align 8, !noalias !8
-  %298 = load ptr, ptr %71, align 8, !noalias !8
-  store <8 x double> %296, ptr %298, align 8, !noalias !8
-  %299 = load ptr, ptr %10, align 8, !noalias !8
-  %300 = getelementptr inbounds i8, ptr %299, i64 40
-  %301 = load i64, ptr %300, align 8, !noalias !8
-  %302 = icmp eq i64 %301, 0
-  br i1 %302, label %304, label %303
+272:                                              ; preds = %261, %315
+  %273 = phi i64 [ %325, %315 ], [ 0, %261 ]
+  %274 = phi i64 [ %326, %315 ], [ 1, %261 ]
+  %275 = load ptr, ptr %69, align 8, !noalias !8
+  %276 = load ptr, ptr %65, align 8, !noalias !8
+  %277 = load ptr, ptr %67, align 8, !noalias !8
+  %278 = getelementptr inbounds i8, ptr %277, i64 16
+  %279 = load i64, ptr %278, align 8, !noalias !8
+  %280 = load ptr, ptr %70, align 8, !noalias !8
+  %281 = getelementptr inbounds i64, ptr %280, i64 %274
+  %282 = load i64, ptr %281, align 8, !noalias !8
+  %283 = getelementptr i8, ptr %281, i64 8
+  %284 = load i64, ptr %283, align 8, !noalias !8
+  %285 = xor i64 %282, -1
+  %286 = add i64 %284, %285
+  %287 = load ptr, ptr %68, align 8, !noalias !8
+  %288 = load ptr, ptr %71, align 8, !noalias !8
+  %289 = load ptr, ptr %72, align 8, !noalias !8
+  %290 = getelementptr inbounds i64, ptr %289, i64 %282
+  %291 = load ptr, ptr %73, align 8, !noalias !8
+  %292 = getelementptr inbounds double, ptr %291, i64 %282
+  call fastcc void @combine(ptr noundef %275, ptr noundef %276, ptr noundef %287, ptr noundef %288, ptr noundef %290, ptr noundef %292, i64 noundef %286, i64 noundef %279) #11
+  %293 = load ptr, ptr %71, align 8, !noalias !8
+  %294 = load i64, ptr %74, align 8, !noalias !8
+  %295 = mul nsw i64 %294, %274
+  %296 = getelementptr inbounds double, ptr %293, i64 %295
+  %297 = load ptr, ptr %75, align 8, !noalias !8
+  %298 = getelementptr inbounds double, ptr %297, i64 %274
+  %299 = load double, ptr %298, align 8, !noalias !8
+  %300 = insertelement <8 x double> poison, double %299, i64 0
+  %301 = shufflevector <8 x double> %300, <8 x double> poison, <8 x i32> zeroinitializer
+  %302 = fmul <8 x double> %238, %301
+  %303 = fadd <8 x double> %208, %302
+  %304 = load ptr, ptr %69, align 8, !noalias !8
+  %305 = load ptr, ptr %76, align 8, !noalias !8
+  store <8 x double> %303, ptr %305, align 8, !noalias !8
+  %306 = load ptr, ptr %67, align 8, !noalias !8
+  %307 = getelementptr inbounds i8, ptr %306, i64 40
+  %308 = load i64, ptr %307, align 8, !noalias !8
+  %309 = icmp eq i64 %308, 0
+  br i1 %309, label %311, label %310
 
-303:                                              ; preds = %265
-  call fastcc void @settle(ptr noundef nonnull %10) #10, !noalias !8
-  br label %304
+310:                                              ; preds = %272
+  call fastcc void @settle(ptr noundef nonnull %67) #11, !noalias !8
+  br label %311
 
-304:                                              ; preds = %303, %265
-  %305 = load i64, ptr %72, align 8, !noalias !8
-  %306 = icmp sgt i64 %305, 0
-  br i1 %306, label %307, label %308
+311:                                              ; preds = %310, %272
+  %312 = load i64, ptr %77, align 8, !noalias !8
+  %313 = icmp sgt i64 %312, 0
+  br i1 %313, label %314, label %315
 
-307:                                              ; preds = %304
-  call fastcc void @sample(ptr noundef nonnull %10) #10, !noalias !8
-  br label %308
+314:                                              ; preds = %311
+  call fastcc void @sample(ptr noundef nonnull %67) #11, !noalias !8
+  br label %315
 
-308:                                              ; preds = %307, %304
-  %309 = load ptr, ptr %10, align 8, !noalias !8
-  %310 = load i64, ptr %309, align 8, !noalias !8
-  %311 = load ptr, ptr %71, align 8, !noalias !8
-  %312 = load ptr, ptr %73, align 8, !noalias !8
-  %313 = load ptr, ptr %74, align 8, !noalias !8
-  %314 = inttoptr i64 %310 to ptr
-  %315 = load ptr, ptr %314, align 8, !noalias !8
-  %316 = call i32 %315(ptr noundef %311, ptr noundef %297, ptr noundef %312, ptr noundef %313, ptr noundef %289) #11, !noalias !8
-  %317 = zext i32 %316 to i64
-  %318 = or i64 %266, %317
-  %319 = add nuw nsw i64 %267, 1
-  %320 = icmp eq i64 %319, %262
-  br i1 %320, label %321, label %265, !llvm.loop !11
+315:                                              ; preds = %314, %311
+  %316 = load ptr, ptr %67, align 8, !noalias !8
+  %317 = load i64, ptr %316, align 8, !noalias !8
+  %318 = load ptr, ptr %76, align 8, !noalias !8
+  %319 = load ptr, ptr %78, align 8, !noalias !8
+  %320 = load ptr, ptr %79, align 8, !noalias !8
+  %321 = inttoptr i64 %317 to ptr
+  %322 = load ptr, ptr %321, align 8, !noalias !8
+  %323 = call i32 %322(ptr noundef %318, ptr noundef %304, ptr noundef %319, ptr noundef %320, ptr noundef %296) #12, !noalias !8
+  %324 = zext i32 %323 to i64
+  %325 = or i64 %273, %324
+  %326 = add nuw nsw i64 %274, 1
+  %327 = icmp eq i64 %326, %269
+  br i1 %327, label %328, label %272, !llvm.loop !11
 
-321:                                              ; preds = %308, %254
-  %322 = phi i64 [ 0, %254 ], [ %318, %308 ]
-  %323 = load ptr, ptr %75, align 8, !noalias !8
-  %324 = load ptr, ptr %12, align 8, !noalias !8
-  %325 = load ptr, ptr %10, align 8, !noalias !8
-  %326 = getelementptr inbounds i8, ptr %325, i64 16
-  %327 = load i64, ptr %326, align 8, !noalias !8
-  %328 = load ptr, ptr %76, align 8, !noalias !8
-  %329 = getelementptr inbounds i64, ptr %328, i64 %262
-  %330 = load i64, ptr %329, align 8, !noalias !8
-  %331 = getelementptr i8, ptr %329, i64 8
-  %332 = load i64, ptr %331, align 8, !noalias !8
-  %333 = xor i64 %330, -1
-  %334 = add i64 %332, %333
-  %335 = load ptr, ptr %63, align 8, !noalias !8
-  %336 = load ptr, ptr %77, align 8, !noalias !8
-  %337 = load ptr, ptr %78, align 8, !noalias !8
-  %338 = getelementptr inbounds i64, ptr %337, i64 %330
-  %339 = load ptr, ptr %79, align 8, !noalias !8
-  %340 = getelementptr inbounds double, ptr %339, i64 %330
-  call fastcc void @combine(ptr noundef %323, ptr noundef %324, ptr noundef %335, ptr noundef %336, ptr noundef %338, ptr noundef %340, i64 noundef %334, i64 noundef %327) #10
-  br i1 %261, label %369, label %341
+328:                                              ; preds = %315, %261
+  %329 = phi i64 [ 0, %261 ], [ %325, %315 ]
+  %330 = load ptr, ptr %80, align 8, !noalias !8
+  %331 = load ptr, ptr %65, align 8, !noalias !8
+  %332 = load ptr, ptr %67, align 8, !noalias !8
+  %333 = getelementptr inbounds i8, ptr %332, i64 16
+  %334 = load i64, ptr %333, align 8, !noalias !8
+  %335 = load ptr, ptr %81, align 8, !noalias !8
+  %336 = getelementptr inbounds i64, ptr %335, i64 %269
+  %337 = load i64, ptr %336, align 8, !noalias !8
+  %338 = getelementptr i8, ptr %336, i64 8
+  %339 = load i64, ptr %338, align 8, !noalias !8
+  %340 = xor i64 %337, -1
+  %341 = add i64 %339, %340
+  %342 = load ptr, ptr %68, align 8, !noalias !8
+  %343 = load ptr, ptr %82, align 8, !noalias !8
+  %344 = load ptr, ptr %83, align 8, !noalias !8
+  %345 = getelementptr inbounds i64, ptr %344, i64 %337
+  %346 = load ptr, ptr %84, align 8, !noalias !8
+  %347 = getelementptr inbounds double, ptr %346, i64 %337
+  call fastcc void @combine(ptr noundef %330, ptr noundef %331, ptr noundef %342, ptr noundef %343, ptr noundef %345, ptr noundef %347, i64 noundef %341, i64 noundef %334) #11
+  br i1 %268, label %376, label %348
 
-341:                                              ; preds = %321
-  %342 = load ptr, ptr %75, align 8, !noalias !8
-  %343 = load ptr, ptr %77, align 8, !noalias !8
-  %344 = load i64, ptr %255, align 8, !noalias !8
-  %345 = load i64, ptr %80, align 8, !noalias !8
-  %346 = mul nsw i64 %345, %344
-  %347 = getelementptr inbounds double, ptr %343, i64 %346
-  %348 = load ptr, ptr %81, align 8, !noalias !8
-  store <8 x double> %229, ptr %348, align 8, !noalias !8
-  %349 = load ptr, ptr %10, align 8, !noalias !8
-  %350 = getelementptr inbounds i8, ptr %349, i64 40
-  %351 = load i64, ptr %350, align 8, !noalias !8
-  %352 = icmp eq i64 %351, 0
-  br i1 %352, label %354, label %353
+348:                                              ; preds = %328
+  %349 = load ptr, ptr %80, align 8, !noalias !8
+  %350 = load ptr, ptr %82, align 8, !noalias !8
+  %351 = load i64, ptr %262, align 8, !noalias !8
+  %352 = load i64, ptr %85, align 8, !noalias !8
+  %353 = mul nsw i64 %352, %351
+  %354 = getelementptr inbounds double, ptr %350, i64 %353
+  %355 = load ptr, ptr %86, align 8, !noalias !8
+  store <8 x double> %236, ptr %355, align 8, !noalias !8
+  %356 = load ptr, ptr %67, align 8, !noalias !8
+  %357 = getelementptr inbounds i8, ptr %356, i64 40
+  %358 = load i64, ptr %357, align 8, !noalias !8
+  %359 = icmp eq i64 %358, 0
+  br i1 %359, label %361, label %360
 
-353:                                              ; preds = %341
-  call fastcc void @settle(ptr noundef nonnull %10) #10, !noalias !8
-  br label %354
+360:                                              ; preds = %348
+  call fastcc void @settle(ptr noundef nonnull %67) #11, !noalias !8
+  br label %361
 
-354:                                              ; preds = %353, %341
-  %355 = load i64, ptr %82, align 8, !noalias !8
-  %356 = icmp sgt i64 %355, 0
-  br i1 %356, label %357, label %358
+361:                                              ; preds = %360, %348
+  %362 = load i64, ptr %87, align 8, !noalias !8
+  %363 = icmp sgt i64 %362, 0
+  br i1 %363, label %364, label %365
 
-357:                                              ; preds = %354
-  call fastcc void @sample(ptr noundef nonnull %10) #10, !noalias !8
-  br label %358
+364:                                              ; preds = %361
+  call fastcc void @sample(ptr noundef nonnull %67) #11, !noalias !8
+  br label %365
 
-358:                                              ; preds = %354, %357
-  %359 = load ptr, ptr %10, align 8, !noalias !8
-  %360 = load i64, ptr %359, align 8, !noalias !8
-  %361 = load ptr, ptr %81, align 8, !noalias !8
-  %362 = load ptr, ptr %83, align 8, !noalias !8
-  %363 = load ptr, ptr %84, align 8, !noalias !8
-  %364 = inttoptr i64 %360 to ptr
-  %365 = load ptr, ptr %364, align 8, !noalias !8
-  %366 = call i32 %365(ptr noundef %361, ptr noundef %342, ptr noundef %362, ptr noundef %363, ptr noundef %347) #11, !noalias !8
-  %367 = zext i32 %366 to i64
-  %368 = or i64 %322, %367
-  br label %369
+365:                                              ; preds = %361, %364
+  %366 = load ptr, ptr %67, align 8, !noalias !8
+  %367 = load i64, ptr %366, align 8, !noalias !8
+  %368 = load ptr, ptr %86, align 8, !noalias !8
+  %369 = load ptr, ptr %88, align 8, !noalias !8
+  %370 = load ptr, ptr %89, align 8, !noalias !8
+  %371 = inttoptr i64 %367 to ptr
+  %372 = load ptr, ptr %371, align 8, !noalias !8
+  %373 = call i32 %372(ptr noundef %368, ptr noundef %349, ptr noundef %369, ptr noundef %370, ptr noundef %354) #12, !noalias !8
+  %374 = zext i32 %373 to i64
+  %375 = or i64 %329, %374
+  br label %376
 
-369:                                              ; preds = %358, %321
-  %370 = phi i64 [ %368, %358 ], [ %322, %321 ]
-  %371 = load ptr, ptr %0, align 8, !noalias !8
-  %372 = getelementptr inbounds i8, ptr %371, i64 8
-  %373 = load i64, ptr %372, align 8, !noalias !8
-  %374 = icmp slt i64 %373, 1
-  br i1 %374, label %375, label %379
+376:                                              ; preds = %365, %328
+  %377 = phi i64 [ %375, %365 ], [ %329, %328 ]
+  %378 = load ptr, ptr %0, align 8, !noalias !8
+  %379 = getelementptr inbounds i8, ptr %378, i64 8
+  %380 = load i64, ptr %379, align 8, !noalias !8
+  %381 = icmp slt i64 %380, 1
+  br i1 %381, label %382, label %386
 
-375:                                              ; preds = %369
-  %376 = icmp sgt i64 %258, 0
-  br i1 %376, label %377, label %547
+382:                                              ; preds = %376
+  %383 = icmp sgt i64 %265, 0
+  br i1 %383, label %384, label %668
 
-377:                                              ; preds = %375
-  %378 = load ptr, ptr %75, align 8, !noalias !8
-  br label %537
+384:                                              ; preds = %382
+  %385 = load ptr, ptr %80, align 8, !noalias !8
+  br label %658
 
-379:                                              ; preds = %369
-  %380 = load ptr, ptr %10, align 8, !noalias !8
-  %381 = getelementptr inbounds i8, ptr %380, i64 24
-  %382 = load i64, ptr %381, align 8, !noalias !8
-  %383 = load ptr, ptr %85, align 8, !noalias !8
-  %384 = load i64, ptr %86, align 8, !noalias !8
-  %385 = getelementptr inbounds i8, ptr %380, i64 32
-  br label %395
+386:                                              ; preds = %376
+  %387 = load ptr, ptr %19, align 8, !noalias !8
+  %388 = load i64, ptr %21, align 8, !noalias !8
+  %389 = getelementptr double, ptr %387, i64 %388
+  %390 = getelementptr i8, ptr %389, i64 -16
+  %391 = load double, ptr %390, align 8, !noalias !8
+  %392 = load double, ptr %387, align 8, !noalias !8
+  %393 = fsub double %391, %392
+  %394 = fmul double %393, 0x3D70000000000000
+  %395 = load ptr, ptr %67, align 8, !noalias !8
+  %396 = load ptr, ptr %66, align 8, !noalias !8
+  %397 = getelementptr inbounds i8, ptr %395, i64 24
+  %398 = load i64, ptr %397, align 8, !noalias !8
+  %399 = getelementptr inbounds i8, ptr %396, i64 8
+  %400 = load i64, ptr %399, align 8, !noalias !8
+  %401 = load ptr, ptr %90, align 8, !noalias !8
+  %402 = load i64, ptr %91, align 8, !noalias !8
+  %403 = getelementptr inbounds double, ptr %401, i64 %402
+  %404 = icmp sgt i64 %400, 0
+  br i1 %404, label %405, label %407
 
-386:                                              ; preds = %395
-  %387 = getelementptr inbounds double, ptr %383, i64 %384
-  %388 = icmp sgt i64 %382, 0
-  br i1 %388, label %389, label %421
+405:                                              ; preds = %386
+  %406 = getelementptr inbounds i8, ptr %395, i64 32
+  br label %415
 
-389:                                              ; preds = %386
-  %390 = load ptr, ptr %12, align 8, !noalias !8
-  %391 = load ptr, ptr %75, align 8, !noalias !8
-  %392 = load ptr, ptr %88, align 8, !noalias !8
-  %393 = load ptr, ptr %89, align 8, !noalias !8
-  %394 = load ptr, ptr %85, align 8, !noalias !8
-  br label %484
+407:                                              ; preds = %415, %386
+  %408 = icmp sgt i64 %398, 0
+  br i1 %408, label %409, label %477
 
-395:                                              ; preds = %379, %395
-  %396 = phi i64 [ 0, %379 ], [ %419, %395 ]
-  %397 = load i64, ptr %371, align 8, !noalias !8
-  %398 = load i64, ptr %385, align 8, !noalias !8
-  %399 = load ptr, ptr %85, align 8, !noalias !8
-  %400 = load i64, ptr %86, align 8, !noalias !8
-  %401 = mul nsw i64 %400, %396
-  %402 = getelementptr inbounds double, ptr %399, i64 %401
-  %403 = load ptr, ptr %87, align 8, !noalias !8
-  %404 = load ptr, ptr %76, align 8, !noalias !8
-  %405 = getelementptr i64, ptr %404, i64 %397
-  %406 = getelementptr i8, ptr %405, i64 8
-  %407 = getelementptr i64, ptr %406, i64 %396
-  %408 = load i64, ptr %407, align 8, !noalias !8
-  %409 = getelementptr i8, ptr %407, i64 8
-  %410 = load i64, ptr %409, align 8, !noalias !8
-  %411 = xor i64 %408, -1
-  %412 = add i64 %410, %411
-  %413 = load ptr, ptr %63, align 8, !noalias !8
-  %414 = load ptr, ptr %77, align 8, !noalias !8
-  %415 = load ptr, ptr %78, align 8, !noalias !8
-  %416 = getelementptr inbounds i64, ptr %415, i64 %408
-  %417 = load ptr, ptr %79, align 8, !noalias !8
-  %418 = getelementptr inbounds double, ptr %417, i64 %408
-  call fastcc void @combine(ptr noundef %402, ptr noundef %403, ptr noundef %413, ptr noundef %414, ptr noundef %416, ptr noundef %418, i64 noundef %412, i64 noundef %398) #10
-  %419 = add nuw nsw i64 %396, 1
-  %420 = icmp eq i64 %419, %373
-  br i1 %420, label %386, label %395, !llvm.loop !12
+409:                                              ; preds = %407
+  %410 = load ptr, ptr %65, align 8, !noalias !8
+  %411 = load ptr, ptr %80, align 8, !noalias !8
+  %412 = load ptr, ptr %93, align 8, !noalias !8
+  %413 = load ptr, ptr %94, align 8, !noalias !8
+  %414 = load ptr, ptr %90, align 8, !noalias !8
+  br label %441
 
-421:                                              ; preds = %484, %386
-  %422 = phi <8 x double> [ zeroinitializer, %386 ], [ %517, %484 ]
-  %423 = phi <8 x double> [ zeroinitializer, %386 ], [ %515, %484 ]
-  %424 = load ptr, ptr %75, align 8, !noalias !8
-  %425 = getelementptr inbounds i8, ptr %380, i64 8
-  %426 = load i64, ptr %425, align 8, !noalias !8
-  %427 = add nsw i64 %426, -3
-  %428 = getelementptr i8, ptr %424, i64 64
-  %429 = getelementptr i8, ptr %424, i64 128
-  %430 = getelementptr i8, ptr %424, i64 192
-  %431 = icmp slt i64 %382, %427
-  br i1 %431, label %439, label %432
+415:                                              ; preds = %405, %415
+  %416 = phi i64 [ 0, %405 ], [ %439, %415 ]
+  %417 = load i64, ptr %396, align 8, !noalias !8
+  %418 = load i64, ptr %406, align 8, !noalias !8
+  %419 = load ptr, ptr %90, align 8, !noalias !8
+  %420 = load i64, ptr %91, align 8, !noalias !8
+  %421 = mul nsw i64 %420, %416
+  %422 = getelementptr inbounds double, ptr %419, i64 %421
+  %423 = load ptr, ptr %92, align 8, !noalias !8
+  %424 = load ptr, ptr %81, align 8, !noalias !8
+  %425 = getelementptr i64, ptr %424, i64 %417
+  %426 = getelementptr i8, ptr %425, i64 8
+  %427 = getelementptr i64, ptr %426, i64 %416
+  %428 = load i64, ptr %427, align 8, !noalias !8
+  %429 = getelementptr i8, ptr %427, i64 8
+  %430 = load i64, ptr %429, align 8, !noalias !8
+  %431 = xor i64 %428, -1
+  %432 = add i64 %430, %431
+  %433 = load ptr, ptr %68, align 8, !noalias !8
+  %434 = load ptr, ptr %82, align 8, !noalias !8
+  %435 = load ptr, ptr %83, align 8, !noalias !8
+  %436 = getelementptr inbounds i64, ptr %435, i64 %428
+  %437 = load ptr, ptr %84, align 8, !noalias !8
+  %438 = getelementptr inbounds double, ptr %437, i64 %428
+  call fastcc void @combine(ptr noundef %422, ptr noundef %423, ptr noundef %433, ptr noundef %434, ptr noundef %436, ptr noundef %438, i64 noundef %432, i64 noundef %418) #11
+  %439 = add nuw nsw i64 %416, 1
+  %440 = icmp eq i64 %439, %400
+  br i1 %440, label %407, label %415, !llvm.loop !12
 
-432:                                              ; preds = %439, %421
-  %433 = phi <8 x double> [ zeroinitializer, %421 ], [ %449, %439 ]
-  %434 = phi <8 x double> [ zeroinitializer, %421 ], [ %454, %439 ]
-  %435 = phi <8 x double> [ zeroinitializer, %421 ], [ %459, %439 ]
-  %436 = phi <8 x double> [ zeroinitializer, %421 ], [ %464, %439 ]
-  %437 = phi i64 [ %382, %421 ], [ %465, %439 ]
-  %438 = icmp slt i64 %437, %426
-  br i1 %438, label %467, label %477
-
-439:                                              ; preds = %421, %439
-  %440 = phi i64 [ %465, %439 ], [ %382, %421 ]
-  %441 = phi <8 x double> [ %464, %439 ], [ zeroinitializer, %421 ]
-  %442 = phi <8 x double> [ %459, %439 ], [ zeroinitializer, %421 ]
-  %443 = phi <8 x double> [ %454, %439 ], [ zeroinitializer, %421 ]
-  %444 = phi <8 x double> [ %449, %439 ], [ zeroinitializer, %421 ]
-  %445 = shl nsw i64 %440, 6
-  %446 = getelementptr inbounds i8, ptr %424, i64 %445
+441:                                              ; preds = %409, %441
+  %442 = phi <8 x double> [ zeroinitializer, %409 ], [ %472, %441 ]
+  %443 = phi <8 x double> [ zeroinitializer, %409 ], [ %474, %441 ]
+  %444 = phi i64 [ 0, %409 ], [ %475, %441 ]
+  %445 = shl nsw i64 %444, 6
+  %446 = getelementptr inbounds i8, ptr %410, i64 %445
   %447 = load <8 x double>, ptr %446, align 8, !noalias !8
-  %448 = fmul <8 x double> %447, zeroinitializer
-  %449 = fadd <8 x double> %444, %448
-  %450 = shl i64 %440, 6
-  %451 = getelementptr i8, ptr %428, i64 %450
-  %452 = load <8 x double>, ptr %451, align 8, !noalias !8
-  %453 = fmul <8 x double> %452, zeroinitializer
-  %454 = fadd <8 x double> %443, %453
-  %455 = shl i64 %440, 6
-  %456 = getelementptr i8, ptr %429, i64 %455
-  %457 = load <8 x double>, ptr %456, align 8, !noalias !8
-  %458 = fmul <8 x double> %457, zeroinitializer
-  %459 = fadd <8 x double> %442, %458
-  %460 = shl i64 %440, 6
-  %461 = getelementptr i8, ptr %430, i64 %460
-  %462 = load <8 x double>, ptr %461, align 8, !noalias !8
-  %463 = fmul <8 x double> %462, zeroinitializer
-  %464 = fadd <8 x double> %441, %463
-  %465 = add nsw i64 %440, 4
-  %466 = icmp slt i64 %465, %427
-  br i1 %466, label %439, label %432, !llvm.loop !13
+  %448 = getelementptr inbounds i8, ptr %411, i64 %445
+  %449 = load <8 x double>, ptr %448, align 8, !noalias !8
+  %450 = getelementptr inbounds double, ptr %412, i64 %444
+  %451 = load double, ptr %450, align 8, !noalias !8
+  %452 = insertelement <8 x double> poison, double %451, i64 0
+  %453 = shufflevector <8 x double> %452, <8 x double> poison, <8 x i32> zeroinitializer
+  %454 = getelementptr inbounds double, ptr %413, i64 %444
+  %455 = load double, ptr %454, align 8, !noalias !8
+  %456 = insertelement <8 x double> poison, double %455, i64 0
+  %457 = shufflevector <8 x double> %456, <8 x double> poison, <8 x i32> zeroinitializer
+  %458 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %447)
+  %459 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %449)
+  %460 = fcmp ogt <8 x double> %458, %459
+  %461 = select <8 x i1> %460, <8 x double> %458, <8 x double> %459
+  %462 = fmul <8 x double> %461, %457
+  %463 = fadd <8 x double> %453, %462
+  %464 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %463
+  %465 = getelementptr inbounds i8, ptr %414, i64 %445
+  %466 = load <8 x double>, ptr %465, align 8, !noalias !8
+  %467 = fmul <8 x double> %466, %464
+  %468 = getelementptr inbounds i8, ptr %403, i64 %445
+  %469 = load <8 x double>, ptr %468, align 8, !noalias !8
+  %470 = fmul <8 x double> %469, %464
+  %471 = fmul <8 x double> %467, %467
+  %472 = fadd <8 x double> %442, %471
+  %473 = fmul <8 x double> %470, %470
+  %474 = fadd <8 x double> %443, %473
+  %475 = add nuw nsw i64 %444, 1
+  %476 = icmp eq i64 %475, %398
+  br i1 %476, label %477, label %441, !llvm.loop !13
 
-467:                                              ; preds = %432, %467
-  %468 = phi i64 [ %475, %467 ], [ %437, %432 ]
-  %469 = phi <8 x double> [ %474, %467 ], [ %433, %432 ]
-  %470 = shl nsw i64 %468, 6
-  %471 = getelementptr inbounds i8, ptr %424, i64 %470
-  %472 = load <8 x double>, ptr %471, align 8, !noalias !8
-  %473 = fmul <8 x double> %472, zeroinitializer
-  %474 = fadd <8 x double> %469, %473
-  %475 = add nsw i64 %468, 1
-  %476 = icmp eq i64 %475, %426
-  br i1 %476, label %477, label %467, !llvm.loop !14
+477:                                              ; preds = %441, %407
+  %478 = phi <8 x double> [ zeroinitializer, %407 ], [ %474, %441 ]
+  %479 = phi <8 x double> [ zeroinitializer, %407 ], [ %472, %441 ]
+  %480 = load ptr, ptr %80, align 8, !noalias !8
+  %481 = getelementptr inbounds i8, ptr %395, i64 8
+  %482 = load i64, ptr %481, align 8, !noalias !8
+  %483 = add nsw i64 %482, -3
+  %484 = getelementptr i8, ptr %480, i64 64
+  %485 = getelementptr i8, ptr %480, i64 128
+  %486 = getelementptr i8, ptr %480, i64 192
+  %487 = icmp slt i64 %398, %483
+  br i1 %487, label %495, label %488
 
-477:                                              ; preds = %467, %432
-  %478 = phi <8 x double> [ %433, %432 ], [ %474, %467 ]
-  %479 = fadd <8 x double> %434, %478
-  %480 = fadd <8 x double> %435, %436
-  %481 = fadd <8 x double> %480, %479
-  %482 = fadd <8 x double> %423, %481
-  %483 = icmp eq i64 %373, 2
-  br i1 %483, label %520, label %531
+488:                                              ; preds = %495, %477
+  %489 = phi <8 x double> [ zeroinitializer, %477 ], [ %505, %495 ]
+  %490 = phi <8 x double> [ zeroinitializer, %477 ], [ %510, %495 ]
+  %491 = phi <8 x double> [ zeroinitializer, %477 ], [ %515, %495 ]
+  %492 = phi <8 x double> [ zeroinitializer, %477 ], [ %520, %495 ]
+  %493 = phi i64 [ %398, %477 ], [ %521, %495 ]
+  %494 = icmp slt i64 %493, %482
+  br i1 %494, label %523, label %533
 
-484:                                              ; preds = %389, %484
-  %485 = phi <8 x double> [ zeroinitializer, %389 ], [ %515, %484 ]
-  %486 = phi <8 x double> [ zeroinitializer, %389 ], [ %517, %484 ]
-  %487 = phi i64 [ 0, %389 ], [ %518, %484 ]
-  %488 = shl nsw i64 %487, 6
-  %489 = getelementptr inbounds i8, ptr %390, i64 %488
-  %490 = load <8 x double>, ptr %489, align 8, !noalias !8
-  %491 = getelementptr inbounds i8, ptr %391, i64 %488
-  %492 = load <8 x double>, ptr %491, align 8, !noalias !8
-  %493 = getelementptr inbounds double, ptr %392, i64 %487
-  %494 = load double, ptr %493, align 8, !noalias !8
-  %495 = insertelement <8 x double> poison, double %494, i64 0
-  %496 = shufflevector <8 x double> %495, <8 x double> poison, <8 x i32> zeroinitializer
-  %497 = getelementptr inbounds double, ptr %393, i64 %487
-  %498 = load double, ptr %497, align 8, !noalias !8
-  %499 = insertelement <8 x double> poison, double %498, i64 0
-  %500 = shufflevector <8 x double> %499, <8 x double> poison, <8 x i32> zeroinitializer
-  %501 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %490)
-  %502 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %492)
-  %503 = fcmp ogt <8 x double> %501, %502
-  %504 = select <8 x i1> %503, <8 x double> %501, <8 x double> %502
-  %505 = fmul <8 x double> %504, %500
-  %506 = fadd <8 x double> %496, %505
-  %507 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %506
-  %508 = getelementptr inbounds i8, ptr %394, i64 %488
-  %509 = load <8 x double>, ptr %508, align 8, !noalias !8
-  %510 = fmul <8 x double> %509, %507
-  %511 = getelementptr inbounds i8, ptr %387, i64 %488
-  %512 = load <8 x double>, ptr %511, align 8, !noalias !8
-  %513 = fmul <8 x double> %512, %507
-  %514 = fmul <8 x double> %510, %510
-  %515 = fadd <8 x double> %485, %514
-  %516 = fmul <8 x double> %513, %513
-  %517 = fadd <8 x double> %486, %516
-  %518 = add nuw nsw i64 %487, 1
-  %519 = icmp eq i64 %518, %382
-  br i1 %519, label %421, label %484, !llvm.loop !15
+495:                                              ; preds = %477, %495
+  %496 = phi i64 [ %521, %495 ], [ %398, %477 ]
+  %497 = phi <8 x double> [ %520, %495 ], [ zeroinitializer, %477 ]
+  %498 = phi <8 x double> [ %515, %495 ], [ zeroinitializer, %477 ]
+  %499 = phi <8 x double> [ %510, %495 ], [ zeroinitializer, %477 ]
+  %500 = phi <8 x double> [ %505, %495 ], [ zeroinitializer, %477 ]
+  %501 = shl nsw i64 %496, 6
+  %502 = getelementptr inbounds i8, ptr %480, i64 %501
+  %503 = load <8 x double>, ptr %502, align 8, !noalias !8
+  %504 = fmul <8 x double> %503, zeroinitializer
+  %505 = fadd <8 x double> %500, %504
+  %506 = shl i64 %496, 6
+  %507 = getelementptr i8, ptr %484, i64 %506
+  %508 = load <8 x double>, ptr %507, align 8, !noalias !8
+  %509 = fmul <8 x double> %508, zeroinitializer
+  %510 = fadd <8 x double> %499, %509
+  %511 = shl i64 %496, 6
+  %512 = getelementptr i8, ptr %485, i64 %511
+  %513 = load <8 x double>, ptr %512, align 8, !noalias !8
+  %514 = fmul <8 x double> %513, zeroinitializer
+  %515 = fadd <8 x double> %498, %514
+  %516 = shl i64 %496, 6
+  %517 = getelementptr i8, ptr %486, i64 %516
+  %518 = load <8 x double>, ptr %517, align 8, !noalias !8
+  %519 = fmul <8 x double> %518, zeroinitializer
+  %520 = fadd <8 x double> %497, %519
+  %521 = add nsw i64 %496, 4
+  %522 = icmp slt i64 %521, %483
+  br i1 %522, label %495, label %488, !llvm.loop !14
 
-520:                                              ; preds = %477
-  %521 = fmul <8 x double> %422, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %522 = fadd <8 x double> %521, %482
-  %523 = sitofp i64 %382 to double
-  %524 = insertelement <8 x double> poison, double %523, i64 0
-  %525 = shufflevector <8 x double> %524, <8 x double> poison, <8 x i32> zeroinitializer
-  %526 = fmul <8 x double> %525, %522
-  %527 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %526)
-  %528 = fdiv <8 x double> %482, %527
-  %529 = fcmp oeq <8 x double> %482, zeroinitializer
-  %530 = select <8 x i1> %529, <8 x double> zeroinitializer, <8 x double> %528
-  br label %547
+523:                                              ; preds = %488, %523
+  %524 = phi i64 [ %531, %523 ], [ %493, %488 ]
+  %525 = phi <8 x double> [ %530, %523 ], [ %489, %488 ]
+  %526 = shl nsw i64 %524, 6
+  %527 = getelementptr inbounds i8, ptr %480, i64 %526
+  %528 = load <8 x double>, ptr %527, align 8, !noalias !8
+  %529 = fmul <8 x double> %528, zeroinitializer
+  %530 = fadd <8 x double> %525, %529
+  %531 = add nsw i64 %524, 1
+  %532 = icmp eq i64 %531, %482
+  br i1 %532, label %533, label %523, !llvm.loop !15
 
-531:                                              ; preds = %477
-  %532 = sitofp i64 %382 to double
-  %533 = insertelement <8 x double> poison, double %532, i64 0
-  %534 = shufflevector <8 x double> %533, <8 x double> poison, <8 x i32> zeroinitializer
-  %535 = fdiv <8 x double> %482, %534
-  %536 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %535)
-  br label %547
+533:                                              ; preds = %523, %488
+  %534 = phi <8 x double> [ %489, %488 ], [ %530, %523 ]
+  %535 = fadd <8 x double> %490, %534
+  %536 = fadd <8 x double> %491, %492
+  %537 = fadd <8 x double> %536, %535
+  %538 = fadd <8 x double> %479, %537
+  %539 = icmp eq i64 %400, 2
+  br i1 %539, label %540, label %551
 
-537:                                              ; preds = %377, %537
-  %538 = phi i64 [ 0, %377 ], [ %545, %537 ]
-  %539 = phi <8 x double> [ zeroinitializer, %377 ], [ %544, %537 ]
-  %540 = shl nsw i64 %538, 6
-  %541 = getelementptr inbounds i8, ptr %378, i64 %540
-  %542 = load <8 x double>, ptr %541, align 8, !noalias !8
-  %543 = fmul <8 x double> %542, zeroinitializer
-  %544 = fadd <8 x double> %539, %543
-  %545 = add nuw nsw i64 %538, 1
-  %546 = icmp eq i64 %545, %258
-  br i1 %546, label %547, label %537, !llvm.loop !16
+540:                                              ; preds = %533
+  %541 = fmul <8 x double> %478, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %542 = fadd <8 x double> %541, %538
+  %543 = sitofp i64 %398 to double
+  %544 = insertelement <8 x double> poison, double %543, i64 0
+  %545 = shufflevector <8 x double> %544, <8 x double> poison, <8 x i32> zeroinitializer
+  %546 = fmul <8 x double> %545, %542
+  %547 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %546)
+  %548 = fdiv <8 x double> %538, %547
+  %549 = fcmp oeq <8 x double> %538, zeroinitializer
+  %550 = select <8 x i1> %549, <8 x double> zeroinitializer, <8 x double> %548
+  br label %557
 
-547:                                              ; preds = %537, %375, %531, %520
-  %548 = phi <8 x double> [ %530, %520 ], [ %536, %531 ], [ zeroinitializer, %375 ], [ %544, %537 ]
-  %549 = fcmp olt <8 x double> %548, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %550 = bitcast <8 x i1> %549 to i8
-  %551 = zext i8 %550 to i64
-  %552 = xor i64 %370, -1
-  %553 = and i64 %552, %551
-  %554 = and i64 %553, %197
-  %555 = load ptr, ptr %90, align 8, !noalias !8
-  %556 = load <8 x double>, ptr %555, align 8, !noalias !8
-  %557 = load i64, ptr %255, align 8, !noalias !8
-  %558 = sext i1 %261 to i64
-  %559 = add i64 %557, %558
-  %560 = sitofp i64 %559 to double
-  %561 = insertelement <8 x double> poison, double %560, i64 0
-  %562 = shufflevector <8 x double> %561, <8 x double> poison, <8 x i32> zeroinitializer
-  %563 = fadd <8 x double> %556, %562
-  store <8 x double> %563, ptr %555, align 8, !noalias !8
-  %564 = icmp ne i64 %554, 0
-  %565 = select i1 %47, i1 %564, i1 false
-  br i1 %565, label %566, label %569
+551:                                              ; preds = %533
+  %552 = sitofp i64 %398 to double
+  %553 = insertelement <8 x double> poison, double %552, i64 0
+  %554 = shufflevector <8 x double> %553, <8 x double> poison, <8 x i32> zeroinitializer
+  %555 = fdiv <8 x double> %538, %554
+  %556 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %555)
+  br label %557
 
-566:                                              ; preds = %547
-  store <8 x double> %229, ptr %3, align 16
-  %567 = load ptr, ptr %91, align 8
-  %568 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %3, ptr noundef %567, i64 noundef %554, i32 noundef %46) #10
+557:                                              ; preds = %540, %551
+  %558 = phi <8 x double> [ %550, %540 ], [ %556, %551 ]
+  %559 = load ptr, ptr %90, align 8, !noalias !8
+  %560 = load ptr, ptr %68, align 8, !noalias !8
+  %561 = load <8 x double>, ptr %560, align 8, !noalias !8
+  %562 = load i64, ptr %397, align 8, !noalias !8
+  %563 = getelementptr inbounds i8, ptr %395, i64 48
+  %564 = load i64, ptr %563, align 8, !noalias !8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %2, i8 0, i64 512, i1 false), !noalias !8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %3, i8 0, i64 512, i1 false), !noalias !8
+  %565 = icmp eq i64 %564, 0
+  br i1 %565, label %656, label %566
+
+566:                                              ; preds = %557
+  br i1 %539, label %567, label %569
+
+567:                                              ; preds = %566
+  %568 = load i64, ptr %91, align 8, !noalias !8
   br label %569
 
-569:                                              ; preds = %566, %547
-  %570 = phi i64 [ %568, %566 ], [ 0, %547 ]
-  %571 = xor i64 %570, -1
-  %572 = and i64 %554, %571
-  %573 = load ptr, ptr %0, align 8
-  %574 = icmp eq i64 %572, 0
-  br i1 %574, label %619, label %575
+569:                                              ; preds = %567, %566
+  %570 = phi i64 [ %568, %567 ], [ 0, %566 ]
+  %571 = getelementptr inbounds double, ptr %559, i64 %570
+  %572 = icmp slt i64 %562, %564
+  br i1 %572, label %574, label %573
 
-575:                                              ; preds = %569
-  %576 = getelementptr inbounds i8, ptr %573, i64 32
-  %577 = load i64, ptr %576, align 8
-  %578 = icmp eq i64 %577, 1
-  br i1 %578, label %579, label %583
+573:                                              ; preds = %578, %569
+  br label %643
 
-579:                                              ; preds = %575
-  %580 = load ptr, ptr %34, align 8
-  %581 = load i64, ptr %580, align 8
-  %582 = icmp eq i64 %581, 1
-  br i1 %582, label %583, label %619
+574:                                              ; preds = %569
+  %575 = load ptr, ptr %65, align 8, !noalias !8
+  %576 = load ptr, ptr %95, align 8, !noalias !8
+  %577 = load ptr, ptr %96, align 8, !noalias !8
+  br label %578
 
-583:                                              ; preds = %579, %575
-  %584 = load ptr, ptr %75, align 8
-  %585 = load ptr, ptr %77, align 8
-  %586 = load i64, ptr %573, align 8
-  %587 = load i64, ptr %92, align 8
-  %588 = mul nsw i64 %587, %586
-  %589 = getelementptr inbounds double, ptr %585, i64 %588
-  %590 = load ptr, ptr %93, align 8
-  store <8 x double> %229, ptr %590, align 8
-  %591 = load ptr, ptr %10, align 8
-  %592 = getelementptr inbounds i8, ptr %591, i64 40
-  %593 = load i64, ptr %592, align 8
-  %594 = icmp eq i64 %593, 0
-  br i1 %594, label %596, label %595
+578:                                              ; preds = %574, %578
+  %579 = phi i64 [ %562, %574 ], [ %614, %578 ]
+  %580 = shl nsw i64 %579, 6
+  %581 = getelementptr inbounds i8, ptr %575, i64 %580
+  %582 = load <8 x double>, ptr %581, align 8, !noalias !8
+  %583 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %582)
+  %584 = getelementptr inbounds i8, ptr %480, i64 %580
+  %585 = load <8 x double>, ptr %584, align 8, !noalias !8
+  %586 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %585)
+  %587 = fcmp ogt <8 x double> %583, %586
+  %588 = select <8 x i1> %587, <8 x double> %583, <8 x double> %586
+  %589 = getelementptr inbounds i8, ptr %576, i64 %580
+  %590 = load <8 x double>, ptr %589, align 8, !noalias !8
+  %591 = getelementptr inbounds double, ptr %577, i64 %579
+  %592 = load double, ptr %591, align 8, !noalias !8
+  %593 = insertelement <8 x double> poison, double %592, i64 0
+  %594 = shufflevector <8 x double> %593, <8 x double> poison, <8 x i32> zeroinitializer
+  %595 = fmul <8 x double> %588, %594
+  %596 = fadd <8 x double> %590, %595
+  %597 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %596
+  %598 = getelementptr inbounds i8, ptr %559, i64 %580
+  %599 = load <8 x double>, ptr %598, align 8, !noalias !8
+  %600 = fmul <8 x double> %599, %597
+  %601 = getelementptr inbounds i8, ptr %571, i64 %580
+  %602 = load <8 x double>, ptr %601, align 8, !noalias !8
+  %603 = fmul <8 x double> %602, %597
+  %604 = srem i64 %579, 8
+  %605 = shl nsw i64 %604, 6
+  %606 = getelementptr inbounds i8, ptr %2, i64 %605
+  %607 = load <8 x double>, ptr %606, align 16, !noalias !8
+  %608 = fmul <8 x double> %600, %600
+  %609 = fadd <8 x double> %607, %608
+  store <8 x double> %609, ptr %606, align 16, !noalias !8
+  %610 = getelementptr inbounds i8, ptr %3, i64 %605
+  %611 = load <8 x double>, ptr %610, align 16, !noalias !8
+  %612 = fmul <8 x double> %603, %603
+  %613 = fadd <8 x double> %611, %612
+  store <8 x double> %613, ptr %610, align 16, !noalias !8
+  %614 = add nsw i64 %579, 1
+  %615 = icmp eq i64 %614, %564
+  br i1 %615, label %573, label %578, !llvm.loop !16
 
-595:                                              ; preds = %583
-  call fastcc void @settle(ptr noundef nonnull %10) #10
-  br label %596
+616:                                              ; preds = %643
+  %617 = sub nsw i64 %564, %562
+  br i1 %539, label %618, label %629
 
-596:                                              ; preds = %595, %583
-  %597 = load i64, ptr %94, align 8
-  %598 = icmp sgt i64 %597, 0
-  br i1 %598, label %599, label %600
+618:                                              ; preds = %616
+  %619 = fmul <8 x double> %653, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %620 = fadd <8 x double> %650, %619
+  %621 = sitofp i64 %617 to double
+  %622 = insertelement <8 x double> poison, double %621, i64 0
+  %623 = shufflevector <8 x double> %622, <8 x double> poison, <8 x i32> zeroinitializer
+  %624 = fmul <8 x double> %623, %620
+  %625 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %624)
+  %626 = fdiv <8 x double> %650, %625
+  %627 = fcmp oeq <8 x double> %650, zeroinitializer
+  %628 = select <8 x i1> %627, <8 x double> zeroinitializer, <8 x double> %626
+  br label %635
 
-599:                                              ; preds = %596
-  call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %600
+629:                                              ; preds = %616
+  %630 = sitofp i64 %617 to double
+  %631 = insertelement <8 x double> poison, double %630, i64 0
+  %632 = shufflevector <8 x double> %631, <8 x double> poison, <8 x i32> zeroinitializer
+  %633 = fdiv <8 x double> %650, %632
+  %634 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %633)
+  br label %635
 
-600:                                              ; preds = %596, %599
-  %601 = load ptr, ptr %10, align 8
-  %602 = load i64, ptr %601, align 8
-  %603 = load ptr, ptr %93, align 8
-  %604 = load ptr, ptr %95, align 8
-  %605 = load ptr, ptr %96, align 8
-  %606 = inttoptr i64 %602 to ptr
-  %607 = load ptr, ptr %606, align 8
-  %608 = call i32 %607(ptr noundef %603, ptr noundef %584, ptr noundef %604, ptr noundef %605, ptr noundef %589) #11
-  %609 = zext i32 %608 to i64
-  %610 = or i64 %370, %609
-  %611 = load ptr, ptr %90, align 8
-  %612 = load <8 x double>, ptr %611, align 8
-  %613 = trunc nuw i64 %572 to i8
-  %614 = bitcast i8 %613 to <8 x i1>
-  %615 = select <8 x i1> %614, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %616 = fadd <8 x double> %615, %612
-  store <8 x double> %616, ptr %611, align 8
-  %617 = xor i64 %610, -1
-  %618 = and i64 %572, %617
-  br label %619
+635:                                              ; preds = %629, %618
+  %636 = phi <8 x double> [ %628, %618 ], [ %634, %629 ]
+  %637 = insertelement <8 x double> poison, double %394, i64 0
+  %638 = shufflevector <8 x double> %637, <8 x double> poison, <8 x i32> zeroinitializer
+  %639 = fcmp ogt <8 x double> %561, %638
+  %640 = fcmp ogt <8 x double> %636, %558
+  %641 = select <8 x i1> %639, <8 x i1> %640, <8 x i1> zeroinitializer
+  %642 = select <8 x i1> %641, <8 x double> %636, <8 x double> %558
+  br label %656
 
-619:                                              ; preds = %569, %579, %600
-  %620 = phi i64 [ %370, %569 ], [ %610, %600 ], [ %370, %579 ]
-  %621 = phi i64 [ %572, %569 ], [ %618, %600 ], [ %572, %579 ]
-  %622 = icmp ne i64 %621, 0
-  %623 = select i1 %48, i1 %622, i1 false
-  br i1 %623, label %624, label %628
+643:                                              ; preds = %573, %643
+  %644 = phi i64 [ %654, %643 ], [ 0, %573 ]
+  %645 = phi <8 x double> [ %653, %643 ], [ zeroinitializer, %573 ]
+  %646 = phi <8 x double> [ %650, %643 ], [ zeroinitializer, %573 ]
+  %647 = shl nuw nsw i64 %644, 6
+  %648 = getelementptr inbounds i8, ptr %2, i64 %647
+  %649 = load <8 x double>, ptr %648, align 16, !noalias !8
+  %650 = fadd <8 x double> %646, %649
+  %651 = getelementptr inbounds i8, ptr %3, i64 %647
+  %652 = load <8 x double>, ptr %651, align 16, !noalias !8
+  %653 = fadd <8 x double> %645, %652
+  %654 = add nuw nsw i64 %644, 1
+  %655 = icmp eq i64 %654, 8
+  br i1 %655, label %616, label %643, !llvm.loop !17
 
-624:                                              ; preds = %619
-  %625 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
-  %626 = xor i64 %625, -1
-  %627 = and i64 %621, %626
-  br label %628
+656:                                              ; preds = %557, %635
+  %657 = phi <8 x double> [ %558, %557 ], [ %642, %635 ]
+  br label %668
 
-628:                                              ; preds = %619, %624
-  %629 = phi i64 [ %627, %624 ], [ 0, %619 ]
-  store i64 0, ptr %8, align 8
-  %630 = load ptr, ptr %97, align 8
-  %631 = load <8 x double>, ptr %630, align 8
-  %632 = fcmp olt <8 x double> %631, %229
-  %633 = bitcast <8 x i1> %632 to i8
-  %634 = zext i8 %633 to i64
-  %635 = and i64 %621, %634
-  %636 = or i64 %635, %629
-  %637 = icmp eq i64 %636, 0
-  br i1 %637, label %838, label %638
+658:                                              ; preds = %384, %658
+  %659 = phi i64 [ 0, %384 ], [ %666, %658 ]
+  %660 = phi <8 x double> [ zeroinitializer, %384 ], [ %665, %658 ]
+  %661 = shl nsw i64 %659, 6
+  %662 = getelementptr inbounds i8, ptr %385, i64 %661
+  %663 = load <8 x double>, ptr %662, align 8, !noalias !8
+  %664 = fmul <8 x double> %663, zeroinitializer
+  %665 = fadd <8 x double> %660, %664
+  %666 = add nuw nsw i64 %659, 1
+  %667 = icmp eq i64 %666, %265
+  br i1 %667, label %668, label %658, !llvm.loop !18
 
-638:                                              ; preds = %628
-  %639 = load ptr, ptr %90, align 8
-  %640 = load <8 x double>, ptr %639, align 8
-  %641 = trunc nuw i64 %636 to i8
-  %642 = bitcast i8 %641 to <8 x i1>
-  %643 = load ptr, ptr %0, align 8
-  %644 = getelementptr inbounds i8, ptr %643, i64 16
-  %645 = load i64, ptr %644, align 8
-  %646 = sitofp i64 %645 to double
-  %647 = insertelement <8 x double> poison, double %646, i64 0
-  %648 = shufflevector <8 x double> %647, <8 x double> poison, <8 x i32> zeroinitializer
-  %649 = select <8 x i1> %642, <8 x double> %648, <8 x double> zeroinitializer
-  %650 = fadd <8 x double> %640, %649
-  store <8 x double> %650, ptr %639, align 8
-  %651 = load ptr, ptr %0, align 8
-  %652 = load ptr, ptr %10, align 8
-  %653 = getelementptr inbounds i8, ptr %652, i64 16
-  %654 = load i64, ptr %653, align 8
-  %655 = load i64, ptr %651, align 8
-  %656 = load i64, ptr %98, align 8
-  %657 = load ptr, ptr %77, align 8
-  %658 = mul nsw i64 %656, %655
-  %659 = getelementptr inbounds double, ptr %657, i64 %658
-  %660 = load ptr, ptr %99, align 8
-  %661 = add nsw i64 %655, 1
-  %662 = getelementptr inbounds i8, ptr %651, i64 16
-  %663 = load i64, ptr %662, align 8
-  %664 = icmp sgt i64 %663, 0
-  br i1 %664, label %665, label %667
+668:                                              ; preds = %658, %382, %656
+  %669 = phi <8 x double> [ %657, %656 ], [ zeroinitializer, %382 ], [ %665, %658 ]
+  %670 = fcmp olt <8 x double> %669, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %671 = bitcast <8 x i1> %670 to i8
+  %672 = zext i8 %671 to i64
+  %673 = xor i64 %377, -1
+  %674 = and i64 %673, %672
+  %675 = and i64 %674, %204
+  %676 = load ptr, ptr %97, align 8, !noalias !8
+  %677 = load <8 x double>, ptr %676, align 8, !noalias !8
+  %678 = load i64, ptr %262, align 8, !noalias !8
+  %679 = sext i1 %268 to i64
+  %680 = add i64 %678, %679
+  %681 = sitofp i64 %680 to double
+  %682 = insertelement <8 x double> poison, double %681, i64 0
+  %683 = shufflevector <8 x double> %682, <8 x double> poison, <8 x i32> zeroinitializer
+  %684 = fadd <8 x double> %677, %683
+  store <8 x double> %684, ptr %676, align 8, !noalias !8
+  %685 = icmp ne i64 %675, 0
+  %686 = select i1 %49, i1 %685, i1 false
+  br i1 %686, label %687, label %690
 
-665:                                              ; preds = %638
-  %666 = getelementptr inbounds i8, ptr %651, i64 8
-  br label %678
+687:                                              ; preds = %668
+  store <8 x double> %236, ptr %5, align 16
+  %688 = load ptr, ptr %98, align 8
+  %689 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %5, ptr noundef %688, i64 noundef %675, i32 noundef %48) #11
+  br label %690
 
-667:                                              ; preds = %719, %638
-  %668 = phi i64 [ 0, %638 ], [ %729, %719 ]
-  %669 = getelementptr inbounds i8, ptr %651, i64 16
-  %670 = load ptr, ptr %10, align 8
-  %671 = getelementptr inbounds i8, ptr %670, i64 8
-  %672 = load i64, ptr %671, align 8
-  %673 = icmp sgt i64 %672, 0
-  br i1 %673, label %674, label %734
+690:                                              ; preds = %687, %668
+  %691 = phi i64 [ %689, %687 ], [ 0, %668 ]
+  %692 = xor i64 %691, -1
+  %693 = and i64 %675, %692
+  %694 = load ptr, ptr %66, align 8
+  %695 = icmp eq i64 %693, 0
+  br i1 %695, label %740, label %696
 
-674:                                              ; preds = %667
-  %675 = getelementptr inbounds double, ptr %660, i64 %656
-  %676 = shl nsw i64 %656, 4
-  %677 = getelementptr inbounds i8, ptr %660, i64 %676
-  br label %741
+696:                                              ; preds = %690
+  %697 = getelementptr inbounds i8, ptr %694, i64 32
+  %698 = load i64, ptr %697, align 8
+  %699 = icmp eq i64 %698, 1
+  br i1 %699, label %700, label %704
 
-678:                                              ; preds = %665, %719
-  %679 = phi i64 [ 0, %665 ], [ %729, %719 ]
-  %680 = phi i64 [ %661, %665 ], [ %730, %719 ]
-  %681 = load i64, ptr %666, align 8
-  %682 = load ptr, ptr %100, align 8
-  %683 = load ptr, ptr %12, align 8
-  %684 = load ptr, ptr %76, align 8
-  %685 = getelementptr i64, ptr %684, i64 %680
-  %686 = getelementptr i64, ptr %685, i64 %681
-  %687 = load i64, ptr %686, align 8
-  %688 = getelementptr i8, ptr %686, i64 8
-  %689 = load i64, ptr %688, align 8
-  %690 = xor i64 %687, -1
-  %691 = add i64 %689, %690
-  %692 = load ptr, ptr %63, align 8
-  %693 = load ptr, ptr %77, align 8
-  %694 = load ptr, ptr %78, align 8
-  %695 = getelementptr inbounds i64, ptr %694, i64 %687
-  %696 = load ptr, ptr %79, align 8
-  %697 = getelementptr inbounds double, ptr %696, i64 %687
-  call fastcc void @combine(ptr noundef %682, ptr noundef %683, ptr noundef %692, ptr noundef %693, ptr noundef %695, ptr noundef %697, i64 noundef %691, i64 noundef %654) #10
-  %698 = load ptr, ptr %77, align 8
-  %699 = mul nsw i64 %680, %656
-  %700 = getelementptr inbounds double, ptr %698, i64 %699
-  %701 = load ptr, ptr %101, align 8
-  %702 = getelementptr inbounds double, ptr %701, i64 %680
-  %703 = load double, ptr %702, align 8
-  %704 = insertelement <8 x double> poison, double %703, i64 0
-  %705 = shufflevector <8 x double> %704, <8 x double> poison, <8 x i32> zeroinitializer
-  %706 = fmul <8 x double> %231, %705
-  %707 = fadd <8 x double> %201, %706
-  %708 = load ptr, ptr %100, align 8
-  %709 = load ptr, ptr %102, align 8
-  store <8 x double> %707, ptr %709, align 8
-  %710 = load ptr, ptr %10, align 8
-  %711 = getelementptr inbounds i8, ptr %710, i64 40
-  %712 = load i64, ptr %711, align 8
-  %713 = icmp eq i64 %712, 0
-  br i1 %713, label %715, label %714
+700:                                              ; preds = %696
+  %701 = load ptr, ptr %36, align 8
+  %702 = load i64, ptr %701, align 8
+  %703 = icmp eq i64 %702, 1
+  br i1 %703, label %704, label %740
 
-714:                                              ; preds = %678
-  call fastcc void @settle(ptr noundef nonnull %10) #10
-  br label %715
+704:                                              ; preds = %700, %696
+  %705 = load ptr, ptr %80, align 8
+  %706 = load ptr, ptr %82, align 8
+  %707 = load i64, ptr %694, align 8
+  %708 = load i64, ptr %99, align 8
+  %709 = mul nsw i64 %708, %707
+  %710 = getelementptr inbounds double, ptr %706, i64 %709
+  %711 = load ptr, ptr %100, align 8
+  store <8 x double> %236, ptr %711, align 8
+  %712 = load ptr, ptr %67, align 8
+  %713 = getelementptr inbounds i8, ptr %712, i64 40
+  %714 = load i64, ptr %713, align 8
+  %715 = icmp eq i64 %714, 0
+  br i1 %715, label %717, label %716
 
-715:                                              ; preds = %714, %678
-  %716 = load i64, ptr %103, align 8
-  %717 = icmp sgt i64 %716, 0
-  br i1 %717, label %718, label %719
+716:                                              ; preds = %704
+  call fastcc void @settle(ptr noundef nonnull %67) #11
+  br label %717
 
-718:                                              ; preds = %715
-  call fastcc void @sample(ptr noundef nonnull %10) #10
-  br label %719
+717:                                              ; preds = %716, %704
+  %718 = load i64, ptr %101, align 8
+  %719 = icmp sgt i64 %718, 0
+  br i1 %719, label %720, label %721
 
-719:                                              ; preds = %718, %715
-  %720 = load ptr, ptr %10, align 8
-  %721 = load i64, ptr %720, align 8
-  %722 = load ptr, ptr %102, align 8
-  %723 = load ptr, ptr %104, align 8
-  %724 = load ptr, ptr %105, align 8
-  %725 = inttoptr i64 %721 to ptr
-  %726 = load ptr, ptr %725, align 8
-  %727 = call i32 %726(ptr noundef %722, ptr noundef %708, ptr noundef %723, ptr noundef %724, ptr noundef %700) #11
-  %728 = sext i32 %727 to i64
-  %729 = or i64 %679, %728
-  %730 = add nsw i64 %680, 1
-  %731 = load i64, ptr %662, align 8
-  %732 = add nsw i64 %731, %661
-  %733 = icmp slt i64 %730, %732
-  br i1 %733, label %678, label %667, !llvm.loop !17
+720:                                              ; preds = %717
+  call fastcc void @sample(ptr noundef nonnull %67) #11
+  br label %721
 
-734:                                              ; preds = %741, %667
-  %735 = getelementptr inbounds i8, ptr %651, i64 8
-  %736 = load i64, ptr %735, align 8
-  %737 = load i64, ptr %669, align 8
-  %738 = getelementptr inbounds i8, ptr %651, i64 24
-  %739 = load i64, ptr %738, align 8
-  %740 = icmp sgt i64 %739, 3
-  br i1 %740, label %769, label %794
+721:                                              ; preds = %717, %720
+  %722 = load ptr, ptr %67, align 8
+  %723 = load i64, ptr %722, align 8
+  %724 = load ptr, ptr %100, align 8
+  %725 = load ptr, ptr %102, align 8
+  %726 = load ptr, ptr %103, align 8
+  %727 = inttoptr i64 %723 to ptr
+  %728 = load ptr, ptr %727, align 8
+  %729 = call i32 %728(ptr noundef %724, ptr noundef %705, ptr noundef %725, ptr noundef %726, ptr noundef %710) #12
+  %730 = zext i32 %729 to i64
+  %731 = or i64 %377, %730
+  %732 = load ptr, ptr %97, align 8
+  %733 = load <8 x double>, ptr %732, align 8
+  %734 = trunc nuw i64 %693 to i8
+  %735 = bitcast i8 %734 to <8 x i1>
+  %736 = select <8 x i1> %735, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %737 = fadd <8 x double> %736, %733
+  store <8 x double> %737, ptr %732, align 8
+  %738 = xor i64 %731, -1
+  %739 = and i64 %693, %738
+  br label %740
 
-741:                                              ; preds = %674, %741
-  %742 = phi i64 [ 0, %674 ], [ %764, %741 ]
-  %743 = load ptr, ptr %75, align 8
-  %744 = shl nsw i64 %742, 6
-  %745 = getelementptr inbounds i8, ptr %743, i64 %744
-  %746 = load <8 x double>, ptr %745, align 8
-  %747 = load ptr, ptr %12, align 8
-  %748 = getelementptr inbounds i8, ptr %747, i64 %744
-  %749 = load <8 x double>, ptr %748, align 8
-  %750 = fsub <8 x double> %746, %749
-  %751 = load ptr, ptr %77, align 8
-  %752 = getelementptr inbounds i8, ptr %751, i64 %744
-  %753 = load <8 x double>, ptr %752, align 8
-  %754 = fmul <8 x double> %231, %753
-  %755 = fsub <8 x double> %754, %750
-  %756 = getelementptr inbounds i8, ptr %660, i64 %744
-  store <8 x double> %750, ptr %756, align 8
-  %757 = getelementptr inbounds i8, ptr %675, i64 %744
-  store <8 x double> %755, ptr %757, align 8
-  %758 = fsub <8 x double> %750, %755
-  %759 = getelementptr inbounds i8, ptr %659, i64 %744
-  %760 = load <8 x double>, ptr %759, align 8
-  %761 = fmul <8 x double> %231, %760
-  %762 = fsub <8 x double> %758, %761
-  %763 = getelementptr inbounds i8, ptr %677, i64 %744
-  store <8 x double> %762, ptr %763, align 8
-  %764 = add nuw nsw i64 %742, 1
-  %765 = load ptr, ptr %10, align 8
-  %766 = getelementptr inbounds i8, ptr %765, i64 8
-  %767 = load i64, ptr %766, align 8
-  %768 = icmp slt i64 %764, %767
-  br i1 %768, label %741, label %734, !llvm.loop !18
+740:                                              ; preds = %690, %700, %721
+  %741 = phi i64 [ %377, %690 ], [ %731, %721 ], [ %377, %700 ]
+  %742 = phi i64 [ %693, %690 ], [ %739, %721 ], [ %693, %700 ]
+  %743 = icmp ne i64 %742, 0
+  %744 = select i1 %50, i1 %743, i1 false
+  br i1 %744, label %745, label %749
 
-769:                                              ; preds = %734, %769
-  %770 = phi i64 [ %791, %769 ], [ 3, %734 ]
-  %771 = mul nsw i64 %770, %656
-  %772 = getelementptr inbounds double, ptr %660, i64 %771
-  %773 = load ptr, ptr %106, align 8
-  %774 = load ptr, ptr %76, align 8
-  %775 = getelementptr i64, ptr %774, i64 %661
-  %776 = getelementptr i64, ptr %775, i64 %736
-  %777 = getelementptr i64, ptr %776, i64 %737
-  %778 = getelementptr i64, ptr %777, i64 %770
-  %779 = getelementptr i8, ptr %778, i64 -24
-  %780 = load i64, ptr %779, align 8
-  %781 = getelementptr i8, ptr %778, i64 -16
-  %782 = load i64, ptr %781, align 8
-  %783 = xor i64 %780, -1
-  %784 = add i64 %782, %783
-  %785 = load ptr, ptr %63, align 8
-  %786 = load ptr, ptr %77, align 8
-  %787 = load ptr, ptr %78, align 8
-  %788 = getelementptr inbounds i64, ptr %787, i64 %780
-  %789 = load ptr, ptr %79, align 8
-  %790 = getelementptr inbounds double, ptr %789, i64 %780
-  call fastcc void @combine(ptr noundef %772, ptr noundef %773, ptr noundef %785, ptr noundef %786, ptr noundef %788, ptr noundef %790, i64 noundef %784, i64 noundef %654) #10
-  %791 = add nuw nsw i64 %770, 1
-  %792 = load i64, ptr %738, align 8
-  %793 = icmp slt i64 %791, %792
-  br i1 %793, label %769, label %794, !llvm.loop !19
+745:                                              ; preds = %740
+  %746 = call fastcc i64 @clear_lanes(ptr noundef nonnull %0) #11
+  %747 = xor i64 %746, -1
+  %748 = and i64 %742, %747
+  br label %749
 
-794:                                              ; preds = %769, %734
-  %795 = and i64 %668, %636
-  %796 = icmp eq i64 %795, 0
-  br i1 %796, label %801, label %797
+749:                                              ; preds = %740, %745
+  %750 = phi i64 [ %748, %745 ], [ 0, %740 ]
+  store i64 0, ptr %10, align 8
+  %751 = load ptr, ptr %104, align 8
+  %752 = load <8 x double>, ptr %751, align 8
+  %753 = fcmp olt <8 x double> %752, %236
+  %754 = bitcast <8 x i1> %753 to i8
+  %755 = zext i8 %754 to i64
+  %756 = and i64 %742, %755
+  %757 = or i64 %756, %750
+  %758 = icmp eq i64 %757, 0
+  br i1 %758, label %959, label %759
 
-797:                                              ; preds = %794
-  call fastcc void @retire(ptr noundef %0, i64 noundef %795, i64 noundef 3) #10
-  %798 = xor i64 %795, -1
-  %799 = and i64 %197, %798
-  store i64 %799, ptr %6, align 8
-  %800 = and i64 %629, %798
-  br label %801
+759:                                              ; preds = %749
+  %760 = load ptr, ptr %97, align 8
+  %761 = load <8 x double>, ptr %760, align 8
+  %762 = trunc nuw i64 %757 to i8
+  %763 = bitcast i8 %762 to <8 x i1>
+  %764 = load ptr, ptr %66, align 8
+  %765 = getelementptr inbounds i8, ptr %764, i64 16
+  %766 = load i64, ptr %765, align 8
+  %767 = sitofp i64 %766 to double
+  %768 = insertelement <8 x double> poison, double %767, i64 0
+  %769 = shufflevector <8 x double> %768, <8 x double> poison, <8 x i32> zeroinitializer
+  %770 = select <8 x i1> %763, <8 x double> %769, <8 x double> zeroinitializer
+  %771 = fadd <8 x double> %761, %770
+  store <8 x double> %771, ptr %760, align 8
+  %772 = load ptr, ptr %66, align 8
+  %773 = load ptr, ptr %67, align 8
+  %774 = getelementptr inbounds i8, ptr %773, i64 16
+  %775 = load i64, ptr %774, align 8
+  %776 = load i64, ptr %772, align 8
+  %777 = load i64, ptr %105, align 8
+  %778 = load ptr, ptr %82, align 8
+  %779 = mul nsw i64 %777, %776
+  %780 = getelementptr inbounds double, ptr %778, i64 %779
+  %781 = load ptr, ptr %106, align 8
+  %782 = add nsw i64 %776, 1
+  %783 = getelementptr inbounds i8, ptr %772, i64 16
+  %784 = load i64, ptr %783, align 8
+  %785 = icmp sgt i64 %784, 0
+  br i1 %785, label %786, label %788
 
-801:                                              ; preds = %797, %794
-  %802 = phi i32 [ 1, %797 ], [ %168, %794 ]
-  %803 = phi i64 [ %800, %797 ], [ %629, %794 ]
-  store <8 x double> %229, ptr %3, align 16
-  %804 = icmp eq i64 %803, 0
-  br i1 %804, label %807, label %805
+786:                                              ; preds = %759
+  %787 = getelementptr inbounds i8, ptr %772, i64 8
+  br label %799
 
-805:                                              ; preds = %801
-  %806 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %803, ptr noundef nonnull %3, ptr noundef nonnull %5, ptr noundef nonnull %7, ptr noundef nonnull %4, ptr noundef nonnull %8) #10
-  br label %807
+788:                                              ; preds = %840, %759
+  %789 = phi i64 [ 0, %759 ], [ %850, %840 ]
+  %790 = getelementptr inbounds i8, ptr %772, i64 16
+  %791 = load ptr, ptr %67, align 8
+  %792 = getelementptr inbounds i8, ptr %791, i64 8
+  %793 = load i64, ptr %792, align 8
+  %794 = icmp sgt i64 %793, 0
+  br i1 %794, label %795, label %855
 
-807:                                              ; preds = %805, %801
-  %808 = phi i64 [ %806, %805 ], [ 0, %801 ]
-  %809 = load i64, ptr %8, align 8
-  %810 = or i64 %809, %795
-  %811 = xor i64 %810, -1
-  %812 = and i64 %636, %811
-  %813 = icmp eq i64 %808, 0
-  %814 = select i1 %813, ptr null, ptr %4
-  %815 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %812, ptr noundef nonnull %3, ptr noundef %814) #10
-  %816 = load <8 x double>, ptr %3, align 16
-  br i1 %813, label %822, label %817
+795:                                              ; preds = %788
+  %796 = getelementptr inbounds double, ptr %781, i64 %777
+  %797 = shl nsw i64 %777, 4
+  %798 = getelementptr inbounds i8, ptr %781, i64 %797
+  br label %862
 
-817:                                              ; preds = %807
-  %818 = xor i64 %815, -1
-  %819 = and i64 %808, %818
-  %820 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %819, ptr noundef nonnull %3, ptr noundef nonnull %4) #10
-  %821 = or i64 %820, %815
-  br label %822
+799:                                              ; preds = %786, %840
+  %800 = phi i64 [ 0, %786 ], [ %850, %840 ]
+  %801 = phi i64 [ %782, %786 ], [ %851, %840 ]
+  %802 = load i64, ptr %787, align 8
+  %803 = load ptr, ptr %107, align 8
+  %804 = load ptr, ptr %65, align 8
+  %805 = load ptr, ptr %81, align 8
+  %806 = getelementptr i64, ptr %805, i64 %801
+  %807 = getelementptr i64, ptr %806, i64 %802
+  %808 = load i64, ptr %807, align 8
+  %809 = getelementptr i8, ptr %807, i64 8
+  %810 = load i64, ptr %809, align 8
+  %811 = xor i64 %808, -1
+  %812 = add i64 %810, %811
+  %813 = load ptr, ptr %68, align 8
+  %814 = load ptr, ptr %82, align 8
+  %815 = load ptr, ptr %83, align 8
+  %816 = getelementptr inbounds i64, ptr %815, i64 %808
+  %817 = load ptr, ptr %84, align 8
+  %818 = getelementptr inbounds double, ptr %817, i64 %808
+  call fastcc void @combine(ptr noundef %803, ptr noundef %804, ptr noundef %813, ptr noundef %814, ptr noundef %816, ptr noundef %818, i64 noundef %812, i64 noundef %775) #11
+  %819 = load ptr, ptr %82, align 8
+  %820 = mul nsw i64 %801, %777
+  %821 = getelementptr inbounds double, ptr %819, i64 %820
+  %822 = load ptr, ptr %108, align 8
+  %823 = getelementptr inbounds double, ptr %822, i64 %801
+  %824 = load double, ptr %823, align 8
+  %825 = insertelement <8 x double> poison, double %824, i64 0
+  %826 = shufflevector <8 x double> %825, <8 x double> poison, <8 x i32> zeroinitializer
+  %827 = fmul <8 x double> %238, %826
+  %828 = fadd <8 x double> %208, %827
+  %829 = load ptr, ptr %107, align 8
+  %830 = load ptr, ptr %109, align 8
+  store <8 x double> %828, ptr %830, align 8
+  %831 = load ptr, ptr %67, align 8
+  %832 = getelementptr inbounds i8, ptr %831, i64 40
+  %833 = load i64, ptr %832, align 8
+  %834 = icmp eq i64 %833, 0
+  br i1 %834, label %836, label %835
 
-822:                                              ; preds = %817, %807
-  %823 = phi i64 [ %821, %817 ], [ %815, %807 ]
-  %824 = icmp ne i64 %823, 0
-  %825 = select i1 %48, i1 %824, i1 false
-  br i1 %825, label %826, label %831
+835:                                              ; preds = %799
+  call fastcc void @settle(ptr noundef nonnull %67) #11
+  br label %836
 
-826:                                              ; preds = %822
-  call fastcc void @retire(ptr noundef %0, i64 noundef %823, i64 noundef 6) #10
-  %827 = xor i64 %823, -1
-  %828 = load i64, ptr %6, align 8
-  %829 = and i64 %828, %827
-  store i64 %829, ptr %6, align 8
-  %830 = and i64 %808, %827
-  br label %831
+836:                                              ; preds = %835, %799
+  %837 = load i64, ptr %110, align 8
+  %838 = icmp sgt i64 %837, 0
+  br i1 %838, label %839, label %840
 
-831:                                              ; preds = %826, %822
-  %832 = phi i32 [ 1, %826 ], [ %802, %822 ]
-  %833 = phi i64 [ %830, %826 ], [ %808, %822 ]
-  %834 = or i64 %823, %570
-  %835 = or i64 %823, %810
-  %836 = xor i64 %835, -1
-  %837 = and i64 %621, %836
-  br label %838
+839:                                              ; preds = %836
+  call fastcc void @sample(ptr noundef nonnull %67) #11
+  br label %840
 
-838:                                              ; preds = %831, %628
-  %839 = phi <8 x double> [ %229, %628 ], [ %816, %831 ]
-  %840 = phi i64 [ 0, %628 ], [ %809, %831 ]
-  %841 = phi i64 [ %570, %628 ], [ %834, %831 ]
-  %842 = phi i32 [ %168, %628 ], [ %832, %831 ]
-  %843 = phi i64 [ %621, %628 ], [ %837, %831 ]
-  %844 = phi i64 [ 0, %628 ], [ %833, %831 ]
-  %845 = load ptr, ptr %97, align 8
-  %846 = load <8 x double>, ptr %845, align 8
-  %847 = fcmp oeq <8 x double> %846, %839
-  %848 = bitcast <8 x i1> %847 to i8
-  %849 = zext i8 %848 to i64
-  %850 = and i64 %843, %849
-  %851 = icmp eq i64 %850, 0
-  br i1 %851, label %852, label %1104
+840:                                              ; preds = %839, %836
+  %841 = load ptr, ptr %67, align 8
+  %842 = load i64, ptr %841, align 8
+  %843 = load ptr, ptr %109, align 8
+  %844 = load ptr, ptr %111, align 8
+  %845 = load ptr, ptr %112, align 8
+  %846 = inttoptr i64 %842 to ptr
+  %847 = load ptr, ptr %846, align 8
+  %848 = call i32 %847(ptr noundef %843, ptr noundef %829, ptr noundef %844, ptr noundef %845, ptr noundef %821) #12
+  %849 = sext i32 %848 to i64
+  %850 = or i64 %800, %849
+  %851 = add nsw i64 %801, 1
+  %852 = load i64, ptr %783, align 8
+  %853 = add nsw i64 %852, %782
+  %854 = icmp slt i64 %851, %853
+  br i1 %854, label %799, label %788, !llvm.loop !19
 
-852:                                              ; preds = %1104, %838
-  %853 = trunc nuw i64 %843 to i8
-  %854 = bitcast i8 %853 to <8 x i1>
-  %855 = load ptr, ptr %59, align 8
-  %856 = load <8 x double>, ptr %855, align 8
-  %857 = select <8 x i1> %854, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %858 = fadd <8 x double> %857, %856
-  store <8 x double> %858, ptr %855, align 8
-  %859 = load ptr, ptr %60, align 8
-  %860 = load <8 x double>, ptr %859, align 8
-  %861 = xor <8 x i1> %854, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %862 = and <8 x i1> %199, %861
-  %863 = select <8 x i1> %862, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %864 = fadd <8 x double> %863, %860
-  store <8 x double> %864, ptr %859, align 8
-  %865 = load ptr, ptr %108, align 8
-  %866 = load ptr, ptr %0, align 8
-  %867 = getelementptr inbounds i8, ptr %866, i64 8
-  %868 = load i64, ptr %867, align 8
-  %869 = icmp slt i64 %868, 1
-  %870 = xor i64 %843, -1
-  %871 = and i64 %197, %870
-  %872 = trunc i64 %871 to i8
-  %873 = bitcast i8 %872 to <8 x i1>
-  %874 = load ptr, ptr %109, align 8
-  %875 = load <8 x double>, ptr %874, align 8
-  br i1 %869, label %1007, label %876
+855:                                              ; preds = %862, %788
+  %856 = getelementptr inbounds i8, ptr %772, i64 8
+  %857 = load i64, ptr %856, align 8
+  %858 = load i64, ptr %790, align 8
+  %859 = getelementptr inbounds i8, ptr %772, i64 24
+  %860 = load i64, ptr %859, align 8
+  %861 = icmp sgt i64 %860, 3
+  br i1 %861, label %890, label %915
 
-876:                                              ; preds = %852
-  %877 = load ptr, ptr %110, align 8
-  %878 = load <8 x double>, ptr %877, align 8
-  %879 = load ptr, ptr %111, align 8
-  %880 = load <8 x double>, ptr %879, align 8
-  %881 = fcmp ogt <8 x double> %548, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %882 = bitcast <8 x double> %548 to <8 x i64>
-  %883 = select <8 x i1> %881, <8 x i64> %882, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %884 = getelementptr inbounds i8, ptr %865, i64 24
-  %885 = load double, ptr %884, align 8
-  %886 = insertelement <8 x double> poison, double %885, i64 0
-  %887 = shufflevector <8 x double> %886, <8 x double> poison, <8 x i32> zeroinitializer
-  %888 = getelementptr inbounds i8, ptr %865, i64 8
-  %889 = load double, ptr %888, align 8
-  %890 = fneg double %889
-  %891 = add <8 x i64> %883, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %892 = ashr <8 x i64> %891, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %893 = and <8 x i64> %891, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %894 = sub <8 x i64> %883, %893
-  %895 = bitcast <8 x i64> %894 to <8 x double>
-  %896 = fadd <8 x double> %895, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %897 = fadd <8 x double> %895, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %898 = fdiv <8 x double> %896, %897
-  %899 = fmul <8 x double> %898, %898
-  %900 = call <8 x double> @llvm.fma.v8f64(<8 x double> %899, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %901 = call <8 x double> @llvm.fma.v8f64(<8 x double> %900, <8 x double> %899, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %902 = call <8 x double> @llvm.fma.v8f64(<8 x double> %901, <8 x double> %899, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %903 = call <8 x double> @llvm.fma.v8f64(<8 x double> %902, <8 x double> %899, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %904 = trunc nsw <8 x i64> %892 to <8 x i32>
-  %905 = sitofp <8 x i32> %904 to <8 x double>
-  %906 = fmul <8 x double> %898, %903
-  %907 = fadd <8 x double> %906, %905
-  %908 = insertelement <8 x double> poison, double %890, i64 0
-  %909 = shufflevector <8 x double> %908, <8 x double> poison, <8 x i32> zeroinitializer
-  %910 = fmul <8 x double> %907, %909
-  %911 = fcmp ogt <8 x double> %910, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %912 = bitcast <8 x double> %910 to <8 x i64>
-  %913 = select <8 x i1> %911, <8 x i64> %912, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %914 = bitcast <8 x i64> %913 to <8 x double>
-  %915 = fcmp olt <8 x double> %914, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %916 = bitcast <8 x i64> %913 to <8 x double>
-  %917 = select <8 x i1> %915, <8 x double> %916, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %918 = call <8 x double> @llvm.rint.v8f64(<8 x double> %917)
-  %919 = fsub <8 x double> %917, %918
-  %920 = call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %921 = call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %919, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %922 = call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %919, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %923 = call <8 x double> @llvm.fma.v8f64(<8 x double> %922, <8 x double> %919, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %924 = call <8 x double> @llvm.fma.v8f64(<8 x double> %923, <8 x double> %919, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %924, <8 x double> %919, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %925, <8 x double> %919, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %927 = bitcast <8 x double> %926 to <8 x i64>
-  %928 = fptosi <8 x double> %918 to <8 x i32>
-  %929 = zext <8 x i32> %928 to <8 x i64>
-  %930 = shl <8 x i64> %929, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %931 = add <8 x i64> %930, %927
-  %932 = bitcast <8 x i64> %931 to <8 x double>
-  %933 = fmul <8 x double> %887, %932
-  %934 = getelementptr inbounds i8, ptr %865, i64 16
-  %935 = load double, ptr %934, align 8
-  %936 = fcmp une double %935, 0.000000e+00
-  br i1 %936, label %937, label %982
+862:                                              ; preds = %795, %862
+  %863 = phi i64 [ 0, %795 ], [ %885, %862 ]
+  %864 = load ptr, ptr %80, align 8
+  %865 = shl nsw i64 %863, 6
+  %866 = getelementptr inbounds i8, ptr %864, i64 %865
+  %867 = load <8 x double>, ptr %866, align 8
+  %868 = load ptr, ptr %65, align 8
+  %869 = getelementptr inbounds i8, ptr %868, i64 %865
+  %870 = load <8 x double>, ptr %869, align 8
+  %871 = fsub <8 x double> %867, %870
+  %872 = load ptr, ptr %82, align 8
+  %873 = getelementptr inbounds i8, ptr %872, i64 %865
+  %874 = load <8 x double>, ptr %873, align 8
+  %875 = fmul <8 x double> %238, %874
+  %876 = fsub <8 x double> %875, %871
+  %877 = getelementptr inbounds i8, ptr %781, i64 %865
+  store <8 x double> %871, ptr %877, align 8
+  %878 = getelementptr inbounds i8, ptr %796, i64 %865
+  store <8 x double> %876, ptr %878, align 8
+  %879 = fsub <8 x double> %871, %876
+  %880 = getelementptr inbounds i8, ptr %780, i64 %865
+  %881 = load <8 x double>, ptr %880, align 8
+  %882 = fmul <8 x double> %238, %881
+  %883 = fsub <8 x double> %879, %882
+  %884 = getelementptr inbounds i8, ptr %798, i64 %865
+  store <8 x double> %883, ptr %884, align 8
+  %885 = add nuw nsw i64 %863, 1
+  %886 = load ptr, ptr %67, align 8
+  %887 = getelementptr inbounds i8, ptr %886, i64 8
+  %888 = load i64, ptr %887, align 8
+  %889 = icmp slt i64 %885, %888
+  br i1 %889, label %862, label %855, !llvm.loop !20
 
-937:                                              ; preds = %876
-  %938 = bitcast <8 x double> %878 to <8 x i64>
-  %939 = add <8 x i64> %938, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %940 = ashr <8 x i64> %939, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %941 = and <8 x i64> %939, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %942 = sub <8 x i64> %938, %941
-  %943 = bitcast <8 x i64> %942 to <8 x double>
-  %944 = fadd <8 x double> %943, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %945 = fadd <8 x double> %943, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %946 = fdiv <8 x double> %944, %945
-  %947 = fmul <8 x double> %946, %946
-  %948 = call <8 x double> @llvm.fma.v8f64(<8 x double> %947, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %949 = call <8 x double> @llvm.fma.v8f64(<8 x double> %948, <8 x double> %947, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %950 = call <8 x double> @llvm.fma.v8f64(<8 x double> %949, <8 x double> %947, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %951 = call <8 x double> @llvm.fma.v8f64(<8 x double> %950, <8 x double> %947, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %952 = trunc nsw <8 x i64> %940 to <8 x i32>
-  %953 = sitofp <8 x i32> %952 to <8 x double>
-  %954 = fmul <8 x double> %946, %951
-  %955 = fadd <8 x double> %954, %953
-  %956 = insertelement <8 x double> poison, double %935, i64 0
-  %957 = shufflevector <8 x double> %956, <8 x double> poison, <8 x i32> zeroinitializer
-  %958 = fmul <8 x double> %957, %955
-  %959 = fcmp ogt <8 x double> %958, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %960 = bitcast <8 x double> %958 to <8 x i64>
-  %961 = select <8 x i1> %959, <8 x i64> %960, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %962 = bitcast <8 x i64> %961 to <8 x double>
-  %963 = fcmp olt <8 x double> %962, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %964 = bitcast <8 x i64> %961 to <8 x double>
-  %965 = select <8 x i1> %963, <8 x double> %964, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %966 = call <8 x double> @llvm.rint.v8f64(<8 x double> %965)
-  %967 = fsub <8 x double> %965, %966
-  %968 = call <8 x double> @llvm.fma.v8f64(<8 x double> %967, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %969 = call <8 x double> @llvm.fma.v8f64(<8 x double> %968, <8 x double> %967, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %970 = call <8 x double> @llvm.fma.v8f64(<8 x double> %969, <8 x double> %967, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %971 = call <8 x double> @llvm.fma.v8f64(<8 x double> %970, <8 x double> %967, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %972 = call <8 x double> @llvm.fma.v8f64(<8 x double> %971, <8 x double> %967, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %973 = call <8 x double> @llvm.fma.v8f64(<8 x double> %972, <8 x double> %967, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %974 = call <8 x double> @llvm.fma.v8f64(<8 x double> %973, <8 x double> %967, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %975 = bitcast <8 x double> %974 to <8 x i64>
-  %976 = fptosi <8 x double> %966 to <8 x i32>
-  %977 = zext <8 x i32> %976 to <8 x i64>
-  %978 = shl <8 x i64> %977, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %979 = add <8 x i64> %978, %975
-  %980 = bitcast <8 x i64> %979 to <8 x double>
-  %981 = fmul <8 x double> %933, %980
-  br label %982
+890:                                              ; preds = %855, %890
+  %891 = phi i64 [ %912, %890 ], [ 3, %855 ]
+  %892 = mul nsw i64 %891, %777
+  %893 = getelementptr inbounds double, ptr %781, i64 %892
+  %894 = load ptr, ptr %113, align 8
+  %895 = load ptr, ptr %81, align 8
+  %896 = getelementptr i64, ptr %895, i64 %782
+  %897 = getelementptr i64, ptr %896, i64 %857
+  %898 = getelementptr i64, ptr %897, i64 %858
+  %899 = getelementptr i64, ptr %898, i64 %891
+  %900 = getelementptr i8, ptr %899, i64 -24
+  %901 = load i64, ptr %900, align 8
+  %902 = getelementptr i8, ptr %899, i64 -16
+  %903 = load i64, ptr %902, align 8
+  %904 = xor i64 %901, -1
+  %905 = add i64 %903, %904
+  %906 = load ptr, ptr %68, align 8
+  %907 = load ptr, ptr %82, align 8
+  %908 = load ptr, ptr %83, align 8
+  %909 = getelementptr inbounds i64, ptr %908, i64 %901
+  %910 = load ptr, ptr %84, align 8
+  %911 = getelementptr inbounds double, ptr %910, i64 %901
+  call fastcc void @combine(ptr noundef %893, ptr noundef %894, ptr noundef %906, ptr noundef %907, ptr noundef %909, ptr noundef %911, i64 noundef %905, i64 noundef %775) #11
+  %912 = add nuw nsw i64 %891, 1
+  %913 = load i64, ptr %859, align 8
+  %914 = icmp slt i64 %912, %913
+  br i1 %914, label %890, label %915, !llvm.loop !21
 
-982:                                              ; preds = %876, %937
-  %983 = phi <8 x double> [ %981, %937 ], [ %933, %876 ]
-  %984 = getelementptr inbounds i8, ptr %865, i64 32
-  %985 = load double, ptr %984, align 8
-  %986 = insertelement <8 x double> poison, double %985, i64 0
-  %987 = shufflevector <8 x double> %986, <8 x double> poison, <8 x i32> zeroinitializer
-  %988 = fcmp ogt <8 x double> %983, %987
-  %989 = select <8 x i1> %988, <8 x double> %983, <8 x double> %987
-  %990 = fcmp olt <8 x double> %880, %989
-  %991 = select <8 x i1> %990, <8 x double> %880, <8 x double> %989
-  %992 = fmul <8 x double> %231, %991
-  %993 = fcmp oeq <8 x double> %839, %209
-  %994 = fcmp ogt <8 x double> %875, %992
-  %995 = select <8 x i1> %993, <8 x i1> %994, <8 x i1> zeroinitializer
-  %996 = select <8 x i1> %995, <8 x double> %875, <8 x double> %992
-  %997 = fcmp ogt <8 x double> %548, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %998 = select <8 x i1> %997, <8 x i64> %882, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %999 = bitcast <8 x double> %878 to <8 x i64>
-  %1000 = select <8 x i1> %854, <8 x i64> %998, <8 x i64> %999
-  store <8 x i64> %1000, ptr %877, align 8
-  %1001 = load ptr, ptr %111, align 8
-  %1002 = getelementptr inbounds i8, ptr %865, i64 40
-  %1003 = load double, ptr %1002, align 8
-  %1004 = insertelement <8 x double> poison, double %1003, i64 0
-  %1005 = shufflevector <8 x double> %1004, <8 x double> poison, <8 x i32> zeroinitializer
-  %1006 = select <8 x i1> %873, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %1005
-  store <8 x double> %1006, ptr %1001, align 8
-  br label %1007
+915:                                              ; preds = %890, %855
+  %916 = and i64 %789, %757
+  %917 = icmp eq i64 %916, 0
+  br i1 %917, label %922, label %918
 
-1007:                                             ; preds = %982, %852
-  %1008 = phi <8 x double> [ %875, %852 ], [ %996, %982 ]
-  %1009 = and i64 %871, 255
-  %1010 = icmp eq i64 %1009, 0
-  br i1 %1010, label %1099, label %1011
+918:                                              ; preds = %915
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %916, i64 noundef 3) #11
+  %919 = xor i64 %916, -1
+  %920 = and i64 %204, %919
+  store i64 %920, ptr %8, align 8
+  %921 = and i64 %750, %919
+  br label %922
 
-1011:                                             ; preds = %1007
-  %1012 = trunc i64 %620 to i8
-  %1013 = bitcast i8 %1012 to <8 x i1>
-  %1014 = trunc i64 %841 to i8
-  %1015 = bitcast i8 %1014 to <8 x i1>
-  %1016 = trunc i64 %840 to i8
-  %1017 = bitcast i8 %1016 to <8 x i1>
-  %1018 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %548)
-  %1019 = fcmp one <8 x double> %1018, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1020 = xor <8 x i1> %1013, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1021 = select <8 x i1> %1019, <8 x i1> %1020, <8 x i1> zeroinitializer
-  %1022 = or <8 x i1> %1015, %1017
-  %1023 = xor <8 x i1> %1022, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1024 = and <8 x i1> %1021, %1023
-  br i1 %869, label %1086, label %1025
+922:                                              ; preds = %918, %915
+  %923 = phi i32 [ 1, %918 ], [ %175, %915 ]
+  %924 = phi i64 [ %921, %918 ], [ %750, %915 ]
+  store <8 x double> %236, ptr %5, align 16
+  %925 = icmp eq i64 %924, 0
+  br i1 %925, label %928, label %926
 
-1025:                                             ; preds = %1011
-  %1026 = fcmp ogt <8 x double> %548, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1027 = bitcast <8 x double> %548 to <8 x i64>
-  %1028 = select <8 x i1> %1026, <8 x i64> %1027, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %1029 = getelementptr inbounds i8, ptr %865, i64 24
-  %1030 = load double, ptr %1029, align 8
-  %1031 = insertelement <8 x double> poison, double %1030, i64 0
-  %1032 = shufflevector <8 x double> %1031, <8 x double> poison, <8 x i32> zeroinitializer
-  %1033 = load double, ptr %865, align 8
-  %1034 = fneg double %1033
-  %1035 = add <8 x i64> %1028, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %1036 = ashr <8 x i64> %1035, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1037 = and <8 x i64> %1035, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1038 = sub <8 x i64> %1028, %1037
-  %1039 = bitcast <8 x i64> %1038 to <8 x double>
-  %1040 = fadd <8 x double> %1039, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1041 = fadd <8 x double> %1039, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1042 = fdiv <8 x double> %1040, %1041
-  %1043 = fmul <8 x double> %1042, %1042
-  %1044 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1043, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1045 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1044, <8 x double> %1043, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1046 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1045, <8 x double> %1043, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1047 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1046, <8 x double> %1043, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1048 = trunc nsw <8 x i64> %1036 to <8 x i32>
-  %1049 = sitofp <8 x i32> %1048 to <8 x double>
-  %1050 = fmul <8 x double> %1042, %1047
-  %1051 = fadd <8 x double> %1050, %1049
-  %1052 = insertelement <8 x double> poison, double %1034, i64 0
-  %1053 = shufflevector <8 x double> %1052, <8 x double> poison, <8 x i32> zeroinitializer
-  %1054 = fmul <8 x double> %1051, %1053
-  %1055 = fcmp ogt <8 x double> %1054, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1056 = bitcast <8 x double> %1054 to <8 x i64>
-  %1057 = select <8 x i1> %1055, <8 x i64> %1056, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1058 = bitcast <8 x i64> %1057 to <8 x double>
-  %1059 = fcmp olt <8 x double> %1058, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1060 = bitcast <8 x i64> %1057 to <8 x double>
-  %1061 = select <8 x i1> %1059, <8 x double> %1060, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1062 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1061)
-  %1063 = fsub <8 x double> %1061, %1062
-  %1064 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1063, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1065 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1064, <8 x double> %1063, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1066 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1065, <8 x double> %1063, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1067 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1066, <8 x double> %1063, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1068 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1067, <8 x double> %1063, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1069 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1068, <8 x double> %1063, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1070 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1069, <8 x double> %1063, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1071 = bitcast <8 x double> %1070 to <8 x i64>
-  %1072 = fptosi <8 x double> %1062 to <8 x i32>
-  %1073 = zext <8 x i32> %1072 to <8 x i64>
-  %1074 = shl <8 x i64> %1073, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1075 = add <8 x i64> %1074, %1071
-  %1076 = bitcast <8 x i64> %1075 to <8 x double>
-  %1077 = fmul <8 x double> %1032, %1076
-  %1078 = getelementptr inbounds i8, ptr %865, i64 32
-  %1079 = load double, ptr %1078, align 8
-  %1080 = insertelement <8 x double> poison, double %1079, i64 0
-  %1081 = shufflevector <8 x double> %1080, <8 x double> poison, <8 x i32> zeroinitializer
-  %1082 = fcmp ogt <8 x double> %1077, %1081
-  %1083 = select <8 x i1> %1082, <8 x double> %1077, <8 x double> %1081
-  %1084 = select <8 x i1> %1024, <8 x double> %1083, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1085 = fmul <8 x double> %231, %1084
-  br label %1086
+926:                                              ; preds = %922
+  %927 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %924, ptr noundef nonnull %5, ptr noundef nonnull %7, ptr noundef nonnull %9, ptr noundef nonnull %6, ptr noundef nonnull %10) #11
+  br label %928
 
-1086:                                             ; preds = %1025, %1011
-  %1087 = phi <8 x double> [ zeroinitializer, %1011 ], [ %1085, %1025 ]
-  %1088 = or <8 x i1> %1024, %1017
-  %1089 = select <8 x i1> %1088, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1090 = select <8 x i1> %873, <8 x double> %1087, <8 x double> %1008
-  %1091 = load ptr, ptr %112, align 8
-  %1092 = select <8 x i1> %1015, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1089
-  %1093 = load <8 x i64>, ptr %1091, align 8
-  %1094 = select <8 x i1> %873, <8 x i64> %1092, <8 x i64> %1093
-  store <8 x i64> %1094, ptr %1091, align 8
-  %1095 = load ptr, ptr %112, align 8
-  %1096 = select <8 x i1> %1013, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1089
-  %1097 = load <8 x i64>, ptr %1095, align 8
-  %1098 = select <8 x i1> %873, <8 x i64> %1096, <8 x i64> %1097
-  store <8 x i64> %1098, ptr %1095, align 8
-  br label %1099
+928:                                              ; preds = %926, %922
+  %929 = phi i64 [ %927, %926 ], [ 0, %922 ]
+  %930 = load i64, ptr %10, align 8
+  %931 = or i64 %930, %916
+  %932 = xor i64 %931, -1
+  %933 = and i64 %757, %932
+  %934 = icmp eq i64 %929, 0
+  %935 = select i1 %934, ptr null, ptr %6
+  %936 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %933, ptr noundef nonnull %5, ptr noundef %935) #11
+  %937 = load <8 x double>, ptr %5, align 16
+  br i1 %934, label %943, label %938
 
-1099:                                             ; preds = %1007, %1086
-  %1100 = phi <8 x double> [ %1008, %1007 ], [ %1090, %1086 ]
-  %1101 = load ptr, ptr %109, align 8
-  store <8 x double> %1100, ptr %1101, align 8
-  %1102 = load ptr, ptr %44, align 8
-  %1103 = select <8 x i1> %854, <8 x double> %839, <8 x double> %201
-  store <8 x double> %1103, ptr %1102, align 8
-  br i1 %113, label %1121, label %1114
+938:                                              ; preds = %928
+  %939 = xor i64 %936, -1
+  %940 = and i64 %929, %939
+  %941 = call fastcc i64 @end_within(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %940, ptr noundef nonnull %5, ptr noundef nonnull %6) #11
+  %942 = or i64 %941, %936
+  br label %943
 
-1104:                                             ; preds = %838, %1104
-  %1105 = phi i64 [ %1112, %1104 ], [ %850, %838 ]
-  %1106 = load ptr, ptr %107, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1106, i64 noundef %1105) #10
-  %1107 = load ptr, ptr %97, align 8
-  %1108 = load <8 x double>, ptr %1107, align 8
-  %1109 = fcmp oeq <8 x double> %1108, %839
-  %1110 = bitcast <8 x i1> %1109 to i8
-  %1111 = zext i8 %1110 to i64
-  %1112 = and i64 %1105, %1111
-  %1113 = icmp eq i64 %1112, 0
-  br i1 %1113, label %852, label %1104, !llvm.loop !20
+943:                                              ; preds = %938, %928
+  %944 = phi i64 [ %942, %938 ], [ %936, %928 ]
+  %945 = icmp ne i64 %944, 0
+  %946 = select i1 %50, i1 %945, i1 false
+  br i1 %946, label %947, label %952
 
-1114:                                             ; preds = %1121, %1099
-  %1115 = load ptr, ptr %115, align 8
-  %1116 = load ptr, ptr %0, align 8
-  %1117 = load i64, ptr %1116, align 8
-  %1118 = load i64, ptr %116, align 8
-  %1119 = mul nsw i64 %1118, %1117
-  %1120 = getelementptr inbounds double, ptr %1115, i64 %1119
-  br i1 %117, label %1135, label %1133
+947:                                              ; preds = %943
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %944, i64 noundef 6) #11
+  %948 = xor i64 %944, -1
+  %949 = load i64, ptr %8, align 8
+  %950 = and i64 %949, %948
+  store i64 %950, ptr %8, align 8
+  %951 = and i64 %929, %948
+  br label %952
 
-1121:                                             ; preds = %1099, %1121
-  %1122 = phi i64 [ %1131, %1121 ], [ 0, %1099 ]
-  %1123 = load ptr, ptr %12, align 8
-  %1124 = load ptr, ptr %114, align 8
-  %1125 = shl nsw i64 %1122, 6
-  %1126 = getelementptr inbounds i8, ptr %1124, i64 %1125
-  %1127 = load <8 x i64>, ptr %1126, align 8
-  %1128 = getelementptr inbounds i8, ptr %1123, i64 %1125
-  %1129 = load <8 x i64>, ptr %1128, align 8
-  %1130 = select <8 x i1> %854, <8 x i64> %1127, <8 x i64> %1129
-  store <8 x i64> %1130, ptr %1128, align 8
-  %1131 = add nuw nsw i64 %1122, 1
-  %1132 = icmp eq i64 %1131, %16
-  br i1 %1132, label %1114, label %1121, !llvm.loop !21
+952:                                              ; preds = %947, %943
+  %953 = phi i32 [ 1, %947 ], [ %923, %943 ]
+  %954 = phi i64 [ %951, %947 ], [ %929, %943 ]
+  %955 = or i64 %944, %691
+  %956 = or i64 %944, %931
+  %957 = xor i64 %956, -1
+  %958 = and i64 %742, %957
+  br label %959
 
-1133:                                             ; preds = %1135, %1114
-  %1134 = icmp eq i64 %844, 0
-  br i1 %1134, label %1156, label %1146
+959:                                              ; preds = %952, %749
+  %960 = phi <8 x double> [ %236, %749 ], [ %937, %952 ]
+  %961 = phi i64 [ 0, %749 ], [ %930, %952 ]
+  %962 = phi i64 [ %691, %749 ], [ %955, %952 ]
+  %963 = phi i32 [ %175, %749 ], [ %953, %952 ]
+  %964 = phi i64 [ %742, %749 ], [ %958, %952 ]
+  %965 = phi i64 [ 0, %749 ], [ %954, %952 ]
+  %966 = load ptr, ptr %104, align 8
+  %967 = load <8 x double>, ptr %966, align 8
+  %968 = fcmp oeq <8 x double> %967, %960
+  %969 = bitcast <8 x i1> %968 to i8
+  %970 = zext i8 %969 to i64
+  %971 = and i64 %964, %970
+  %972 = icmp eq i64 %971, 0
+  br i1 %972, label %973, label %1225
 
-1135:                                             ; preds = %1114, %1135
-  %1136 = phi i64 [ %1144, %1135 ], [ 0, %1114 ]
-  %1137 = load ptr, ptr %115, align 8
-  %1138 = shl nsw i64 %1136, 6
-  %1139 = getelementptr inbounds i8, ptr %1120, i64 %1138
-  %1140 = load <8 x i64>, ptr %1139, align 8
-  %1141 = getelementptr inbounds i8, ptr %1137, i64 %1138
-  %1142 = load <8 x i64>, ptr %1141, align 8
-  %1143 = select <8 x i1> %854, <8 x i64> %1140, <8 x i64> %1142
-  store <8 x i64> %1143, ptr %1141, align 8
-  %1144 = add nuw nsw i64 %1136, 1
-  %1145 = icmp eq i64 %1144, %16
-  br i1 %1145, label %1133, label %1135, !llvm.loop !22
+973:                                              ; preds = %1225, %959
+  %974 = trunc nuw i64 %964 to i8
+  %975 = bitcast i8 %974 to <8 x i1>
+  %976 = load ptr, ptr %61, align 8
+  %977 = load <8 x double>, ptr %976, align 8
+  %978 = select <8 x i1> %975, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %979 = fadd <8 x double> %978, %977
+  store <8 x double> %979, ptr %976, align 8
+  %980 = load ptr, ptr %62, align 8
+  %981 = load <8 x double>, ptr %980, align 8
+  %982 = xor <8 x i1> %975, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %983 = and <8 x i1> %206, %982
+  %984 = select <8 x i1> %983, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %985 = fadd <8 x double> %984, %981
+  store <8 x double> %985, ptr %980, align 8
+  %986 = load ptr, ptr %115, align 8
+  %987 = load ptr, ptr %0, align 8
+  %988 = getelementptr inbounds i8, ptr %987, i64 8
+  %989 = load i64, ptr %988, align 8
+  %990 = icmp slt i64 %989, 1
+  %991 = xor i64 %964, -1
+  %992 = and i64 %204, %991
+  %993 = trunc i64 %992 to i8
+  %994 = bitcast i8 %993 to <8 x i1>
+  %995 = load ptr, ptr %116, align 8
+  %996 = load <8 x double>, ptr %995, align 8
+  br i1 %990, label %1128, label %997
 
-1146:                                             ; preds = %1133
-  %1147 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %844, ptr noundef nonnull %7) #10
-  %1148 = icmp ne i32 %842, 0
-  %1149 = icmp ne i64 %1147, %844
-  %1150 = select i1 %1148, i1 true, i1 %1149
-  %1151 = zext i1 %1150 to i32
-  %1152 = trunc i64 %844 to i8
-  %1153 = bitcast i8 %1152 to <8 x i1>
-  %1154 = xor <8 x i1> %1153, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1155 = and <8 x i1> %1154, %854
-  br label %1156
+997:                                              ; preds = %973
+  %998 = load ptr, ptr %117, align 8
+  %999 = load <8 x double>, ptr %998, align 8
+  %1000 = load ptr, ptr %118, align 8
+  %1001 = load <8 x double>, ptr %1000, align 8
+  %1002 = fcmp ogt <8 x double> %669, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1003 = bitcast <8 x double> %669 to <8 x i64>
+  %1004 = select <8 x i1> %1002, <8 x i64> %1003, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1005 = getelementptr inbounds i8, ptr %986, i64 24
+  %1006 = load double, ptr %1005, align 8
+  %1007 = insertelement <8 x double> poison, double %1006, i64 0
+  %1008 = shufflevector <8 x double> %1007, <8 x double> poison, <8 x i32> zeroinitializer
+  %1009 = getelementptr inbounds i8, ptr %986, i64 8
+  %1010 = load double, ptr %1009, align 8
+  %1011 = fneg double %1010
+  %1012 = add <8 x i64> %1004, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1013 = ashr <8 x i64> %1012, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1014 = and <8 x i64> %1012, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1015 = sub <8 x i64> %1004, %1014
+  %1016 = bitcast <8 x i64> %1015 to <8 x double>
+  %1017 = fadd <8 x double> %1016, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1018 = fadd <8 x double> %1016, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1019 = fdiv <8 x double> %1017, %1018
+  %1020 = fmul <8 x double> %1019, %1019
+  %1021 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1020, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1022 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1021, <8 x double> %1020, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1023 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1022, <8 x double> %1020, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1024 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1023, <8 x double> %1020, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1025 = trunc nsw <8 x i64> %1013 to <8 x i32>
+  %1026 = sitofp <8 x i32> %1025 to <8 x double>
+  %1027 = fmul <8 x double> %1019, %1024
+  %1028 = fadd <8 x double> %1027, %1026
+  %1029 = insertelement <8 x double> poison, double %1011, i64 0
+  %1030 = shufflevector <8 x double> %1029, <8 x double> poison, <8 x i32> zeroinitializer
+  %1031 = fmul <8 x double> %1028, %1030
+  %1032 = fcmp ogt <8 x double> %1031, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1033 = bitcast <8 x double> %1031 to <8 x i64>
+  %1034 = select <8 x i1> %1032, <8 x i64> %1033, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1035 = bitcast <8 x i64> %1034 to <8 x double>
+  %1036 = fcmp olt <8 x double> %1035, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1037 = bitcast <8 x i64> %1034 to <8 x double>
+  %1038 = select <8 x i1> %1036, <8 x double> %1037, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1039 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1038)
+  %1040 = fsub <8 x double> %1038, %1039
+  %1041 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1040, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1042 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1041, <8 x double> %1040, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1043 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1042, <8 x double> %1040, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1044 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1043, <8 x double> %1040, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1045 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1044, <8 x double> %1040, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1046 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1045, <8 x double> %1040, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1047 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1046, <8 x double> %1040, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1048 = bitcast <8 x double> %1047 to <8 x i64>
+  %1049 = fptosi <8 x double> %1039 to <8 x i32>
+  %1050 = zext <8 x i32> %1049 to <8 x i64>
+  %1051 = shl <8 x i64> %1050, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1052 = add <8 x i64> %1051, %1048
+  %1053 = bitcast <8 x i64> %1052 to <8 x double>
+  %1054 = fmul <8 x double> %1008, %1053
+  %1055 = getelementptr inbounds i8, ptr %986, i64 16
+  %1056 = load double, ptr %1055, align 8
+  %1057 = fcmp une double %1056, 0.000000e+00
+  br i1 %1057, label %1058, label %1103
 
-1156:                                             ; preds = %1146, %1133
-  %1157 = phi i32 [ %1151, %1146 ], [ %842, %1133 ]
-  %1158 = phi <8 x i1> [ %1155, %1146 ], [ %854, %1133 ]
-  %1159 = phi i64 [ %1147, %1146 ], [ %169, %1133 ]
-  %1160 = load ptr, ptr %97, align 8
-  %1161 = load <8 x double>, ptr %1160, align 8
-  %1162 = fcmp oeq <8 x double> %1161, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1163 = select <8 x i1> %1162, <8 x i1> %1158, <8 x i1> zeroinitializer
-  %1164 = bitcast <8 x i1> %1163 to i8
-  %1165 = zext i8 %1164 to i64
-  %1166 = icmp eq i8 %1164, 0
-  br i1 %1166, label %1168, label %1167
+1058:                                             ; preds = %997
+  %1059 = bitcast <8 x double> %999 to <8 x i64>
+  %1060 = add <8 x i64> %1059, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1061 = ashr <8 x i64> %1060, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1062 = and <8 x i64> %1060, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1063 = sub <8 x i64> %1059, %1062
+  %1064 = bitcast <8 x i64> %1063 to <8 x double>
+  %1065 = fadd <8 x double> %1064, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1066 = fadd <8 x double> %1064, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1067 = fdiv <8 x double> %1065, %1066
+  %1068 = fmul <8 x double> %1067, %1067
+  %1069 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1068, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1070 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1069, <8 x double> %1068, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1071 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1070, <8 x double> %1068, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1072 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1071, <8 x double> %1068, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1073 = trunc nsw <8 x i64> %1061 to <8 x i32>
+  %1074 = sitofp <8 x i32> %1073 to <8 x double>
+  %1075 = fmul <8 x double> %1067, %1072
+  %1076 = fadd <8 x double> %1075, %1074
+  %1077 = insertelement <8 x double> poison, double %1056, i64 0
+  %1078 = shufflevector <8 x double> %1077, <8 x double> poison, <8 x i32> zeroinitializer
+  %1079 = fmul <8 x double> %1078, %1076
+  %1080 = fcmp ogt <8 x double> %1079, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1081 = bitcast <8 x double> %1079 to <8 x i64>
+  %1082 = select <8 x i1> %1080, <8 x i64> %1081, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1083 = bitcast <8 x i64> %1082 to <8 x double>
+  %1084 = fcmp olt <8 x double> %1083, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1085 = bitcast <8 x i64> %1082 to <8 x double>
+  %1086 = select <8 x i1> %1084, <8 x double> %1085, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1087 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1086)
+  %1088 = fsub <8 x double> %1086, %1087
+  %1089 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1088, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1090 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1089, <8 x double> %1088, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1091 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1090, <8 x double> %1088, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1092 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1091, <8 x double> %1088, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1093 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1092, <8 x double> %1088, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1094 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1093, <8 x double> %1088, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1095 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1094, <8 x double> %1088, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1096 = bitcast <8 x double> %1095 to <8 x i64>
+  %1097 = fptosi <8 x double> %1087 to <8 x i32>
+  %1098 = zext <8 x i32> %1097 to <8 x i64>
+  %1099 = shl <8 x i64> %1098, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1100 = add <8 x i64> %1099, %1096
+  %1101 = bitcast <8 x i64> %1100 to <8 x double>
+  %1102 = fmul <8 x double> %1054, %1101
+  br label %1103
 
-1167:                                             ; preds = %1156
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1165, i64 noundef 0) #10
-  br label %1168
+1103:                                             ; preds = %997, %1058
+  %1104 = phi <8 x double> [ %1102, %1058 ], [ %1054, %997 ]
+  %1105 = getelementptr inbounds i8, ptr %986, i64 32
+  %1106 = load double, ptr %1105, align 8
+  %1107 = insertelement <8 x double> poison, double %1106, i64 0
+  %1108 = shufflevector <8 x double> %1107, <8 x double> poison, <8 x i32> zeroinitializer
+  %1109 = fcmp ogt <8 x double> %1104, %1108
+  %1110 = select <8 x i1> %1109, <8 x double> %1104, <8 x double> %1108
+  %1111 = fcmp olt <8 x double> %1001, %1110
+  %1112 = select <8 x i1> %1111, <8 x double> %1001, <8 x double> %1110
+  %1113 = fmul <8 x double> %238, %1112
+  %1114 = fcmp oeq <8 x double> %960, %216
+  %1115 = fcmp ogt <8 x double> %996, %1113
+  %1116 = select <8 x i1> %1114, <8 x i1> %1115, <8 x i1> zeroinitializer
+  %1117 = select <8 x i1> %1116, <8 x double> %996, <8 x double> %1113
+  %1118 = fcmp ogt <8 x double> %669, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %1119 = select <8 x i1> %1118, <8 x i64> %1003, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %1120 = bitcast <8 x double> %999 to <8 x i64>
+  %1121 = select <8 x i1> %975, <8 x i64> %1119, <8 x i64> %1120
+  store <8 x i64> %1121, ptr %998, align 8
+  %1122 = load ptr, ptr %118, align 8
+  %1123 = getelementptr inbounds i8, ptr %986, i64 40
+  %1124 = load double, ptr %1123, align 8
+  %1125 = insertelement <8 x double> poison, double %1124, i64 0
+  %1126 = shufflevector <8 x double> %1125, <8 x double> poison, <8 x i32> zeroinitializer
+  %1127 = select <8 x i1> %994, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %1126
+  store <8 x double> %1127, ptr %1122, align 8
+  br label %1128
 
-1168:                                             ; preds = %1167, %1156
-  %1169 = phi i32 [ 1, %1167 ], [ %1157, %1156 ]
-  %1170 = fcmp oeq <8 x double> %839, %207
-  %1171 = select <8 x i1> %1170, <8 x i1> %1158, <8 x i1> zeroinitializer
-  %1172 = bitcast <8 x i1> %1171 to i8
-  %1173 = zext i8 %1172 to i64
-  %1174 = xor i64 %1165, -1
-  %1175 = and i64 %1174, %1173
-  %1176 = icmp eq i64 %1175, 0
-  br i1 %1176, label %1181, label %1177
+1128:                                             ; preds = %1103, %973
+  %1129 = phi <8 x double> [ %996, %973 ], [ %1117, %1103 ]
+  %1130 = and i64 %992, 255
+  %1131 = icmp eq i64 %1130, 0
+  br i1 %1131, label %1220, label %1132
 
-1177:                                             ; preds = %1168
-  %1178 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %2, i64 noundef %1175) #10
-  %1179 = icmp eq i64 %1178, 0
-  %1180 = select i1 %1179, i32 %1169, i32 1
-  br label %1181
+1132:                                             ; preds = %1128
+  %1133 = trunc i64 %741 to i8
+  %1134 = bitcast i8 %1133 to <8 x i1>
+  %1135 = trunc i64 %962 to i8
+  %1136 = bitcast i8 %1135 to <8 x i1>
+  %1137 = trunc i64 %961 to i8
+  %1138 = bitcast i8 %1137 to <8 x i1>
+  %1139 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %669)
+  %1140 = fcmp one <8 x double> %1139, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1141 = xor <8 x i1> %1134, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1142 = select <8 x i1> %1140, <8 x i1> %1141, <8 x i1> zeroinitializer
+  %1143 = or <8 x i1> %1136, %1138
+  %1144 = xor <8 x i1> %1143, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1145 = and <8 x i1> %1142, %1144
+  br i1 %990, label %1207, label %1146
 
-1181:                                             ; preds = %1177, %1168
-  %1182 = phi i32 [ %1169, %1168 ], [ %1180, %1177 ]
-  br label %164
+1146:                                             ; preds = %1132
+  %1147 = fcmp ogt <8 x double> %669, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1148 = bitcast <8 x double> %669 to <8 x i64>
+  %1149 = select <8 x i1> %1147, <8 x i64> %1148, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1150 = getelementptr inbounds i8, ptr %986, i64 24
+  %1151 = load double, ptr %1150, align 8
+  %1152 = insertelement <8 x double> poison, double %1151, i64 0
+  %1153 = shufflevector <8 x double> %1152, <8 x double> poison, <8 x i32> zeroinitializer
+  %1154 = load double, ptr %986, align 8
+  %1155 = fneg double %1154
+  %1156 = add <8 x i64> %1149, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1157 = ashr <8 x i64> %1156, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1158 = and <8 x i64> %1156, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1159 = sub <8 x i64> %1149, %1158
+  %1160 = bitcast <8 x i64> %1159 to <8 x double>
+  %1161 = fadd <8 x double> %1160, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1162 = fadd <8 x double> %1160, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1163 = fdiv <8 x double> %1161, %1162
+  %1164 = fmul <8 x double> %1163, %1163
+  %1165 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1164, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1166 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1165, <8 x double> %1164, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1167 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1166, <8 x double> %1164, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1168 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1167, <8 x double> %1164, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1169 = trunc nsw <8 x i64> %1157 to <8 x i32>
+  %1170 = sitofp <8 x i32> %1169 to <8 x double>
+  %1171 = fmul <8 x double> %1163, %1168
+  %1172 = fadd <8 x double> %1171, %1170
+  %1173 = insertelement <8 x double> poison, double %1155, i64 0
+  %1174 = shufflevector <8 x double> %1173, <8 x double> poison, <8 x i32> zeroinitializer
+  %1175 = fmul <8 x double> %1172, %1174
+  %1176 = fcmp ogt <8 x double> %1175, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1177 = bitcast <8 x double> %1175 to <8 x i64>
+  %1178 = select <8 x i1> %1176, <8 x i64> %1177, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1179 = bitcast <8 x i64> %1178 to <8 x double>
+  %1180 = fcmp olt <8 x double> %1179, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1181 = bitcast <8 x i64> %1178 to <8 x double>
+  %1182 = select <8 x i1> %1180, <8 x double> %1181, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1183 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1182)
+  %1184 = fsub <8 x double> %1182, %1183
+  %1185 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1184, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1186 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1185, <8 x double> %1184, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1187 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1186, <8 x double> %1184, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1188 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1187, <8 x double> %1184, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1189 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1188, <8 x double> %1184, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1190 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1189, <8 x double> %1184, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1191 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1190, <8 x double> %1184, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1192 = bitcast <8 x double> %1191 to <8 x i64>
+  %1193 = fptosi <8 x double> %1183 to <8 x i32>
+  %1194 = zext <8 x i32> %1193 to <8 x i64>
+  %1195 = shl <8 x i64> %1194, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1196 = add <8 x i64> %1195, %1192
+  %1197 = bitcast <8 x i64> %1196 to <8 x double>
+  %1198 = fmul <8 x double> %1153, %1197
+  %1199 = getelementptr inbounds i8, ptr %986, i64 32
+  %1200 = load double, ptr %1199, align 8
+  %1201 = insertelement <8 x double> poison, double %1200, i64 0
+  %1202 = shufflevector <8 x double> %1201, <8 x double> poison, <8 x i32> zeroinitializer
+  %1203 = fcmp ogt <8 x double> %1198, %1202
+  %1204 = select <8 x i1> %1203, <8 x double> %1198, <8 x double> %1202
+  %1205 = select <8 x i1> %1145, <8 x double> %1204, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1206 = fmul <8 x double> %238, %1205
+  br label %1207
 
-1183:                                             ; preds = %167, %192, %160
-  %1184 = phi i64 [ 1, %160 ], [ 0, %192 ], [ 0, %167 ]
-  ret i64 %1184
+1207:                                             ; preds = %1146, %1132
+  %1208 = phi <8 x double> [ zeroinitializer, %1132 ], [ %1206, %1146 ]
+  %1209 = or <8 x i1> %1145, %1138
+  %1210 = select <8 x i1> %1209, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1211 = select <8 x i1> %994, <8 x double> %1208, <8 x double> %1129
+  %1212 = load ptr, ptr %119, align 8
+  %1213 = select <8 x i1> %1136, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1210
+  %1214 = load <8 x i64>, ptr %1212, align 8
+  %1215 = select <8 x i1> %994, <8 x i64> %1213, <8 x i64> %1214
+  store <8 x i64> %1215, ptr %1212, align 8
+  %1216 = load ptr, ptr %119, align 8
+  %1217 = select <8 x i1> %1134, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1210
+  %1218 = load <8 x i64>, ptr %1216, align 8
+  %1219 = select <8 x i1> %994, <8 x i64> %1217, <8 x i64> %1218
+  store <8 x i64> %1219, ptr %1216, align 8
+  br label %1220
+
+1220:                                             ; preds = %1128, %1207
+  %1221 = phi <8 x double> [ %1129, %1128 ], [ %1211, %1207 ]
+  %1222 = load ptr, ptr %116, align 8
+  store <8 x double> %1221, ptr %1222, align 8
+  %1223 = load ptr, ptr %46, align 8
+  %1224 = select <8 x i1> %975, <8 x double> %960, <8 x double> %208
+  store <8 x double> %1224, ptr %1223, align 8
+  br i1 %120, label %1242, label %1235
+
+1225:                                             ; preds = %959, %1225
+  %1226 = phi i64 [ %1233, %1225 ], [ %971, %959 ]
+  %1227 = load ptr, ptr %114, align 8
+  call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %1227, i64 noundef %1226) #11
+  %1228 = load ptr, ptr %104, align 8
+  %1229 = load <8 x double>, ptr %1228, align 8
+  %1230 = fcmp oeq <8 x double> %1229, %960
+  %1231 = bitcast <8 x i1> %1230 to i8
+  %1232 = zext i8 %1231 to i64
+  %1233 = and i64 %1226, %1232
+  %1234 = icmp eq i64 %1233, 0
+  br i1 %1234, label %973, label %1225, !llvm.loop !22
+
+1235:                                             ; preds = %1242, %1220
+  %1236 = load ptr, ptr %122, align 8
+  %1237 = load ptr, ptr %66, align 8
+  %1238 = load i64, ptr %1237, align 8
+  %1239 = load i64, ptr %123, align 8
+  %1240 = mul nsw i64 %1239, %1238
+  %1241 = getelementptr inbounds double, ptr %1236, i64 %1240
+  br i1 %124, label %1256, label %1254
+
+1242:                                             ; preds = %1220, %1242
+  %1243 = phi i64 [ %1252, %1242 ], [ 0, %1220 ]
+  %1244 = load ptr, ptr %14, align 8
+  %1245 = load ptr, ptr %121, align 8
+  %1246 = shl nsw i64 %1243, 6
+  %1247 = getelementptr inbounds i8, ptr %1245, i64 %1246
+  %1248 = load <8 x i64>, ptr %1247, align 8
+  %1249 = getelementptr inbounds i8, ptr %1244, i64 %1246
+  %1250 = load <8 x i64>, ptr %1249, align 8
+  %1251 = select <8 x i1> %975, <8 x i64> %1248, <8 x i64> %1250
+  store <8 x i64> %1251, ptr %1249, align 8
+  %1252 = add nuw nsw i64 %1243, 1
+  %1253 = icmp eq i64 %1252, %18
+  br i1 %1253, label %1235, label %1242, !llvm.loop !23
+
+1254:                                             ; preds = %1256, %1235
+  %1255 = icmp eq i64 %965, 0
+  br i1 %1255, label %1277, label %1267
+
+1256:                                             ; preds = %1235, %1256
+  %1257 = phi i64 [ %1265, %1256 ], [ 0, %1235 ]
+  %1258 = load ptr, ptr %122, align 8
+  %1259 = shl nsw i64 %1257, 6
+  %1260 = getelementptr inbounds i8, ptr %1241, i64 %1259
+  %1261 = load <8 x i64>, ptr %1260, align 8
+  %1262 = getelementptr inbounds i8, ptr %1258, i64 %1259
+  %1263 = load <8 x i64>, ptr %1262, align 8
+  %1264 = select <8 x i1> %975, <8 x i64> %1261, <8 x i64> %1263
+  store <8 x i64> %1264, ptr %1262, align 8
+  %1265 = add nuw nsw i64 %1257, 1
+  %1266 = icmp eq i64 %1265, %18
+  br i1 %1266, label %1254, label %1256, !llvm.loop !24
+
+1267:                                             ; preds = %1254
+  %1268 = call fastcc i64 @act_in_lanes(ptr noundef nonnull %0, i64 noundef %965, ptr noundef nonnull %9) #11
+  %1269 = icmp ne i32 %963, 0
+  %1270 = icmp ne i64 %1268, %965
+  %1271 = select i1 %1269, i1 true, i1 %1270
+  %1272 = zext i1 %1271 to i32
+  %1273 = trunc i64 %965 to i8
+  %1274 = bitcast i8 %1273 to <8 x i1>
+  %1275 = xor <8 x i1> %1274, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1276 = and <8 x i1> %1275, %975
+  br label %1277
+
+1277:                                             ; preds = %1267, %1254
+  %1278 = phi i32 [ %1272, %1267 ], [ %963, %1254 ]
+  %1279 = phi <8 x i1> [ %1276, %1267 ], [ %975, %1254 ]
+  %1280 = phi i64 [ %1268, %1267 ], [ %176, %1254 ]
+  %1281 = load ptr, ptr %104, align 8
+  %1282 = load <8 x double>, ptr %1281, align 8
+  %1283 = fcmp oeq <8 x double> %1282, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1284 = select <8 x i1> %1283, <8 x i1> %1279, <8 x i1> zeroinitializer
+  %1285 = bitcast <8 x i1> %1284 to i8
+  %1286 = zext i8 %1285 to i64
+  %1287 = icmp eq i8 %1285, 0
+  br i1 %1287, label %1289, label %1288
+
+1288:                                             ; preds = %1277
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %1286, i64 noundef 0) #11
+  br label %1289
+
+1289:                                             ; preds = %1288, %1277
+  %1290 = phi i32 [ 1, %1288 ], [ %1278, %1277 ]
+  %1291 = fcmp oeq <8 x double> %960, %214
+  %1292 = select <8 x i1> %1291, <8 x i1> %1279, <8 x i1> zeroinitializer
+  %1293 = bitcast <8 x i1> %1292 to i8
+  %1294 = zext i8 %1293 to i64
+  %1295 = xor i64 %1286, -1
+  %1296 = and i64 %1295, %1294
+  %1297 = icmp eq i64 %1296, 0
+  br i1 %1297, label %1302, label %1298
+
+1298:                                             ; preds = %1289
+  %1299 = call fastcc i64 @start_again(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %1296) #11
+  %1300 = icmp eq i64 %1299, 0
+  %1301 = select i1 %1300, i32 %1290, i32 1
+  br label %1302
+
+1302:                                             ; preds = %1298, %1289
+  %1303 = phi i32 [ %1290, %1289 ], [ %1301, %1298 ]
+  br label %171
+
+1304:                                             ; preds = %174, %199, %167
+  %1305 = phi i64 [ 1, %167 ], [ 0, %199 ], [ 0, %174 ]
+  ret i64 %1305
 }
 
 
@@ -1471,510 +1624,565 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
 define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #2 {
   %3 = getelementptr inbounds i8, ptr %0, i64 696
   %4 = getelementptr inbounds i8, ptr %0, i64 984
-  %5 = getelementptr inbounds i8, ptr %0, i64 432
-  %6 = load ptr, ptr %4, align 8
-  %7 = getelementptr inbounds i8, ptr %0, i64 1128
-  %8 = getelementptr inbounds i8, ptr %0, i64 1064
-  %9 = getelementptr inbounds i8, ptr %0, i64 1056
-  %10 = getelementptr inbounds i8, ptr %0, i64 936
-  %11 = getelementptr inbounds i8, ptr %0, i64 1144
-  %12 = getelementptr inbounds i8, ptr %0, i64 1072
-  %13 = getelementptr inbounds i8, ptr %0, i64 1080
-  %14 = getelementptr inbounds i8, ptr %0, i64 192
-  %15 = getelementptr inbounds i8, ptr %0, i64 1096
-  %16 = getelementptr inbounds i8, ptr %0, i64 1104
-  %17 = getelementptr inbounds i8, ptr %0, i64 216
-  %18 = getelementptr inbounds i8, ptr %0, i64 1120
-  %19 = getelementptr inbounds i8, ptr %0, i64 1176
-  %20 = getelementptr inbounds i8, ptr %0, i64 1704
-  %21 = getelementptr inbounds i8, ptr %0, i64 1712
-  %22 = getelementptr inbounds i8, ptr %0, i64 1192
-  %23 = getelementptr inbounds i8, ptr %0, i64 1192
-  %24 = getelementptr inbounds i8, ptr %0, i64 1208
-  %25 = getelementptr inbounds i8, ptr %0, i64 1248
-  %26 = getelementptr inbounds i8, ptr %0, i64 1200
-  %27 = getelementptr inbounds i8, ptr %0, i64 1096
+  %5 = getelementptr inbounds i8, ptr %0, i64 144
+  %6 = getelementptr inbounds i8, ptr %0, i64 432
+  %7 = load ptr, ptr %4, align 8
+  %8 = getelementptr inbounds i8, ptr %0, i64 1152
+  %9 = getelementptr inbounds i8, ptr %0, i64 1064
+  %10 = getelementptr inbounds i8, ptr %0, i64 1056
+  %11 = getelementptr inbounds i8, ptr %0, i64 936
+  %12 = getelementptr inbounds i8, ptr %0, i64 1168
+  %13 = getelementptr inbounds i8, ptr %0, i64 1072
+  %14 = getelementptr inbounds i8, ptr %0, i64 1080
+  %15 = getelementptr inbounds i8, ptr %0, i64 192
+  %16 = getelementptr inbounds i8, ptr %0, i64 1096
+  %17 = getelementptr inbounds i8, ptr %0, i64 1104
+  %18 = getelementptr inbounds i8, ptr %0, i64 216
+  %19 = getelementptr inbounds i8, ptr %0, i64 1120
+  %20 = getelementptr inbounds i8, ptr %0, i64 1128
+  %21 = getelementptr inbounds i8, ptr %0, i64 672
+  %22 = getelementptr inbounds i8, ptr %0, i64 1144
+  %23 = getelementptr inbounds i8, ptr %0, i64 1200
+  %24 = getelementptr inbounds i8, ptr %0, i64 1728
+  %25 = getelementptr inbounds i8, ptr %0, i64 1736
+  %26 = getelementptr inbounds i8, ptr %0, i64 1216
+  %27 = getelementptr inbounds i8, ptr %0, i64 1216
   %28 = getelementptr inbounds i8, ptr %0, i64 1232
-  %29 = getelementptr inbounds i8, ptr %0, i64 1224
-  %30 = getelementptr inbounds i8, ptr %0, i64 1240
-  %31 = getelementptr inbounds i8, ptr %0, i64 1120
-  %32 = getelementptr inbounds i8, ptr %0, i64 1464
-  %33 = getelementptr inbounds i8, ptr %0, i64 1480
-  %34 = getelementptr inbounds i8, ptr %0, i64 1416
-  %35 = getelementptr inbounds i8, ptr %0, i64 1488
-  %36 = getelementptr inbounds i8, ptr %0, i64 1504
-  %37 = getelementptr inbounds i8, ptr %0, i64 1440
-  %38 = getelementptr inbounds i8, ptr %0, i64 1032
-  br label %39
+  %29 = getelementptr inbounds i8, ptr %0, i64 1272
+  %30 = getelementptr inbounds i8, ptr %0, i64 1224
+  %31 = getelementptr inbounds i8, ptr %0, i64 1096
+  %32 = getelementptr inbounds i8, ptr %0, i64 1256
+  %33 = getelementptr inbounds i8, ptr %0, i64 1248
+  %34 = getelementptr inbounds i8, ptr %0, i64 1264
+  %35 = getelementptr inbounds i8, ptr %0, i64 1120
+  %36 = getelementptr inbounds i8, ptr %0, i64 1488
+  %37 = getelementptr inbounds i8, ptr %0, i64 1504
+  %38 = getelementptr inbounds i8, ptr %0, i64 1440
+  %39 = getelementptr inbounds i8, ptr %0, i64 1512
+  %40 = getelementptr inbounds i8, ptr %0, i64 1528
+  %41 = getelementptr inbounds i8, ptr %0, i64 1464
+  %42 = getelementptr inbounds i8, ptr %0, i64 1032
+  br label %43
 
-39:                                               ; preds = %2, %274
-  %40 = phi i64 [ 0, %2 ], [ %284, %274 ]
-  %41 = phi i64 [ 0, %2 ], [ %275, %274 ]
-  %42 = phi i64 [ -1, %2 ], [ %283, %274 ]
-  %43 = phi i64 [ 0, %2 ], [ %282, %274 ]
-  %44 = load i64, ptr %6, align 8
-  %45 = load i64, ptr %8, align 8
-  %46 = icmp sge i64 %44, %45
-  br i1 %46, label %78, label %47
+43:                                               ; preds = %2, %301
+  %44 = phi i64 [ 0, %2 ], [ %311, %301 ]
+  %45 = phi i64 [ 0, %2 ], [ %302, %301 ]
+  %46 = phi i64 [ -1, %2 ], [ %310, %301 ]
+  %47 = phi i64 [ 0, %2 ], [ %309, %301 ]
+  %48 = load i64, ptr %7, align 8
+  %49 = load i64, ptr %9, align 8
+  %50 = icmp sge i64 %48, %49
+  br i1 %50, label %83, label %51
 
-47:                                               ; preds = %39
-  %48 = load ptr, ptr %7, align 8
-  %49 = load i64, ptr %11, align 8
-  %50 = mul nsw i64 %49, %44
-  %51 = getelementptr i64, ptr %48, i64 %50
-  %52 = getelementptr i8, ptr %51, i64 24
-  %53 = load i64, ptr %52, align 8
-  %54 = icmp eq i64 %53, 0
-  br i1 %54, label %78, label %73
+51:                                               ; preds = %43
+  %52 = load ptr, ptr %8, align 8
+  %53 = load i64, ptr %12, align 8
+  %54 = mul nsw i64 %53, %48
+  %55 = getelementptr i64, ptr %52, i64 %54
+  %56 = getelementptr i8, ptr %55, i64 24
+  %57 = load i64, ptr %56, align 8
+  %58 = icmp eq i64 %57, 0
+  br i1 %58, label %83, label %78
 
-55:                                               ; preds = %274
-  %56 = getelementptr inbounds i8, ptr %0, i64 144
-  store i64 %282, ptr %1, align 8
-  %57 = icmp slt i64 %283, 0
-  br i1 %57, label %389, label %58
+59:                                               ; preds = %301
+  store i64 %309, ptr %1, align 8
+  %60 = icmp slt i64 %310, 0
+  br i1 %60, label %434, label %61
 
-58:                                               ; preds = %55
-  %59 = getelementptr inbounds i8, ptr %0, i64 936
-  %60 = getelementptr inbounds i8, ptr %0, i64 600
-  %61 = getelementptr inbounds i8, ptr %0, i64 192
-  %62 = getelementptr inbounds i8, ptr %0, i64 216
-  %63 = getelementptr inbounds i8, ptr %0, i64 720
-  %64 = getelementptr inbounds i8, ptr %0, i64 816
-  br label %309
+61:                                               ; preds = %59
+  %62 = getelementptr inbounds i8, ptr %0, i64 936
+  %63 = getelementptr inbounds i8, ptr %0, i64 600
+  %64 = getelementptr inbounds i8, ptr %0, i64 192
+  %65 = getelementptr inbounds i8, ptr %0, i64 216
+  %66 = getelementptr inbounds i8, ptr %0, i64 672
+  %67 = getelementptr inbounds i8, ptr %0, i64 1144
+  %68 = getelementptr inbounds i8, ptr %0, i64 720
+  %69 = getelementptr inbounds i8, ptr %0, i64 816
+  br label %336
 
-65:                                               ; preds = %73
-  %66 = load ptr, ptr %7, align 8
-  %67 = load i64, ptr %11, align 8
-  %68 = mul nsw i64 %67, %75
-  %69 = getelementptr i64, ptr %66, i64 %68
-  %70 = getelementptr i8, ptr %69, i64 24
-  %71 = load i64, ptr %70, align 8
-  %72 = icmp eq i64 %71, 0
-  br i1 %72, label %78, label %73, !llvm.loop !23
+70:                                               ; preds = %78
+  %71 = load ptr, ptr %8, align 8
+  %72 = load i64, ptr %12, align 8
+  %73 = mul nsw i64 %72, %80
+  %74 = getelementptr i64, ptr %71, i64 %73
+  %75 = getelementptr i8, ptr %74, i64 24
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp eq i64 %76, 0
+  br i1 %77, label %83, label %78, !llvm.loop !25
 
-73:                                               ; preds = %47, %65
-  %74 = phi i64 [ %75, %65 ], [ %44, %47 ]
-  %75 = add nsw i64 %74, 1
-  store i64 %75, ptr %6, align 8
-  %76 = load i64, ptr %8, align 8
-  %77 = icmp sge i64 %75, %76
-  br i1 %77, label %78, label %65, !llvm.loop !23
+78:                                               ; preds = %51, %70
+  %79 = phi i64 [ %80, %70 ], [ %48, %51 ]
+  %80 = add nsw i64 %79, 1
+  store i64 %80, ptr %7, align 8
+  %81 = load i64, ptr %9, align 8
+  %82 = icmp sge i64 %80, %81
+  br i1 %82, label %83, label %70, !llvm.loop !25
 
-78:                                               ; preds = %73, %65, %47, %39
-  %79 = phi i64 [ %44, %39 ], [ %44, %47 ], [ %75, %65 ], [ %75, %73 ]
-  %80 = phi i1 [ %46, %39 ], [ %46, %47 ], [ %77, %65 ], [ %77, %73 ]
-  %81 = load ptr, ptr %10, align 8
-  %82 = getelementptr inbounds i64, ptr %81, i64 %40
-  %83 = load i64, ptr %82, align 8
-  %84 = icmp ne i64 %83, -1
-  %85 = or i1 %80, %84
-  br i1 %85, label %274, label %86
+83:                                               ; preds = %78, %70, %51, %43
+  %84 = phi i64 [ %48, %43 ], [ %48, %51 ], [ %80, %70 ], [ %80, %78 ]
+  %85 = phi i1 [ %50, %43 ], [ %50, %51 ], [ %82, %70 ], [ %82, %78 ]
+  %86 = load ptr, ptr %11, align 8
+  %87 = getelementptr inbounds i64, ptr %86, i64 %44
+  %88 = load i64, ptr %87, align 8
+  %89 = icmp ne i64 %88, -1
+  %90 = or i1 %85, %89
+  br i1 %90, label %301, label %91
 
-86:                                               ; preds = %78
-  %87 = add nsw i64 %79, 1
-  store i64 %87, ptr %6, align 8
-  %88 = load ptr, ptr %10, align 8
-  %89 = getelementptr inbounds i64, ptr %88, i64 %40
-  store i64 %79, ptr %89, align 8
-  %90 = load ptr, ptr %5, align 8
-  %91 = load ptr, ptr %9, align 8
-  %92 = load i64, ptr %12, align 8
-  %93 = mul nsw i64 %92, %79
-  %94 = getelementptr inbounds double, ptr %91, i64 %93
-  %95 = getelementptr double, ptr %90, i64 %40
-  %96 = icmp sgt i64 %92, 0
-  br i1 %96, label %97, label %106
+91:                                               ; preds = %83
+  %92 = add nsw i64 %84, 1
+  store i64 %92, ptr %7, align 8
+  %93 = load ptr, ptr %11, align 8
+  %94 = getelementptr inbounds i64, ptr %93, i64 %44
+  store i64 %84, ptr %94, align 8
+  %95 = load ptr, ptr %6, align 8
+  %96 = load ptr, ptr %10, align 8
+  %97 = load i64, ptr %13, align 8
+  %98 = mul nsw i64 %97, %84
+  %99 = getelementptr inbounds double, ptr %96, i64 %98
+  %100 = getelementptr double, ptr %95, i64 %44
+  %101 = icmp sgt i64 %97, 0
+  br i1 %101, label %102, label %111
 
-97:                                               ; preds = %86, %97
-  %98 = phi i64 [ %103, %97 ], [ 0, %86 ]
-  %99 = getelementptr inbounds double, ptr %94, i64 %98
-  %100 = load double, ptr %99, align 8
-  %101 = shl i64 %98, 6
-  %102 = getelementptr i8, ptr %95, i64 %101
-  store double %100, ptr %102, align 8
-  %103 = add nuw nsw i64 %98, 1
-  %104 = load i64, ptr %12, align 8
-  %105 = icmp slt i64 %103, %104
-  br i1 %105, label %97, label %106, !llvm.loop !24
+102:                                              ; preds = %91, %102
+  %103 = phi i64 [ %108, %102 ], [ 0, %91 ]
+  %104 = getelementptr inbounds double, ptr %99, i64 %103
+  %105 = load double, ptr %104, align 8
+  %106 = shl i64 %103, 6
+  %107 = getelementptr i8, ptr %100, i64 %106
+  store double %105, ptr %107, align 8
+  %108 = add nuw nsw i64 %103, 1
+  %109 = load i64, ptr %13, align 8
+  %110 = icmp slt i64 %108, %109
+  br i1 %110, label %102, label %111, !llvm.loop !26
 
-106:                                              ; preds = %97, %86
-  %107 = load ptr, ptr %14, align 8
-  %108 = load ptr, ptr %13, align 8
-  %109 = load i64, ptr %15, align 8
-  %110 = mul nsw i64 %109, %79
-  %111 = getelementptr inbounds double, ptr %108, i64 %110
-  %112 = getelementptr double, ptr %107, i64 %40
-  %113 = icmp sgt i64 %109, 0
-  br i1 %113, label %114, label %123
+111:                                              ; preds = %102, %91
+  %112 = load ptr, ptr %15, align 8
+  %113 = load ptr, ptr %14, align 8
+  %114 = load i64, ptr %16, align 8
+  %115 = mul nsw i64 %114, %84
+  %116 = getelementptr inbounds double, ptr %113, i64 %115
+  %117 = getelementptr double, ptr %112, i64 %44
+  %118 = icmp sgt i64 %114, 0
+  br i1 %118, label %119, label %128
 
-114:                                              ; preds = %106, %114
-  %115 = phi i64 [ %120, %114 ], [ 0, %106 ]
-  %116 = getelementptr inbounds double, ptr %111, i64 %115
-  %117 = load double, ptr %116, align 8
-  %118 = shl i64 %115, 6
-  %119 = getelementptr i8, ptr %112, i64 %118
-  store double %117, ptr %119, align 8
-  %120 = add nuw nsw i64 %115, 1
-  %121 = load i64, ptr %15, align 8
-  %122 = icmp slt i64 %120, %121
-  br i1 %122, label %114, label %123, !llvm.loop !24
+119:                                              ; preds = %111, %119
+  %120 = phi i64 [ %125, %119 ], [ 0, %111 ]
+  %121 = getelementptr inbounds double, ptr %116, i64 %120
+  %122 = load double, ptr %121, align 8
+  %123 = shl i64 %120, 6
+  %124 = getelementptr i8, ptr %117, i64 %123
+  store double %122, ptr %124, align 8
+  %125 = add nuw nsw i64 %120, 1
+  %126 = load i64, ptr %16, align 8
+  %127 = icmp slt i64 %125, %126
+  br i1 %127, label %119, label %128, !llvm.loop !26
 
-123:                                              ; preds = %114, %106
-  %124 = load ptr, ptr %17, align 8
-  %125 = load ptr, ptr %16, align 8
-  %126 = load i64, ptr %18, align 8
-  %127 = mul nsw i64 %126, %79
-  %128 = getelementptr inbounds double, ptr %125, i64 %127
-  %129 = getelementptr double, ptr %124, i64 %40
-  %130 = icmp sgt i64 %126, 0
-  br i1 %130, label %131, label %140
+128:                                              ; preds = %119, %111
+  %129 = load ptr, ptr %18, align 8
+  %130 = load ptr, ptr %17, align 8
+  %131 = load i64, ptr %19, align 8
+  %132 = mul nsw i64 %131, %84
+  %133 = getelementptr inbounds double, ptr %130, i64 %132
+  %134 = getelementptr double, ptr %129, i64 %44
+  %135 = icmp sgt i64 %131, 0
+  br i1 %135, label %136, label %145
 
-131:                                              ; preds = %123, %131
-  %132 = phi i64 [ %137, %131 ], [ 0, %123 ]
-  %133 = getelementptr inbounds double, ptr %128, i64 %132
-  %134 = load double, ptr %133, align 8
-  %135 = shl i64 %132, 6
-  %136 = getelementptr i8, ptr %129, i64 %135
-  store double %134, ptr %136, align 8
-  %137 = add nuw nsw i64 %132, 1
-  %138 = load i64, ptr %18, align 8
-  %139 = icmp slt i64 %137, %138
-  br i1 %139, label %131, label %140, !llvm.loop !24
+136:                                              ; preds = %128, %136
+  %137 = phi i64 [ %142, %136 ], [ 0, %128 ]
+  %138 = getelementptr inbounds double, ptr %133, i64 %137
+  %139 = load double, ptr %138, align 8
+  %140 = shl i64 %137, 6
+  %141 = getelementptr i8, ptr %134, i64 %140
+  store double %139, ptr %141, align 8
+  %142 = add nuw nsw i64 %137, 1
+  %143 = load i64, ptr %19, align 8
+  %144 = icmp slt i64 %142, %143
+  br i1 %144, label %136, label %145, !llvm.loop !26
 
-140:                                              ; preds = %131, %123
-  %141 = load ptr, ptr %20, align 8
-  %142 = load i64, ptr %21, align 8
-  %143 = getelementptr inbounds double, ptr %141, i64 %142
-  %144 = load i64, ptr %22, align 8
-  %145 = mul i64 %144, -64
-  %146 = getelementptr inbounds i8, ptr %143, i64 %145
-  %147 = load ptr, ptr %19, align 8
-  %148 = mul nsw i64 %144, %79
-  %149 = getelementptr inbounds double, ptr %147, i64 %148
-  %150 = getelementptr double, ptr %146, i64 %40
-  %151 = load i64, ptr %23, align 8
-  %152 = icmp sgt i64 %151, 0
-  br i1 %152, label %153, label %162
+145:                                              ; preds = %136, %128
+  %146 = load ptr, ptr %21, align 8
+  %147 = load ptr, ptr %5, align 8
+  %148 = getelementptr inbounds i8, ptr %147, i64 24
+  %149 = load i64, ptr %148, align 8
+  %150 = shl nsw i64 %149, 6
+  %151 = getelementptr inbounds i8, ptr %146, i64 %150
+  %152 = load ptr, ptr %20, align 8
+  %153 = load i64, ptr %22, align 8
+  %154 = mul nsw i64 %153, %84
+  %155 = getelementptr inbounds double, ptr %152, i64 %154
+  %156 = getelementptr double, ptr %151, i64 %44
+  %157 = icmp sgt i64 %153, 0
+  br i1 %157, label %158, label %167
 
-153:                                              ; preds = %140, %153
-  %154 = phi i64 [ %159, %153 ], [ 0, %140 ]
-  %155 = getelementptr inbounds double, ptr %149, i64 %154
-  %156 = load double, ptr %155, align 8
-  %157 = shl i64 %154, 6
-  %158 = getelementptr i8, ptr %150, i64 %157
-  store double %156, ptr %158, align 8
-  %159 = add nuw nsw i64 %154, 1
-  %160 = load i64, ptr %23, align 8
-  %161 = icmp slt i64 %159, %160
-  br i1 %161, label %153, label %162, !llvm.loop !24
+158:                                              ; preds = %145, %158
+  %159 = phi i64 [ %164, %158 ], [ 0, %145 ]
+  %160 = getelementptr inbounds double, ptr %155, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = shl i64 %159, 6
+  %163 = getelementptr i8, ptr %156, i64 %162
+  store double %161, ptr %163, align 8
+  %164 = add nuw nsw i64 %159, 1
+  %165 = load i64, ptr %22, align 8
+  %166 = icmp slt i64 %164, %165
+  br i1 %166, label %158, label %167, !llvm.loop !26
 
-162:                                              ; preds = %153, %140
-  %163 = load i64, ptr %24, align 8
-  %164 = icmp sgt i64 %163, 0
-  br i1 %164, label %165, label %267
+167:                                              ; preds = %158, %145
+  %168 = load ptr, ptr %24, align 8
+  %169 = load i64, ptr %25, align 8
+  %170 = getelementptr inbounds double, ptr %168, i64 %169
+  %171 = load i64, ptr %26, align 8
+  %172 = mul i64 %171, -64
+  %173 = getelementptr inbounds i8, ptr %170, i64 %172
+  %174 = load ptr, ptr %23, align 8
+  %175 = mul nsw i64 %171, %84
+  %176 = getelementptr inbounds double, ptr %174, i64 %175
+  %177 = getelementptr double, ptr %173, i64 %44
+  %178 = load i64, ptr %27, align 8
+  %179 = icmp sgt i64 %178, 0
+  br i1 %179, label %180, label %189
 
-165:                                              ; preds = %162
-  %166 = load ptr, ptr %26, align 8
-  %167 = getelementptr inbounds i64, ptr %166, i64 %40
-  %168 = load i64, ptr %167, align 8
-  %169 = inttoptr i64 %168 to ptr
-  %170 = load i64, ptr %27, align 8
-  %171 = icmp sgt i64 %170, 0
-  br i1 %171, label %172, label %174
+180:                                              ; preds = %167, %180
+  %181 = phi i64 [ %186, %180 ], [ 0, %167 ]
+  %182 = getelementptr inbounds double, ptr %176, i64 %181
+  %183 = load double, ptr %182, align 8
+  %184 = shl i64 %181, 6
+  %185 = getelementptr i8, ptr %177, i64 %184
+  store double %183, ptr %185, align 8
+  %186 = add nuw nsw i64 %181, 1
+  %187 = load i64, ptr %27, align 8
+  %188 = icmp slt i64 %186, %187
+  br i1 %188, label %180, label %189, !llvm.loop !26
 
-172:                                              ; preds = %165
-  %173 = getelementptr inbounds i8, ptr %169, i64 192
-  br label %177
+189:                                              ; preds = %180, %167
+  %190 = load i64, ptr %28, align 8
+  %191 = icmp sgt i64 %190, 0
+  br i1 %191, label %192, label %294
 
-174:                                              ; preds = %177, %165
-  %175 = load i64, ptr %28, align 8
-  %176 = icmp sgt i64 %175, 0
-  br i1 %176, label %198, label %190
+192:                                              ; preds = %189
+  %193 = load ptr, ptr %30, align 8
+  %194 = getelementptr inbounds i64, ptr %193, i64 %44
+  %195 = load i64, ptr %194, align 8
+  %196 = inttoptr i64 %195 to ptr
+  %197 = load i64, ptr %31, align 8
+  %198 = icmp sgt i64 %197, 0
+  br i1 %198, label %199, label %201
 
-177:                                              ; preds = %172, %177
-  %178 = phi i64 [ %170, %172 ], [ %188, %177 ]
-  %179 = phi i64 [ 0, %172 ], [ %187, %177 ]
-  %180 = load ptr, ptr %13, align 8
-  %181 = mul nsw i64 %178, %79
-  %182 = getelementptr double, ptr %180, i64 %181
-  %183 = getelementptr double, ptr %182, i64 %179
-  %184 = load double, ptr %183, align 8
-  %185 = load ptr, ptr %173, align 8
-  %186 = getelementptr inbounds double, ptr %185, i64 %179
-  store double %184, ptr %186, align 8
-  %187 = add nuw nsw i64 %179, 1
-  %188 = load i64, ptr %27, align 8
-  %189 = icmp slt i64 %187, %188
-  br i1 %189, label %177, label %174, !llvm.loop !26
+199:                                              ; preds = %192
+  %200 = getelementptr inbounds i8, ptr %196, i64 192
+  br label %204
 
-190:                                              ; preds = %198, %174
-  %191 = load ptr, ptr %25, align 8
-  %192 = getelementptr inbounds i8, ptr %191, i64 8
-  %193 = load i64, ptr %192, align 8
-  %194 = icmp sgt i64 %193, 0
-  br i1 %194, label %195, label %263
+201:                                              ; preds = %204, %192
+  %202 = load i64, ptr %32, align 8
+  %203 = icmp sgt i64 %202, 0
+  br i1 %203, label %225, label %217
 
-195:                                              ; preds = %190
-  %196 = getelementptr inbounds i8, ptr %169, i64 1248
-  %197 = getelementptr inbounds i8, ptr %169, i64 1008
-  br label %218
+204:                                              ; preds = %199, %204
+  %205 = phi i64 [ %197, %199 ], [ %215, %204 ]
+  %206 = phi i64 [ 0, %199 ], [ %214, %204 ]
+  %207 = load ptr, ptr %14, align 8
+  %208 = mul nsw i64 %205, %84
+  %209 = getelementptr double, ptr %207, i64 %208
+  %210 = getelementptr double, ptr %209, i64 %206
+  %211 = load double, ptr %210, align 8
+  %212 = load ptr, ptr %200, align 8
+  %213 = getelementptr inbounds double, ptr %212, i64 %206
+  store double %211, ptr %213, align 8
+  %214 = add nuw nsw i64 %206, 1
+  %215 = load i64, ptr %31, align 8
+  %216 = icmp slt i64 %214, %215
+  br i1 %216, label %204, label %201, !llvm.loop !28
 
-198:                                              ; preds = %174, %198
-  %199 = phi i64 [ %215, %198 ], [ 0, %174 ]
-  %200 = load ptr, ptr %29, align 8
-  %201 = load i64, ptr %30, align 8
-  %202 = mul nsw i64 %201, %199
-  %203 = getelementptr inbounds i64, ptr %200, i64 %202
-  %204 = load i64, ptr %203, align 8
-  %205 = inttoptr i64 %204 to ptr
-  %206 = load ptr, ptr %205, align 8
-  %207 = load ptr, ptr %16, align 8
-  %208 = load i64, ptr %31, align 8
-  %209 = mul nsw i64 %208, %79
-  %210 = getelementptr inbounds double, ptr %207, i64 %209
-  %211 = getelementptr i64, ptr %203, i64 %40
-  %212 = getelementptr i8, ptr %211, i64 8
-  %213 = load i64, ptr %212, align 8
-  %214 = inttoptr i64 %213 to ptr
-  tail call void %206(ptr noundef %210, ptr noundef %214) #11
-  %215 = add nuw nsw i64 %199, 1
-  %216 = load i64, ptr %28, align 8
-  %217 = icmp slt i64 %215, %216
-  br i1 %217, label %198, label %190, !llvm.loop !27
+217:                                              ; preds = %225, %201
+  %218 = load ptr, ptr %29, align 8
+  %219 = getelementptr inbounds i8, ptr %218, i64 8
+  %220 = load i64, ptr %219, align 8
+  %221 = icmp sgt i64 %220, 0
+  br i1 %221, label %222, label %290
 
-218:                                              ; preds = %195, %232
-  %219 = phi i64 [ 0, %195 ], [ %241, %232 ]
-  %220 = load ptr, ptr %32, align 8
-  %221 = load i64, ptr %33, align 8
-  %222 = mul nsw i64 %221, %79
-  %223 = getelementptr i64, ptr %220, i64 %222
-  %224 = getelementptr i64, ptr %223, i64 %219
-  %225 = load i64, ptr %224, align 8
-  %226 = sitofp i64 %225 to double
-  %227 = load ptr, ptr %34, align 8
-  %228 = shl i64 %219, 6
-  %229 = getelementptr i8, ptr %227, i64 %228
-  %230 = getelementptr double, ptr %229, i64 %40
-  store double %226, ptr %230, align 8
-  %231 = mul i64 %219, 800
-  br label %246
+222:                                              ; preds = %217
+  %223 = getelementptr inbounds i8, ptr %196, i64 1248
+  %224 = getelementptr inbounds i8, ptr %196, i64 1008
+  br label %245
 
-232:                                              ; preds = %256
-  %233 = load ptr, ptr %197, align 8
-  %234 = shl nuw nsw i64 %219, 1
-  %235 = or disjoint i64 %234, 1
-  %236 = getelementptr inbounds double, ptr %233, i64 %235
-  store double 0x7FF8000000000000, ptr %236, align 8
-  %237 = load ptr, ptr %197, align 8
-  %238 = getelementptr inbounds double, ptr %237, i64 %234
-  store double 0x7FF8000000000000, ptr %238, align 8
-  %239 = load ptr, ptr %37, align 8
-  %240 = getelementptr inbounds double, ptr %239, i64 %40
-  store double 0x7FF8000000000000, ptr %240, align 8
-  %241 = add nuw nsw i64 %219, 1
-  %242 = load ptr, ptr %25, align 8
-  %243 = getelementptr inbounds i8, ptr %242, i64 8
-  %244 = load i64, ptr %243, align 8
-  %245 = icmp slt i64 %241, %244
-  br i1 %245, label %218, label %263, !llvm.loop !28
+225:                                              ; preds = %201, %225
+  %226 = phi i64 [ %242, %225 ], [ 0, %201 ]
+  %227 = load ptr, ptr %33, align 8
+  %228 = load i64, ptr %34, align 8
+  %229 = mul nsw i64 %228, %226
+  %230 = getelementptr inbounds i64, ptr %227, i64 %229
+  %231 = load i64, ptr %230, align 8
+  %232 = inttoptr i64 %231 to ptr
+  %233 = load ptr, ptr %232, align 8
+  %234 = load ptr, ptr %17, align 8
+  %235 = load i64, ptr %35, align 8
+  %236 = mul nsw i64 %235, %84
+  %237 = getelementptr inbounds double, ptr %234, i64 %236
+  %238 = getelementptr i64, ptr %230, i64 %44
+  %239 = getelementptr i8, ptr %238, i64 8
+  %240 = load i64, ptr %239, align 8
+  %241 = inttoptr i64 %240 to ptr
+  tail call void %233(ptr noundef %237, ptr noundef %241) #12
+  %242 = add nuw nsw i64 %226, 1
+  %243 = load i64, ptr %32, align 8
+  %244 = icmp slt i64 %242, %243
+  br i1 %244, label %225, label %217, !llvm.loop !29
 
-246:                                              ; preds = %218, %256
-  %247 = phi i64 [ 0, %218 ], [ %261, %256 ]
-  %248 = icmp eq i64 %247, 0
-  br i1 %248, label %249, label %256
+245:                                              ; preds = %222, %259
+  %246 = phi i64 [ 0, %222 ], [ %268, %259 ]
+  %247 = load ptr, ptr %36, align 8
+  %248 = load i64, ptr %37, align 8
+  %249 = mul nsw i64 %248, %84
+  %250 = getelementptr i64, ptr %247, i64 %249
+  %251 = getelementptr i64, ptr %250, i64 %246
+  %252 = load i64, ptr %251, align 8
+  %253 = sitofp i64 %252 to double
+  %254 = load ptr, ptr %38, align 8
+  %255 = shl i64 %246, 6
+  %256 = getelementptr i8, ptr %254, i64 %255
+  %257 = getelementptr double, ptr %256, i64 %44
+  store double %253, ptr %257, align 8
+  %258 = mul i64 %246, 800
+  br label %273
 
-249:                                              ; preds = %246
-  %250 = load ptr, ptr %35, align 8
-  %251 = load i64, ptr %36, align 8
-  %252 = mul nsw i64 %251, %79
-  %253 = getelementptr double, ptr %250, i64 %252
-  %254 = getelementptr double, ptr %253, i64 %219
-  %255 = load double, ptr %254, align 8
-  br label %256
+259:                                              ; preds = %283
+  %260 = load ptr, ptr %224, align 8
+  %261 = shl nuw nsw i64 %246, 1
+  %262 = or disjoint i64 %261, 1
+  %263 = getelementptr inbounds double, ptr %260, i64 %262
+  store double 0x7FF8000000000000, ptr %263, align 8
+  %264 = load ptr, ptr %224, align 8
+  %265 = getelementptr inbounds double, ptr %264, i64 %261
+  store double 0x7FF8000000000000, ptr %265, align 8
+  %266 = load ptr, ptr %41, align 8
+  %267 = getelementptr inbounds double, ptr %266, i64 %44
+  store double 0x7FF8000000000000, ptr %267, align 8
+  %268 = add nuw nsw i64 %246, 1
+  %269 = load ptr, ptr %29, align 8
+  %270 = getelementptr inbounds i8, ptr %269, i64 8
+  %271 = load i64, ptr %270, align 8
+  %272 = icmp slt i64 %268, %271
+  br i1 %272, label %245, label %290, !llvm.loop !30
 
-256:                                              ; preds = %249, %246
-  %257 = phi double [ %255, %249 ], [ 0xFFF0000000000000, %246 ]
-  %258 = load ptr, ptr %196, align 8
-  %259 = getelementptr inbounds i8, ptr %258, i64 %231
-  %260 = getelementptr inbounds double, ptr %259, i64 %247
-  store double %257, ptr %260, align 8
-  %261 = add nuw nsw i64 %247, 1
-  %262 = icmp eq i64 %261, 100
-  br i1 %262, label %232, label %246, !llvm.loop !29
+273:                                              ; preds = %245, %283
+  %274 = phi i64 [ 0, %245 ], [ %288, %283 ]
+  %275 = icmp eq i64 %274, 0
+  br i1 %275, label %276, label %283
 
-263:                                              ; preds = %232, %190
-  %264 = getelementptr inbounds i8, ptr %169, i64 648
-  %265 = load ptr, ptr %264, align 8
-  %266 = getelementptr inbounds i8, ptr %265, i64 80
-  store i64 0, ptr %266, align 8
-  br label %267
+276:                                              ; preds = %273
+  %277 = load ptr, ptr %39, align 8
+  %278 = load i64, ptr %40, align 8
+  %279 = mul nsw i64 %278, %84
+  %280 = getelementptr double, ptr %277, i64 %279
+  %281 = getelementptr double, ptr %280, i64 %246
+  %282 = load double, ptr %281, align 8
+  br label %283
 
-267:                                              ; preds = %263, %162
-  %268 = load ptr, ptr %38, align 8
-  %269 = load double, ptr %268, align 8
-  %270 = load ptr, ptr %3, align 8
-  %271 = getelementptr inbounds double, ptr %270, i64 %40
-  store double %269, ptr %271, align 8
-  %272 = shl nuw nsw i64 1, %40
-  %273 = or i64 %272, %41
-  br label %274
+283:                                              ; preds = %276, %273
+  %284 = phi double [ %282, %276 ], [ 0xFFF0000000000000, %273 ]
+  %285 = load ptr, ptr %223, align 8
+  %286 = getelementptr inbounds i8, ptr %285, i64 %258
+  %287 = getelementptr inbounds double, ptr %286, i64 %274
+  store double %284, ptr %287, align 8
+  %288 = add nuw nsw i64 %274, 1
+  %289 = icmp eq i64 %288, 100
+  br i1 %289, label %259, label %273, !llvm.loop !31
 
-274:                                              ; preds = %78, %267
-  %275 = phi i64 [ %273, %267 ], [ %41, %78 ]
-  %276 = load ptr, ptr %10, align 8
-  %277 = getelementptr inbounds i64, ptr %276, i64 %40
-  %278 = load i64, ptr %277, align 8
-  %279 = icmp sgt i64 %278, -1
-  %280 = shl nuw nsw i64 1, %40
-  %281 = select i1 %279, i64 %280, i64 0
-  %282 = or i64 %281, %43
-  %283 = select i1 %279, i64 %40, i64 %42
-  %284 = add nuw nsw i64 %40, 1
-  %285 = icmp eq i64 %284, 8
-  br i1 %285, label %55, label %39, !llvm.loop !30
+290:                                              ; preds = %259, %217
+  %291 = getelementptr inbounds i8, ptr %196, i64 648
+  %292 = load ptr, ptr %291, align 8
+  %293 = getelementptr inbounds i8, ptr %292, i64 80
+  store i64 0, ptr %293, align 8
+  br label %294
 
-286:                                              ; preds = %386
-  %287 = getelementptr inbounds i8, ptr %0, i64 272
-  %288 = load i64, ptr %287, align 8
-  %289 = icmp sgt i64 %288, 0
-  br i1 %289, label %290, label %389
+294:                                              ; preds = %290, %189
+  %295 = load ptr, ptr %42, align 8
+  %296 = load double, ptr %295, align 8
+  %297 = load ptr, ptr %3, align 8
+  %298 = getelementptr inbounds double, ptr %297, i64 %44
+  store double %296, ptr %298, align 8
+  %299 = shl nuw nsw i64 1, %44
+  %300 = or i64 %299, %45
+  br label %301
 
-290:                                              ; preds = %286
-  %291 = getelementptr inbounds i8, ptr %0, i64 264
-  %292 = getelementptr inbounds i8, ptr %0, i64 216
-  br label %293
+301:                                              ; preds = %83, %294
+  %302 = phi i64 [ %300, %294 ], [ %45, %83 ]
+  %303 = load ptr, ptr %11, align 8
+  %304 = getelementptr inbounds i64, ptr %303, i64 %44
+  %305 = load i64, ptr %304, align 8
+  %306 = icmp sgt i64 %305, -1
+  %307 = shl nuw nsw i64 1, %44
+  %308 = select i1 %306, i64 %307, i64 0
+  %309 = or i64 %308, %47
+  %310 = select i1 %306, i64 %44, i64 %46
+  %311 = add nuw nsw i64 %44, 1
+  %312 = icmp eq i64 %311, 8
+  br i1 %312, label %59, label %43, !llvm.loop !32
 
-293:                                              ; preds = %290, %293
-  %294 = phi i64 [ 0, %290 ], [ %306, %293 ]
-  %295 = load ptr, ptr %291, align 8
-  %296 = shl nuw nsw i64 %294, 1
-  %297 = getelementptr inbounds i64, ptr %295, i64 %296
-  %298 = load i64, ptr %297, align 8
-  %299 = inttoptr i64 %298 to ptr
-  %300 = load ptr, ptr %299, align 8
-  %301 = load ptr, ptr %292, align 8
-  %302 = or disjoint i64 %296, 1
-  %303 = getelementptr inbounds i64, ptr %295, i64 %302
-  %304 = load i64, ptr %303, align 8
-  %305 = inttoptr i64 %304 to ptr
-  tail call void %300(ptr noundef %301, ptr noundef %305) #11
-  %306 = add nuw nsw i64 %294, 1
-  %307 = load i64, ptr %287, align 8
-  %308 = icmp slt i64 %306, %307
-  br i1 %308, label %293, label %389, !llvm.loop !31
+313:                                              ; preds = %431
+  %314 = getelementptr inbounds i8, ptr %0, i64 272
+  %315 = load i64, ptr %314, align 8
+  %316 = icmp sgt i64 %315, 0
+  br i1 %316, label %317, label %434
 
-309:                                              ; preds = %58, %386
-  %310 = phi i64 [ 0, %58 ], [ %387, %386 ]
-  %311 = load ptr, ptr %59, align 8
-  %312 = getelementptr inbounds i64, ptr %311, i64 %310
-  %313 = load i64, ptr %312, align 8
-  %314 = icmp eq i64 %313, -1
-  br i1 %314, label %315, label %386
+317:                                              ; preds = %313
+  %318 = getelementptr inbounds i8, ptr %0, i64 264
+  %319 = getelementptr inbounds i8, ptr %0, i64 216
+  br label %320
 
-315:                                              ; preds = %309
-  %316 = load ptr, ptr %5, align 8
-  %317 = load ptr, ptr %56, align 8
-  %318 = getelementptr inbounds i8, ptr %317, i64 8
-  %319 = load i64, ptr %318, align 8
-  %320 = icmp sgt i64 %319, 0
-  br i1 %320, label %321, label %330
+320:                                              ; preds = %317, %320
+  %321 = phi i64 [ 0, %317 ], [ %333, %320 ]
+  %322 = load ptr, ptr %318, align 8
+  %323 = shl nuw nsw i64 %321, 1
+  %324 = getelementptr inbounds i64, ptr %322, i64 %323
+  %325 = load i64, ptr %324, align 8
+  %326 = inttoptr i64 %325 to ptr
+  %327 = load ptr, ptr %326, align 8
+  %328 = load ptr, ptr %319, align 8
+  %329 = or disjoint i64 %323, 1
+  %330 = getelementptr inbounds i64, ptr %322, i64 %329
+  %331 = load i64, ptr %330, align 8
+  %332 = inttoptr i64 %331 to ptr
+  tail call void %327(ptr noundef %328, ptr noundef %332) #12
+  %333 = add nuw nsw i64 %321, 1
+  %334 = load i64, ptr %314, align 8
+  %335 = icmp slt i64 %333, %334
+  br i1 %335, label %320, label %434, !llvm.loop !33
 
-321:                                              ; preds = %315, %321
-  %322 = phi i64 [ %328, %321 ], [ 0, %315 ]
-  %323 = shl i64 %322, 6
-  %324 = getelementptr i8, ptr %316, i64 %323
-  %325 = getelementptr double, ptr %324, i64 %283
-  %326 = load double, ptr %325, align 8
-  %327 = getelementptr double, ptr %324, i64 %310
-  store double %326, ptr %327, align 8
-  %328 = add nuw nsw i64 %322, 1
-  %329 = icmp eq i64 %328, %319
-  br i1 %329, label %330, label %321, !llvm.loop !32
+336:                                              ; preds = %61, %431
+  %337 = phi i64 [ 0, %61 ], [ %432, %431 ]
+  %338 = load ptr, ptr %62, align 8
+  %339 = getelementptr inbounds i64, ptr %338, i64 %337
+  %340 = load i64, ptr %339, align 8
+  %341 = icmp eq i64 %340, -1
+  br i1 %341, label %342, label %431
 
-330:                                              ; preds = %321, %315
-  %331 = load ptr, ptr %60, align 8
-  %332 = load ptr, ptr %56, align 8
-  %333 = getelementptr inbounds i8, ptr %332, i64 8
-  %334 = load i64, ptr %333, align 8
-  %335 = icmp sgt i64 %334, 0
-  br i1 %335, label %336, label %345
+342:                                              ; preds = %336
+  %343 = load ptr, ptr %6, align 8
+  %344 = load ptr, ptr %5, align 8
+  %345 = getelementptr inbounds i8, ptr %344, i64 8
+  %346 = load i64, ptr %345, align 8
+  %347 = icmp sgt i64 %346, 0
+  br i1 %347, label %348, label %357
 
-336:                                              ; preds = %330, %336
-  %337 = phi i64 [ %343, %336 ], [ 0, %330 ]
-  %338 = shl i64 %337, 6
-  %339 = getelementptr i8, ptr %331, i64 %338
-  %340 = getelementptr double, ptr %339, i64 %283
-  %341 = load double, ptr %340, align 8
-  %342 = getelementptr double, ptr %339, i64 %310
-  store double %341, ptr %342, align 8
-  %343 = add nuw nsw i64 %337, 1
-  %344 = icmp eq i64 %343, %334
-  br i1 %344, label %345, label %336, !llvm.loop !32
+348:                                              ; preds = %342, %348
+  %349 = phi i64 [ %355, %348 ], [ 0, %342 ]
+  %350 = shl i64 %349, 6
+  %351 = getelementptr i8, ptr %343, i64 %350
+  %352 = getelementptr double, ptr %351, i64 %310
+  %353 = load double, ptr %352, align 8
+  %354 = getelementptr double, ptr %351, i64 %337
+  store double %353, ptr %354, align 8
+  %355 = add nuw nsw i64 %349, 1
+  %356 = icmp eq i64 %355, %346
+  br i1 %356, label %357, label %348, !llvm.loop !34
 
-345:                                              ; preds = %336, %330
-  %346 = load ptr, ptr %61, align 8
-  %347 = load ptr, ptr %56, align 8
-  %348 = getelementptr inbounds i8, ptr %347, i64 48
-  %349 = load i64, ptr %348, align 8
-  %350 = icmp sgt i64 %349, 0
-  br i1 %350, label %351, label %360
+357:                                              ; preds = %348, %342
+  %358 = load ptr, ptr %63, align 8
+  %359 = load ptr, ptr %5, align 8
+  %360 = getelementptr inbounds i8, ptr %359, i64 8
+  %361 = load i64, ptr %360, align 8
+  %362 = icmp sgt i64 %361, 0
+  br i1 %362, label %363, label %372
 
-351:                                              ; preds = %345, %351
-  %352 = phi i64 [ %358, %351 ], [ 0, %345 ]
-  %353 = shl i64 %352, 6
-  %354 = getelementptr i8, ptr %346, i64 %353
-  %355 = getelementptr double, ptr %354, i64 %283
-  %356 = load double, ptr %355, align 8
-  %357 = getelementptr double, ptr %354, i64 %310
-  store double %356, ptr %357, align 8
-  %358 = add nuw nsw i64 %352, 1
-  %359 = icmp eq i64 %358, %349
-  br i1 %359, label %360, label %351, !llvm.loop !32
+363:                                              ; preds = %357, %363
+  %364 = phi i64 [ %370, %363 ], [ 0, %357 ]
+  %365 = shl i64 %364, 6
+  %366 = getelementptr i8, ptr %358, i64 %365
+  %367 = getelementptr double, ptr %366, i64 %310
+  %368 = load double, ptr %367, align 8
+  %369 = getelementptr double, ptr %366, i64 %337
+  store double %368, ptr %369, align 8
+  %370 = add nuw nsw i64 %364, 1
+  %371 = icmp eq i64 %370, %361
+  br i1 %371, label %372, label %363, !llvm.loop !34
 
-360:                                              ; preds = %351, %345
-  %361 = load ptr, ptr %62, align 8
-  %362 = load ptr, ptr %56, align 8
-  %363 = getelementptr inbounds i8, ptr %362, i64 56
-  %364 = load i64, ptr %363, align 8
-  %365 = icmp sgt i64 %364, 0
-  br i1 %365, label %366, label %375
+372:                                              ; preds = %363, %357
+  %373 = load ptr, ptr %64, align 8
+  %374 = load ptr, ptr %5, align 8
+  %375 = getelementptr inbounds i8, ptr %374, i64 56
+  %376 = load i64, ptr %375, align 8
+  %377 = icmp sgt i64 %376, 0
+  br i1 %377, label %378, label %387
 
-366:                                              ; preds = %360, %366
-  %367 = phi i64 [ %373, %366 ], [ 0, %360 ]
-  %368 = shl i64 %367, 6
-  %369 = getelementptr i8, ptr %361, i64 %368
-  %370 = getelementptr double, ptr %369, i64 %283
-  %371 = load double, ptr %370, align 8
-  %372 = getelementptr double, ptr %369, i64 %310
-  store double %371, ptr %372, align 8
-  %373 = add nuw nsw i64 %367, 1
-  %374 = icmp eq i64 %373, %364
-  br i1 %374, label %375, label %366, !llvm.loop !32
+378:                                              ; preds = %372, %378
+  %379 = phi i64 [ %385, %378 ], [ 0, %372 ]
+  %380 = shl i64 %379, 6
+  %381 = getelementptr i8, ptr %373, i64 %380
+  %382 = getelementptr double, ptr %381, i64 %310
+  %383 = load double, ptr %382, align 8
+  %384 = getelementptr double, ptr %381, i64 %337
+  store double %383, ptr %384, align 8
+  %385 = add nuw nsw i64 %379, 1
+  %386 = icmp eq i64 %385, %376
+  br i1 %386, label %387, label %378, !llvm.loop !34
 
-375:                                              ; preds = %366, %360
-  %376 = load ptr, ptr %3, align 8
-  %377 = getelementptr inbounds double, ptr %376, i64 %283
-  %378 = load double, ptr %377, align 8
-  %379 = getelementptr inbounds double, ptr %376, i64 %310
-  store double %378, ptr %379, align 8
-  %380 = load ptr, ptr %63, align 8
-  %381 = getelementptr inbounds double, ptr %380, i64 %310
-  store double 0.000000e+00, ptr %381, align 8
-  %382 = load ptr, ptr %64, align 8
-  %383 = getelementptr inbounds double, ptr %382, i64 %310
-  store double 0x7FF0000000000000, ptr %383, align 8
-  %384 = load ptr, ptr %59, align 8
-  %385 = getelementptr inbounds i64, ptr %384, i64 %310
-  store i64 -2, ptr %385, align 8
-  br label %386
+387:                                              ; preds = %378, %372
+  %388 = load ptr, ptr %65, align 8
+  %389 = load ptr, ptr %5, align 8
+  %390 = getelementptr inbounds i8, ptr %389, i64 64
+  %391 = load i64, ptr %390, align 8
+  %392 = icmp sgt i64 %391, 0
+  br i1 %392, label %393, label %402
 
-386:                                              ; preds = %309, %375
-  %387 = add nuw nsw i64 %310, 1
-  %388 = icmp eq i64 %387, 8
-  br i1 %388, label %286, label %309, !llvm.loop !33
+393:                                              ; preds = %387, %393
+  %394 = phi i64 [ %400, %393 ], [ 0, %387 ]
+  %395 = shl i64 %394, 6
+  %396 = getelementptr i8, ptr %388, i64 %395
+  %397 = getelementptr double, ptr %396, i64 %310
+  %398 = load double, ptr %397, align 8
+  %399 = getelementptr double, ptr %396, i64 %337
+  store double %398, ptr %399, align 8
+  %400 = add nuw nsw i64 %394, 1
+  %401 = icmp eq i64 %400, %391
+  br i1 %401, label %402, label %393, !llvm.loop !34
 
-389:                                              ; preds = %293, %286, %55
-  ret i64 %275
+402:                                              ; preds = %393, %387
+  %403 = load ptr, ptr %66, align 8
+  %404 = load ptr, ptr %5, align 8
+  %405 = getelementptr inbounds i8, ptr %404, i64 24
+  %406 = load i64, ptr %405, align 8
+  %407 = shl nsw i64 %406, 6
+  %408 = getelementptr inbounds i8, ptr %403, i64 %407
+  %409 = load i64, ptr %67, align 8
+  %410 = icmp sgt i64 %409, 0
+  br i1 %410, label %411, label %420
+
+411:                                              ; preds = %402, %411
+  %412 = phi i64 [ %418, %411 ], [ 0, %402 ]
+  %413 = shl i64 %412, 6
+  %414 = getelementptr i8, ptr %408, i64 %413
+  %415 = getelementptr double, ptr %414, i64 %310
+  %416 = load double, ptr %415, align 8
+  %417 = getelementptr double, ptr %414, i64 %337
+  store double %416, ptr %417, align 8
+  %418 = add nuw nsw i64 %412, 1
+  %419 = icmp eq i64 %418, %409
+  br i1 %419, label %420, label %411, !llvm.loop !34
+
+420:                                              ; preds = %411, %402
+  %421 = load ptr, ptr %3, align 8
+  %422 = getelementptr inbounds double, ptr %421, i64 %310
+  %423 = load double, ptr %422, align 8
+  %424 = getelementptr inbounds double, ptr %421, i64 %337
+  store double %423, ptr %424, align 8
+  %425 = load ptr, ptr %68, align 8
+  %426 = getelementptr inbounds double, ptr %425, i64 %337
+  store double 0.000000e+00, ptr %426, align 8
+  %427 = load ptr, ptr %69, align 8
+  %428 = getelementptr inbounds double, ptr %427, i64 %337
+  store double 0x7FF0000000000000, ptr %428, align 8
+  %429 = load ptr, ptr %62, align 8
+  %430 = getelementptr inbounds i64, ptr %429, i64 %337
+  store i64 -2, ptr %430, align 8
+  br label %431
+
+431:                                              ; preds = %336, %420
+  %432 = add nuw nsw i64 %337, 1
+  %433 = icmp eq i64 %432, 8
+  br i1 %433, label %313, label %336, !llvm.loop !35
+
+434:                                              ; preds = %320, %313, %59
+  ret i64 %302
 }
 
 define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, i64 noundef %3) unnamed_addr #3 {
@@ -1993,7 +2201,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %17 = bitcast i8 %16 to <8 x i1>
   %18 = load ptr, ptr %9, align 8
   %19 = load <8 x double>, ptr %18, align 8
-  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %8) #10
+  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %8) #11
   %20 = getelementptr inbounds i8, ptr %1, i64 8
   %21 = load ptr, ptr %20, align 8
   %22 = load ptr, ptr %12, align 8
@@ -2009,7 +2217,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %30, label %32, label %31
 
 31:                                               ; preds = %4
-  tail call fastcc void @settle(ptr noundef nonnull %21) #10
+  tail call fastcc void @settle(ptr noundef nonnull %21) #11
   br label %32
 
 32:                                               ; preds = %31, %4
@@ -2019,7 +2227,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %35, label %36, label %37
 
 36:                                               ; preds = %32
-  tail call fastcc void @sample(ptr noundef nonnull %21) #10
+  tail call fastcc void @sample(ptr noundef nonnull %21) #11
   br label %37
 
 37:                                               ; preds = %32, %36
@@ -2032,7 +2240,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %44 = load ptr, ptr %43, align 8
   %45 = inttoptr i64 %39 to ptr
   %46 = load ptr, ptr %45, align 8
-  %47 = tail call i32 %46(ptr noundef %40, ptr noundef %22, ptr noundef %42, ptr noundef %44, ptr noundef %24) #11
+  %47 = tail call i32 %46(ptr noundef %40, ptr noundef %22, ptr noundef %42, ptr noundef %44, ptr noundef %24) #12
   %48 = sext i32 %47 to i64
   %49 = load ptr, ptr %20, align 8
   %50 = load ptr, ptr %49, align 8
@@ -2070,7 +2278,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %75 = getelementptr inbounds i8, ptr %74, i64 8
   %76 = load i64, ptr %75, align 8
   %77 = icmp slt i64 %72, %76
-  br i1 %77, label %62, label %56, !llvm.loop !34
+  br i1 %77, label %62, label %56, !llvm.loop !36
 
 78:                                               ; preds = %56
   %79 = load ptr, ptr %0, align 8
@@ -2123,11 +2331,11 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %119 = getelementptr inbounds i8, ptr %118, i64 24
   %120 = load i64, ptr %119, align 8
   %121 = load ptr, ptr %116, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %121, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #10
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %121, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #11
   %122 = load <8 x double>, ptr %5, align 16
   %123 = getelementptr inbounds i8, ptr %116, i64 168
   %124 = load ptr, ptr %123, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %124, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #10
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %124, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #11
   %125 = load <8 x double>, ptr %6, align 16
   %126 = fcmp olt <8 x double> %122, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
   %127 = fcmp olt <8 x double> %125, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
@@ -2173,7 +2381,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %161, label %163, label %162
 
 162:                                              ; preds = %147
-  tail call fastcc void @settle(ptr noundef nonnull %148) #10
+  tail call fastcc void @settle(ptr noundef nonnull %148) #11
   br label %163
 
 163:                                              ; preds = %162, %147
@@ -2183,7 +2391,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %166, label %167, label %187
 
 167:                                              ; preds = %163
-  tail call fastcc void @sample(ptr noundef nonnull %148) #10
+  tail call fastcc void @sample(ptr noundef nonnull %148) #11
   br label %187
 
 168:                                              ; preds = %145, %168
@@ -2206,7 +2414,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %184 = getelementptr inbounds i8, ptr %183, i64 8
   %185 = load i64, ptr %184, align 8
   %186 = icmp slt i64 %181, %185
-  br i1 %186, label %168, label %147, !llvm.loop !35
+  br i1 %186, label %168, label %147, !llvm.loop !37
 
 187:                                              ; preds = %163, %167
   %188 = load ptr, ptr %148, align 8
@@ -2218,7 +2426,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %194 = load ptr, ptr %193, align 8
   %195 = inttoptr i64 %189 to ptr
   %196 = load ptr, ptr %195, align 8
-  %197 = tail call i32 %196(ptr noundef %190, ptr noundef %151, ptr noundef %192, ptr noundef %194, ptr noundef %155) #11
+  %197 = tail call i32 %196(ptr noundef %190, ptr noundef %151, ptr noundef %192, ptr noundef %194, ptr noundef %155) #12
   %198 = load ptr, ptr %1, align 8
   %199 = getelementptr inbounds i8, ptr %198, i64 120
   %200 = load ptr, ptr %199, align 8
@@ -2240,11 +2448,11 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   store <8 x double> %213, ptr %209, align 8
   %214 = add nuw nsw i64 %207, 1
   %215 = icmp eq i64 %214, %120
-  br i1 %215, label %216, label %206, !llvm.loop !36
+  br i1 %215, label %216, label %206, !llvm.loop !38
 
 216:                                              ; preds = %206, %187
   %217 = load ptr, ptr %116, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %204, ptr noundef %217, ptr noundef nonnull %116, i64 noundef %120) #10
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %204, ptr noundef %217, ptr noundef nonnull %116, i64 noundef %120) #11
   %218 = load <8 x double>, ptr %7, align 16
   %219 = fdiv <8 x double> %218, %139
   %220 = fcmp ogt <8 x double> %125, %219
@@ -2387,7 +2595,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %343 = add nsw i64 %322, -1
   %344 = and i64 %343, %322
   %345 = icmp eq i64 %344, 0
-  br i1 %345, label %346, label %321, !llvm.loop !37
+  br i1 %345, label %346, label %321, !llvm.loop !39
 
 346:                                              ; preds = %321, %292
   %347 = xor i64 %48, -1
@@ -2422,14 +2630,14 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %372 = fadd <8 x double> %365, %371
   %373 = fadd <8 x double> %364, %372
   store <8 x double> %373, ptr %363, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %354, i64 noundef 3) #10
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %362, i64 noundef 0) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %354, i64 noundef 3) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %362, i64 noundef 0) #11
   ret void
 
 374:                                              ; preds = %350, %374
   %375 = phi i64 [ %348, %350 ], [ %386, %374 ]
   %376 = load ptr, ptr %12, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %376, i64 noundef %375) #10
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %376, i64 noundef %375) #11
   %377 = load ptr, ptr %351, align 8
   %378 = load <8 x double>, ptr %377, align 8
   %379 = load ptr, ptr %352, align 8
@@ -2441,7 +2649,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %385 = zext i8 %384 to i64
   %386 = and i64 %375, %385
   %387 = icmp eq i64 %386, 0
-  br i1 %387, label %353, label %374, !llvm.loop !38
+  br i1 %387, label %353, label %374, !llvm.loop !40
 }
 
 define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #4 {
@@ -2484,7 +2692,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   %29 = select i1 %27, i64 %23, i64 %21
   %30 = select i1 %27, i64 %20, i64 %28
   %31 = icmp slt i64 %30, %29
-  br i1 %31, label %19, label %32, !llvm.loop !39
+  br i1 %31, label %19, label %32, !llvm.loop !41
 
 32:                                               ; preds = %19, %15
   %33 = phi i64 [ 0, %15 ], [ %30, %19 ]
@@ -2518,7 +2726,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   store double %50, ptr %51, align 8
   %52 = add nuw nsw i64 %9, 1
   %53 = icmp eq i64 %52, 8
-  br i1 %53, label %7, label %8, !llvm.loop !40
+  br i1 %53, label %7, label %8, !llvm.loop !42
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -2540,27 +2748,27 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %17 = getelementptr inbounds i8, ptr %0, i64 1040
   %18 = getelementptr inbounds i8, ptr %0, i64 792
   %19 = icmp sgt i64 %9, 0
-  %20 = getelementptr inbounds i8, ptr %0, i64 1128
-  %21 = getelementptr inbounds i8, ptr %0, i64 1144
+  %20 = getelementptr inbounds i8, ptr %0, i64 1152
+  %21 = getelementptr inbounds i8, ptr %0, i64 1168
   %22 = getelementptr inbounds i8, ptr %0, i64 840
   %23 = getelementptr inbounds i8, ptr %0, i64 864
   %24 = getelementptr inbounds i8, ptr %0, i64 888
   %25 = icmp slt i64 %2, 0
   %26 = getelementptr inbounds i8, ptr %0, i64 912
-  %27 = getelementptr inbounds i8, ptr %0, i64 1152
-  %28 = getelementptr inbounds i8, ptr %0, i64 1704
-  %29 = getelementptr inbounds i8, ptr %0, i64 1712
-  %30 = getelementptr inbounds i8, ptr %0, i64 1192
-  %31 = getelementptr inbounds i8, ptr %0, i64 1176
-  %32 = getelementptr inbounds i8, ptr %0, i64 1192
-  %33 = getelementptr inbounds i8, ptr %0, i64 1208
-  %34 = getelementptr inbounds i8, ptr %0, i64 1248
-  %35 = getelementptr inbounds i8, ptr %0, i64 1416
-  %36 = getelementptr inbounds i8, ptr %0, i64 1464
-  %37 = getelementptr inbounds i8, ptr %0, i64 1480
-  %38 = getelementptr inbounds i8, ptr %0, i64 1200
-  %39 = getelementptr inbounds i8, ptr %0, i64 1512
-  %40 = getelementptr inbounds i8, ptr %0, i64 1528
+  %27 = getelementptr inbounds i8, ptr %0, i64 1176
+  %28 = getelementptr inbounds i8, ptr %0, i64 1728
+  %29 = getelementptr inbounds i8, ptr %0, i64 1736
+  %30 = getelementptr inbounds i8, ptr %0, i64 1216
+  %31 = getelementptr inbounds i8, ptr %0, i64 1200
+  %32 = getelementptr inbounds i8, ptr %0, i64 1216
+  %33 = getelementptr inbounds i8, ptr %0, i64 1232
+  %34 = getelementptr inbounds i8, ptr %0, i64 1272
+  %35 = getelementptr inbounds i8, ptr %0, i64 1440
+  %36 = getelementptr inbounds i8, ptr %0, i64 1488
+  %37 = getelementptr inbounds i8, ptr %0, i64 1504
+  %38 = getelementptr inbounds i8, ptr %0, i64 1224
+  %39 = getelementptr inbounds i8, ptr %0, i64 1536
+  %40 = getelementptr inbounds i8, ptr %0, i64 1552
   br label %41
 
 41:                                               ; preds = %14, %175
@@ -2622,7 +2830,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %84 = add nsw i64 %62, -1
   %85 = getelementptr inbounds i8, ptr %63, i64 8
   %86 = icmp sgt i64 %62, 1
-  br i1 %86, label %61, label %64, !llvm.loop !41
+  br i1 %86, label %61, label %64, !llvm.loop !43
 
 87:                                               ; preds = %61, %87
   %88 = phi i64 [ %91, %87 ], [ 0, %61 ]
@@ -2631,7 +2839,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double 0x7FF8000000000000, ptr %90, align 8
   %91 = add nuw nsw i64 %88, 1
   %92 = icmp eq i64 %91, %9
-  br i1 %92, label %83, label %87, !llvm.loop !42
+  br i1 %92, label %83, label %87, !llvm.loop !44
 
 93:                                               ; preds = %64
   %94 = load ptr, ptr %26, align 8
@@ -2674,7 +2882,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %124 = add nuw nsw i64 %119, 1
   %125 = load i64, ptr %32, align 8
   %126 = icmp slt i64 %124, %125
-  br i1 %126, label %118, label %127, !llvm.loop !43
+  br i1 %126, label %118, label %127, !llvm.loop !45
 
 127:                                              ; preds = %118, %98
   %128 = load i64, ptr %33, align 8
@@ -2713,7 +2921,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %154 = load i64, ptr %153, align 8
   %155 = icmp slt i64 %151, %154
   %156 = add nuw i64 %136, 2
-  br i1 %155, label %135, label %174, !llvm.loop !44
+  br i1 %155, label %135, label %174, !llvm.loop !46
 
 157:                                              ; preds = %135, %157
   %158 = phi i64 [ %149, %135 ], [ %172, %157 ]
@@ -2733,10 +2941,10 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double %166, ptr %171, align 8
   %172 = add nuw nsw i64 %158, 1
   %173 = icmp eq i64 %172, %136
-  br i1 %173, label %150, label %157, !llvm.loop !45
+  br i1 %173, label %150, label %157, !llvm.loop !47
 
 174:                                              ; preds = %150, %130
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #11
   br label %175
 
 175:                                              ; preds = %174, %127
@@ -2746,11 +2954,11 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %178 = add nsw i64 %42, -1
   %179 = and i64 %178, %42
   %180 = icmp eq i64 %179, 0
-  br i1 %180, label %60, label %41, !llvm.loop !46
+  br i1 %180, label %60, label %41, !llvm.loop !48
 }
 
 define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
-  %6 = getelementptr inbounds i8, ptr %0, i64 1656
+  %6 = getelementptr inbounds i8, ptr %0, i64 1680
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 56
   %9 = load i64, ptr %8, align 8
@@ -2765,15 +2973,15 @@ define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr nound
 14:                                               ; preds = %5, %11
   %15 = phi ptr [ %13, %11 ], [ null, %5 ]
   %16 = inttoptr i64 %9 to ptr
-  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #11
+  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #12
   ret i64 %17
 }
 
 define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 432
-  %3 = getelementptr inbounds i8, ptr %0, i64 1248
+  %3 = getelementptr inbounds i8, ptr %0, i64 1272
   %4 = load ptr, ptr %3, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 1200
+  %5 = getelementptr inbounds i8, ptr %0, i64 1224
   %6 = load ptr, ptr %5, align 8
   %7 = load i64, ptr %6, align 8
   %8 = inttoptr i64 %7 to ptr
@@ -2790,22 +2998,22 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   br i1 %18, label %143, label %19
 
 19:                                               ; preds = %1
-  %20 = getelementptr inbounds i8, ptr %0, i64 1352
+  %20 = getelementptr inbounds i8, ptr %0, i64 1376
   %21 = load i64, ptr %20, align 8
   %22 = icmp sgt i64 %21, 0
   br i1 %22, label %23, label %30
 
 23:                                               ; preds = %19
-  %24 = getelementptr inbounds i8, ptr %0, i64 1344
+  %24 = getelementptr inbounds i8, ptr %0, i64 1368
   %25 = getelementptr inbounds i8, ptr %0, i64 456
   %26 = getelementptr inbounds i8, ptr %0, i64 600
   %27 = getelementptr inbounds i8, ptr %0, i64 440
-  %28 = getelementptr inbounds i8, ptr %0, i64 1296
+  %28 = getelementptr inbounds i8, ptr %0, i64 1320
   %29 = getelementptr inbounds i8, ptr %4, i64 32
   br label %63
 
 30:                                               ; preds = %86, %19
-  %31 = getelementptr inbounds i8, ptr %0, i64 1296
+  %31 = getelementptr inbounds i8, ptr %0, i64 1320
   %32 = load ptr, ptr %31, align 8
   %33 = getelementptr inbounds i8, ptr %4, i64 32
   %34 = load i64, ptr %33, align 8
@@ -2825,13 +3033,13 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %46 = load ptr, ptr %40, align 8
   %47 = load ptr, ptr %2, align 8
   %48 = load ptr, ptr %31, align 8
-  %49 = getelementptr inbounds i8, ptr %0, i64 1320
+  %49 = getelementptr inbounds i8, ptr %0, i64 1344
   %50 = load ptr, ptr %49, align 8
-  %51 = getelementptr inbounds i8, ptr %0, i64 1392
+  %51 = getelementptr inbounds i8, ptr %0, i64 1416
   %52 = load ptr, ptr %51, align 8
   %53 = inttoptr i64 %45 to ptr
   %54 = load ptr, ptr %53, align 8
-  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #11
+  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
   %56 = trunc i32 %55 to i8
   %57 = xor i8 %56, -1
   %58 = icmp sgt i64 %12, 0
@@ -2840,7 +3048,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
 59:                                               ; preds = %30
   %60 = bitcast i8 %57 to <8 x i1>
   %61 = sext <8 x i1> %60 to <8 x i64>
-  %62 = getelementptr inbounds i8, ptr %0, i64 1416
+  %62 = getelementptr inbounds i8, ptr %0, i64 1440
   br label %117
 
 63:                                               ; preds = %23, %86
@@ -2882,7 +3090,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %94 = add nuw nsw i64 %64, 1
   %95 = load i64, ptr %20, align 8
   %96 = icmp slt i64 %94, %95
-  br i1 %96, label %63, label %30, !llvm.loop !47
+  br i1 %96, label %63, label %30, !llvm.loop !49
 
 97:                                               ; preds = %82, %97
   %98 = phi i64 [ 0, %82 ], [ %109, %97 ]
@@ -2898,7 +3106,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %108 = select <8 x i1> %107, <8 x double> %99, <8 x double> %106
   %109 = add nuw i64 %98, 1
   %110 = icmp eq i64 %98, %80
-  br i1 %110, label %86, label %97, !llvm.loop !48
+  br i1 %110, label %86, label %97, !llvm.loop !50
 
 111:                                              ; preds = %139
   %112 = icmp ne <8 x i64> %140, zeroinitializer
@@ -2940,7 +3148,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %140 = phi <8 x i64> [ %119, %117 ], [ %138, %124 ]
   %141 = add nuw nsw i64 %118, 1
   %142 = icmp eq i64 %141, %12
-  br i1 %142, label %111, label %117, !llvm.loop !49
+  br i1 %142, label %111, label %117, !llvm.loop !51
 
 143:                                              ; preds = %1, %114
   %144 = phi i64 [ %116, %114 ], [ 0, %1 ]
@@ -2958,7 +3166,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %14 = zext i8 %13 to i64
   %15 = xor i64 %14, -1
   %16 = and i64 %15, %2
-  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #10
+  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #11
   %18 = xor i64 %17, -1
   %19 = and i64 %18, %2
   %20 = icmp eq i64 %19, 0
@@ -2970,7 +3178,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   store double 1.000000e+00, ptr %23, align 8
   %24 = add nuw nsw i64 %22, 1
   %25 = icmp eq i64 %24, 8
-  br i1 %25, label %9, label %21, !llvm.loop !50
+  br i1 %25, label %9, label %21, !llvm.loop !52
 
 26:                                               ; preds = %9, %51
   %27 = phi i64 [ %53, %51 ], [ %19, %9 ]
@@ -2979,7 +3187,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %30 = getelementptr inbounds double, ptr %3, i64 %29
   %31 = load double, ptr %30, align 8
   %32 = getelementptr inbounds double, ptr %6, i64 %29
-  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #10
+  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #11
   %34 = getelementptr inbounds i64, ptr %5, i64 %29
   store i64 %33, ptr %34, align 8
   %35 = icmp eq i64 %33, -6
@@ -3010,7 +3218,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %52 = add nsw i64 %27, -1
   %53 = and i64 %52, %27
   %54 = icmp eq i64 %53, 0
-  br i1 %54, label %48, label %26, !llvm.loop !51
+  br i1 %54, label %48, label %26, !llvm.loop !53
 }
 
 define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
@@ -3053,7 +3261,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
 
 36:                                               ; preds = %39
   %37 = getelementptr inbounds i8, ptr %1, i64 8
-  %38 = getelementptr inbounds i8, ptr %0, i64 1656
+  %38 = getelementptr inbounds i8, ptr %0, i64 1680
   br label %46
 
 39:                                               ; preds = %31, %39
@@ -3064,7 +3272,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   store i64 %42, ptr %43, align 8
   %44 = add nuw nsw i64 %40, 1
   %45 = icmp eq i64 %44, 8
-  br i1 %45, label %36, label %39, !llvm.loop !52
+  br i1 %45, label %36, label %39, !llvm.loop !54
 
 46:                                               ; preds = %36, %92
   %47 = phi i64 [ %59, %92 ], [ %2, %36 ]
@@ -3112,7 +3320,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %82, i64 16
   %84 = load i64, ptr %83, align 8
-  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #10
+  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #11
   %85 = load ptr, ptr %38, align 8
   %86 = load i64, ptr %85, align 8
   %87 = icmp eq i64 %86, 1
@@ -3120,7 +3328,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
 
 88:                                               ; preds = %65
   %89 = load ptr, ptr %18, align 8
-  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #10
+  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
   %91 = or i64 %90, %48
   br label %92
 
@@ -3128,8 +3336,8 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %93 = phi i64 [ %91, %88 ], [ %48, %65 ]
   %94 = xor i64 %93, -1
   %95 = and i64 %59, %94
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #10
-  br label %46, !llvm.loop !53
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #11
+  br label %46, !llvm.loop !55
 
 96:                                               ; preds = %63, %96
   %97 = phi i64 [ %48, %63 ], [ %110, %96 ]
@@ -3150,7 +3358,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %109 = add nsw i64 %97, -1
   %110 = and i64 %109, %97
   %111 = icmp eq i64 %110, 0
-  br i1 %111, label %112, label %96, !llvm.loop !54
+  br i1 %111, label %112, label %96, !llvm.loop !56
 
 112:                                              ; preds = %96, %61
   ret i64 %48
@@ -3185,7 +3393,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %30, i64 16
   %32 = load i64, ptr %31, align 8
-  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #10
+  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #11
   %33 = load ptr, ptr %28, align 8
   %34 = load ptr, ptr %33, align 8
   %35 = getelementptr inbounds i8, ptr %34, i64 8
@@ -3198,7 +3406,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   br label %45
 
 40:                                               ; preds = %45, %5
-  %41 = getelementptr inbounds i8, ptr %0, i64 1656
+  %41 = getelementptr inbounds i8, ptr %0, i64 1680
   %42 = load ptr, ptr %41, align 8
   %43 = load i64, ptr %42, align 8
   %44 = icmp eq i64 %43, 1
@@ -3221,7 +3429,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %58 = getelementptr inbounds i8, ptr %57, i64 8
   %59 = load i64, ptr %58, align 8
   %60 = icmp slt i64 %55, %59
-  br i1 %60, label %45, label %40, !llvm.loop !55
+  br i1 %60, label %45, label %40, !llvm.loop !57
 
 61:                                               ; preds = %40
   %62 = bitcast <8 x i1> %12 to i8
@@ -3232,7 +3440,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %65 = zext i8 %62 to i64
   %66 = getelementptr inbounds i8, ptr %7, i64 24
   %67 = load ptr, ptr %66, align 8
-  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #10
+  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #11
   br label %69
 
 69:                                               ; preds = %40, %61, %64
@@ -3294,7 +3502,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !56
+  br i1 %45, label %28, label %19, !llvm.loop !58
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -3306,7 +3514,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !57
+  br i1 %54, label %29, label %46, !llvm.loop !59
 }
 
 define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #2 {
@@ -3318,14 +3526,14 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %8, label %32, label %9
 
 9:                                                ; preds = %3
-  %10 = getelementptr inbounds i8, ptr %0, i64 1200
+  %10 = getelementptr inbounds i8, ptr %0, i64 1224
   %11 = icmp sgt i64 %7, 0
   %12 = getelementptr inbounds i8, ptr %0, i64 432
   %13 = getelementptr inbounds i8, ptr %0, i64 696
-  %14 = getelementptr inbounds i8, ptr %0, i64 1248
-  %15 = getelementptr inbounds i8, ptr %0, i64 1440
-  %16 = getelementptr inbounds i8, ptr %0, i64 1416
-  %17 = getelementptr inbounds i8, ptr %0, i64 1368
+  %14 = getelementptr inbounds i8, ptr %0, i64 1272
+  %15 = getelementptr inbounds i8, ptr %0, i64 1464
+  %16 = getelementptr inbounds i8, ptr %0, i64 1440
+  %17 = getelementptr inbounds i8, ptr %0, i64 1392
   %18 = icmp sgt i64 %7, 0
   %19 = getelementptr inbounds i8, ptr %0, i64 432
   br label %20
@@ -3374,10 +3582,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %46, ptr %48, align 8
   %49 = add nuw nsw i64 %41, 1
   %50 = icmp eq i64 %49, %7
-  br i1 %50, label %34, label %40, !llvm.loop !58
+  br i1 %50, label %34, label %40, !llvm.loop !60
 
 51:                                               ; preds = %34
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
   br label %156
 
 52:                                               ; preds = %34
@@ -3429,10 +3637,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %92 = add nuw nsw i64 %85, %91
   %93 = add nuw nsw i64 %84, 1
   %94 = icmp eq i64 %93, %60
-  br i1 %94, label %80, label %83, !llvm.loop !59
+  br i1 %94, label %80, label %83, !llvm.loop !61
 
 95:                                               ; preds = %80
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
   br label %96
 
 96:                                               ; preds = %95, %80
@@ -3494,7 +3702,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %127, ptr %137, align 8
   %138 = add nuw nsw i64 %124, 1
   %139 = icmp eq i64 %138, %64
-  br i1 %139, label %120, label %123, !llvm.loop !60
+  br i1 %139, label %120, label %123, !llvm.loop !62
 
 140:                                              ; preds = %98, %96
   %141 = load ptr, ptr %57, align 8
@@ -3505,7 +3713,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
 
 145:                                              ; preds = %140
   %146 = inttoptr i64 %143 to ptr
-  %147 = tail call i64 %146(ptr noundef %56) #11
+  %147 = tail call i64 %146(ptr noundef %56) #12
   br label %148
 
 148:                                              ; preds = %145, %140
@@ -3513,7 +3721,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %75, label %150, label %151
 
 150:                                              ; preds = %148
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
   br label %151
 
 151:                                              ; preds = %150, %148
@@ -3574,7 +3782,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %191, ptr %193, align 8
   %194 = add nuw nsw i64 %181, 1
   %195 = icmp eq i64 %194, %164
-  br i1 %195, label %177, label %180, !llvm.loop !61
+  br i1 %195, label %177, label %180, !llvm.loop !63
 
 196:                                              ; preds = %200, %177
   %197 = add i64 %157, 3
@@ -3594,14 +3802,14 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %204, ptr %208, align 8
   %209 = add nuw nsw i64 %201, 1
   %210 = icmp eq i64 %209, %7
-  br i1 %210, label %196, label %200, !llvm.loop !62
+  br i1 %210, label %196, label %200, !llvm.loop !64
 
 211:                                              ; preds = %196
   %212 = or i64 %199, %21
   br label %214
 
 213:                                              ; preds = %196
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #11
   br label %214
 
 214:                                              ; preds = %213, %211
@@ -3609,7 +3817,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %216 = add nsw i64 %22, -1
   %217 = and i64 %216, %22
   %218 = icmp eq i64 %217, 0
-  br i1 %218, label %32, label %20, !llvm.loop !63
+  br i1 %218, label %32, label %20, !llvm.loop !65
 }
 
 define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
@@ -3648,7 +3856,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %29, label %31, label %30
 
 30:                                               ; preds = %17
-  tail call fastcc void @settle(ptr noundef nonnull %18) #10
+  tail call fastcc void @settle(ptr noundef nonnull %18) #11
   br label %31
 
 31:                                               ; preds = %30, %17
@@ -3658,7 +3866,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %34, label %35, label %36
 
 35:                                               ; preds = %31
-  tail call fastcc void @sample(ptr noundef nonnull %18) #10
+  tail call fastcc void @sample(ptr noundef nonnull %18) #11
   br label %36
 
 36:                                               ; preds = %31, %35
@@ -3671,7 +3879,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %43 = load ptr, ptr %42, align 8
   %44 = inttoptr i64 %38 to ptr
   %45 = load ptr, ptr %44, align 8
-  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #11
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #12
   %47 = load ptr, ptr %9, align 8
   %48 = load ptr, ptr %47, align 8
   %49 = getelementptr inbounds i8, ptr %48, i64 8
@@ -3692,7 +3900,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %60 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
   %61 = fadd <8 x double> %60, %59
   store <8 x double> %61, ptr %58, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #11
   ret i64 %56
 
 62:                                               ; preds = %52, %62
@@ -3712,7 +3920,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %75 = getelementptr inbounds i8, ptr %74, i64 8
   %76 = load i64, ptr %75, align 8
   %77 = icmp slt i64 %72, %76
-  br i1 %77, label %62, label %54, !llvm.loop !64
+  br i1 %77, label %62, label %54, !llvm.loop !66
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
@@ -3758,7 +3966,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   %31 = select i1 %29, i64 %25, i64 %23
   %32 = select i1 %29, i64 %22, i64 %30
   %33 = icmp slt i64 %32, %31
-  br i1 %33, label %21, label %34, !llvm.loop !39
+  br i1 %33, label %21, label %34, !llvm.loop !41
 
 34:                                               ; preds = %21, %7
   %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
@@ -3792,7 +4000,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   store double %52, ptr %13, align 8
   %53 = add nuw nsw i64 %8, 1
   %54 = icmp eq i64 %53, 8
-  br i1 %54, label %6, label %7, !llvm.loop !65
+  br i1 %54, label %6, label %7, !llvm.loop !67
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
@@ -3828,7 +4036,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !66
+  br i1 %25, label %15, label %14, !llvm.loop !68
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -3889,7 +4097,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !67
+  br i1 %76, label %65, label %77, !llvm.loop !69
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -3922,7 +4130,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !68
+  br i1 %105, label %22, label %26, !llvm.loop !70
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
@@ -3976,7 +4184,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !69
+  br i1 %48, label %13, label %20, !llvm.loop !71
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
@@ -3990,8 +4198,8 @@ declare <8 x double> @llvm.rint.v8f64(<8 x double>) #5
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #5
 
 define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 1248
-  %4 = getelementptr inbounds i8, ptr %0, i64 1200
+  %3 = getelementptr inbounds i8, ptr %0, i64 1272
+  %4 = getelementptr inbounds i8, ptr %0, i64 1224
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds i64, ptr %5, i64 %1
   %7 = load i64, ptr %6, align 8
@@ -3999,25 +4207,25 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %9 = getelementptr inbounds i8, ptr %8, i64 648
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %10, i64 80
-  %12 = getelementptr inbounds i8, ptr %0, i64 1608
-  %13 = getelementptr inbounds i8, ptr %0, i64 1624
+  %12 = getelementptr inbounds i8, ptr %0, i64 1632
+  %13 = getelementptr inbounds i8, ptr %0, i64 1648
   %14 = load i64, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 1568
+  %15 = getelementptr inbounds i8, ptr %0, i64 1592
   %16 = load i64, ptr %11, align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %33
 
 18:                                               ; preds = %2
-  %19 = getelementptr inbounds i8, ptr %0, i64 1560
+  %19 = getelementptr inbounds i8, ptr %0, i64 1584
   %20 = getelementptr inbounds i8, ptr %0, i64 936
-  %21 = getelementptr inbounds i8, ptr %0, i64 1536
+  %21 = getelementptr inbounds i8, ptr %0, i64 1560
   %22 = getelementptr inbounds i8, ptr %8, i64 1056
   %23 = getelementptr inbounds i8, ptr %8, i64 1080
-  %24 = getelementptr inbounds i8, ptr %0, i64 1584
+  %24 = getelementptr inbounds i8, ptr %0, i64 1608
   %25 = icmp sgt i64 %14, 0
   %26 = getelementptr inbounds i8, ptr %8, i64 1104
   %27 = getelementptr inbounds i8, ptr %8, i64 1128
-  %28 = getelementptr inbounds i8, ptr %0, i64 1632
+  %28 = getelementptr inbounds i8, ptr %0, i64 1656
   br label %29
 
 29:                                               ; preds = %18, %57
@@ -4065,7 +4273,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !70
+  br i1 %60, label %29, label %33, !llvm.loop !72
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -4085,10 +4293,12 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !71
+  br i1 %76, label %57, label %61, !llvm.loop !73
 }
 
-define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #7 {
+declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg) #7
+
+define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #8 {
   %9 = load <8 x double>, ptr %2, align 8
   %10 = shl nsw i64 %7, 3
   %11 = icmp slt i64 %7, 4
@@ -4141,7 +4351,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
   %49 = add nuw nsw i64 %30, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %25, !llvm.loop !72
+  br i1 %50, label %51, label %25, !llvm.loop !74
 
 51:                                               ; preds = %25, %19
   %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
@@ -4199,7 +4409,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %93, ptr %96, align 8
   %97 = add nuw nsw i64 %20, 32
   %98 = icmp sgt i64 %97, %10
-  br i1 %98, label %14, label %19, !llvm.loop !73
+  br i1 %98, label %14, label %19, !llvm.loop !75
 
 99:                                               ; preds = %17, %135
   %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
@@ -4230,7 +4440,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
   %122 = add nuw nsw i64 %112, 1
   %123 = icmp eq i64 %122, %6
-  br i1 %123, label %104, label %110, !llvm.loop !72
+  br i1 %123, label %104, label %110, !llvm.loop !74
 
 124:                                              ; preds = %104
   %125 = getelementptr inbounds double, ptr %5, i64 %106
@@ -4250,7 +4460,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %136, ptr %101, align 8
   %137 = add nuw nsw i64 %100, 8
   %138 = icmp slt i64 %137, %10
-  br i1 %138, label %99, label %139, !llvm.loop !74
+  br i1 %138, label %99, label %139, !llvm.loop !76
 
 139:                                              ; preds = %135, %14
   ret void
@@ -4258,17 +4468,17 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
 
 define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3) unnamed_addr #3 {
   %5 = alloca [5 x <8 x double>], align 64
-  %6 = getelementptr inbounds i8, ptr %0, i64 1248
+  %6 = getelementptr inbounds i8, ptr %0, i64 1272
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 8
   %9 = load i64, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 1200
+  %10 = getelementptr inbounds i8, ptr %0, i64 1224
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr %11, align 8
   %13 = inttoptr i64 %12 to ptr
   %14 = getelementptr inbounds i8, ptr %13, i64 864
   %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %0, i64 1440
+  %16 = getelementptr inbounds i8, ptr %0, i64 1464
   %17 = load ptr, ptr %16, align 8
   %18 = load <8 x double>, ptr %17, align 8
   %19 = getelementptr inbounds i8, ptr %0, i64 696
@@ -4282,7 +4492,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %26, label %101, label %27
 
 27:                                               ; preds = %4
-  %28 = getelementptr inbounds i8, ptr %0, i64 1392
+  %28 = getelementptr inbounds i8, ptr %0, i64 1416
   %29 = load ptr, ptr %28, align 8
   %30 = getelementptr inbounds i8, ptr %0, i64 144
   %31 = getelementptr inbounds i8, ptr %1, i64 16
@@ -4310,7 +4520,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %52 = load ptr, ptr %51, align 8
   %53 = getelementptr inbounds i8, ptr %52, i64 16
   %54 = load i64, ptr %53, align 8
-  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #10
+  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #11
   %55 = fmul <8 x double> %35, zeroinitializer
   %56 = fadd <8 x double> %21, %55
   %57 = getelementptr inbounds i8, ptr %0, i64 168
@@ -4323,7 +4533,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %62, label %64, label %63
 
 63:                                               ; preds = %27
-  tail call fastcc void @settle(ptr noundef nonnull %30) #10
+  tail call fastcc void @settle(ptr noundef nonnull %30) #11
   br label %64
 
 64:                                               ; preds = %63, %27
@@ -4333,7 +4543,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %67, label %68, label %69
 
 68:                                               ; preds = %64
-  tail call fastcc void @sample(ptr noundef nonnull %30) #10
+  tail call fastcc void @sample(ptr noundef nonnull %30) #11
   br label %69
 
 69:                                               ; preds = %64, %68
@@ -4346,18 +4556,18 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %76 = load ptr, ptr %75, align 8
   %77 = getelementptr inbounds i8, ptr %0, i64 192
   %78 = load ptr, ptr %77, align 8
-  %79 = getelementptr inbounds i8, ptr %0, i64 1272
+  %79 = getelementptr inbounds i8, ptr %0, i64 1296
   %80 = load ptr, ptr %79, align 8
   %81 = inttoptr i64 %71 to ptr
   %82 = load ptr, ptr %81, align 8
-  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #11
+  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #12
   %84 = zext i32 %83 to i64
   %85 = and i64 %84, %24
   %86 = icmp sgt i64 %9, 0
   br i1 %86, label %87, label %101
 
 87:                                               ; preds = %69
-  %88 = getelementptr inbounds i8, ptr %0, i64 1368
+  %88 = getelementptr inbounds i8, ptr %0, i64 1392
   br label %89
 
 89:                                               ; preds = %87, %89
@@ -4373,11 +4583,11 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %98, ptr %96, align 8
   %99 = add nuw nsw i64 %90, 1
   %100 = icmp eq i64 %99, %9
-  br i1 %100, label %101, label %89, !llvm.loop !75
+  br i1 %100, label %101, label %89, !llvm.loop !77
 
 101:                                              ; preds = %89, %69, %4
   %102 = phi i64 [ 0, %4 ], [ %85, %69 ], [ %85, %89 ]
-  %103 = getelementptr inbounds i8, ptr %0, i64 1368
+  %103 = getelementptr inbounds i8, ptr %0, i64 1392
   %104 = shl i64 %9, 6
   %105 = getelementptr inbounds i8, ptr %0, i64 144
   %106 = getelementptr inbounds i8, ptr %1, i64 16
@@ -4386,7 +4596,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %109 = getelementptr inbounds i8, ptr %0, i64 296
   %110 = getelementptr inbounds i8, ptr %0, i64 168
   %111 = getelementptr inbounds i8, ptr %0, i64 192
-  %112 = getelementptr inbounds i8, ptr %0, i64 1272
+  %112 = getelementptr inbounds i8, ptr %0, i64 1296
   br label %126
 
 113:                                              ; preds = %172
@@ -4399,9 +4609,9 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %119, label %120, label %188
 
 120:                                              ; preds = %113
-  %121 = getelementptr inbounds i8, ptr %0, i64 1416
+  %121 = getelementptr inbounds i8, ptr %0, i64 1440
   %122 = load ptr, ptr %121, align 8
-  %123 = getelementptr inbounds i8, ptr %0, i64 1368
+  %123 = getelementptr inbounds i8, ptr %0, i64 1392
   %124 = load ptr, ptr %123, align 8
   %125 = getelementptr inbounds i8, ptr %5, i64 64
   br label %195
@@ -4441,7 +4651,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %157 = load ptr, ptr %156, align 8
   %158 = getelementptr inbounds i8, ptr %157, i64 16
   %159 = load i64, ptr %158, align 8
-  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #10
+  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #11
   %160 = fmul <8 x double> %141, %139
   %161 = fadd <8 x double> %135, %160
   %162 = load ptr, ptr %108, align 8
@@ -4453,7 +4663,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %166, label %168, label %167
 
 167:                                              ; preds = %126
-  tail call fastcc void @settle(ptr noundef nonnull %105) #10
+  tail call fastcc void @settle(ptr noundef nonnull %105) #11
   br label %168
 
 168:                                              ; preds = %167, %126
@@ -4462,7 +4672,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %170, label %171, label %172
 
 171:                                              ; preds = %168
-  tail call fastcc void @sample(ptr noundef nonnull %105) #10
+  tail call fastcc void @sample(ptr noundef nonnull %105) #11
   br label %172
 
 172:                                              ; preds = %168, %171
@@ -4476,12 +4686,12 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %180 = load ptr, ptr %112, align 8
   %181 = inttoptr i64 %174 to ptr
   %182 = load ptr, ptr %181, align 8
-  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #11
+  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #12
   %184 = zext i32 %183 to i64
   %185 = or i64 %128, %184
   %186 = add nuw nsw i64 %127, 1
   %187 = icmp eq i64 %186, 5
-  br i1 %187, label %113, label %126, !llvm.loop !76
+  br i1 %187, label %113, label %126, !llvm.loop !78
 
 188:                                              ; preds = %316, %113
   %189 = phi <8 x i64> [ %118, %113 ], [ %318, %316 ]
@@ -4489,7 +4699,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %190, label %191, label %321
 
 191:                                              ; preds = %188
-  %192 = getelementptr inbounds i8, ptr %0, i64 1368
+  %192 = getelementptr inbounds i8, ptr %0, i64 1392
   %193 = shl i64 %9, 8
   %194 = icmp slt <8 x i64> %189, zeroinitializer
   br label %330
@@ -4554,7 +4764,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %235 = phi <8 x i64> [ %233, %231 ], [ %212, %229 ]
   %236 = add nuw nsw i64 %209, 1
   %237 = icmp eq i64 %236, 5
-  br i1 %237, label %203, label %208, !llvm.loop !77
+  br i1 %237, label %203, label %208, !llvm.loop !79
 
 238:                                              ; preds = %203
   %239 = fmul <8 x double> %225, %230
@@ -4642,14 +4852,14 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 313:                                              ; preds = %282, %256
   %314 = phi <8 x i64> [ %312, %282 ], [ %258, %256 ]
   %315 = icmp eq i64 %263, 4
-  br i1 %315, label %316, label %256, !llvm.loop !78
+  br i1 %315, label %316, label %256, !llvm.loop !80
 
 316:                                              ; preds = %313
   %317 = xor <8 x i64> %314, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
   %318 = and <8 x i64> %251, %317
   %319 = add nuw nsw i64 %198, 1
   %320 = icmp eq i64 %319, %9
-  br i1 %320, label %188, label %195, !llvm.loop !79
+  br i1 %320, label %188, label %195, !llvm.loop !81
 
 321:                                              ; preds = %330, %188
   %322 = load ptr, ptr %16, align 8
@@ -4677,11 +4887,11 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %340, ptr %338, align 8
   %341 = add nuw nsw i64 %331, 1
   %342 = icmp eq i64 %341, %9
-  br i1 %342, label %321, label %330, !llvm.loop !80
+  br i1 %342, label %321, label %330, !llvm.loop !82
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 1200
+  %5 = getelementptr inbounds i8, ptr %0, i64 1224
   %6 = load ptr, ptr %5, align 8
   %7 = getelementptr inbounds i64, ptr %6, i64 %1
   %8 = load i64, ptr %7, align 8
@@ -4705,7 +4915,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   br label %129
 
 24:                                               ; preds = %147, %4
-  %25 = getelementptr inbounds i8, ptr %0, i64 1248
+  %25 = getelementptr inbounds i8, ptr %0, i64 1272
   %26 = load ptr, ptr %5, align 8
   %27 = getelementptr inbounds i64, ptr %26, i64 %1
   %28 = load i64, ptr %27, align 8
@@ -4719,7 +4929,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %36 = getelementptr inbounds i8, ptr %34, i64 %35
   %37 = mul i64 %32, 88
   %38 = getelementptr inbounds i8, ptr %34, i64 %37
-  %39 = getelementptr inbounds i8, ptr %0, i64 1440
+  %39 = getelementptr inbounds i8, ptr %0, i64 1464
   %40 = load ptr, ptr %39, align 8
   %41 = getelementptr inbounds double, ptr %40, i64 %1
   %42 = load double, ptr %41, align 8
@@ -4728,9 +4938,9 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   br i1 %43, label %44, label %64
 
 44:                                               ; preds = %24
-  %45 = getelementptr inbounds i8, ptr %0, i64 1416
+  %45 = getelementptr inbounds i8, ptr %0, i64 1440
   %46 = getelementptr inbounds i8, ptr %29, i64 936
-  %47 = getelementptr inbounds i8, ptr %0, i64 1368
+  %47 = getelementptr inbounds i8, ptr %0, i64 1392
   br label %48
 
 48:                                               ; preds = %44, %48
@@ -4751,7 +4961,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %60, ptr %61, align 8
   %62 = add nuw nsw i64 %49, 1
   %63 = icmp eq i64 %62, %32
-  br i1 %63, label %64, label %48, !llvm.loop !61
+  br i1 %63, label %64, label %48, !llvm.loop !63
 
 64:                                               ; preds = %48, %24
   %65 = getelementptr inbounds i8, ptr %9, i64 624
@@ -4777,7 +4987,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %83 = load ptr, ptr %82, align 8
   %84 = getelementptr inbounds double, ptr %83, i64 %1
   %85 = load double, ptr %84, align 8
-  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #11
+  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #12
   %87 = load ptr, ptr %75, align 8
   store double 0x7FF0000000000000, ptr %87, align 8
   %88 = load ptr, ptr %65, align 8
@@ -4806,8 +5016,8 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 
 108:                                              ; preds = %64
   %109 = getelementptr inbounds i8, ptr %94, i64 936
-  %110 = getelementptr inbounds i8, ptr %0, i64 1416
-  %111 = getelementptr inbounds i8, ptr %0, i64 1368
+  %110 = getelementptr inbounds i8, ptr %0, i64 1440
+  %111 = getelementptr inbounds i8, ptr %0, i64 1392
   br label %112
 
 112:                                              ; preds = %108, %112
@@ -4828,7 +5038,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %123, ptr %125, align 8
   %126 = add nuw nsw i64 %113, 1
   %127 = icmp eq i64 %126, %97
-  br i1 %127, label %128, label %112, !llvm.loop !61
+  br i1 %127, label %128, label %112, !llvm.loop !63
 
 128:                                              ; preds = %112, %64
   ret i64 %86
@@ -4858,7 +5068,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 147:                                              ; preds = %150, %129
   %148 = add nuw nsw i64 %130, 1
   %149 = icmp eq i64 %148, %15
-  br i1 %149, label %24, label %129, !llvm.loop !81
+  br i1 %149, label %24, label %129, !llvm.loop !83
 
 150:                                              ; preds = %129, %150
   %151 = phi i64 [ %164, %150 ], [ 0, %129 ]
@@ -4880,7 +5090,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %166 = getelementptr inbounds i8, ptr %165, i64 24
   %167 = load i64, ptr %166, align 8
   %168 = icmp slt i64 %164, %167
-  br i1 %168, label %150, label %147, !llvm.loop !82
+  br i1 %168, label %150, label %147, !llvm.loop !84
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -4917,7 +5127,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !83
+  br i1 %31, label %20, label %19, !llvm.loop !85
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4931,10 +5141,10 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !84
+  br i1 %43, label %32, label %24, !llvm.loop !86
 }
 
-declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #9
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -4943,11 +5153,12 @@ attributes #3 = { noinline nounwind }
 attributes #4 = { noinline nounwind }
 attributes #5 = { nounwind willreturn memory(none) }
 attributes #6 = { noinline nounwind }
-attributes #7 = { noinline nounwind }
-attributes #8 = { nounwind willreturn memory(none) }
-attributes #9 = { nounwind }
+attributes #7 = { nounwind willreturn }
+attributes #8 = { noinline nounwind }
+attributes #9 = { nounwind willreturn memory(none) }
 attributes #10 = { nounwind }
 attributes #11 = { nounwind }
+attributes #12 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -4974,17 +5185,17 @@ attributes #11 = { nounwind }
 !21 = distinct !{!21, !4, !5}
 !22 = distinct !{!22, !4, !5}
 !23 = distinct !{!23, !4, !5}
-!24 = distinct !{!24, !4, !5, !25}
-!25 = !{!"llvm.loop.vectorize.width", i32 1}
-!26 = distinct !{!26, !4, !5, !25}
-!27 = distinct !{!27, !4, !5}
-!28 = distinct !{!28, !4, !5}
+!24 = distinct !{!24, !4, !5}
+!25 = distinct !{!25, !4, !5}
+!26 = distinct !{!26, !4, !5, !27}
+!27 = !{!"llvm.loop.vectorize.width", i32 1}
+!28 = distinct !{!28, !4, !5, !27}
 !29 = distinct !{!29, !4, !5}
 !30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
-!32 = distinct !{!32, !4, !5, !25}
+!32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
-!34 = distinct !{!34, !4, !5}
+!34 = distinct !{!34, !4, !5, !27}
 !35 = distinct !{!35, !4, !5}
 !36 = distinct !{!36, !4, !5}
 !37 = distinct !{!37, !4, !5}
@@ -4992,28 +5203,28 @@ attributes #11 = { nounwind }
 !39 = distinct !{!39, !4, !5}
 !40 = distinct !{!40, !4, !5}
 !41 = distinct !{!41, !4, !5}
-!42 = distinct !{!42, !4, !5, !25}
-!43 = distinct !{!43, !4, !5, !25}
-!44 = distinct !{!44, !4, !5}
-!45 = distinct !{!45, !4, !5}
+!42 = distinct !{!42, !4, !5}
+!43 = distinct !{!43, !4, !5}
+!44 = distinct !{!44, !4, !5, !27}
+!45 = distinct !{!45, !4, !5, !27}
 !46 = distinct !{!46, !4, !5}
 !47 = distinct !{!47, !4, !5}
 !48 = distinct !{!48, !4, !5}
 !49 = distinct !{!49, !4, !5}
 !50 = distinct !{!50, !4, !5}
 !51 = distinct !{!51, !4, !5}
-!52 = distinct !{!52, !4, !5, !25}
-!53 = distinct !{!53, !5}
-!54 = distinct !{!54, !4, !5}
-!55 = distinct !{!55, !4, !5}
+!52 = distinct !{!52, !4, !5}
+!53 = distinct !{!53, !4, !5}
+!54 = distinct !{!54, !4, !5, !27}
+!55 = distinct !{!55, !5}
 !56 = distinct !{!56, !4, !5}
-!57 = distinct !{!57, !4, !5, !25}
+!57 = distinct !{!57, !4, !5}
 !58 = distinct !{!58, !4, !5}
-!59 = distinct !{!59, !4, !5}
+!59 = distinct !{!59, !4, !5, !27}
 !60 = distinct !{!60, !4, !5}
-!61 = distinct !{!61, !4, !5, !25}
+!61 = distinct !{!61, !4, !5}
 !62 = distinct !{!62, !4, !5}
-!63 = distinct !{!63, !4, !5}
+!63 = distinct !{!63, !4, !5, !27}
 !64 = distinct !{!64, !4, !5}
 !65 = distinct !{!65, !4, !5}
 !66 = distinct !{!66, !4, !5}
@@ -5021,9 +5232,9 @@ attributes #11 = { nounwind }
 !68 = distinct !{!68, !4, !5}
 !69 = distinct !{!69, !4, !5}
 !70 = distinct !{!70, !4, !5}
-!71 = distinct !{!71, !4, !5, !25}
+!71 = distinct !{!71, !4, !5}
 !72 = distinct !{!72, !4, !5}
-!73 = distinct !{!73, !4, !5}
+!73 = distinct !{!73, !4, !5, !27}
 !74 = distinct !{!74, !4, !5}
 !75 = distinct !{!75, !4, !5}
 !76 = distinct !{!76, !4, !5}
@@ -5031,7 +5242,9 @@ attributes #11 = { nounwind }
 !78 = distinct !{!78, !4, !5}
 !79 = distinct !{!79, !4, !5}
 !80 = distinct !{!80, !4, !5}
-!81 = distinct !{!81, !4, !5, !25}
+!81 = distinct !{!81, !4, !5}
 !82 = distinct !{!82, !4, !5}
-!83 = distinct !{!83, !4, !5}
+!83 = distinct !{!83, !4, !5, !27}
 !84 = distinct !{!84, !4, !5}
+!85 = distinct !{!85, !4, !5}
+!86 = distinct !{!86, !4, !5}

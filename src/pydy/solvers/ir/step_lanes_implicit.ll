@@ -1,4 +1,4 @@
-; sources d53f13076d9b25348e1105a64a462602e3c1f3e9074e3ac713fcc9acb0b46028
+; sources 5714800e893927a84382f565ae743b481f4d1ebb6ac99b6413919a6344d6b213
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -12,2155 +12,2521 @@
 define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %2 = alloca [3 x double], align 16
   %3 = alloca [3 x double], align 16
-  %4 = alloca [3 x <8 x double>], align 64
-  %5 = alloca [8 x double], align 16
-  %6 = alloca [8 x double], align 16
-  %7 = alloca %struct.Stepper, align 8
+  %4 = alloca [64 x double], align 16
+  %5 = alloca [64 x double], align 16
+  %6 = alloca [64 x double], align 16
+  %7 = alloca [64 x double], align 16
   %8 = alloca [8 x double], align 16
   %9 = alloca [8 x double], align 16
-  %10 = alloca [8 x double], align 16
-  %11 = alloca i64, align 8
-  %12 = alloca [8 x i64], align 16
-  %13 = alloca i64, align 8
-  store ptr %0, ptr %7, align 8
-  %14 = getelementptr inbounds i8, ptr %7, i64 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %15, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %7, i64 16
-  %17 = getelementptr inbounds i8, ptr %0, i64 432
-  store ptr %17, ptr %16, align 8
-  %18 = getelementptr inbounds i8, ptr %0, i64 984
-  %19 = load ptr, ptr %15, align 8
-  %20 = getelementptr inbounds i8, ptr %19, i64 8
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %0, i64 1032
-  %23 = load ptr, ptr %22, align 8
-  %24 = getelementptr inbounds i8, ptr %0, i64 1040
+  %10 = alloca [3 x <8 x double>], align 64
+  %11 = alloca %struct.Stepper, align 8
+  %12 = alloca [8 x double], align 16
+  %13 = alloca [8 x double], align 16
+  %14 = alloca [8 x double], align 16
+  %15 = alloca i64, align 8
+  %16 = alloca [8 x i64], align 16
+  %17 = alloca i64, align 8
+  store ptr %0, ptr %11, align 8
+  %18 = getelementptr inbounds i8, ptr %11, i64 8
+  %19 = getelementptr inbounds i8, ptr %0, i64 144
+  store ptr %19, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %11, i64 16
+  %21 = getelementptr inbounds i8, ptr %0, i64 432
+  store ptr %21, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %0, i64 984
+  %23 = load ptr, ptr %19, align 8
+  %24 = getelementptr inbounds i8, ptr %23, i64 8
   %25 = load i64, ptr %24, align 8
-  %26 = getelementptr double, ptr %23, i64 %25
-  %27 = getelementptr i8, ptr %26, i64 -16
-  %28 = load double, ptr %27, align 8
-  %29 = getelementptr inbounds i8, ptr %0, i64 1008
-  %30 = load ptr, ptr %29, align 8
-  %31 = load double, ptr %30, align 8
-  %32 = load ptr, ptr %18, align 8
-  %33 = getelementptr inbounds i8, ptr %32, i64 16
-  %34 = load i64, ptr %33, align 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 1656
-  %36 = load ptr, ptr %35, align 8
-  %37 = load i64, ptr %36, align 8
-  %38 = getelementptr inbounds i8, ptr %0, i64 1248
-  %39 = load ptr, ptr %38, align 8
-  %40 = getelementptr inbounds i8, ptr %39, i64 8
+  %26 = getelementptr inbounds i8, ptr %0, i64 1032
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %0, i64 1040
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr double, ptr %27, i64 %29
+  %31 = getelementptr i8, ptr %30, i64 -16
+  %32 = load double, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %0, i64 1008
+  %34 = load ptr, ptr %33, align 8
+  %35 = load double, ptr %34, align 8
+  %36 = load ptr, ptr %22, align 8
+  %37 = getelementptr inbounds i8, ptr %36, i64 16
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr inbounds i8, ptr %0, i64 1680
+  %40 = load ptr, ptr %39, align 8
   %41 = load i64, ptr %40, align 8
-  store i64 0, ptr %11, align 8
-  %42 = getelementptr inbounds i8, ptr %0, i64 936
+  %42 = getelementptr inbounds i8, ptr %0, i64 1272
   %43 = load ptr, ptr %42, align 8
-  br label %143
+  %44 = getelementptr inbounds i8, ptr %43, i64 8
+  %45 = load i64, ptr %44, align 8
+  store i64 0, ptr %15, align 8
+  %46 = getelementptr inbounds i8, ptr %0, i64 936
+  %47 = load ptr, ptr %46, align 8
+  br label %149
 
-44:                                               ; preds = %143
-  %45 = getelementptr inbounds i8, ptr %0, i64 696
-  %46 = sitofp i64 %34 to double
-  %47 = icmp eq i64 %37, 1
-  %48 = icmp sgt i64 %41, 0
-  store i64 %151, ptr %11, align 8
-  %49 = getelementptr inbounds i8, ptr %0, i64 936
-  %50 = getelementptr inbounds i8, ptr %0, i64 1568
-  %51 = getelementptr inbounds i8, ptr %0, i64 1200
-  %52 = insertelement <8 x double> poison, double %28, i64 0
-  %53 = shufflevector <8 x double> %52, <8 x double> poison, <8 x i32> zeroinitializer
-  %54 = getelementptr inbounds i8, ptr %0, i64 720
-  %55 = insertelement <8 x double> poison, double %31, i64 0
-  %56 = shufflevector <8 x double> %55, <8 x double> poison, <8 x i32> zeroinitializer
-  %57 = getelementptr inbounds i8, ptr %0, i64 840
-  %58 = getelementptr inbounds i8, ptr %0, i64 864
-  %59 = insertelement <8 x double> poison, double %46, i64 0
+48:                                               ; preds = %149
+  %49 = getelementptr inbounds i8, ptr %0, i64 696
+  %50 = sitofp i64 %38 to double
+  %51 = icmp eq i64 %41, 1
+  %52 = icmp sgt i64 %45, 0
+  store i64 %157, ptr %15, align 8
+  %53 = getelementptr inbounds i8, ptr %0, i64 936
+  %54 = getelementptr inbounds i8, ptr %0, i64 1592
+  %55 = getelementptr inbounds i8, ptr %0, i64 1224
+  %56 = insertelement <8 x double> poison, double %32, i64 0
+  %57 = shufflevector <8 x double> %56, <8 x double> poison, <8 x i32> zeroinitializer
+  %58 = getelementptr inbounds i8, ptr %0, i64 720
+  %59 = insertelement <8 x double> poison, double %35, i64 0
   %60 = shufflevector <8 x double> %59, <8 x double> poison, <8 x i32> zeroinitializer
-  %61 = getelementptr inbounds i8, ptr %0, i64 1728
-  %62 = getelementptr inbounds i8, ptr %0, i64 648
-  %63 = getelementptr inbounds i8, ptr %0, i64 1800
-  %64 = getelementptr inbounds i8, ptr %0, i64 1824
-  %65 = getelementptr inbounds i8, ptr %0, i64 168
-  %66 = getelementptr inbounds i8, ptr %0, i64 296
-  %67 = getelementptr inbounds i8, ptr %0, i64 192
-  %68 = getelementptr inbounds i8, ptr %0, i64 1776
-  %69 = getelementptr inbounds i8, ptr %0, i64 1808
-  %70 = getelementptr inbounds i8, ptr %0, i64 1752
-  %71 = getelementptr inbounds i8, ptr %0, i64 1904
-  %72 = getelementptr inbounds i8, ptr %0, i64 1848
-  %73 = getelementptr inbounds i8, ptr %0, i64 1872
-  %74 = getelementptr inbounds i8, ptr %0, i64 1800
-  %75 = getelementptr inbounds i8, ptr %0, i64 1896
-  %76 = getelementptr inbounds i8, ptr %0, i64 1920
-  %77 = getelementptr inbounds i8, ptr %0, i64 2016
-  %78 = getelementptr inbounds i8, ptr %0, i64 1944
-  %79 = getelementptr inbounds i8, ptr %0, i64 1968
-  %80 = getelementptr inbounds i8, ptr %0, i64 480
-  %81 = getelementptr inbounds i8, ptr %0, i64 1992
-  %82 = getelementptr inbounds i8, ptr %0, i64 480
-  %83 = getelementptr inbounds i8, ptr %0, i64 168
-  %84 = getelementptr inbounds i8, ptr %0, i64 296
-  %85 = getelementptr inbounds i8, ptr %0, i64 192
-  %86 = getelementptr inbounds i8, ptr %0, i64 240
-  %87 = getelementptr inbounds i8, ptr %0, i64 1992
-  %88 = getelementptr inbounds i8, ptr %0, i64 2040
-  %89 = getelementptr inbounds i8, ptr %0, i64 2064
-  %90 = getelementptr inbounds i8, ptr %0, i64 672
-  %91 = getelementptr inbounds i8, ptr %0, i64 1896
-  %92 = getelementptr inbounds i8, ptr %0, i64 1904
-  %93 = getelementptr inbounds i8, ptr %0, i64 2040
-  %94 = getelementptr inbounds i8, ptr %0, i64 2064
-  %95 = getelementptr inbounds i8, ptr %0, i64 1848
-  %96 = getelementptr inbounds i8, ptr %0, i64 1872
-  %97 = getelementptr inbounds i8, ptr %0, i64 1920
-  %98 = getelementptr inbounds i8, ptr %0, i64 672
-  %99 = getelementptr inbounds i8, ptr %4, i64 64
-  %100 = getelementptr inbounds i8, ptr %4, i64 128
-  %101 = getelementptr inbounds i8, ptr %0, i64 1808
-  %102 = getelementptr inbounds i8, ptr %0, i64 1800
-  %103 = getelementptr inbounds i8, ptr %0, i64 456
-  %104 = getelementptr inbounds i8, ptr %0, i64 1896
-  %105 = getelementptr inbounds i8, ptr %0, i64 1904
-  %106 = getelementptr inbounds i8, ptr %0, i64 2088
-  %107 = getelementptr inbounds i8, ptr %0, i64 2040
-  %108 = getelementptr inbounds i8, ptr %0, i64 600
-  %109 = getelementptr inbounds i8, ptr %0, i64 1848
-  %110 = getelementptr inbounds i8, ptr %0, i64 456
-  %111 = getelementptr inbounds i8, ptr %0, i64 480
-  %112 = getelementptr inbounds i8, ptr %0, i64 480
-  %113 = getelementptr inbounds i8, ptr %0, i64 1992
-  %114 = getelementptr inbounds i8, ptr %0, i64 168
-  %115 = getelementptr inbounds i8, ptr %0, i64 296
-  %116 = getelementptr inbounds i8, ptr %0, i64 192
-  %117 = getelementptr inbounds i8, ptr %0, i64 240
-  %118 = getelementptr inbounds i8, ptr %0, i64 888
-  %119 = getelementptr inbounds i8, ptr %0, i64 456
-  %120 = getelementptr inbounds i8, ptr %0, i64 440
-  %121 = getelementptr inbounds i8, ptr %0, i64 1944
-  %122 = getelementptr inbounds i8, ptr %0, i64 624
-  %123 = getelementptr inbounds i8, ptr %0, i64 2016
-  %124 = getelementptr inbounds i8, ptr %0, i64 1752
-  %125 = getelementptr inbounds i8, ptr %2, i64 8
-  %126 = getelementptr inbounds i8, ptr %2, i64 16
-  %127 = getelementptr inbounds i8, ptr %3, i64 8
-  %128 = getelementptr inbounds i8, ptr %3, i64 16
-  %129 = getelementptr inbounds i8, ptr %0, i64 456
-  %130 = getelementptr inbounds i8, ptr %0, i64 816
-  %131 = getelementptr inbounds i8, ptr %0, i64 456
-  %132 = getelementptr inbounds i8, ptr %0, i64 912
-  %133 = icmp sgt i64 %21, 0
-  %134 = getelementptr inbounds i8, ptr %0, i64 456
-  br label %135
+  %61 = getelementptr inbounds i8, ptr %0, i64 840
+  %62 = getelementptr inbounds i8, ptr %0, i64 864
+  %63 = insertelement <8 x double> poison, double %50, i64 0
+  %64 = shufflevector <8 x double> %63, <8 x double> poison, <8 x i32> zeroinitializer
+  %65 = getelementptr inbounds i8, ptr %0, i64 1752
+  %66 = getelementptr inbounds i8, ptr %0, i64 648
+  %67 = getelementptr inbounds i8, ptr %0, i64 1824
+  %68 = getelementptr inbounds i8, ptr %0, i64 1848
+  %69 = getelementptr inbounds i8, ptr %0, i64 168
+  %70 = getelementptr inbounds i8, ptr %0, i64 296
+  %71 = getelementptr inbounds i8, ptr %0, i64 192
+  %72 = getelementptr inbounds i8, ptr %0, i64 1800
+  %73 = getelementptr inbounds i8, ptr %0, i64 1832
+  %74 = getelementptr inbounds i8, ptr %0, i64 1776
+  %75 = getelementptr inbounds i8, ptr %0, i64 1928
+  %76 = getelementptr inbounds i8, ptr %0, i64 1872
+  %77 = getelementptr inbounds i8, ptr %0, i64 1896
+  %78 = getelementptr inbounds i8, ptr %0, i64 1824
+  %79 = getelementptr inbounds i8, ptr %0, i64 1920
+  %80 = getelementptr inbounds i8, ptr %0, i64 1944
+  %81 = getelementptr inbounds i8, ptr %0, i64 2040
+  %82 = getelementptr inbounds i8, ptr %0, i64 1968
+  %83 = getelementptr inbounds i8, ptr %0, i64 1992
+  %84 = getelementptr inbounds i8, ptr %0, i64 480
+  %85 = getelementptr inbounds i8, ptr %0, i64 2016
+  %86 = getelementptr inbounds i8, ptr %0, i64 480
+  %87 = getelementptr inbounds i8, ptr %0, i64 168
+  %88 = getelementptr inbounds i8, ptr %0, i64 296
+  %89 = getelementptr inbounds i8, ptr %0, i64 192
+  %90 = getelementptr inbounds i8, ptr %0, i64 240
+  %91 = getelementptr inbounds i8, ptr %0, i64 2016
+  %92 = getelementptr inbounds i8, ptr %0, i64 2064
+  %93 = getelementptr inbounds i8, ptr %0, i64 2088
+  %94 = getelementptr inbounds i8, ptr %0, i64 672
+  %95 = getelementptr inbounds i8, ptr %0, i64 1920
+  %96 = getelementptr inbounds i8, ptr %0, i64 1928
+  %97 = getelementptr inbounds i8, ptr %0, i64 2064
+  %98 = getelementptr inbounds i8, ptr %0, i64 2088
+  %99 = getelementptr inbounds i8, ptr %0, i64 1872
+  %100 = getelementptr inbounds i8, ptr %0, i64 1896
+  %101 = getelementptr inbounds i8, ptr %0, i64 1944
+  %102 = getelementptr inbounds i8, ptr %0, i64 672
+  %103 = getelementptr inbounds i8, ptr %10, i64 64
+  %104 = getelementptr inbounds i8, ptr %10, i64 128
+  %105 = getelementptr inbounds i8, ptr %0, i64 1832
+  %106 = getelementptr inbounds i8, ptr %0, i64 1824
+  %107 = getelementptr inbounds i8, ptr %0, i64 456
+  %108 = getelementptr inbounds i8, ptr %0, i64 2112
+  %109 = getelementptr inbounds i8, ptr %0, i64 2064
+  %110 = getelementptr inbounds i8, ptr %0, i64 600
+  %111 = getelementptr inbounds i8, ptr %0, i64 1920
+  %112 = getelementptr inbounds i8, ptr %0, i64 1928
+  %113 = getelementptr inbounds i8, ptr %0, i64 1872
+  %114 = getelementptr inbounds i8, ptr %0, i64 456
+  %115 = getelementptr inbounds i8, ptr %0, i64 672
+  %116 = getelementptr inbounds i8, ptr %0, i64 480
+  %117 = getelementptr inbounds i8, ptr %0, i64 480
+  %118 = getelementptr inbounds i8, ptr %0, i64 2016
+  %119 = getelementptr inbounds i8, ptr %0, i64 168
+  %120 = getelementptr inbounds i8, ptr %0, i64 296
+  %121 = getelementptr inbounds i8, ptr %0, i64 192
+  %122 = getelementptr inbounds i8, ptr %0, i64 240
+  %123 = getelementptr inbounds i8, ptr %0, i64 672
+  %124 = getelementptr inbounds i8, ptr %0, i64 888
+  %125 = getelementptr inbounds i8, ptr %0, i64 456
+  %126 = getelementptr inbounds i8, ptr %0, i64 440
+  %127 = getelementptr inbounds i8, ptr %0, i64 1968
+  %128 = getelementptr inbounds i8, ptr %0, i64 624
+  %129 = getelementptr inbounds i8, ptr %0, i64 2040
+  %130 = getelementptr inbounds i8, ptr %0, i64 1776
+  %131 = getelementptr inbounds i8, ptr %2, i64 8
+  %132 = getelementptr inbounds i8, ptr %2, i64 16
+  %133 = getelementptr inbounds i8, ptr %3, i64 8
+  %134 = getelementptr inbounds i8, ptr %3, i64 16
+  %135 = getelementptr inbounds i8, ptr %0, i64 456
+  %136 = getelementptr inbounds i8, ptr %0, i64 816
+  %137 = getelementptr inbounds i8, ptr %0, i64 456
+  %138 = getelementptr inbounds i8, ptr %0, i64 912
+  %139 = icmp sgt i64 %25, 0
+  %140 = getelementptr inbounds i8, ptr %0, i64 456
+  br label %141
 
-135:                                              ; preds = %1746, %44
-  %136 = phi i64 [ %1406, %1746 ], [ undef, %44 ]
-  %137 = phi i64 [ %1407, %1746 ], [ undef, %44 ]
-  %138 = phi <8 x double> [ %1408, %1746 ], [ undef, %44 ]
-  %139 = phi <8 x double> [ %1409, %1746 ], [ undef, %44 ]
-  %140 = phi <8 x double> [ %1410, %1746 ], [ undef, %44 ]
-  %141 = phi i32 [ %1747, %1746 ], [ 1, %44 ]
-  %142 = phi i64 [ %1722, %1746 ], [ 0, %44 ]
-  br label %154
+141:                                              ; preds = %2046, %48
+  %142 = phi i64 [ %1706, %2046 ], [ undef, %48 ]
+  %143 = phi i64 [ %1707, %2046 ], [ undef, %48 ]
+  %144 = phi <8 x double> [ %1708, %2046 ], [ undef, %48 ]
+  %145 = phi <8 x double> [ %1709, %2046 ], [ undef, %48 ]
+  %146 = phi <8 x double> [ %1710, %2046 ], [ undef, %48 ]
+  %147 = phi i32 [ %2047, %2046 ], [ 1, %48 ]
+  %148 = phi i64 [ %2022, %2046 ], [ 0, %48 ]
+  br label %160
 
-143:                                              ; preds = %1, %143
-  %144 = phi i64 [ 0, %1 ], [ %152, %143 ]
-  %145 = phi i64 [ 0, %1 ], [ %151, %143 ]
-  %146 = getelementptr inbounds i64, ptr %43, i64 %144
-  %147 = load i64, ptr %146, align 8
-  %148 = icmp sgt i64 %147, -1
-  %149 = zext i1 %148 to i64
-  %150 = shl nuw nsw i64 %149, %144
-  %151 = or i64 %150, %145
-  %152 = add nuw nsw i64 %144, 1
-  %153 = icmp eq i64 %152, 8
-  br i1 %153, label %44, label %143, !llvm.loop !3
+149:                                              ; preds = %1, %149
+  %150 = phi i64 [ 0, %1 ], [ %158, %149 ]
+  %151 = phi i64 [ 0, %1 ], [ %157, %149 ]
+  %152 = getelementptr inbounds i64, ptr %47, i64 %150
+  %153 = load i64, ptr %152, align 8
+  %154 = icmp sgt i64 %153, -1
+  %155 = zext i1 %154 to i64
+  %156 = shl nuw nsw i64 %155, %150
+  %157 = or i64 %156, %151
+  %158 = add nuw nsw i64 %150, 1
+  %159 = icmp eq i64 %158, 8
+  br i1 %159, label %48, label %149, !llvm.loop !3
 
-154:                                              ; preds = %135, %258
-  %155 = phi i32 [ 1, %258 ], [ %141, %135 ]
-  %156 = phi i64 [ %194, %258 ], [ %142, %135 ]
-  br label %157
+160:                                              ; preds = %141, %264
+  %161 = phi i32 [ 1, %264 ], [ %147, %141 ]
+  %162 = phi i64 [ %200, %264 ], [ %148, %141 ]
+  br label %163
 
-157:                                              ; preds = %188, %154
-  %158 = phi i32 [ %155, %154 ], [ %190, %188 ]
-  %159 = phi i64 [ %156, %154 ], [ %191, %188 ]
-  %160 = icmp ne i32 %158, 0
-  %161 = icmp ne i64 %159, 0
-  %162 = select i1 %160, i1 true, i1 %161
-  br i1 %162, label %163, label %192
+163:                                              ; preds = %194, %160
+  %164 = phi i32 [ %161, %160 ], [ %196, %194 ]
+  %165 = phi i64 [ %162, %160 ], [ %197, %194 ]
+  %166 = icmp ne i32 %164, 0
+  %167 = icmp ne i64 %165, 0
+  %168 = select i1 %166, i1 true, i1 %167
+  br i1 %168, label %169, label %198
 
-163:                                              ; preds = %157
-  br i1 %160, label %164, label %166
+169:                                              ; preds = %163
+  br i1 %166, label %170, label %172
 
-164:                                              ; preds = %163
-  %165 = call fastcc i64 @fill(ptr noundef %0, ptr noundef nonnull %11) #10
-  br label %166
+170:                                              ; preds = %169
+  %171 = call fastcc i64 @fill(ptr noundef %0, ptr noundef nonnull %15) #11
+  br label %172
 
-166:                                              ; preds = %163, %164
-  %167 = phi i64 [ %165, %164 ], [ 0, %163 ]
-  %168 = load i64, ptr %11, align 8
-  %169 = icmp eq i64 %168, 0
-  br i1 %169, label %188, label %170
+172:                                              ; preds = %169, %170
+  %173 = phi i64 [ %171, %170 ], [ 0, %169 ]
+  %174 = load i64, ptr %15, align 8
+  %175 = icmp eq i64 %174, 0
+  br i1 %175, label %194, label %176
 
-170:                                              ; preds = %166
-  %171 = or i64 %167, %159
-  %172 = icmp eq i64 %171, 0
-  br i1 %172, label %188, label %173
+176:                                              ; preds = %172
+  %177 = or i64 %173, %165
+  %178 = icmp eq i64 %177, 0
+  br i1 %178, label %194, label %179
 
-173:                                              ; preds = %170
-  call fastcc void @start(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %167, i64 noundef %159) #10
-  br label %174
+179:                                              ; preds = %176
+  call fastcc void @start(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %173, i64 noundef %165) #11
+  br label %180
 
-174:                                              ; preds = %173, %183
-  %175 = phi i32 [ 0, %173 ], [ %185, %183 ]
-  %176 = phi i64 [ 0, %173 ], [ %186, %183 ]
-  %177 = icmp eq i32 %175, 0
-  br i1 %177, label %178, label %183
+180:                                              ; preds = %179, %189
+  %181 = phi i32 [ 0, %179 ], [ %191, %189 ]
+  %182 = phi i64 [ 0, %179 ], [ %192, %189 ]
+  %183 = icmp eq i32 %181, 0
+  br i1 %183, label %184, label %189
 
-178:                                              ; preds = %174
-  %179 = load ptr, ptr %49, align 8
-  %180 = getelementptr inbounds i64, ptr %179, i64 %176
-  %181 = load i64, ptr %180, align 8
-  %182 = icmp eq i64 %181, -1
-  br label %183
+184:                                              ; preds = %180
+  %185 = load ptr, ptr %53, align 8
+  %186 = getelementptr inbounds i64, ptr %185, i64 %182
+  %187 = load i64, ptr %186, align 8
+  %188 = icmp eq i64 %187, -1
+  br label %189
 
-183:                                              ; preds = %178, %174
-  %184 = phi i1 [ true, %174 ], [ %182, %178 ]
-  %185 = zext i1 %184 to i32
-  %186 = add nuw nsw i64 %176, 1
-  %187 = icmp eq i64 %186, 8
-  br i1 %187, label %188, label %174, !llvm.loop !6
+189:                                              ; preds = %184, %180
+  %190 = phi i1 [ true, %180 ], [ %188, %184 ]
+  %191 = zext i1 %190 to i32
+  %192 = add nuw nsw i64 %182, 1
+  %193 = icmp eq i64 %192, 8
+  br i1 %193, label %194, label %180, !llvm.loop !6
 
-188:                                              ; preds = %183, %170, %166
-  %189 = phi i32 [ 1, %166 ], [ 8, %170 ], [ 0, %183 ]
-  %190 = phi i32 [ %158, %166 ], [ 0, %170 ], [ %185, %183 ]
-  %191 = phi i64 [ %159, %166 ], [ %159, %170 ], [ 0, %183 ]
-  switch i32 %189, label %1748 [
-    i32 0, label %157
-    i32 8, label %192
+194:                                              ; preds = %189, %176, %172
+  %195 = phi i32 [ 1, %172 ], [ 8, %176 ], [ 0, %189 ]
+  %196 = phi i32 [ %164, %172 ], [ 0, %176 ], [ %191, %189 ]
+  %197 = phi i64 [ %165, %172 ], [ %165, %176 ], [ 0, %189 ]
+  switch i32 %195, label %2048 [
+    i32 0, label %163
+    i32 8, label %198
   ], !llvm.loop !7
 
-192:                                              ; preds = %188, %157
-  %193 = phi i32 [ %190, %188 ], [ 0, %157 ]
-  %194 = phi i64 [ %191, %188 ], [ 0, %157 ]
-  %195 = load ptr, ptr %18, align 8
-  %196 = getelementptr inbounds i8, ptr %195, i64 8
-  %197 = load i64, ptr %196, align 8
-  %198 = icmp slt i64 %197, 1
-  br i1 %198, label %1748, label %199
+198:                                              ; preds = %194, %163
+  %199 = phi i32 [ %196, %194 ], [ 0, %163 ]
+  %200 = phi i64 [ %197, %194 ], [ 0, %163 ]
+  %201 = load ptr, ptr %22, align 8
+  %202 = getelementptr inbounds i8, ptr %201, i64 8
+  %203 = load i64, ptr %202, align 8
+  %204 = icmp slt i64 %203, 1
+  br i1 %204, label %2048, label %205
 
-199:                                              ; preds = %192
-  br i1 %48, label %200, label %220
+205:                                              ; preds = %198
+  br i1 %52, label %206, label %226
 
-200:                                              ; preds = %199
-  %201 = load i64, ptr %50, align 8
-  %202 = icmp sgt i64 %201, 0
-  br i1 %202, label %203, label %217
+206:                                              ; preds = %205
+  %207 = load i64, ptr %54, align 8
+  %208 = icmp sgt i64 %207, 0
+  br i1 %208, label %209, label %223
 
-203:                                              ; preds = %200
-  %204 = load ptr, ptr %38, align 8
-  %205 = getelementptr inbounds i8, ptr %204, i64 72
-  %206 = load i64, ptr %205, align 8
-  %207 = load ptr, ptr %51, align 8
-  %208 = load i64, ptr %207, align 8
-  %209 = inttoptr i64 %208 to ptr
-  %210 = getelementptr inbounds i8, ptr %209, i64 1064
-  %211 = load i64, ptr %210, align 8
-  %212 = shl i64 %211, 4
-  %213 = add i64 %206, 16
-  %214 = add i64 %213, %212
-  %215 = icmp sgt i64 %214, %201
-  %216 = zext i1 %215 to i32
-  br label %217
+209:                                              ; preds = %206
+  %210 = load ptr, ptr %42, align 8
+  %211 = getelementptr inbounds i8, ptr %210, i64 72
+  %212 = load i64, ptr %211, align 8
+  %213 = load ptr, ptr %55, align 8
+  %214 = load i64, ptr %213, align 8
+  %215 = inttoptr i64 %214 to ptr
+  %216 = getelementptr inbounds i8, ptr %215, i64 1064
+  %217 = load i64, ptr %216, align 8
+  %218 = shl i64 %217, 4
+  %219 = add i64 %212, 16
+  %220 = add i64 %219, %218
+  %221 = icmp sgt i64 %220, %207
+  %222 = zext i1 %221 to i32
+  br label %223
 
-217:                                              ; preds = %200, %203
-  %218 = phi i32 [ 0, %200 ], [ %216, %203 ]
-  %219 = icmp eq i32 %218, 0
-  br i1 %219, label %220, label %1748
+223:                                              ; preds = %206, %209
+  %224 = phi i32 [ 0, %206 ], [ %222, %209 ]
+  %225 = icmp eq i32 %224, 0
+  br i1 %225, label %226, label %2048
 
-220:                                              ; preds = %217, %199
-  %221 = add nsw i64 %197, -1
-  store i64 %221, ptr %196, align 8
-  %222 = load i64, ptr %11, align 8
-  %223 = trunc i64 %222 to i8
-  %224 = bitcast i8 %223 to <8 x i1>
-  %225 = load ptr, ptr %45, align 8
-  %226 = load <8 x double>, ptr %225, align 8
-  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %10) #10
-  %227 = load <8 x double>, ptr %10, align 16
-  %228 = fcmp olt <8 x double> %53, %227
-  %229 = select <8 x i1> %228, <8 x double> %53, <8 x double> %227
-  %230 = load ptr, ptr %54, align 8
-  %231 = load <8 x double>, ptr %230, align 8
-  %232 = fcmp olt <8 x double> %231, %56
-  %233 = select <8 x i1> %232, <8 x double> %231, <8 x double> %56
-  %234 = fadd <8 x double> %226, %233
-  %235 = fmul <8 x double> %233, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %236 = fsub <8 x double> %229, %235
-  %237 = fcmp ogt <8 x double> %234, %236
-  %238 = select <8 x i1> %237, <8 x double> %229, <8 x double> %234
-  %239 = fsub <8 x double> %238, %226
-  %240 = bitcast <8 x double> %239 to <8 x i64>
-  %241 = select <8 x i1> %224, <8 x i64> %240, <8 x i64> zeroinitializer
-  %242 = bitcast <8 x i64> %241 to <8 x double>
-  %243 = load ptr, ptr %57, align 8
-  %244 = load <8 x double>, ptr %243, align 8
-  %245 = load ptr, ptr %58, align 8
-  %246 = load <8 x double>, ptr %245, align 8
-  %247 = fadd <8 x double> %244, %246
-  %248 = fcmp oge <8 x double> %247, %60
-  %249 = fmul <8 x double> %242, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %250 = fadd <8 x double> %226, %249
-  %251 = fcmp ule <8 x double> %250, %226
-  %252 = fcmp une <8 x double> %238, %229
-  %253 = and <8 x i1> %251, %252
-  %254 = or <8 x i1> %253, %248
-  %255 = and <8 x i1> %254, %224
-  %256 = bitcast <8 x i1> %255 to i8
-  %257 = icmp eq i8 %256, 0
-  br i1 %257, label %265, label %258
+226:                                              ; preds = %223, %205
+  %227 = add nsw i64 %203, -1
+  store i64 %227, ptr %202, align 8
+  %228 = load i64, ptr %15, align 8
+  %229 = trunc i64 %228 to i8
+  %230 = bitcast i8 %229 to <8 x i1>
+  %231 = load ptr, ptr %49, align 8
+  %232 = load <8 x double>, ptr %231, align 8
+  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %14) #11
+  %233 = load <8 x double>, ptr %14, align 16
+  %234 = fcmp olt <8 x double> %57, %233
+  %235 = select <8 x i1> %234, <8 x double> %57, <8 x double> %233
+  %236 = load ptr, ptr %58, align 8
+  %237 = load <8 x double>, ptr %236, align 8
+  %238 = fcmp olt <8 x double> %237, %60
+  %239 = select <8 x i1> %238, <8 x double> %237, <8 x double> %60
+  %240 = fadd <8 x double> %232, %239
+  %241 = fmul <8 x double> %239, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %242 = fsub <8 x double> %235, %241
+  %243 = fcmp ogt <8 x double> %240, %242
+  %244 = select <8 x i1> %243, <8 x double> %235, <8 x double> %240
+  %245 = fsub <8 x double> %244, %232
+  %246 = bitcast <8 x double> %245 to <8 x i64>
+  %247 = select <8 x i1> %230, <8 x i64> %246, <8 x i64> zeroinitializer
+  %248 = bitcast <8 x i64> %247 to <8 x double>
+  %249 = load ptr, ptr %61, align 8
+  %250 = load <8 x double>, ptr %249, align 8
+  %251 = load ptr, ptr %62, align 8
+  %252 = load <8 x double>, ptr %251, align 8
+  %253 = fadd <8 x double> %250, %252
+  %254 = fcmp oge <8 x double> %253, %64
+  %255 = fmul <8 x double> %248, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %256 = fadd <8 x double> %232, %255
+  %257 = fcmp ule <8 x double> %256, %232
+  %258 = fcmp une <8 x double> %244, %235
+  %259 = and <8 x i1> %257, %258
+  %260 = or <8 x i1> %259, %254
+  %261 = and <8 x i1> %260, %230
+  %262 = bitcast <8 x i1> %261 to i8
+  %263 = icmp eq i8 %262, 0
+  br i1 %263, label %271, label %264
 
-258:                                              ; preds = %220
-  %259 = zext i8 %256 to i64
-  %260 = bitcast <8 x i1> %248 to i8
-  %261 = zext i8 %260 to i64
-  %262 = and i64 %259, %261
-  call fastcc void @retire(ptr noundef %0, i64 noundef %262, i64 noundef 1) #10
-  %263 = xor i64 %261, -1
-  %264 = and i64 %259, %263
-  call fastcc void @retire(ptr noundef %0, i64 noundef %264, i64 noundef -1) #10
-  br label %154, !llvm.loop !8
+264:                                              ; preds = %226
+  %265 = zext i8 %262 to i64
+  %266 = bitcast <8 x i1> %254 to i8
+  %267 = zext i8 %266 to i64
+  %268 = and i64 %265, %267
+  call fastcc void @retire(ptr noundef %0, i64 noundef %268, i64 noundef 1) #11
+  %269 = xor i64 %267, -1
+  %270 = and i64 %265, %269
+  call fastcc void @retire(ptr noundef %0, i64 noundef %270, i64 noundef -1) #11
+  br label %160, !llvm.loop !8
 
-265:                                              ; preds = %220
-  %266 = load ptr, ptr %62, align 8, !noalias !9
-  %267 = load double, ptr %266, align 8, !noalias !9
-  %268 = load ptr, ptr %15, align 8, !noalias !14
-  %269 = getelementptr inbounds i8, ptr %268, i64 8
-  %270 = load i64, ptr %269, align 8, !noalias !14
-  %271 = icmp sgt i64 %270, 0
-  br i1 %271, label %272, label %281
-
-272:                                              ; preds = %265, %272
-  %273 = phi i64 [ %279, %272 ], [ 0, %265 ]
-  %274 = phi double [ %278, %272 ], [ %267, %265 ]
-  %275 = getelementptr inbounds double, ptr %266, i64 %273
+271:                                              ; preds = %226
+  %272 = load ptr, ptr %26, align 8, !noalias !9
+  %273 = load i64, ptr %28, align 8, !noalias !9
+  %274 = getelementptr double, ptr %272, i64 %273
+  %275 = getelementptr i8, ptr %274, i64 -16
   %276 = load double, ptr %275, align 8, !noalias !9
-  %277 = fcmp olt double %276, %274
-  %278 = select i1 %277, double %276, double %274
-  %279 = add nuw nsw i64 %273, 1
-  %280 = icmp eq i64 %279, %270
-  br i1 %280, label %281, label %272, !llvm.loop !15
-
-281:                                              ; preds = %272, %265
-  %282 = phi double [ %267, %265 ], [ %278, %272 ]
-  %283 = load ptr, ptr %61, align 8, !noalias !16
-  %284 = getelementptr inbounds i8, ptr %283, i64 8
-  %285 = load i64, ptr %284, align 8, !noalias !16
-  %286 = and i64 %285, %222
-  %287 = icmp eq i64 %286, 0
-  br i1 %287, label %351, label %288
-
-288:                                              ; preds = %281
-  %289 = load i64, ptr %283, align 8, !noalias !16
-  %290 = icmp eq i64 %289, 0
-  br i1 %290, label %314, label %291
-
-291:                                              ; preds = %288
-  %292 = load ptr, ptr %64, align 8, !noalias !16
-  %293 = load ptr, ptr %65, align 8, !noalias !16
-  store <8 x double> %226, ptr %293, align 8, !noalias !16
-  %294 = load ptr, ptr %15, align 8, !noalias !16
-  %295 = getelementptr inbounds i8, ptr %294, i64 40
-  %296 = load i64, ptr %295, align 8, !noalias !16
-  %297 = icmp eq i64 %296, 0
-  br i1 %297, label %299, label %298
-
-298:                                              ; preds = %291
-  call fastcc void @settle(ptr noundef nonnull %15) #10, !noalias !16
-  br label %299
-
-299:                                              ; preds = %298, %291
-  %300 = load i64, ptr %66, align 8, !noalias !16
-  %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %302, label %303
-
-302:                                              ; preds = %299
-  call fastcc void @sample(ptr noundef nonnull %15) #10, !noalias !16
-  br label %303
-
-303:                                              ; preds = %302, %299
-  %304 = load ptr, ptr %61, align 8, !noalias !16
-  %305 = load i64, ptr %304, align 8, !noalias !16
-  %306 = load ptr, ptr %65, align 8, !noalias !16
-  %307 = load ptr, ptr %17, align 8, !noalias !16
-  %308 = load ptr, ptr %67, align 8, !noalias !16
-  %309 = load ptr, ptr %68, align 8, !noalias !16
-  %310 = inttoptr i64 %305 to ptr
-  %311 = load ptr, ptr %310, align 8, !noalias !16
-  %312 = call i32 %311(ptr noundef %306, ptr noundef %307, ptr noundef %308, ptr noundef %309, ptr noundef %292) #11, !noalias !16
-  %313 = sext i32 %312 to i64
-  br label %314
-
-314:                                              ; preds = %288, %303
-  %315 = phi i64 [ %313, %303 ], [ 0, %288 ]
-  %316 = load i64, ptr %69, align 8, !noalias !16
-  %317 = icmp sgt i64 %316, 7
-  br i1 %317, label %318, label %339
-
-318:                                              ; preds = %314
-  %319 = trunc i64 %286 to i8
-  %320 = bitcast i8 %319 to <8 x i1>
-  br label %321
-
-321:                                              ; preds = %318, %321
-  %322 = phi i64 [ 0, %318 ], [ %335, %321 ]
-  %323 = load ptr, ptr %64, align 8, !noalias !16
-  %324 = shl nsw i64 %322, 6
-  %325 = getelementptr inbounds i8, ptr %323, i64 %324
-  %326 = load <8 x double>, ptr %325, align 8, !noalias !16
-  %327 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %326)
-  %328 = fcmp one <8 x double> %327, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %329 = bitcast <8 x double> %326 to <8 x i64>
-  %330 = select <8 x i1> %328, <8 x i64> %329, <8 x i64> zeroinitializer
-  %331 = load ptr, ptr %63, align 8, !noalias !16
-  %332 = getelementptr inbounds i8, ptr %331, i64 %324
-  %333 = load <8 x i64>, ptr %332, align 8, !noalias !16
-  %334 = select <8 x i1> %320, <8 x i64> %330, <8 x i64> %333
-  store <8 x i64> %334, ptr %332, align 8, !noalias !16
-  %335 = add nuw nsw i64 %322, 1
-  %336 = load i64, ptr %69, align 8, !noalias !16
-  %337 = sdiv i64 %336, 8
-  %338 = icmp slt i64 %335, %337
-  br i1 %338, label %321, label %339, !llvm.loop !19
-
-339:                                              ; preds = %321, %314
-  %340 = icmp slt i64 %315, 0
-  br i1 %340, label %1405, label %341
-
-341:                                              ; preds = %339
-  %342 = xor i64 %286, -1
-  %343 = load i64, ptr %284, align 8, !noalias !16
-  %344 = and i64 %343, %342
-  store i64 %344, ptr %284, align 8, !noalias !16
-  %345 = getelementptr inbounds i8, ptr %283, i64 16
-  %346 = load i64, ptr %345, align 8, !noalias !16
-  %347 = or i64 %346, %286
-  store i64 %347, ptr %345, align 8, !noalias !16
-  %348 = getelementptr inbounds i8, ptr %283, i64 24
-  %349 = load i64, ptr %348, align 8, !noalias !16
-  %350 = and i64 %349, %342
-  store i64 %350, ptr %348, align 8, !noalias !16
-  br label %351
-
-351:                                              ; preds = %341, %281
-  %352 = load ptr, ptr %61, align 8, !noalias !16
-  %353 = load ptr, ptr %70, align 8, !noalias !16
-  %354 = load <8 x double>, ptr %353, align 8, !noalias !16
-  %355 = fsub <8 x double> %242, %354
-  %356 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %355)
-  %357 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %238)
-  %358 = fmul <8 x double> %357, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
-  %359 = fcmp ogt <8 x double> %356, %358
-  %360 = bitcast <8 x i1> %359 to i8
-  %361 = zext i8 %360 to i64
-  %362 = getelementptr inbounds i8, ptr %352, i64 24
-  %363 = load i64, ptr %362, align 8, !noalias !16
-  %364 = xor i64 %363, -1
-  %365 = or i64 %361, %364
-  %366 = and i64 %365, %222
-  %367 = icmp eq i64 %366, 0
-  br i1 %367, label %437, label %368
-
-368:                                              ; preds = %351
-  %369 = trunc i64 %366 to i8
-  %370 = bitcast i8 %369 to <8 x i1>
-  %371 = bitcast <8 x double> %354 to <8 x i64>
-  %372 = select <8 x i1> %370, <8 x i64> %241, <8 x i64> %371
-  store <8 x i64> %372, ptr %353, align 8, !noalias !16
-  %373 = load i64, ptr %71, align 8, !noalias !16
-  %374 = sdiv i64 %373, 8
-  %375 = load ptr, ptr %72, align 8, !noalias !16
-  %376 = load ptr, ptr %73, align 8, !noalias !16
-  %377 = icmp sgt i64 %373, 7
-  br i1 %377, label %378, label %411
-
-378:                                              ; preds = %368
-  %379 = bitcast <8 x i64> %372 to <8 x double>
-  %380 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %379
-  %381 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %379
-  %382 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %379
-  br label %383
-
-383:                                              ; preds = %378, %386
-  %384 = phi i64 [ 0, %378 ], [ %387, %386 ]
-  %385 = mul nuw nsw i64 %384, %374
-  br label %389
-
-386:                                              ; preds = %389
-  %387 = add nuw nsw i64 %384, 1
-  %388 = icmp eq i64 %387, %374
-  br i1 %388, label %411, label %383, !llvm.loop !20
-
-389:                                              ; preds = %383, %389
-  %390 = phi i64 [ 0, %383 ], [ %409, %389 ]
-  %391 = load ptr, ptr %74, align 8, !noalias !16
-  %392 = add nuw nsw i64 %390, %385
-  %393 = shl nsw i64 %392, 6
-  %394 = getelementptr inbounds i8, ptr %391, i64 %393
-  %395 = load <8 x double>, ptr %394, align 8, !noalias !16
-  %396 = fneg <8 x double> %395
-  %397 = icmp eq i64 %384, %390
-  %398 = fsub <8 x double> %380, %395
-  %399 = select i1 %397, <8 x double> %398, <8 x double> %396
-  %400 = fsub <8 x double> %381, %395
-  %401 = select i1 %397, <8 x double> %400, <8 x double> %396
-  %402 = getelementptr inbounds i8, ptr %375, i64 %393
-  store <8 x double> %399, ptr %402, align 8, !noalias !16
-  %403 = select i1 %397, <8 x double> %382, <8 x double> zeroinitializer
-  %404 = shl i64 %392, 7
-  %405 = shl nsw i64 %392, 7
-  %406 = getelementptr inbounds i8, ptr %376, i64 %405
-  store <8 x double> %401, ptr %406, align 8, !noalias !16
-  %407 = or disjoint i64 %404, 64
-  %408 = getelementptr inbounds i8, ptr %376, i64 %407
-  store <8 x double> %403, ptr %408, align 8, !noalias !16
-  %409 = add nuw nsw i64 %390, 1
-  %410 = icmp eq i64 %409, %374
-  br i1 %410, label %386, label %389, !llvm.loop !21
-
-411:                                              ; preds = %386, %368
-  %412 = load ptr, ptr %75, align 8, !noalias !16
-  %413 = call fastcc i64 @real_factorise(ptr noundef %375, i64 noundef %374, ptr noundef %412) #10, !noalias !16
-  %414 = load ptr, ptr %76, align 8, !noalias !16
-  %415 = call fastcc i64 @pair_factorise(ptr noundef %376, i64 noundef %374, ptr noundef %414) #10, !noalias !16
-  %416 = or i64 %415, %413
-  %417 = and i64 %416, %366
-  %418 = load i64, ptr %362, align 8, !noalias !16
-  %419 = or i64 %418, %366
-  %420 = xor i64 %417, -1
-  %421 = xor i64 %417, %419
-  store i64 %421, ptr %362, align 8, !noalias !16
-  %422 = trunc nuw i64 %417 to i8
-  %423 = bitcast i8 %422 to <8 x i1>
-  %424 = select <8 x i1> %423, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>, <8 x double> <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %425 = fmul <8 x double> %242, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %426 = select <8 x i1> %423, <8 x double> %425, <8 x double> %231
-  %427 = load ptr, ptr %61, align 8, !noalias !16
-  %428 = getelementptr inbounds i8, ptr %427, i64 8
-  %429 = load i64, ptr %428, align 8, !noalias !16
-  %430 = and i64 %429, %420
-  %431 = getelementptr inbounds i8, ptr %427, i64 16
-  %432 = load i64, ptr %431, align 8, !noalias !16
-  %433 = xor i64 %432, -1
-  %434 = and i64 %417, %433
-  %435 = or disjoint i64 %434, %430
-  store i64 %435, ptr %428, align 8, !noalias !16
-  %436 = xor i64 %417, %222
-  br label %437
-
-437:                                              ; preds = %351, %411
-  %438 = phi <8 x double> [ %231, %351 ], [ %426, %411 ]
-  %439 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %351 ], [ %424, %411 ]
-  %440 = phi i64 [ %222, %351 ], [ %436, %411 ]
-  %441 = icmp eq i64 %440, 0
-  br i1 %441, label %1405, label %442
-
-442:                                              ; preds = %437
-  %443 = fcmp ogt double %282, 0x3CB0000000000000
-  %444 = select i1 %443, double %282, double 0x3CB0000000000000
-  %445 = fdiv double 0x3CE4000000000000, %444
-  %446 = call double @llvm.sqrt.f64(double %282)
-  %447 = fcmp olt double %446, 3.000000e-02
-  %448 = select i1 %447, double %446, double 3.000000e-02
-  %449 = fcmp ogt double %448, %445
-  %450 = load ptr, ptr %70, align 8, !noalias !16
-  %451 = getelementptr inbounds i8, ptr %450, i64 64
-  %452 = load <8 x double>, ptr %451, align 8, !noalias !16
-  %453 = load ptr, ptr %15, align 8, !noalias !16
-  %454 = getelementptr inbounds i8, ptr %453, i64 8
-  %455 = load i64, ptr %454, align 8, !noalias !16
-  %456 = load ptr, ptr %77, align 8, !noalias !16
-  %457 = load ptr, ptr %17, align 8, !noalias !16
-  %458 = load ptr, ptr %78, align 8, !noalias !16
-  %459 = load ptr, ptr %79, align 8, !noalias !16
-  %460 = fcmp ogt <8 x double> %452, zeroinitializer
-  %461 = icmp sgt i64 %455, 0
-  %462 = shl i64 %455, 7
-  %463 = getelementptr i8, ptr %456, i64 %462
-  %464 = mul nsw i64 %455, 3
-  br label %469
-
-465:                                              ; preds = %481
-  %466 = icmp sgt i64 %455, 0
-  %467 = shl i64 %455, 7
-  %468 = getelementptr i8, ptr %458, i64 %467
-  br label %515
-
-469:                                              ; preds = %442, %481
-  %470 = phi i64 [ 0, %442 ], [ %482, %481 ]
-  %471 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %470
-  %472 = load double, ptr %471, align 8, !noalias !16
-  %473 = insertelement <8 x double> poison, double %472, i64 0
-  %474 = shufflevector <8 x double> %473, <8 x double> poison, <8 x i32> zeroinitializer
-  %475 = fmul <8 x double> %474, %242
-  %476 = fdiv <8 x double> %475, %452
-  %477 = fadd <8 x double> %476, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  br i1 %461, label %478, label %481
-
-478:                                              ; preds = %469
-  %479 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %477
-  %480 = mul nuw nsw i64 %455, %470
-  br label %484
-
-481:                                              ; preds = %484, %469
-  %482 = add nuw nsw i64 %470, 1
-  %483 = icmp eq i64 %482, 3
-  br i1 %483, label %465, label %469, !llvm.loop !22
-
-484:                                              ; preds = %478, %484
-  %485 = phi i64 [ 0, %478 ], [ %513, %484 ]
-  %486 = shl i64 %485, 6
-  %487 = getelementptr i8, ptr %463, i64 %486
-  %488 = load <8 x double>, ptr %487, align 8, !noalias !16
-  %489 = add nuw nsw i64 %485, %464
-  %490 = shl nsw i64 %489, 6
-  %491 = getelementptr inbounds i8, ptr %456, i64 %490
-  %492 = load <8 x double>, ptr %491, align 8, !noalias !16
-  %493 = fmul <8 x double> %477, %492
-  %494 = fadd <8 x double> %488, %493
-  %495 = fmul <8 x double> %479, %494
-  %496 = shl nsw i64 %485, 6
-  %497 = getelementptr inbounds i8, ptr %456, i64 %496
-  %498 = load <8 x double>, ptr %497, align 8, !noalias !16
-  %499 = add nuw nsw i64 %485, %455
-  %500 = shl nsw i64 %499, 6
-  %501 = getelementptr inbounds i8, ptr %456, i64 %500
-  %502 = load <8 x double>, ptr %501, align 8, !noalias !16
-  %503 = fadd <8 x double> %502, %495
-  %504 = fmul <8 x double> %477, %503
-  %505 = fadd <8 x double> %498, %504
-  %506 = getelementptr inbounds i8, ptr %457, i64 %496
-  %507 = load <8 x double>, ptr %506, align 8, !noalias !16
-  %508 = fsub <8 x double> %505, %507
-  %509 = add nuw nsw i64 %485, %480
-  %510 = select <8 x i1> %460, <8 x double> %508, <8 x double> zeroinitializer
-  %511 = shl nsw i64 %509, 6
-  %512 = getelementptr inbounds i8, ptr %458, i64 %511
-  store <8 x double> %510, ptr %512, align 8, !noalias !16
-  %513 = add nuw nsw i64 %485, 1
-  %514 = icmp eq i64 %513, %455
-  br i1 %514, label %481, label %484, !llvm.loop !23
-
-515:                                              ; preds = %465, %531
-  %516 = phi i64 [ 0, %465 ], [ %532, %531 ]
-  br i1 %466, label %517, label %531
-
-517:                                              ; preds = %515
-  %518 = mul nuw nsw i64 %455, %516
-  %519 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %516
-  %520 = load double, ptr %519, align 8, !noalias !16
-  %521 = insertelement <8 x double> poison, double %520, i64 0
-  %522 = shufflevector <8 x double> %521, <8 x double> poison, <8 x i32> zeroinitializer
-  %523 = getelementptr inbounds i8, ptr %519, i64 8
-  %524 = load double, ptr %523, align 8, !noalias !16
-  %525 = insertelement <8 x double> poison, double %524, i64 0
-  %526 = shufflevector <8 x double> %525, <8 x double> poison, <8 x i32> zeroinitializer
-  %527 = getelementptr inbounds i8, ptr %519, i64 16
-  %528 = load double, ptr %527, align 8, !noalias !16
-  %529 = insertelement <8 x double> poison, double %528, i64 0
-  %530 = shufflevector <8 x double> %529, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %534
-
-531:                                              ; preds = %534, %515
-  %532 = add nuw nsw i64 %516, 1
-  %533 = icmp eq i64 %532, 3
-  br i1 %533, label %556, label %515, !llvm.loop !24
-
-534:                                              ; preds = %517, %534
-  %535 = phi i64 [ 0, %517 ], [ %554, %534 ]
-  %536 = add nuw nsw i64 %535, %518
-  %537 = shl nsw i64 %535, 6
-  %538 = getelementptr inbounds i8, ptr %458, i64 %537
-  %539 = load <8 x double>, ptr %538, align 8, !noalias !16
-  %540 = fmul <8 x double> %539, %522
-  %541 = add nuw nsw i64 %535, %455
-  %542 = shl nsw i64 %541, 6
-  %543 = getelementptr inbounds i8, ptr %458, i64 %542
-  %544 = load <8 x double>, ptr %543, align 8, !noalias !16
-  %545 = fmul <8 x double> %544, %526
-  %546 = fadd <8 x double> %540, %545
-  %547 = shl i64 %535, 6
-  %548 = getelementptr i8, ptr %468, i64 %547
-  %549 = load <8 x double>, ptr %548, align 8, !noalias !16
-  %550 = fmul <8 x double> %549, %530
-  %551 = fadd <8 x double> %546, %550
-  %552 = shl nsw i64 %536, 6
-  %553 = getelementptr inbounds i8, ptr %459, i64 %552
-  store <8 x double> %551, ptr %553, align 8, !noalias !16
-  %554 = add nuw nsw i64 %535, 1
-  %555 = icmp eq i64 %554, %455
-  br i1 %555, label %531, label %534, !llvm.loop !25
-
-556:                                              ; preds = %531
-  %557 = select i1 %449, double %448, double %445
-  %558 = fmul double %282, %557
-  %559 = load ptr, ptr %61, align 8, !noalias !26
-  %560 = getelementptr inbounds i8, ptr %559, i64 40
-  %561 = load i64, ptr %560, align 8, !noalias !26
-  %562 = icmp sgt i64 %561, 0
-  %563 = select i1 %562, i64 10, i64 6
-  %564 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %242
-  %565 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %242
-  %566 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %242
-  %567 = fneg <8 x double> %565
-  %568 = insertelement <8 x double> poison, double %557, i64 0
-  %569 = shufflevector <8 x double> %568, <8 x double> poison, <8 x i32> zeroinitializer
-  %570 = fmul double %558, %558
-  %571 = insertelement <8 x double> poison, double %570, i64 0
-  %572 = shufflevector <8 x double> %571, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %576
-
-573:                                              ; preds = %1075
-  %574 = add nuw nsw i64 %580, 1
-  %575 = icmp eq i64 %574, %563
-  br i1 %575, label %1089, label %576, !llvm.loop !29
-
-576:                                              ; preds = %556, %573
-  %577 = phi <8 x double> [ <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>, %556 ], [ %1087, %573 ]
-  %578 = phi i64 [ %440, %556 ], [ %1086, %573 ]
-  %579 = phi i64 [ 0, %556 ], [ %1085, %573 ]
-  %580 = phi i64 [ 0, %556 ], [ %574, %573 ]
-  %581 = phi i64 [ 0, %556 ], [ %1083, %573 ]
-  %582 = phi i64 [ 0, %556 ], [ %669, %573 ]
-  %583 = phi <8 x double> [ zeroinitializer, %556 ], [ %668, %573 ]
-  %584 = phi <8 x double> [ zeroinitializer, %556 ], [ %1082, %573 ]
-  %585 = phi <8 x double> [ zeroinitializer, %556 ], [ %1081, %573 ]
-  %586 = phi <8 x double> [ %140, %556 ], [ %1080, %573 ]
-  %587 = phi <8 x double> [ %139, %556 ], [ %1079, %573 ]
-  %588 = phi <8 x double> [ %138, %556 ], [ %1078, %573 ]
-  %589 = phi i64 [ %137, %556 ], [ %1077, %573 ]
-  %590 = phi i64 [ %136, %556 ], [ %1076, %573 ]
-  %591 = icmp ugt i64 %580, 5
-  %592 = select i1 %591, i64 %581, i64 -1
-  %593 = and i64 %578, %592
-  %594 = load ptr, ptr %15, align 8, !noalias !26
-  %595 = getelementptr inbounds i8, ptr %594, i64 8
-  %596 = load i64, ptr %595, align 8, !noalias !26
-  %597 = load ptr, ptr %78, align 8, !noalias !26
-  %598 = icmp eq i64 %593, 0
-  br i1 %598, label %667, label %599
-
-599:                                              ; preds = %576
-  %600 = icmp sgt i64 %596, 0
-  %601 = shl i64 %596, 6
-  br label %602
-
-602:                                              ; preds = %599, %634
-  %603 = phi i64 [ %593, %599 ], [ %647, %634 ]
-  %604 = phi i64 [ 0, %599 ], [ %648, %634 ]
-  %605 = phi i64 [ %582, %599 ], [ %645, %634 ]
-  %606 = phi <8 x double> [ %583, %599 ], [ %613, %634 ]
-  br i1 %600, label %607, label %609
-
-607:                                              ; preds = %602
-  %608 = mul nuw nsw i64 %604, %596
-  br label %652
-
-609:                                              ; preds = %652, %602
-  %610 = trunc i64 %603 to i8
-  %611 = bitcast i8 %610 to <8 x i1>
-  %612 = select <8 x i1> %611, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %613 = fadd <8 x double> %606, %612
-  %614 = load ptr, ptr %81, align 8, !noalias !26
-  %615 = mul i64 %601, %604
-  %616 = getelementptr inbounds i8, ptr %614, i64 %615
-  %617 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %604
-  %618 = load double, ptr %617, align 8, !noalias !26
-  %619 = insertelement <8 x double> poison, double %618, i64 0
-  %620 = shufflevector <8 x double> %619, <8 x double> poison, <8 x i32> zeroinitializer
-  %621 = fmul <8 x double> %620, %242
-  %622 = fadd <8 x double> %226, %621
-  %623 = load ptr, ptr %82, align 8, !noalias !26
-  %624 = load ptr, ptr %83, align 8, !noalias !26
-  store <8 x double> %622, ptr %624, align 8, !noalias !26
-  %625 = load ptr, ptr %15, align 8, !noalias !26
-  %626 = getelementptr inbounds i8, ptr %625, i64 40
-  %627 = load i64, ptr %626, align 8, !noalias !26
-  %628 = icmp eq i64 %627, 0
-  br i1 %628, label %630, label %629
-
-629:                                              ; preds = %609
-  call fastcc void @settle(ptr noundef nonnull %15) #10, !noalias !26
-  br label %630
-
-630:                                              ; preds = %629, %609
-  %631 = load i64, ptr %84, align 8, !noalias !26
-  %632 = icmp sgt i64 %631, 0
-  br i1 %632, label %633, label %634
-
-633:                                              ; preds = %630
-  call fastcc void @sample(ptr noundef nonnull %15) #10, !noalias !26
-  br label %634
-
-634:                                              ; preds = %633, %630
-  %635 = load ptr, ptr %15, align 8, !noalias !26
-  %636 = load i64, ptr %635, align 8, !noalias !26
-  %637 = load ptr, ptr %83, align 8, !noalias !26
-  %638 = load ptr, ptr %85, align 8, !noalias !26
-  %639 = load ptr, ptr %86, align 8, !noalias !26
-  %640 = inttoptr i64 %636 to ptr
-  %641 = load ptr, ptr %640, align 8, !noalias !26
-  %642 = call i32 %641(ptr noundef %637, ptr noundef %623, ptr noundef %638, ptr noundef %639, ptr noundef %616) #11, !noalias !26
-  %643 = sext i32 %642 to i64
-  %644 = and i64 %603, %643
-  %645 = or i64 %644, %605
-  %646 = xor i64 %643, -1
-  %647 = and i64 %603, %646
-  %648 = add nuw nsw i64 %604, 1
-  %649 = icmp ult i64 %604, 2
-  %650 = icmp ne i64 %647, 0
-  %651 = select i1 %649, i1 %650, i1 false
-  br i1 %651, label %602, label %667, !llvm.loop !30
-
-652:                                              ; preds = %607, %652
-  %653 = phi i64 [ 0, %607 ], [ %665, %652 ]
-  %654 = load ptr, ptr %80, align 8, !noalias !26
-  %655 = load ptr, ptr %17, align 8, !noalias !26
-  %656 = shl nsw i64 %653, 6
-  %657 = getelementptr inbounds i8, ptr %655, i64 %656
-  %658 = load <8 x double>, ptr %657, align 8, !noalias !26
-  %659 = add nuw nsw i64 %653, %608
-  %660 = shl nsw i64 %659, 6
-  %661 = getelementptr inbounds i8, ptr %597, i64 %660
-  %662 = load <8 x double>, ptr %661, align 8, !noalias !26
-  %663 = fadd <8 x double> %658, %662
-  %664 = getelementptr inbounds i8, ptr %654, i64 %656
-  store <8 x double> %663, ptr %664, align 8, !noalias !26
-  %665 = add nuw nsw i64 %653, 1
-  %666 = icmp eq i64 %665, %596
-  br i1 %666, label %609, label %652, !llvm.loop !31
-
-667:                                              ; preds = %634, %576
-  %668 = phi <8 x double> [ %583, %576 ], [ %613, %634 ]
-  %669 = phi i64 [ %582, %576 ], [ %645, %634 ]
-  %670 = phi i64 [ %593, %576 ], [ %647, %634 ]
-  %671 = icmp eq i64 %670, 0
-  br i1 %671, label %672, label %676
-
-672:                                              ; preds = %667
-  %673 = or i64 %593, %579
-  %674 = xor i64 %673, -1
-  %675 = and i64 %581, %674
-  br label %1075
-
-676:                                              ; preds = %667
-  %677 = load ptr, ptr %15, align 8, !noalias !26
-  %678 = getelementptr inbounds i8, ptr %677, i64 8
-  %679 = load i64, ptr %678, align 8, !noalias !26
-  %680 = load ptr, ptr %87, align 8, !noalias !26
-  %681 = load ptr, ptr %79, align 8, !noalias !26
-  %682 = icmp sgt i64 %679, 0
-  br i1 %682, label %683, label %769
-
-683:                                              ; preds = %676
-  %684 = shl i64 %679, 7
-  br label %685
-
-685:                                              ; preds = %683, %685
-  %686 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %683 ], [ %704, %685 ]
-  %687 = phi i64 [ 0, %683 ], [ %767, %685 ]
-  %688 = phi <8 x double> [ zeroinitializer, %683 ], [ %766, %685 ]
-  %689 = shl nsw i64 %687, 6
-  %690 = getelementptr inbounds i8, ptr %680, i64 %689
-  %691 = load <8 x double>, ptr %690, align 8, !noalias !26
-  %692 = add nuw nsw i64 %687, %679
-  %693 = shl nsw i64 %692, 6
-  %694 = getelementptr inbounds i8, ptr %680, i64 %693
-  %695 = load <8 x double>, ptr %694, align 8, !noalias !26
-  %696 = fadd <8 x double> %691, %695
-  %697 = shl i64 %687, 6
-  %698 = add i64 %697, %684
-  %699 = getelementptr inbounds i8, ptr %680, i64 %698
-  %700 = load <8 x double>, ptr %699, align 8, !noalias !26
-  %701 = fadd <8 x double> %696, %700
-  %702 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %701)
-  %703 = fcmp one <8 x double> %702, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %704 = select <8 x i1> %703, <8 x i64> %686, <8 x i64> zeroinitializer
-  %705 = getelementptr inbounds i8, ptr %681, i64 %693
-  %706 = load <8 x double>, ptr %705, align 8, !noalias !26
-  %707 = getelementptr inbounds i8, ptr %681, i64 %698
-  %708 = load <8 x double>, ptr %707, align 8, !noalias !26
-  %709 = fmul <8 x double> %691, <double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46>
-  %710 = fmul <8 x double> %695, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
-  %711 = fsub <8 x double> %709, %710
-  %712 = fmul <8 x double> %700, <double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221>
-  %713 = fadd <8 x double> %711, %712
-  %714 = fmul <8 x double> %691, <double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2>
-  %715 = fmul <8 x double> %695, <double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598>
-  %716 = fsub <8 x double> %714, %715
-  %717 = fmul <8 x double> %700, <double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1>
-  %718 = fadd <8 x double> %716, %717
-  %719 = fmul <8 x double> %691, <double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46>
-  %720 = fmul <8 x double> %695, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
-  %721 = fadd <8 x double> %719, %720
-  %722 = fmul <8 x double> %700, <double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF>
-  %723 = fadd <8 x double> %721, %722
-  %724 = getelementptr inbounds i8, ptr %681, i64 %689
-  %725 = load <8 x double>, ptr %724, align 8, !noalias !26
-  %726 = fmul <8 x double> %566, %725
-  %727 = fsub <8 x double> %723, %726
-  %728 = fmul <8 x double> %708, %567
-  %729 = call <8 x double> @llvm.fma.v8f64(<8 x double> %564, <8 x double> %706, <8 x double> %728)
-  %730 = fmul <8 x double> %565, %706
-  %731 = call <8 x double> @llvm.fma.v8f64(<8 x double> %564, <8 x double> %708, <8 x double> %730)
-  %732 = fsub <8 x double> %713, %729
-  %733 = fsub <8 x double> %718, %731
-  %734 = load ptr, ptr %88, align 8, !noalias !26
-  %735 = getelementptr inbounds i8, ptr %734, i64 %689
-  store <8 x double> %727, ptr %735, align 8, !noalias !26
-  %736 = load ptr, ptr %89, align 8, !noalias !26
-  %737 = shl i64 %687, 7
-  %738 = shl nsw i64 %687, 7
-  %739 = getelementptr inbounds i8, ptr %736, i64 %738
-  store <8 x double> %732, ptr %739, align 8, !noalias !26
-  %740 = or disjoint i64 %737, 64
-  %741 = getelementptr inbounds i8, ptr %736, i64 %740
-  store <8 x double> %733, ptr %741, align 8, !noalias !26
-  %742 = load ptr, ptr %17, align 8, !noalias !26
-  %743 = getelementptr inbounds i8, ptr %742, i64 %689
-  %744 = load <8 x double>, ptr %743, align 8, !noalias !26
-  %745 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %727)
-  %746 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %732)
-  %747 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %733)
-  %748 = fadd <8 x double> %747, %746
-  %749 = fadd <8 x double> %745, %748
-  %750 = fmul <8 x double> %749, %242
-  %751 = load ptr, ptr %90, align 8, !noalias !26
-  %752 = getelementptr inbounds double, ptr %751, i64 %687
-  %753 = load double, ptr %752, align 8, !noalias !26
-  %754 = insertelement <8 x double> poison, double %753, i64 0
-  %755 = shufflevector <8 x double> %754, <8 x double> poison, <8 x i32> zeroinitializer
-  %756 = load ptr, ptr %62, align 8, !noalias !26
-  %757 = getelementptr inbounds double, ptr %756, i64 %687
-  %758 = load double, ptr %757, align 8, !noalias !26
-  %759 = insertelement <8 x double> poison, double %758, i64 0
-  %760 = shufflevector <8 x double> %759, <8 x double> poison, <8 x i32> zeroinitializer
-  %761 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %744)
-  %762 = fmul <8 x double> %761, %760
-  %763 = fadd <8 x double> %755, %762
-  %764 = fdiv <8 x double> %750, %763
-  %765 = fmul <8 x double> %764, %764
-  %766 = fadd <8 x double> %688, %765
-  %767 = add nuw nsw i64 %687, 1
-  %768 = icmp eq i64 %767, %679
-  br i1 %768, label %769, label %685, !llvm.loop !32
-
-769:                                              ; preds = %685, %676
-  %770 = phi <8 x double> [ zeroinitializer, %676 ], [ %766, %685 ]
-  %771 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %676 ], [ %704, %685 ]
-  %772 = icmp ne <8 x i64> %771, zeroinitializer
-  %773 = bitcast <8 x i1> %772 to i8
-  %774 = zext i8 %773 to i64
-  %775 = and i64 %670, %774
-  %776 = xor i64 %775, %670
-  %777 = trunc i64 %776 to i8
-  %778 = bitcast i8 %777 to <8 x i1>
-  %779 = load ptr, ptr %15, align 8, !noalias !26
-  %780 = getelementptr inbounds i8, ptr %779, i64 8
-  %781 = load i64, ptr %780, align 8, !noalias !26
-  %782 = load i64, ptr %92, align 8, !noalias !26
-  %783 = sdiv i64 %782, 8
-  %784 = load ptr, ptr %61, align 8, !noalias !26
-  %785 = getelementptr inbounds i8, ptr %784, i64 40
-  %786 = load i64, ptr %785, align 8, !noalias !26
-  %787 = load ptr, ptr %93, align 8, !noalias !26
-  %788 = load ptr, ptr %94, align 8, !noalias !26
-  %789 = load ptr, ptr %95, align 8, !noalias !26
-  %790 = load ptr, ptr %91, align 8, !noalias !26
-  call fastcc void @real_solve(ptr noundef %789, i64 noundef %783, ptr noundef %790, ptr noundef %787) #10, !noalias !26
-  %791 = load ptr, ptr %96, align 8, !noalias !26
-  %792 = load ptr, ptr %97, align 8, !noalias !26
-  call fastcc void @pair_solve(ptr noundef %791, i64 noundef %783, ptr noundef %792, ptr noundef %788) #10, !noalias !26
-  %793 = icmp sgt i64 %786, 0
-  br i1 %793, label %794, label %803
-
-794:                                              ; preds = %769
-  %795 = load ptr, ptr %95, align 8, !noalias !26
-  %796 = load ptr, ptr %91, align 8, !noalias !26
-  %797 = shl nsw i64 %783, 6
-  %798 = getelementptr inbounds i8, ptr %787, i64 %797
-  call fastcc void @real_solve_columns(ptr noundef %795, i64 noundef %783, ptr noundef %796, ptr noundef %798, i64 noundef %786) #10, !noalias !26
-  %799 = load ptr, ptr %96, align 8, !noalias !26
-  %800 = load ptr, ptr %97, align 8, !noalias !26
-  %801 = shl nsw i64 %783, 7
-  %802 = getelementptr inbounds i8, ptr %788, i64 %801
-  call fastcc void @pair_solve_columns(ptr noundef %799, i64 noundef %783, ptr noundef %800, ptr noundef %802, i64 noundef %786) #10, !noalias !26
-  br label %803
-
-803:                                              ; preds = %794, %769
-  %804 = icmp sgt i64 %781, 0
-  br i1 %804, label %805, label %846
-
-805:                                              ; preds = %803
-  %806 = load ptr, ptr %17, align 8, !noalias !26
-  %807 = load ptr, ptr %98, align 8, !noalias !26
-  %808 = load ptr, ptr %62, align 8, !noalias !26
-  br label %809
-
-809:                                              ; preds = %805, %809
-  %810 = phi <8 x double> [ zeroinitializer, %805 ], [ %843, %809 ]
-  %811 = phi i64 [ 0, %805 ], [ %844, %809 ]
-  %812 = shl nsw i64 %811, 6
-  %813 = getelementptr inbounds i8, ptr %806, i64 %812
-  %814 = load <8 x double>, ptr %813, align 8, !noalias !26
-  %815 = getelementptr inbounds double, ptr %807, i64 %811
-  %816 = load double, ptr %815, align 8, !noalias !26
-  %817 = insertelement <8 x double> poison, double %816, i64 0
-  %818 = shufflevector <8 x double> %817, <8 x double> poison, <8 x i32> zeroinitializer
-  %819 = getelementptr inbounds double, ptr %808, i64 %811
-  %820 = load double, ptr %819, align 8, !noalias !26
-  %821 = insertelement <8 x double> poison, double %820, i64 0
-  %822 = shufflevector <8 x double> %821, <8 x double> poison, <8 x i32> zeroinitializer
-  %823 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %814)
-  %824 = fmul <8 x double> %823, %822
-  %825 = fadd <8 x double> %818, %824
-  %826 = getelementptr inbounds i8, ptr %787, i64 %812
-  %827 = load <8 x double>, ptr %826, align 8, !noalias !26
-  %828 = fdiv <8 x double> %827, %825
-  %829 = shl i64 %811, 7
-  %830 = shl nsw i64 %811, 7
-  %831 = getelementptr inbounds i8, ptr %788, i64 %830
-  %832 = load <8 x double>, ptr %831, align 8, !noalias !33
-  %833 = or disjoint i64 %829, 64
-  %834 = getelementptr inbounds i8, ptr %788, i64 %833
-  %835 = load <8 x double>, ptr %834, align 8, !noalias !33
-  %836 = fdiv <8 x double> %832, %825
-  %837 = fdiv <8 x double> %835, %825
-  %838 = fmul <8 x double> %828, %828
-  %839 = fmul <8 x double> %836, %836
-  %840 = fadd <8 x double> %838, %839
-  %841 = fmul <8 x double> %837, %837
-  %842 = fadd <8 x double> %841, %840
-  %843 = fadd <8 x double> %810, %842
-  %844 = add nuw nsw i64 %811, 1
-  %845 = icmp eq i64 %844, %781
-  br i1 %845, label %846, label %809, !llvm.loop !36
-
-846:                                              ; preds = %809, %803
-  %847 = phi <8 x double> [ zeroinitializer, %803 ], [ %843, %809 ]
-  %848 = mul nsw i64 %781, 3
-  %849 = sitofp i64 %848 to double
-  %850 = insertelement <8 x double> poison, double %849, i64 0
-  %851 = shufflevector <8 x double> %850, <8 x double> poison, <8 x i32> zeroinitializer
-  %852 = fdiv <8 x double> %847, %851
-  %853 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %852)
-  %854 = fcmp oeq <8 x double> %853, zeroinitializer
-  %855 = fcmp ogt <8 x double> %770, zeroinitializer
-  %856 = and <8 x i1> %854, %855
-  %857 = bitcast <8 x i1> %856 to i8
-  %858 = zext i8 %857 to i64
-  %859 = xor i64 %858, -1
-  %860 = and i64 %775, %859
-  %861 = xor i64 %581, -1
-  %862 = and i64 %860, %861
-  %863 = trunc nuw i64 %862 to i8
-  %864 = bitcast i8 %863 to <8 x i1>
-  %865 = fcmp ogt <8 x double> %577, zeroinitializer
-  %866 = select <8 x i1> %865, <8 x i1> %864, <8 x i1> zeroinitializer
-  %867 = fdiv <8 x double> %853, %577
-  %868 = select <8 x i1> %778, <8 x double> <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, <8 x double> %584
-  %869 = select <8 x i1> %866, <8 x double> %867, <8 x double> %868
-  %870 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %869
-  %871 = fdiv <8 x double> %853, %870
-  %872 = icmp ult i64 %580, 5
-  br i1 %872, label %983, label %873
-
-873:                                              ; preds = %983, %846
-  %874 = phi <8 x double> [ %871, %846 ], [ %986, %983 ]
-  %875 = fcmp oge <8 x double> %869, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %876 = fcmp ogt <8 x double> %874, %569
-  %877 = or <8 x i1> %876, %875
-  %878 = select <8 x i1> %877, <8 x i1> %866, <8 x i1> zeroinitializer
-  %879 = bitcast <8 x i1> %878 to i8
-  %880 = zext i8 %879 to i64
-  %881 = xor i64 %880, -1
-  %882 = and i64 %860, %881
-  %883 = xor i64 %882, -1
-  %884 = and i64 %593, %883
-  %885 = or i64 %884, %579
-  %886 = load ptr, ptr %15, align 8, !noalias !26
-  %887 = getelementptr inbounds i8, ptr %886, i64 8
-  %888 = load i64, ptr %887, align 8, !noalias !26
-  %889 = trunc nuw i64 %882 to i8
-  %890 = bitcast i8 %889 to <8 x i1>
-  %891 = load ptr, ptr %78, align 8, !noalias !26
-  %892 = load ptr, ptr %79, align 8, !noalias !26
-  %893 = icmp sgt i64 %888, 0
-  br i1 %893, label %894, label %965
-
-894:                                              ; preds = %873
-  %895 = shl i64 %888, 7
-  %896 = getelementptr i8, ptr %892, i64 %895
-  br label %897
-
-897:                                              ; preds = %894, %931
-  %898 = phi i64 [ 0, %894 ], [ %932, %931 ]
-  %899 = load ptr, ptr %94, align 8, !noalias !26
-  %900 = shl i64 %898, 7
-  %901 = shl nsw i64 %898, 7
-  %902 = getelementptr inbounds i8, ptr %899, i64 %901
-  %903 = load <8 x double>, ptr %902, align 8, !noalias !37
-  %904 = or disjoint i64 %900, 64
-  %905 = getelementptr inbounds i8, ptr %899, i64 %904
-  %906 = load <8 x double>, ptr %905, align 8, !noalias !37
-  %907 = load ptr, ptr %93, align 8, !noalias !26
-  %908 = shl nsw i64 %898, 6
-  %909 = getelementptr inbounds i8, ptr %907, i64 %908
-  %910 = load <8 x double>, ptr %909, align 8, !noalias !26
-  store <8 x double> %910, ptr %4, align 64, !noalias !26
-  store <8 x double> %903, ptr %99, align 64, !noalias !26
-  store <8 x double> %906, ptr %100, align 64, !noalias !26
-  br label %918
-
-911:                                              ; preds = %918
-  %912 = getelementptr inbounds i8, ptr %892, i64 %908
-  %913 = add nuw nsw i64 %898, %888
-  %914 = shl nsw i64 %913, 6
-  %915 = getelementptr inbounds i8, ptr %892, i64 %914
-  %916 = shl i64 %898, 6
-  %917 = getelementptr i8, ptr %896, i64 %916
-  br label %934
-
-918:                                              ; preds = %897, %918
-  %919 = phi i64 [ 0, %897 ], [ %929, %918 ]
-  %920 = mul nuw nsw i64 %888, %919
-  %921 = add nuw nsw i64 %920, %898
-  %922 = shl nsw i64 %921, 6
-  %923 = getelementptr inbounds i8, ptr %892, i64 %922
-  %924 = load <8 x double>, ptr %923, align 8, !noalias !26
-  %925 = getelementptr inbounds [3 x <8 x double>], ptr %4, i64 0, i64 %919
-  %926 = load <8 x double>, ptr %925, align 64, !noalias !26
-  %927 = fadd <8 x double> %924, %926
-  %928 = select <8 x i1> %890, <8 x double> %927, <8 x double> %924
-  store <8 x double> %928, ptr %923, align 8, !noalias !26
-  %929 = add nuw nsw i64 %919, 1
-  %930 = icmp eq i64 %929, 3
-  br i1 %930, label %911, label %918, !llvm.loop !40
-
-931:                                              ; preds = %934
-  %932 = add nuw nsw i64 %898, 1
-  %933 = icmp eq i64 %932, %888
-  br i1 %933, label %965, label %897, !llvm.loop !41
-
-934:                                              ; preds = %911, %934
-  %935 = phi i64 [ 0, %911 ], [ %963, %934 ]
-  %936 = mul nuw nsw i64 %888, %935
-  %937 = add nuw nsw i64 %936, %898
-  %938 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %935
-  %939 = load double, ptr %938, align 8, !noalias !26
-  %940 = insertelement <8 x double> poison, double %939, i64 0
-  %941 = shufflevector <8 x double> %940, <8 x double> poison, <8 x i32> zeroinitializer
-  %942 = load <8 x double>, ptr %912, align 8, !noalias !26
-  %943 = fmul <8 x double> %942, %941
-  %944 = getelementptr inbounds i8, ptr %938, i64 8
-  %945 = load double, ptr %944, align 8, !noalias !26
-  %946 = insertelement <8 x double> poison, double %945, i64 0
-  %947 = shufflevector <8 x double> %946, <8 x double> poison, <8 x i32> zeroinitializer
-  %948 = load <8 x double>, ptr %915, align 8, !noalias !26
-  %949 = fmul <8 x double> %948, %947
-  %950 = fadd <8 x double> %943, %949
-  %951 = getelementptr inbounds i8, ptr %938, i64 16
-  %952 = load double, ptr %951, align 8, !noalias !26
-  %953 = insertelement <8 x double> poison, double %952, i64 0
-  %954 = shufflevector <8 x double> %953, <8 x double> poison, <8 x i32> zeroinitializer
-  %955 = load <8 x double>, ptr %917, align 8, !noalias !26
-  %956 = fmul <8 x double> %955, %954
-  %957 = fadd <8 x double> %950, %956
-  %958 = shl nsw i64 %937, 6
-  %959 = getelementptr inbounds i8, ptr %891, i64 %958
-  %960 = load <8 x i64>, ptr %959, align 8, !noalias !26
-  %961 = bitcast <8 x double> %957 to <8 x i64>
-  %962 = select <8 x i1> %890, <8 x i64> %961, <8 x i64> %960
-  store <8 x i64> %962, ptr %959, align 8, !noalias !26
-  %963 = add nuw nsw i64 %935, 1
-  %964 = icmp eq i64 %963, 3
-  br i1 %964, label %931, label %934, !llvm.loop !42
-
-965:                                              ; preds = %931, %873
-  %966 = fdiv <8 x double> %869, %870
-  %967 = fmul <8 x double> %853, %966
-  %968 = fcmp olt <8 x double> %967, %569
-  %969 = and <8 x i1> %968, %865
-  %970 = or <8 x i1> %969, %854
-  %971 = bitcast <8 x i1> %970 to i8
-  %972 = zext i8 %971 to i64
-  %973 = and i64 %972, %861
-  %974 = and i64 %973, %882
-  %975 = trunc nuw i64 %974 to i8
-  %976 = bitcast i8 %975 to <8 x i1>
-  %977 = add nuw nsw i64 %580, 1
-  %978 = uitofp nneg i64 %977 to double
-  %979 = insertelement <8 x double> poison, double %978, i64 0
-  %980 = shufflevector <8 x double> %979, <8 x double> poison, <8 x i32> zeroinitializer
-  %981 = select <8 x i1> %976, <8 x double> %980, <8 x double> %585
-  %982 = or i64 %974, %581
-  br i1 %562, label %989, label %1068
-
-983:                                              ; preds = %846, %983
-  %984 = phi i64 [ %987, %983 ], [ %580, %846 ]
-  %985 = phi <8 x double> [ %986, %983 ], [ %871, %846 ]
-  %986 = fmul <8 x double> %985, %869
-  %987 = add nuw nsw i64 %984, 1
-  %988 = icmp ult i64 %984, 4
-  br i1 %988, label %983, label %873, !llvm.loop !43
-
-989:                                              ; preds = %965
-  %990 = load i64, ptr %92, align 8, !noalias !26
-  %991 = sdiv i64 %990, 8
-  %992 = load ptr, ptr %61, align 8, !noalias !26
-  %993 = getelementptr inbounds i8, ptr %992, i64 40
-  %994 = load i64, ptr %993, align 8, !noalias !26
-  %995 = load ptr, ptr %15, align 8, !noalias !26
-  %996 = getelementptr inbounds i8, ptr %995, i64 8
-  %997 = load i64, ptr %996, align 8, !noalias !26
-  %998 = load ptr, ptr %79, align 8, !noalias !26
-  %999 = icmp sgt i64 %994, 0
-  br i1 %999, label %1000, label %1062
-
-1000:                                             ; preds = %989
-  %1001 = icmp sgt i64 %990, 7
-  br label %1002
-
-1002:                                             ; preds = %1000, %1010
-  %1003 = phi <8 x double> [ zeroinitializer, %1000 ], [ %1018, %1010 ]
-  %1004 = phi i64 [ 0, %1000 ], [ %1019, %1010 ]
-  br i1 %1001, label %1005, label %1010
-
-1005:                                             ; preds = %1002
-  %1006 = add nuw i64 %1004, %991
-  %1007 = load ptr, ptr %93, align 8, !noalias !26
-  %1008 = load ptr, ptr %17, align 8, !noalias !26
-  %1009 = load ptr, ptr %94, align 8, !noalias !26
-  br label %1021
-
-1010:                                             ; preds = %1046, %1002
-  %1011 = phi <8 x double> [ zeroinitializer, %1002 ], [ %1059, %1046 ]
-  %1012 = phi <8 x double> [ zeroinitializer, %1002 ], [ %1047, %1046 ]
-  %1013 = fcmp ogt <8 x double> %1011, zeroinitializer
-  %1014 = fdiv <8 x double> %1012, %1011
-  %1015 = fmul <8 x double> %1003, %1011
-  %1016 = fcmp ogt <8 x double> %1012, %1015
-  %1017 = select <8 x i1> %1013, <8 x double> %1014, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1018 = select <8 x i1> %1016, <8 x double> %1017, <8 x double> %1003
-  %1019 = add nuw nsw i64 %1004, 1
-  %1020 = icmp eq i64 %1019, %994
-  br i1 %1020, label %1062, label %1002, !llvm.loop !44
-
-1021:                                             ; preds = %1005, %1046
-  %1022 = phi <8 x double> [ zeroinitializer, %1005 ], [ %1047, %1046 ]
-  %1023 = phi i64 [ 0, %1005 ], [ %1048, %1046 ]
-  %1024 = phi <8 x double> [ zeroinitializer, %1005 ], [ %1059, %1046 ]
-  %1025 = mul nuw nsw i64 %1023, %994
-  %1026 = add i64 %1006, %1025
-  %1027 = shl nsw i64 %1026, 6
-  %1028 = getelementptr inbounds i8, ptr %1007, i64 %1027
-  %1029 = load <8 x double>, ptr %1028, align 8, !noalias !26
-  %1030 = getelementptr inbounds i8, ptr %1008, i64 %1027
-  %1031 = load <8 x double>, ptr %1030, align 8, !noalias !26
-  %1032 = shl i64 %1026, 7
-  %1033 = shl nsw i64 %1026, 7
-  %1034 = getelementptr inbounds i8, ptr %1009, i64 %1033
-  %1035 = load <8 x double>, ptr %1034, align 8, !noalias !45
-  %1036 = or disjoint i64 %1032, 64
-  %1037 = getelementptr inbounds i8, ptr %1009, i64 %1036
-  %1038 = load <8 x double>, ptr %1037, align 8, !noalias !45
-  %1039 = fmul <8 x double> %1029, %1029
-  %1040 = fmul <8 x double> %1035, %1035
-  %1041 = fmul <8 x double> %1038, %1038
-  %1042 = fadd <8 x double> %1040, %1041
-  %1043 = fadd <8 x double> %1039, %1042
-  %1044 = fmul <8 x double> %1031, %1031
-  %1045 = fadd <8 x double> %1024, %1044
-  br label %1050
-
-1046:                                             ; preds = %1050
-  %1047 = fadd <8 x double> %1022, %1043
-  %1048 = add nuw nsw i64 %1023, 1
-  %1049 = icmp eq i64 %1048, %991
-  br i1 %1049, label %1010, label %1021, !llvm.loop !48
-
-1050:                                             ; preds = %1021, %1050
-  %1051 = phi i64 [ 0, %1021 ], [ %1060, %1050 ]
-  %1052 = phi <8 x double> [ %1045, %1021 ], [ %1059, %1050 ]
-  %1053 = mul nsw i64 %997, %1051
-  %1054 = add nsw i64 %1053, %1026
-  %1055 = shl nsw i64 %1054, 6
-  %1056 = getelementptr inbounds i8, ptr %998, i64 %1055
-  %1057 = load <8 x double>, ptr %1056, align 8, !noalias !26
-  %1058 = fmul <8 x double> %1057, %1057
-  %1059 = fadd <8 x double> %1052, %1058
-  %1060 = add nuw nsw i64 %1051, 1
-  %1061 = icmp eq i64 %1060, 3
-  br i1 %1061, label %1046, label %1050, !llvm.loop !49
-
-1062:                                             ; preds = %1010, %989
-  %1063 = phi <8 x double> [ zeroinitializer, %989 ], [ %1018, %1010 ]
-  %1064 = fcmp ole <8 x double> %1063, %572
-  %1065 = bitcast <8 x i1> %1064 to i8
-  %1066 = zext i8 %1065 to i64
-  %1067 = and i64 %982, %1066
-  br label %1068
-
-1068:                                             ; preds = %1062, %965
-  %1069 = phi i64 [ %1067, %1062 ], [ %982, %965 ]
-  %1070 = xor i64 %1069, -1
-  %1071 = and i64 %882, %1070
-  %1072 = icmp eq i64 %1071, 0
-  %1073 = select i1 %1072, i32 2, i32 0
-  %1074 = select i1 %1072, <8 x double> %577, <8 x double> %853
-  br label %1075
-
-1075:                                             ; preds = %1068, %672
-  %1076 = phi i64 [ %675, %672 ], [ %590, %1068 ]
-  %1077 = phi i64 [ %669, %672 ], [ %589, %1068 ]
-  %1078 = phi <8 x double> [ %585, %672 ], [ %588, %1068 ]
-  %1079 = phi <8 x double> [ %584, %672 ], [ %587, %1068 ]
-  %1080 = phi <8 x double> [ %668, %672 ], [ %586, %1068 ]
-  %1081 = phi <8 x double> [ %585, %672 ], [ %981, %1068 ]
-  %1082 = phi <8 x double> [ %584, %672 ], [ %869, %1068 ]
-  %1083 = phi i64 [ %675, %672 ], [ %982, %1068 ]
-  %1084 = phi i32 [ 1, %672 ], [ %1073, %1068 ]
-  %1085 = phi i64 [ %579, %672 ], [ %885, %1068 ]
-  %1086 = phi i64 [ %593, %672 ], [ %1071, %1068 ]
-  %1087 = phi <8 x double> [ %577, %672 ], [ %1074, %1068 ]
-  %1088 = icmp eq i32 %1084, 0
-  br i1 %1088, label %573, label %1089
-
-1089:                                             ; preds = %1075, %573
-  %1090 = phi i32 [ %1084, %1075 ], [ 2, %573 ]
-  %1091 = icmp eq i32 %1090, 2
-  br i1 %1091, label %1092, label %1095
-
-1092:                                             ; preds = %1089
-  %1093 = xor i64 %1085, -1
-  %1094 = and i64 %1083, %1093
+  %277 = load double, ptr %272, align 8, !noalias !9
+  %278 = fsub double %276, %277
+  %279 = fmul double %278, 0x3D70000000000000
+  %280 = load ptr, ptr %66, align 8, !noalias !14
+  %281 = load double, ptr %280, align 8, !noalias !14
+  %282 = load ptr, ptr %19, align 8, !noalias !17
+  %283 = getelementptr inbounds i8, ptr %282, i64 8
+  %284 = load i64, ptr %283, align 8, !noalias !17
+  %285 = icmp sgt i64 %284, 0
+  br i1 %285, label %286, label %295
+
+286:                                              ; preds = %271, %286
+  %287 = phi i64 [ %293, %286 ], [ 0, %271 ]
+  %288 = phi double [ %292, %286 ], [ %281, %271 ]
+  %289 = getelementptr inbounds double, ptr %280, i64 %287
+  %290 = load double, ptr %289, align 8, !noalias !14
+  %291 = fcmp olt double %290, %288
+  %292 = select i1 %291, double %290, double %288
+  %293 = add nuw nsw i64 %287, 1
+  %294 = icmp eq i64 %293, %284
+  br i1 %294, label %295, label %286, !llvm.loop !18
+
+295:                                              ; preds = %286, %271
+  %296 = phi double [ %281, %271 ], [ %292, %286 ]
+  %297 = load ptr, ptr %65, align 8, !noalias !19
+  %298 = getelementptr inbounds i8, ptr %297, i64 8
+  %299 = load i64, ptr %298, align 8, !noalias !19
+  %300 = and i64 %299, %228
+  %301 = icmp eq i64 %300, 0
+  br i1 %301, label %365, label %302
+
+302:                                              ; preds = %295
+  %303 = load i64, ptr %297, align 8, !noalias !19
+  %304 = icmp eq i64 %303, 0
+  br i1 %304, label %328, label %305
+
+305:                                              ; preds = %302
+  %306 = load ptr, ptr %68, align 8, !noalias !19
+  %307 = load ptr, ptr %69, align 8, !noalias !19
+  store <8 x double> %232, ptr %307, align 8, !noalias !19
+  %308 = load ptr, ptr %19, align 8, !noalias !19
+  %309 = getelementptr inbounds i8, ptr %308, i64 40
+  %310 = load i64, ptr %309, align 8, !noalias !19
+  %311 = icmp eq i64 %310, 0
+  br i1 %311, label %313, label %312
+
+312:                                              ; preds = %305
+  call fastcc void @settle(ptr noundef nonnull %19) #11, !noalias !19
+  br label %313
+
+313:                                              ; preds = %312, %305
+  %314 = load i64, ptr %70, align 8, !noalias !19
+  %315 = icmp sgt i64 %314, 0
+  br i1 %315, label %316, label %317
+
+316:                                              ; preds = %313
+  call fastcc void @sample(ptr noundef nonnull %19) #11, !noalias !19
+  br label %317
+
+317:                                              ; preds = %316, %313
+  %318 = load ptr, ptr %65, align 8, !noalias !19
+  %319 = load i64, ptr %318, align 8, !noalias !19
+  %320 = load ptr, ptr %69, align 8, !noalias !19
+  %321 = load ptr, ptr %21, align 8, !noalias !19
+  %322 = load ptr, ptr %71, align 8, !noalias !19
+  %323 = load ptr, ptr %72, align 8, !noalias !19
+  %324 = inttoptr i64 %319 to ptr
+  %325 = load ptr, ptr %324, align 8, !noalias !19
+  %326 = call i32 %325(ptr noundef %320, ptr noundef %321, ptr noundef %322, ptr noundef %323, ptr noundef %306) #12, !noalias !19
+  %327 = sext i32 %326 to i64
+  br label %328
+
+328:                                              ; preds = %302, %317
+  %329 = phi i64 [ %327, %317 ], [ 0, %302 ]
+  %330 = load i64, ptr %73, align 8, !noalias !19
+  %331 = icmp sgt i64 %330, 7
+  br i1 %331, label %332, label %353
+
+332:                                              ; preds = %328
+  %333 = trunc i64 %300 to i8
+  %334 = bitcast i8 %333 to <8 x i1>
+  br label %335
+
+335:                                              ; preds = %332, %335
+  %336 = phi i64 [ 0, %332 ], [ %349, %335 ]
+  %337 = load ptr, ptr %68, align 8, !noalias !19
+  %338 = shl nsw i64 %336, 6
+  %339 = getelementptr inbounds i8, ptr %337, i64 %338
+  %340 = load <8 x double>, ptr %339, align 8, !noalias !19
+  %341 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %340)
+  %342 = fcmp one <8 x double> %341, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %343 = bitcast <8 x double> %340 to <8 x i64>
+  %344 = select <8 x i1> %342, <8 x i64> %343, <8 x i64> zeroinitializer
+  %345 = load ptr, ptr %67, align 8, !noalias !19
+  %346 = getelementptr inbounds i8, ptr %345, i64 %338
+  %347 = load <8 x i64>, ptr %346, align 8, !noalias !19
+  %348 = select <8 x i1> %334, <8 x i64> %344, <8 x i64> %347
+  store <8 x i64> %348, ptr %346, align 8, !noalias !19
+  %349 = add nuw nsw i64 %336, 1
+  %350 = load i64, ptr %73, align 8, !noalias !19
+  %351 = sdiv i64 %350, 8
+  %352 = icmp slt i64 %349, %351
+  br i1 %352, label %335, label %353, !llvm.loop !22
+
+353:                                              ; preds = %335, %328
+  %354 = icmp slt i64 %329, 0
+  br i1 %354, label %1705, label %355
+
+355:                                              ; preds = %353
+  %356 = xor i64 %300, -1
+  %357 = load i64, ptr %298, align 8, !noalias !19
+  %358 = and i64 %357, %356
+  store i64 %358, ptr %298, align 8, !noalias !19
+  %359 = getelementptr inbounds i8, ptr %297, i64 16
+  %360 = load i64, ptr %359, align 8, !noalias !19
+  %361 = or i64 %360, %300
+  store i64 %361, ptr %359, align 8, !noalias !19
+  %362 = getelementptr inbounds i8, ptr %297, i64 24
+  %363 = load i64, ptr %362, align 8, !noalias !19
+  %364 = and i64 %363, %356
+  store i64 %364, ptr %362, align 8, !noalias !19
+  br label %365
+
+365:                                              ; preds = %355, %295
+  %366 = load ptr, ptr %65, align 8, !noalias !19
+  %367 = load ptr, ptr %74, align 8, !noalias !19
+  %368 = load <8 x double>, ptr %367, align 8, !noalias !19
+  %369 = fsub <8 x double> %248, %368
+  %370 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %369)
+  %371 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %244)
+  %372 = fmul <8 x double> %371, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
+  %373 = fcmp ogt <8 x double> %370, %372
+  %374 = bitcast <8 x i1> %373 to i8
+  %375 = zext i8 %374 to i64
+  %376 = getelementptr inbounds i8, ptr %366, i64 24
+  %377 = load i64, ptr %376, align 8, !noalias !19
+  %378 = xor i64 %377, -1
+  %379 = or i64 %375, %378
+  %380 = and i64 %379, %228
+  %381 = icmp eq i64 %380, 0
+  br i1 %381, label %451, label %382
+
+382:                                              ; preds = %365
+  %383 = trunc i64 %380 to i8
+  %384 = bitcast i8 %383 to <8 x i1>
+  %385 = bitcast <8 x double> %368 to <8 x i64>
+  %386 = select <8 x i1> %384, <8 x i64> %247, <8 x i64> %385
+  store <8 x i64> %386, ptr %367, align 8, !noalias !19
+  %387 = load i64, ptr %75, align 8, !noalias !19
+  %388 = sdiv i64 %387, 8
+  %389 = load ptr, ptr %76, align 8, !noalias !19
+  %390 = load ptr, ptr %77, align 8, !noalias !19
+  %391 = icmp sgt i64 %387, 7
+  br i1 %391, label %392, label %425
+
+392:                                              ; preds = %382
+  %393 = bitcast <8 x i64> %386 to <8 x double>
+  %394 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %393
+  %395 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %393
+  %396 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %393
+  br label %397
+
+397:                                              ; preds = %392, %400
+  %398 = phi i64 [ 0, %392 ], [ %401, %400 ]
+  %399 = mul nuw nsw i64 %398, %388
+  br label %403
+
+400:                                              ; preds = %403
+  %401 = add nuw nsw i64 %398, 1
+  %402 = icmp eq i64 %401, %388
+  br i1 %402, label %425, label %397, !llvm.loop !23
+
+403:                                              ; preds = %397, %403
+  %404 = phi i64 [ 0, %397 ], [ %423, %403 ]
+  %405 = load ptr, ptr %78, align 8, !noalias !19
+  %406 = add nuw nsw i64 %404, %399
+  %407 = shl nsw i64 %406, 6
+  %408 = getelementptr inbounds i8, ptr %405, i64 %407
+  %409 = load <8 x double>, ptr %408, align 8, !noalias !19
+  %410 = fneg <8 x double> %409
+  %411 = icmp eq i64 %398, %404
+  %412 = fsub <8 x double> %394, %409
+  %413 = select i1 %411, <8 x double> %412, <8 x double> %410
+  %414 = fsub <8 x double> %395, %409
+  %415 = select i1 %411, <8 x double> %414, <8 x double> %410
+  %416 = getelementptr inbounds i8, ptr %389, i64 %407
+  store <8 x double> %413, ptr %416, align 8, !noalias !19
+  %417 = select i1 %411, <8 x double> %396, <8 x double> zeroinitializer
+  %418 = shl i64 %406, 7
+  %419 = shl nsw i64 %406, 7
+  %420 = getelementptr inbounds i8, ptr %390, i64 %419
+  store <8 x double> %415, ptr %420, align 8, !noalias !19
+  %421 = or disjoint i64 %418, 64
+  %422 = getelementptr inbounds i8, ptr %390, i64 %421
+  store <8 x double> %417, ptr %422, align 8, !noalias !19
+  %423 = add nuw nsw i64 %404, 1
+  %424 = icmp eq i64 %423, %388
+  br i1 %424, label %400, label %403, !llvm.loop !24
+
+425:                                              ; preds = %400, %382
+  %426 = load ptr, ptr %79, align 8, !noalias !19
+  %427 = call fastcc i64 @real_factorise(ptr noundef %389, i64 noundef %388, ptr noundef %426) #11, !noalias !19
+  %428 = load ptr, ptr %80, align 8, !noalias !19
+  %429 = call fastcc i64 @pair_factorise(ptr noundef %390, i64 noundef %388, ptr noundef %428) #11, !noalias !19
+  %430 = or i64 %429, %427
+  %431 = and i64 %430, %380
+  %432 = load i64, ptr %376, align 8, !noalias !19
+  %433 = or i64 %432, %380
+  %434 = xor i64 %431, -1
+  %435 = xor i64 %431, %433
+  store i64 %435, ptr %376, align 8, !noalias !19
+  %436 = trunc nuw i64 %431 to i8
+  %437 = bitcast i8 %436 to <8 x i1>
+  %438 = select <8 x i1> %437, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>, <8 x double> <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %439 = fmul <8 x double> %248, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %440 = select <8 x i1> %437, <8 x double> %439, <8 x double> %237
+  %441 = load ptr, ptr %65, align 8, !noalias !19
+  %442 = getelementptr inbounds i8, ptr %441, i64 8
+  %443 = load i64, ptr %442, align 8, !noalias !19
+  %444 = and i64 %443, %434
+  %445 = getelementptr inbounds i8, ptr %441, i64 16
+  %446 = load i64, ptr %445, align 8, !noalias !19
+  %447 = xor i64 %446, -1
+  %448 = and i64 %431, %447
+  %449 = or disjoint i64 %448, %444
+  store i64 %449, ptr %442, align 8, !noalias !19
+  %450 = xor i64 %431, %228
+  br label %451
+
+451:                                              ; preds = %365, %425
+  %452 = phi <8 x double> [ %237, %365 ], [ %440, %425 ]
+  %453 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %365 ], [ %438, %425 ]
+  %454 = phi i64 [ %228, %365 ], [ %450, %425 ]
+  %455 = icmp eq i64 %454, 0
+  br i1 %455, label %1705, label %456
+
+456:                                              ; preds = %451
+  %457 = fcmp ogt double %296, 0x3CB0000000000000
+  %458 = select i1 %457, double %296, double 0x3CB0000000000000
+  %459 = fdiv double 0x3CE4000000000000, %458
+  %460 = call double @llvm.sqrt.f64(double %296)
+  %461 = fcmp olt double %460, 3.000000e-02
+  %462 = select i1 %461, double %460, double 3.000000e-02
+  %463 = fcmp ogt double %462, %459
+  %464 = load ptr, ptr %74, align 8, !noalias !19
+  %465 = getelementptr inbounds i8, ptr %464, i64 64
+  %466 = load <8 x double>, ptr %465, align 8, !noalias !19
+  %467 = load ptr, ptr %19, align 8, !noalias !19
+  %468 = getelementptr inbounds i8, ptr %467, i64 8
+  %469 = load i64, ptr %468, align 8, !noalias !19
+  %470 = load ptr, ptr %81, align 8, !noalias !19
+  %471 = load ptr, ptr %21, align 8, !noalias !19
+  %472 = load ptr, ptr %82, align 8, !noalias !19
+  %473 = load ptr, ptr %83, align 8, !noalias !19
+  %474 = fcmp ogt <8 x double> %466, zeroinitializer
+  %475 = icmp sgt i64 %469, 0
+  %476 = shl i64 %469, 7
+  %477 = getelementptr i8, ptr %470, i64 %476
+  %478 = mul nsw i64 %469, 3
+  br label %483
+
+479:                                              ; preds = %495
+  %480 = icmp sgt i64 %469, 0
+  %481 = shl i64 %469, 7
+  %482 = getelementptr i8, ptr %472, i64 %481
+  br label %529
+
+483:                                              ; preds = %456, %495
+  %484 = phi i64 [ 0, %456 ], [ %496, %495 ]
+  %485 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %484
+  %486 = load double, ptr %485, align 8, !noalias !19
+  %487 = insertelement <8 x double> poison, double %486, i64 0
+  %488 = shufflevector <8 x double> %487, <8 x double> poison, <8 x i32> zeroinitializer
+  %489 = fmul <8 x double> %488, %248
+  %490 = fdiv <8 x double> %489, %466
+  %491 = fadd <8 x double> %490, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  br i1 %475, label %492, label %495
+
+492:                                              ; preds = %483
+  %493 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %491
+  %494 = mul nuw nsw i64 %469, %484
+  br label %498
+
+495:                                              ; preds = %498, %483
+  %496 = add nuw nsw i64 %484, 1
+  %497 = icmp eq i64 %496, 3
+  br i1 %497, label %479, label %483, !llvm.loop !25
+
+498:                                              ; preds = %492, %498
+  %499 = phi i64 [ 0, %492 ], [ %527, %498 ]
+  %500 = shl i64 %499, 6
+  %501 = getelementptr i8, ptr %477, i64 %500
+  %502 = load <8 x double>, ptr %501, align 8, !noalias !19
+  %503 = add nuw nsw i64 %499, %478
+  %504 = shl nsw i64 %503, 6
+  %505 = getelementptr inbounds i8, ptr %470, i64 %504
+  %506 = load <8 x double>, ptr %505, align 8, !noalias !19
+  %507 = fmul <8 x double> %491, %506
+  %508 = fadd <8 x double> %502, %507
+  %509 = fmul <8 x double> %493, %508
+  %510 = shl nsw i64 %499, 6
+  %511 = getelementptr inbounds i8, ptr %470, i64 %510
+  %512 = load <8 x double>, ptr %511, align 8, !noalias !19
+  %513 = add nuw nsw i64 %499, %469
+  %514 = shl nsw i64 %513, 6
+  %515 = getelementptr inbounds i8, ptr %470, i64 %514
+  %516 = load <8 x double>, ptr %515, align 8, !noalias !19
+  %517 = fadd <8 x double> %516, %509
+  %518 = fmul <8 x double> %491, %517
+  %519 = fadd <8 x double> %512, %518
+  %520 = getelementptr inbounds i8, ptr %471, i64 %510
+  %521 = load <8 x double>, ptr %520, align 8, !noalias !19
+  %522 = fsub <8 x double> %519, %521
+  %523 = add nuw nsw i64 %499, %494
+  %524 = select <8 x i1> %474, <8 x double> %522, <8 x double> zeroinitializer
+  %525 = shl nsw i64 %523, 6
+  %526 = getelementptr inbounds i8, ptr %472, i64 %525
+  store <8 x double> %524, ptr %526, align 8, !noalias !19
+  %527 = add nuw nsw i64 %499, 1
+  %528 = icmp eq i64 %527, %469
+  br i1 %528, label %495, label %498, !llvm.loop !26
+
+529:                                              ; preds = %479, %545
+  %530 = phi i64 [ 0, %479 ], [ %546, %545 ]
+  br i1 %480, label %531, label %545
+
+531:                                              ; preds = %529
+  %532 = mul nuw nsw i64 %469, %530
+  %533 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %530
+  %534 = load double, ptr %533, align 8, !noalias !19
+  %535 = insertelement <8 x double> poison, double %534, i64 0
+  %536 = shufflevector <8 x double> %535, <8 x double> poison, <8 x i32> zeroinitializer
+  %537 = getelementptr inbounds i8, ptr %533, i64 8
+  %538 = load double, ptr %537, align 8, !noalias !19
+  %539 = insertelement <8 x double> poison, double %538, i64 0
+  %540 = shufflevector <8 x double> %539, <8 x double> poison, <8 x i32> zeroinitializer
+  %541 = getelementptr inbounds i8, ptr %533, i64 16
+  %542 = load double, ptr %541, align 8, !noalias !19
+  %543 = insertelement <8 x double> poison, double %542, i64 0
+  %544 = shufflevector <8 x double> %543, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %548
+
+545:                                              ; preds = %548, %529
+  %546 = add nuw nsw i64 %530, 1
+  %547 = icmp eq i64 %546, 3
+  br i1 %547, label %570, label %529, !llvm.loop !27
+
+548:                                              ; preds = %531, %548
+  %549 = phi i64 [ 0, %531 ], [ %568, %548 ]
+  %550 = add nuw nsw i64 %549, %532
+  %551 = shl nsw i64 %549, 6
+  %552 = getelementptr inbounds i8, ptr %472, i64 %551
+  %553 = load <8 x double>, ptr %552, align 8, !noalias !19
+  %554 = fmul <8 x double> %553, %536
+  %555 = add nuw nsw i64 %549, %469
+  %556 = shl nsw i64 %555, 6
+  %557 = getelementptr inbounds i8, ptr %472, i64 %556
+  %558 = load <8 x double>, ptr %557, align 8, !noalias !19
+  %559 = fmul <8 x double> %558, %540
+  %560 = fadd <8 x double> %554, %559
+  %561 = shl i64 %549, 6
+  %562 = getelementptr i8, ptr %482, i64 %561
+  %563 = load <8 x double>, ptr %562, align 8, !noalias !19
+  %564 = fmul <8 x double> %563, %544
+  %565 = fadd <8 x double> %560, %564
+  %566 = shl nsw i64 %550, 6
+  %567 = getelementptr inbounds i8, ptr %473, i64 %566
+  store <8 x double> %565, ptr %567, align 8, !noalias !19
+  %568 = add nuw nsw i64 %549, 1
+  %569 = icmp eq i64 %568, %469
+  br i1 %569, label %545, label %548, !llvm.loop !28
+
+570:                                              ; preds = %545
+  %571 = select i1 %463, double %462, double %459
+  %572 = fmul double %296, %571
+  %573 = load ptr, ptr %65, align 8, !noalias !29
+  %574 = getelementptr inbounds i8, ptr %573, i64 40
+  %575 = load i64, ptr %574, align 8, !noalias !29
+  %576 = icmp sgt i64 %575, 0
+  %577 = select i1 %576, i64 10, i64 6
+  %578 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %248
+  %579 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %248
+  %580 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %248
+  %581 = fneg <8 x double> %579
+  %582 = insertelement <8 x double> poison, double %571, i64 0
+  %583 = shufflevector <8 x double> %582, <8 x double> poison, <8 x i32> zeroinitializer
+  %584 = fmul double %572, %572
+  %585 = insertelement <8 x double> poison, double %584, i64 0
+  %586 = shufflevector <8 x double> %585, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %590
+
+587:                                              ; preds = %1095
+  %588 = add nuw nsw i64 %594, 1
+  %589 = icmp eq i64 %588, %577
+  br i1 %589, label %1109, label %590, !llvm.loop !32
+
+590:                                              ; preds = %570, %587
+  %591 = phi <8 x double> [ <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>, %570 ], [ %1107, %587 ]
+  %592 = phi i64 [ %454, %570 ], [ %1106, %587 ]
+  %593 = phi i64 [ 0, %570 ], [ %1105, %587 ]
+  %594 = phi i64 [ 0, %570 ], [ %588, %587 ]
+  %595 = phi i64 [ 0, %570 ], [ %1103, %587 ]
+  %596 = phi i64 [ 0, %570 ], [ %683, %587 ]
+  %597 = phi <8 x double> [ zeroinitializer, %570 ], [ %682, %587 ]
+  %598 = phi <8 x double> [ zeroinitializer, %570 ], [ %1102, %587 ]
+  %599 = phi <8 x double> [ zeroinitializer, %570 ], [ %1101, %587 ]
+  %600 = phi <8 x double> [ %146, %570 ], [ %1100, %587 ]
+  %601 = phi <8 x double> [ %145, %570 ], [ %1099, %587 ]
+  %602 = phi <8 x double> [ %144, %570 ], [ %1098, %587 ]
+  %603 = phi i64 [ %143, %570 ], [ %1097, %587 ]
+  %604 = phi i64 [ %142, %570 ], [ %1096, %587 ]
+  %605 = icmp ugt i64 %594, 5
+  %606 = select i1 %605, i64 %595, i64 -1
+  %607 = and i64 %592, %606
+  %608 = load ptr, ptr %19, align 8, !noalias !29
+  %609 = getelementptr inbounds i8, ptr %608, i64 8
+  %610 = load i64, ptr %609, align 8, !noalias !29
+  %611 = load ptr, ptr %82, align 8, !noalias !29
+  %612 = icmp eq i64 %607, 0
+  br i1 %612, label %681, label %613
+
+613:                                              ; preds = %590
+  %614 = icmp sgt i64 %610, 0
+  %615 = shl i64 %610, 6
+  br label %616
+
+616:                                              ; preds = %613, %648
+  %617 = phi i64 [ %607, %613 ], [ %661, %648 ]
+  %618 = phi i64 [ 0, %613 ], [ %662, %648 ]
+  %619 = phi i64 [ %596, %613 ], [ %659, %648 ]
+  %620 = phi <8 x double> [ %597, %613 ], [ %627, %648 ]
+  br i1 %614, label %621, label %623
+
+621:                                              ; preds = %616
+  %622 = mul nuw nsw i64 %618, %610
+  br label %666
+
+623:                                              ; preds = %666, %616
+  %624 = trunc i64 %617 to i8
+  %625 = bitcast i8 %624 to <8 x i1>
+  %626 = select <8 x i1> %625, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %627 = fadd <8 x double> %620, %626
+  %628 = load ptr, ptr %85, align 8, !noalias !29
+  %629 = mul i64 %615, %618
+  %630 = getelementptr inbounds i8, ptr %628, i64 %629
+  %631 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %618
+  %632 = load double, ptr %631, align 8, !noalias !29
+  %633 = insertelement <8 x double> poison, double %632, i64 0
+  %634 = shufflevector <8 x double> %633, <8 x double> poison, <8 x i32> zeroinitializer
+  %635 = fmul <8 x double> %634, %248
+  %636 = fadd <8 x double> %232, %635
+  %637 = load ptr, ptr %86, align 8, !noalias !29
+  %638 = load ptr, ptr %87, align 8, !noalias !29
+  store <8 x double> %636, ptr %638, align 8, !noalias !29
+  %639 = load ptr, ptr %19, align 8, !noalias !29
+  %640 = getelementptr inbounds i8, ptr %639, i64 40
+  %641 = load i64, ptr %640, align 8, !noalias !29
+  %642 = icmp eq i64 %641, 0
+  br i1 %642, label %644, label %643
+
+643:                                              ; preds = %623
+  call fastcc void @settle(ptr noundef nonnull %19) #11, !noalias !29
+  br label %644
+
+644:                                              ; preds = %643, %623
+  %645 = load i64, ptr %88, align 8, !noalias !29
+  %646 = icmp sgt i64 %645, 0
+  br i1 %646, label %647, label %648
+
+647:                                              ; preds = %644
+  call fastcc void @sample(ptr noundef nonnull %19) #11, !noalias !29
+  br label %648
+
+648:                                              ; preds = %647, %644
+  %649 = load ptr, ptr %19, align 8, !noalias !29
+  %650 = load i64, ptr %649, align 8, !noalias !29
+  %651 = load ptr, ptr %87, align 8, !noalias !29
+  %652 = load ptr, ptr %89, align 8, !noalias !29
+  %653 = load ptr, ptr %90, align 8, !noalias !29
+  %654 = inttoptr i64 %650 to ptr
+  %655 = load ptr, ptr %654, align 8, !noalias !29
+  %656 = call i32 %655(ptr noundef %651, ptr noundef %637, ptr noundef %652, ptr noundef %653, ptr noundef %630) #12, !noalias !29
+  %657 = sext i32 %656 to i64
+  %658 = and i64 %617, %657
+  %659 = or i64 %658, %619
+  %660 = xor i64 %657, -1
+  %661 = and i64 %617, %660
+  %662 = add nuw nsw i64 %618, 1
+  %663 = icmp ult i64 %618, 2
+  %664 = icmp ne i64 %661, 0
+  %665 = select i1 %663, i1 %664, i1 false
+  br i1 %665, label %616, label %681, !llvm.loop !33
+
+666:                                              ; preds = %621, %666
+  %667 = phi i64 [ 0, %621 ], [ %679, %666 ]
+  %668 = load ptr, ptr %84, align 8, !noalias !29
+  %669 = load ptr, ptr %21, align 8, !noalias !29
+  %670 = shl nsw i64 %667, 6
+  %671 = getelementptr inbounds i8, ptr %669, i64 %670
+  %672 = load <8 x double>, ptr %671, align 8, !noalias !29
+  %673 = add nuw nsw i64 %667, %622
+  %674 = shl nsw i64 %673, 6
+  %675 = getelementptr inbounds i8, ptr %611, i64 %674
+  %676 = load <8 x double>, ptr %675, align 8, !noalias !29
+  %677 = fadd <8 x double> %672, %676
+  %678 = getelementptr inbounds i8, ptr %668, i64 %670
+  store <8 x double> %677, ptr %678, align 8, !noalias !29
+  %679 = add nuw nsw i64 %667, 1
+  %680 = icmp eq i64 %679, %610
+  br i1 %680, label %623, label %666, !llvm.loop !34
+
+681:                                              ; preds = %648, %590
+  %682 = phi <8 x double> [ %597, %590 ], [ %627, %648 ]
+  %683 = phi i64 [ %596, %590 ], [ %659, %648 ]
+  %684 = phi i64 [ %607, %590 ], [ %661, %648 ]
+  %685 = icmp eq i64 %684, 0
+  br i1 %685, label %686, label %690
+
+686:                                              ; preds = %681
+  %687 = or i64 %607, %593
+  %688 = xor i64 %687, -1
+  %689 = and i64 %595, %688
   br label %1095
 
-1095:                                             ; preds = %1089, %1092
-  %1096 = phi i64 [ %1094, %1092 ], [ %1076, %1089 ]
-  %1097 = phi i64 [ %669, %1092 ], [ %1077, %1089 ]
-  %1098 = phi <8 x double> [ %1081, %1092 ], [ %1078, %1089 ]
-  %1099 = phi <8 x double> [ %1082, %1092 ], [ %1079, %1089 ]
-  %1100 = phi <8 x double> [ %668, %1092 ], [ %1080, %1089 ]
-  %1101 = fadd <8 x double> %1100, zeroinitializer
-  %1102 = fcmp ogt <8 x double> %1098, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %1103 = fcmp ogt <8 x double> %1099, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %1104 = and <8 x i1> %1103, %1102
-  %1105 = bitcast <8 x i1> %1104 to i8
-  %1106 = icmp eq i64 %1096, %440
-  br i1 %1106, label %1183, label %1107
+690:                                              ; preds = %681
+  %691 = load ptr, ptr %19, align 8, !noalias !29
+  %692 = getelementptr inbounds i8, ptr %691, i64 8
+  %693 = load i64, ptr %692, align 8, !noalias !29
+  %694 = getelementptr inbounds i8, ptr %691, i64 24
+  %695 = load i64, ptr %694, align 8, !noalias !29
+  %696 = load ptr, ptr %91, align 8, !noalias !29
+  %697 = load ptr, ptr %83, align 8, !noalias !29
+  %698 = icmp sgt i64 %693, 0
+  br i1 %698, label %699, label %789
 
-1107:                                             ; preds = %1095
-  %1108 = xor i64 %1096, -1
-  %1109 = and i64 %440, %1108
-  %1110 = load ptr, ptr %61, align 8, !noalias !16
-  %1111 = getelementptr inbounds i8, ptr %1110, i64 16
-  %1112 = load i64, ptr %1111, align 8, !noalias !16
-  %1113 = xor i64 %1097, -1
-  %1114 = and i64 %1112, %1113
-  %1115 = and i64 %1114, %1109
-  %1116 = trunc i64 %1109 to i8
-  %1117 = bitcast i8 %1116 to <8 x i1>
-  %1118 = trunc i64 %1097 to i8
-  %1119 = bitcast i8 %1118 to <8 x i1>
-  %1120 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1099)
-  %1121 = fcmp one <8 x double> %1120, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1122 = select <8 x i1> %1121, <8 x double> <double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00>, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
-  %1123 = select <8 x i1> %1119, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1122
-  %1124 = select <8 x i1> %1117, <8 x double> %1123, <8 x double> %439
-  %1125 = icmp eq i64 %1115, 0
-  br i1 %1125, label %1153, label %1126
+699:                                              ; preds = %690
+  %700 = shl i64 %693, 7
+  br label %701
 
-1126:                                             ; preds = %1107
-  %1127 = load i64, ptr %101, align 8, !noalias !16
-  %1128 = icmp sgt i64 %1127, 7
-  br i1 %1128, label %1129, label %1146
+701:                                              ; preds = %699, %785
+  %702 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %699 ], [ %720, %785 ]
+  %703 = phi i64 [ 0, %699 ], [ %787, %785 ]
+  %704 = phi <8 x double> [ zeroinitializer, %699 ], [ %786, %785 ]
+  %705 = shl nsw i64 %703, 6
+  %706 = getelementptr inbounds i8, ptr %696, i64 %705
+  %707 = load <8 x double>, ptr %706, align 8, !noalias !29
+  %708 = add nuw nsw i64 %703, %693
+  %709 = shl nsw i64 %708, 6
+  %710 = getelementptr inbounds i8, ptr %696, i64 %709
+  %711 = load <8 x double>, ptr %710, align 8, !noalias !29
+  %712 = fadd <8 x double> %707, %711
+  %713 = shl i64 %703, 6
+  %714 = add i64 %713, %700
+  %715 = getelementptr inbounds i8, ptr %696, i64 %714
+  %716 = load <8 x double>, ptr %715, align 8, !noalias !29
+  %717 = fadd <8 x double> %712, %716
+  %718 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %717)
+  %719 = fcmp one <8 x double> %718, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %720 = select <8 x i1> %719, <8 x i64> %702, <8 x i64> zeroinitializer
+  %721 = getelementptr inbounds i8, ptr %697, i64 %709
+  %722 = load <8 x double>, ptr %721, align 8, !noalias !29
+  %723 = getelementptr inbounds i8, ptr %697, i64 %714
+  %724 = load <8 x double>, ptr %723, align 8, !noalias !29
+  %725 = fmul <8 x double> %707, <double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46>
+  %726 = fmul <8 x double> %711, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
+  %727 = fsub <8 x double> %725, %726
+  %728 = fmul <8 x double> %716, <double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221>
+  %729 = fadd <8 x double> %727, %728
+  %730 = fmul <8 x double> %707, <double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2>
+  %731 = fmul <8 x double> %711, <double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598>
+  %732 = fsub <8 x double> %730, %731
+  %733 = fmul <8 x double> %716, <double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1>
+  %734 = fadd <8 x double> %732, %733
+  %735 = fmul <8 x double> %707, <double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46>
+  %736 = fmul <8 x double> %711, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
+  %737 = fadd <8 x double> %735, %736
+  %738 = fmul <8 x double> %716, <double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF>
+  %739 = fadd <8 x double> %737, %738
+  %740 = getelementptr inbounds i8, ptr %697, i64 %705
+  %741 = load <8 x double>, ptr %740, align 8, !noalias !29
+  %742 = fmul <8 x double> %580, %741
+  %743 = fsub <8 x double> %739, %742
+  %744 = fmul <8 x double> %724, %581
+  %745 = call <8 x double> @llvm.fma.v8f64(<8 x double> %578, <8 x double> %722, <8 x double> %744)
+  %746 = fmul <8 x double> %579, %722
+  %747 = call <8 x double> @llvm.fma.v8f64(<8 x double> %578, <8 x double> %724, <8 x double> %746)
+  %748 = fsub <8 x double> %729, %745
+  %749 = fsub <8 x double> %734, %747
+  %750 = load ptr, ptr %92, align 8, !noalias !29
+  %751 = getelementptr inbounds i8, ptr %750, i64 %705
+  store <8 x double> %743, ptr %751, align 8, !noalias !29
+  %752 = load ptr, ptr %93, align 8, !noalias !29
+  %753 = shl i64 %703, 7
+  %754 = shl nsw i64 %703, 7
+  %755 = getelementptr inbounds i8, ptr %752, i64 %754
+  store <8 x double> %748, ptr %755, align 8, !noalias !29
+  %756 = or disjoint i64 %753, 64
+  %757 = getelementptr inbounds i8, ptr %752, i64 %756
+  store <8 x double> %749, ptr %757, align 8, !noalias !29
+  %758 = icmp slt i64 %703, %695
+  br i1 %758, label %759, label %785
 
-1129:                                             ; preds = %1126
-  %1130 = trunc i64 %1115 to i8
-  %1131 = bitcast i8 %1130 to <8 x i1>
-  br label %1132
+759:                                              ; preds = %701
+  %760 = load ptr, ptr %21, align 8, !noalias !29
+  %761 = getelementptr inbounds i8, ptr %760, i64 %705
+  %762 = load <8 x double>, ptr %761, align 8, !noalias !29
+  %763 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %743)
+  %764 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %748)
+  %765 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %749)
+  %766 = fadd <8 x double> %765, %764
+  %767 = fadd <8 x double> %763, %766
+  %768 = fmul <8 x double> %767, %248
+  %769 = load ptr, ptr %94, align 8, !noalias !29
+  %770 = getelementptr inbounds double, ptr %769, i64 %703
+  %771 = load double, ptr %770, align 8, !noalias !29
+  %772 = insertelement <8 x double> poison, double %771, i64 0
+  %773 = shufflevector <8 x double> %772, <8 x double> poison, <8 x i32> zeroinitializer
+  %774 = load ptr, ptr %66, align 8, !noalias !29
+  %775 = getelementptr inbounds double, ptr %774, i64 %703
+  %776 = load double, ptr %775, align 8, !noalias !29
+  %777 = insertelement <8 x double> poison, double %776, i64 0
+  %778 = shufflevector <8 x double> %777, <8 x double> poison, <8 x i32> zeroinitializer
+  %779 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %762)
+  %780 = fmul <8 x double> %779, %778
+  %781 = fadd <8 x double> %773, %780
+  %782 = fdiv <8 x double> %768, %781
+  %783 = fmul <8 x double> %782, %782
+  %784 = fadd <8 x double> %704, %783
+  br label %785
 
-1132:                                             ; preds = %1129, %1132
-  %1133 = phi <8 x i64> [ zeroinitializer, %1129 ], [ %1140, %1132 ]
-  %1134 = phi i64 [ 0, %1129 ], [ %1142, %1132 ]
-  %1135 = load ptr, ptr %102, align 8, !noalias !16
-  %1136 = shl nsw i64 %1134, 6
-  %1137 = getelementptr inbounds i8, ptr %1135, i64 %1136
-  %1138 = load <8 x double>, ptr %1137, align 8, !noalias !16
-  %1139 = fcmp une <8 x double> %1138, zeroinitializer
-  %1140 = select <8 x i1> %1139, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %1133
-  %1141 = select <8 x i1> %1131, <8 x double> zeroinitializer, <8 x double> %1138
-  store <8 x double> %1141, ptr %1137, align 8, !noalias !16
-  %1142 = add nuw nsw i64 %1134, 1
-  %1143 = load i64, ptr %101, align 8, !noalias !16
-  %1144 = sdiv i64 %1143, 8
-  %1145 = icmp slt i64 %1142, %1144
-  br i1 %1145, label %1132, label %1146, !llvm.loop !50
+785:                                              ; preds = %759, %701
+  %786 = phi <8 x double> [ %784, %759 ], [ %704, %701 ]
+  %787 = add nuw nsw i64 %703, 1
+  %788 = icmp eq i64 %787, %693
+  br i1 %788, label %789, label %701, !llvm.loop !35
 
-1146:                                             ; preds = %1132, %1126
-  %1147 = phi <8 x i64> [ zeroinitializer, %1126 ], [ %1140, %1132 ]
-  %1148 = icmp ne <8 x i64> %1147, zeroinitializer
-  %1149 = bitcast <8 x i1> %1148 to i8
-  %1150 = zext i8 %1149 to i64
-  %1151 = and i64 %1115, %1150
-  %1152 = xor i64 %1151, -1
-  br label %1153
+789:                                              ; preds = %785, %690
+  %790 = phi <8 x double> [ zeroinitializer, %690 ], [ %786, %785 ]
+  %791 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %690 ], [ %720, %785 ]
+  %792 = icmp ne <8 x i64> %791, zeroinitializer
+  %793 = bitcast <8 x i1> %792 to i8
+  %794 = zext i8 %793 to i64
+  %795 = and i64 %684, %794
+  %796 = xor i64 %795, %684
+  %797 = trunc i64 %796 to i8
+  %798 = bitcast i8 %797 to <8 x i1>
+  %799 = load ptr, ptr %19, align 8, !noalias !29
+  %800 = getelementptr inbounds i8, ptr %799, i64 24
+  %801 = load i64, ptr %800, align 8, !noalias !29
+  %802 = load i64, ptr %96, align 8, !noalias !29
+  %803 = sdiv i64 %802, 8
+  %804 = load ptr, ptr %65, align 8, !noalias !29
+  %805 = getelementptr inbounds i8, ptr %804, i64 40
+  %806 = load i64, ptr %805, align 8, !noalias !29
+  %807 = load ptr, ptr %97, align 8, !noalias !29
+  %808 = load ptr, ptr %98, align 8, !noalias !29
+  %809 = load ptr, ptr %99, align 8, !noalias !29
+  %810 = load ptr, ptr %95, align 8, !noalias !29
+  call fastcc void @real_solve(ptr noundef %809, i64 noundef %803, ptr noundef %810, ptr noundef %807) #11, !noalias !29
+  %811 = load ptr, ptr %100, align 8, !noalias !29
+  %812 = load ptr, ptr %101, align 8, !noalias !29
+  call fastcc void @pair_solve(ptr noundef %811, i64 noundef %803, ptr noundef %812, ptr noundef %808) #11, !noalias !29
+  %813 = icmp sgt i64 %806, 0
+  br i1 %813, label %814, label %823
 
-1153:                                             ; preds = %1107, %1146
-  %1154 = phi i64 [ -1, %1107 ], [ %1152, %1146 ]
-  %1155 = and i64 %1154, %1115
-  %1156 = getelementptr inbounds i8, ptr %1110, i64 24
-  %1157 = load i64, ptr %1156, align 8, !noalias !16
-  %1158 = and i64 %1157, %1154
-  store i64 %1158, ptr %1156, align 8, !noalias !16
-  %1159 = xor i64 %1155, -1
-  %1160 = load i64, ptr %1111, align 8, !noalias !16
-  %1161 = and i64 %1160, %1159
-  store i64 %1161, ptr %1111, align 8, !noalias !16
-  %1162 = trunc i64 %1155 to i8
-  %1163 = bitcast i8 %1162 to <8 x i1>
-  %1164 = fmul <8 x double> %242, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %1165 = select <8 x i1> %1163, <8 x double> %1164, <8 x double> %438
-  %1166 = fmul <8 x double> %242, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1167 = select <8 x i1> %1119, <8 x double> %1166, <8 x double> %1165
-  %1168 = load ptr, ptr %70, align 8, !noalias !16
-  %1169 = getelementptr inbounds i8, ptr %1168, i64 64
-  %1170 = load <8 x double>, ptr %1169, align 8, !noalias !16
-  %1171 = select <8 x i1> %1119, <8 x double> zeroinitializer, <8 x double> %1170
-  store <8 x double> %1171, ptr %1169, align 8, !noalias !16
-  %1172 = and i64 %1154, %1109
-  %1173 = load ptr, ptr %61, align 8, !noalias !16
-  %1174 = getelementptr inbounds i8, ptr %1173, i64 8
-  %1175 = load i64, ptr %1174, align 8, !noalias !16
-  %1176 = xor i64 %1172, -1
-  %1177 = and i64 %1175, %1176
-  %1178 = getelementptr inbounds i8, ptr %1173, i64 16
-  %1179 = load i64, ptr %1178, align 8, !noalias !16
-  %1180 = xor i64 %1179, -1
-  %1181 = and i64 %1172, %1180
-  %1182 = or disjoint i64 %1181, %1177
-  store i64 %1182, ptr %1174, align 8, !noalias !16
-  br label %1183
+814:                                              ; preds = %789
+  %815 = load ptr, ptr %99, align 8, !noalias !29
+  %816 = load ptr, ptr %95, align 8, !noalias !29
+  %817 = shl nsw i64 %803, 6
+  %818 = getelementptr inbounds i8, ptr %807, i64 %817
+  call fastcc void @real_solve_columns(ptr noundef %815, i64 noundef %803, ptr noundef %816, ptr noundef %818, i64 noundef %806) #11, !noalias !29
+  %819 = load ptr, ptr %100, align 8, !noalias !29
+  %820 = load ptr, ptr %101, align 8, !noalias !29
+  %821 = shl nsw i64 %803, 7
+  %822 = getelementptr inbounds i8, ptr %808, i64 %821
+  call fastcc void @pair_solve_columns(ptr noundef %819, i64 noundef %803, ptr noundef %820, ptr noundef %822, i64 noundef %806) #11, !noalias !29
+  br label %823
 
-1183:                                             ; preds = %1153, %1095
-  %1184 = phi <8 x double> [ %438, %1095 ], [ %1167, %1153 ]
-  %1185 = phi <8 x double> [ %439, %1095 ], [ %1124, %1153 ]
-  %1186 = icmp eq i64 %1096, 0
-  br i1 %1186, label %1405, label %1187
+823:                                              ; preds = %814, %789
+  %824 = icmp sgt i64 %801, 0
+  br i1 %824, label %825, label %866
 
-1187:                                             ; preds = %1183
-  %1188 = icmp sgt i64 %270, 0
-  br i1 %1188, label %1189, label %1191
+825:                                              ; preds = %823
+  %826 = load ptr, ptr %21, align 8, !noalias !29
+  %827 = load ptr, ptr %102, align 8, !noalias !29
+  %828 = load ptr, ptr %66, align 8, !noalias !29
+  br label %829
 
-1189:                                             ; preds = %1187
-  %1190 = shl i64 %270, 7
-  br label %1389
+829:                                              ; preds = %825, %829
+  %830 = phi <8 x double> [ zeroinitializer, %825 ], [ %863, %829 ]
+  %831 = phi i64 [ 0, %825 ], [ %864, %829 ]
+  %832 = shl nsw i64 %831, 6
+  %833 = getelementptr inbounds i8, ptr %826, i64 %832
+  %834 = load <8 x double>, ptr %833, align 8, !noalias !29
+  %835 = getelementptr inbounds double, ptr %827, i64 %831
+  %836 = load double, ptr %835, align 8, !noalias !29
+  %837 = insertelement <8 x double> poison, double %836, i64 0
+  %838 = shufflevector <8 x double> %837, <8 x double> poison, <8 x i32> zeroinitializer
+  %839 = getelementptr inbounds double, ptr %828, i64 %831
+  %840 = load double, ptr %839, align 8, !noalias !29
+  %841 = insertelement <8 x double> poison, double %840, i64 0
+  %842 = shufflevector <8 x double> %841, <8 x double> poison, <8 x i32> zeroinitializer
+  %843 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %834)
+  %844 = fmul <8 x double> %843, %842
+  %845 = fadd <8 x double> %838, %844
+  %846 = getelementptr inbounds i8, ptr %807, i64 %832
+  %847 = load <8 x double>, ptr %846, align 8, !noalias !29
+  %848 = fdiv <8 x double> %847, %845
+  %849 = shl i64 %831, 7
+  %850 = shl nsw i64 %831, 7
+  %851 = getelementptr inbounds i8, ptr %808, i64 %850
+  %852 = load <8 x double>, ptr %851, align 8, !noalias !36
+  %853 = or disjoint i64 %849, 64
+  %854 = getelementptr inbounds i8, ptr %808, i64 %853
+  %855 = load <8 x double>, ptr %854, align 8, !noalias !36
+  %856 = fdiv <8 x double> %852, %845
+  %857 = fdiv <8 x double> %855, %845
+  %858 = fmul <8 x double> %848, %848
+  %859 = fmul <8 x double> %856, %856
+  %860 = fadd <8 x double> %858, %859
+  %861 = fmul <8 x double> %857, %857
+  %862 = fadd <8 x double> %861, %860
+  %863 = fadd <8 x double> %830, %862
+  %864 = add nuw nsw i64 %831, 1
+  %865 = icmp eq i64 %864, %801
+  br i1 %865, label %866, label %829, !llvm.loop !39
 
-1191:                                             ; preds = %1389, %1187
-  %1192 = getelementptr inbounds i8, ptr %283, i64 32
-  %1193 = load i64, ptr %1192, align 8, !noalias !16
-  %1194 = load ptr, ptr %15, align 8, !noalias !16
-  %1195 = getelementptr inbounds i8, ptr %1194, i64 8
-  %1196 = load i64, ptr %1195, align 8, !noalias !16
-  %1197 = load i64, ptr %105, align 8, !noalias !16
-  %1198 = sdiv i64 %1197, 8
-  %1199 = load ptr, ptr %106, align 8, !noalias !16
-  %1200 = load ptr, ptr %107, align 8, !noalias !16
-  %1201 = icmp sgt i64 %1196, 0
-  br i1 %1201, label %1202, label %1204
+866:                                              ; preds = %829, %823
+  %867 = phi <8 x double> [ zeroinitializer, %823 ], [ %863, %829 ]
+  %868 = mul nsw i64 %801, 3
+  %869 = sitofp i64 %868 to double
+  %870 = insertelement <8 x double> poison, double %869, i64 0
+  %871 = shufflevector <8 x double> %870, <8 x double> poison, <8 x i32> zeroinitializer
+  %872 = fdiv <8 x double> %867, %871
+  %873 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %872)
+  %874 = fcmp oeq <8 x double> %873, zeroinitializer
+  %875 = fcmp ogt <8 x double> %790, zeroinitializer
+  %876 = and <8 x i1> %874, %875
+  %877 = bitcast <8 x i1> %876 to i8
+  %878 = zext i8 %877 to i64
+  %879 = xor i64 %878, -1
+  %880 = and i64 %795, %879
+  %881 = xor i64 %595, -1
+  %882 = and i64 %880, %881
+  %883 = trunc nuw i64 %882 to i8
+  %884 = bitcast i8 %883 to <8 x i1>
+  %885 = fcmp ogt <8 x double> %591, zeroinitializer
+  %886 = select <8 x i1> %885, <8 x i1> %884, <8 x i1> zeroinitializer
+  %887 = fdiv <8 x double> %873, %591
+  %888 = select <8 x i1> %798, <8 x double> <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, <8 x double> %598
+  %889 = select <8 x i1> %886, <8 x double> %887, <8 x double> %888
+  %890 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %889
+  %891 = fdiv <8 x double> %873, %890
+  %892 = icmp ult i64 %594, 5
+  br i1 %892, label %1003, label %893
 
-1202:                                             ; preds = %1191
-  %1203 = shl i64 %1196, 7
-  br label %1219
+893:                                              ; preds = %1003, %866
+  %894 = phi <8 x double> [ %891, %866 ], [ %1006, %1003 ]
+  %895 = fcmp oge <8 x double> %889, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %896 = fcmp ogt <8 x double> %894, %583
+  %897 = or <8 x i1> %896, %895
+  %898 = select <8 x i1> %897, <8 x i1> %886, <8 x i1> zeroinitializer
+  %899 = bitcast <8 x i1> %898 to i8
+  %900 = zext i8 %899 to i64
+  %901 = xor i64 %900, -1
+  %902 = and i64 %880, %901
+  %903 = xor i64 %902, -1
+  %904 = and i64 %607, %903
+  %905 = or i64 %904, %593
+  %906 = load ptr, ptr %19, align 8, !noalias !29
+  %907 = getelementptr inbounds i8, ptr %906, i64 8
+  %908 = load i64, ptr %907, align 8, !noalias !29
+  %909 = trunc nuw i64 %902 to i8
+  %910 = bitcast i8 %909 to <8 x i1>
+  %911 = load ptr, ptr %82, align 8, !noalias !29
+  %912 = load ptr, ptr %83, align 8, !noalias !29
+  %913 = icmp sgt i64 %908, 0
+  br i1 %913, label %914, label %985
 
-1204:                                             ; preds = %1219, %1191
-  %1205 = load ptr, ptr %109, align 8, !noalias !16
-  %1206 = load ptr, ptr %104, align 8, !noalias !16
-  call fastcc void @real_solve(ptr noundef %1205, i64 noundef %1198, ptr noundef %1206, ptr noundef %1200) #10, !noalias !16
-  %1207 = load ptr, ptr %110, align 8, !noalias !16
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %1200, ptr noundef %1207, ptr noundef nonnull %17, i64 noundef %1196) #10, !noalias !16
-  %1208 = load <8 x double>, ptr %5, align 16, !noalias !16
-  %1209 = fcmp olt <8 x double> %1208, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1210 = bitcast <8 x i1> %1209 to i8
-  %1211 = zext i8 %1210 to i64
-  %1212 = xor i64 %1211, -1
-  %1213 = and i64 %1193, %1212
-  %1214 = and i64 %1213, %1096
-  %1215 = and i64 %1096, %1211
-  %1216 = icmp eq i64 %1214, 0
-  br i1 %1216, label %1319, label %1217
+914:                                              ; preds = %893
+  %915 = shl i64 %908, 7
+  %916 = getelementptr i8, ptr %912, i64 %915
+  br label %917
 
-1217:                                             ; preds = %1204
-  %1218 = icmp sgt i64 %1196, 0
-  br i1 %1218, label %1279, label %1247
+917:                                              ; preds = %914, %951
+  %918 = phi i64 [ 0, %914 ], [ %952, %951 ]
+  %919 = load ptr, ptr %98, align 8, !noalias !29
+  %920 = shl i64 %918, 7
+  %921 = shl nsw i64 %918, 7
+  %922 = getelementptr inbounds i8, ptr %919, i64 %921
+  %923 = load <8 x double>, ptr %922, align 8, !noalias !40
+  %924 = or disjoint i64 %920, 64
+  %925 = getelementptr inbounds i8, ptr %919, i64 %924
+  %926 = load <8 x double>, ptr %925, align 8, !noalias !40
+  %927 = load ptr, ptr %97, align 8, !noalias !29
+  %928 = shl nsw i64 %918, 6
+  %929 = getelementptr inbounds i8, ptr %927, i64 %928
+  %930 = load <8 x double>, ptr %929, align 8, !noalias !29
+  store <8 x double> %930, ptr %10, align 64, !noalias !29
+  store <8 x double> %923, ptr %103, align 64, !noalias !29
+  store <8 x double> %926, ptr %104, align 64, !noalias !29
+  br label %938
 
-1219:                                             ; preds = %1202, %1219
-  %1220 = phi i64 [ 0, %1202 ], [ %1245, %1219 ]
-  %1221 = load ptr, ptr %78, align 8, !noalias !16
-  %1222 = shl nsw i64 %1220, 6
-  %1223 = getelementptr inbounds i8, ptr %1221, i64 %1222
-  %1224 = load <8 x double>, ptr %1223, align 8, !noalias !16
-  %1225 = fmul <8 x double> %1224, <double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05>
-  %1226 = add nuw nsw i64 %1220, %1196
-  %1227 = shl nsw i64 %1226, 6
-  %1228 = getelementptr inbounds i8, ptr %1221, i64 %1227
-  %1229 = load <8 x double>, ptr %1228, align 8, !noalias !16
-  %1230 = fmul <8 x double> %1229, <double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580>
-  %1231 = fsub <8 x double> %1230, %1225
-  %1232 = shl i64 %1220, 6
-  %1233 = getelementptr i8, ptr %1221, i64 %1203
-  %1234 = getelementptr i8, ptr %1233, i64 %1232
-  %1235 = load <8 x double>, ptr %1234, align 8, !noalias !16
-  %1236 = fmul <8 x double> %1235, <double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555>
-  %1237 = fsub <8 x double> %1231, %1236
-  %1238 = fdiv <8 x double> %1237, %242
-  %1239 = getelementptr inbounds i8, ptr %1199, i64 %1222
-  store <8 x double> %1238, ptr %1239, align 8, !noalias !16
-  %1240 = load ptr, ptr %108, align 8, !noalias !16
-  %1241 = getelementptr inbounds i8, ptr %1240, i64 %1222
-  %1242 = load <8 x double>, ptr %1241, align 8, !noalias !16
-  %1243 = fadd <8 x double> %1242, %1238
-  %1244 = getelementptr inbounds i8, ptr %1200, i64 %1222
-  store <8 x double> %1243, ptr %1244, align 8, !noalias !16
-  %1245 = add nuw nsw i64 %1220, 1
-  %1246 = icmp eq i64 %1245, %1196
-  br i1 %1246, label %1204, label %1219, !llvm.loop !51
+931:                                              ; preds = %938
+  %932 = getelementptr inbounds i8, ptr %912, i64 %928
+  %933 = add nuw nsw i64 %918, %908
+  %934 = shl nsw i64 %933, 6
+  %935 = getelementptr inbounds i8, ptr %912, i64 %934
+  %936 = shl i64 %918, 6
+  %937 = getelementptr i8, ptr %916, i64 %936
+  br label %954
 
-1247:                                             ; preds = %1279, %1217
-  %1248 = trunc i64 %1214 to i8
-  %1249 = bitcast i8 %1248 to <8 x i1>
-  %1250 = select <8 x i1> %1249, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1251 = fadd <8 x double> %1101, %1250
-  %1252 = load ptr, ptr %112, align 8, !noalias !16
-  %1253 = load ptr, ptr %113, align 8, !noalias !16
-  %1254 = load ptr, ptr %114, align 8, !noalias !16
-  store <8 x double> %226, ptr %1254, align 8, !noalias !16
-  %1255 = load ptr, ptr %15, align 8, !noalias !16
-  %1256 = getelementptr inbounds i8, ptr %1255, i64 40
-  %1257 = load i64, ptr %1256, align 8, !noalias !16
-  %1258 = icmp eq i64 %1257, 0
-  br i1 %1258, label %1260, label %1259
+938:                                              ; preds = %917, %938
+  %939 = phi i64 [ 0, %917 ], [ %949, %938 ]
+  %940 = mul nuw nsw i64 %908, %939
+  %941 = add nuw nsw i64 %940, %918
+  %942 = shl nsw i64 %941, 6
+  %943 = getelementptr inbounds i8, ptr %912, i64 %942
+  %944 = load <8 x double>, ptr %943, align 8, !noalias !29
+  %945 = getelementptr inbounds [3 x <8 x double>], ptr %10, i64 0, i64 %939
+  %946 = load <8 x double>, ptr %945, align 64, !noalias !29
+  %947 = fadd <8 x double> %944, %946
+  %948 = select <8 x i1> %910, <8 x double> %947, <8 x double> %944
+  store <8 x double> %948, ptr %943, align 8, !noalias !29
+  %949 = add nuw nsw i64 %939, 1
+  %950 = icmp eq i64 %949, 3
+  br i1 %950, label %931, label %938, !llvm.loop !43
 
-1259:                                             ; preds = %1247
-  call fastcc void @settle(ptr noundef nonnull %15) #10, !noalias !16
-  br label %1260
+951:                                              ; preds = %954
+  %952 = add nuw nsw i64 %918, 1
+  %953 = icmp eq i64 %952, %908
+  br i1 %953, label %985, label %917, !llvm.loop !44
 
-1260:                                             ; preds = %1259, %1247
-  %1261 = load i64, ptr %115, align 8, !noalias !16
-  %1262 = icmp sgt i64 %1261, 0
-  br i1 %1262, label %1263, label %1264
+954:                                              ; preds = %931, %954
+  %955 = phi i64 [ 0, %931 ], [ %983, %954 ]
+  %956 = mul nuw nsw i64 %908, %955
+  %957 = add nuw nsw i64 %956, %918
+  %958 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %955
+  %959 = load double, ptr %958, align 8, !noalias !29
+  %960 = insertelement <8 x double> poison, double %959, i64 0
+  %961 = shufflevector <8 x double> %960, <8 x double> poison, <8 x i32> zeroinitializer
+  %962 = load <8 x double>, ptr %932, align 8, !noalias !29
+  %963 = fmul <8 x double> %962, %961
+  %964 = getelementptr inbounds i8, ptr %958, i64 8
+  %965 = load double, ptr %964, align 8, !noalias !29
+  %966 = insertelement <8 x double> poison, double %965, i64 0
+  %967 = shufflevector <8 x double> %966, <8 x double> poison, <8 x i32> zeroinitializer
+  %968 = load <8 x double>, ptr %935, align 8, !noalias !29
+  %969 = fmul <8 x double> %968, %967
+  %970 = fadd <8 x double> %963, %969
+  %971 = getelementptr inbounds i8, ptr %958, i64 16
+  %972 = load double, ptr %971, align 8, !noalias !29
+  %973 = insertelement <8 x double> poison, double %972, i64 0
+  %974 = shufflevector <8 x double> %973, <8 x double> poison, <8 x i32> zeroinitializer
+  %975 = load <8 x double>, ptr %937, align 8, !noalias !29
+  %976 = fmul <8 x double> %975, %974
+  %977 = fadd <8 x double> %970, %976
+  %978 = shl nsw i64 %957, 6
+  %979 = getelementptr inbounds i8, ptr %911, i64 %978
+  %980 = load <8 x i64>, ptr %979, align 8, !noalias !29
+  %981 = bitcast <8 x double> %977 to <8 x i64>
+  %982 = select <8 x i1> %910, <8 x i64> %981, <8 x i64> %980
+  store <8 x i64> %982, ptr %979, align 8, !noalias !29
+  %983 = add nuw nsw i64 %955, 1
+  %984 = icmp eq i64 %983, 3
+  br i1 %984, label %951, label %954, !llvm.loop !45
 
-1263:                                             ; preds = %1260
-  call fastcc void @sample(ptr noundef nonnull %15) #10, !noalias !16
-  br label %1264
+985:                                              ; preds = %951, %893
+  %986 = fdiv <8 x double> %889, %890
+  %987 = fmul <8 x double> %873, %986
+  %988 = fcmp olt <8 x double> %987, %583
+  %989 = and <8 x i1> %988, %885
+  %990 = or <8 x i1> %989, %874
+  %991 = bitcast <8 x i1> %990 to i8
+  %992 = zext i8 %991 to i64
+  %993 = and i64 %992, %881
+  %994 = and i64 %993, %902
+  %995 = trunc nuw i64 %994 to i8
+  %996 = bitcast i8 %995 to <8 x i1>
+  %997 = add nuw nsw i64 %594, 1
+  %998 = uitofp nneg i64 %997 to double
+  %999 = insertelement <8 x double> poison, double %998, i64 0
+  %1000 = shufflevector <8 x double> %999, <8 x double> poison, <8 x i32> zeroinitializer
+  %1001 = select <8 x i1> %996, <8 x double> %1000, <8 x double> %599
+  %1002 = or i64 %994, %595
+  br i1 %576, label %1009, label %1088
 
-1264:                                             ; preds = %1263, %1260
-  %1265 = load ptr, ptr %15, align 8, !noalias !16
-  %1266 = load i64, ptr %1265, align 8, !noalias !16
-  %1267 = load ptr, ptr %114, align 8, !noalias !16
-  %1268 = load ptr, ptr %116, align 8, !noalias !16
-  %1269 = load ptr, ptr %117, align 8, !noalias !16
-  %1270 = inttoptr i64 %1266 to ptr
-  %1271 = load ptr, ptr %1270, align 8, !noalias !16
-  %1272 = call i32 %1271(ptr noundef %1267, ptr noundef %1252, ptr noundef %1268, ptr noundef %1269, ptr noundef %1253) #11, !noalias !16
-  %1273 = zext i32 %1272 to i64
-  %1274 = and i64 %1214, %1273
-  %1275 = trunc i64 %1274 to i8
-  %1276 = bitcast i8 %1275 to <8 x i1>
-  %1277 = select <8 x i1> %1276, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1185
-  %1278 = icmp sgt i64 %1196, 0
-  br i1 %1278, label %1307, label %1292
+1003:                                             ; preds = %866, %1003
+  %1004 = phi i64 [ %1007, %1003 ], [ %594, %866 ]
+  %1005 = phi <8 x double> [ %1006, %1003 ], [ %891, %866 ]
+  %1006 = fmul <8 x double> %1005, %889
+  %1007 = add nuw nsw i64 %1004, 1
+  %1008 = icmp ult i64 %1004, 4
+  br i1 %1008, label %1003, label %893, !llvm.loop !46
 
-1279:                                             ; preds = %1217, %1279
-  %1280 = phi i64 [ %1290, %1279 ], [ 0, %1217 ]
-  %1281 = load ptr, ptr %111, align 8, !noalias !16
-  %1282 = load ptr, ptr %17, align 8, !noalias !16
-  %1283 = shl nsw i64 %1280, 6
-  %1284 = getelementptr inbounds i8, ptr %1282, i64 %1283
-  %1285 = load <8 x double>, ptr %1284, align 8, !noalias !16
-  %1286 = getelementptr inbounds i8, ptr %1200, i64 %1283
-  %1287 = load <8 x double>, ptr %1286, align 8, !noalias !16
-  %1288 = fadd <8 x double> %1285, %1287
-  %1289 = getelementptr inbounds i8, ptr %1281, i64 %1283
-  store <8 x double> %1288, ptr %1289, align 8, !noalias !16
-  %1290 = add nuw nsw i64 %1280, 1
-  %1291 = icmp eq i64 %1290, %1196
-  br i1 %1291, label %1247, label %1279, !llvm.loop !52
+1009:                                             ; preds = %985
+  %1010 = load i64, ptr %96, align 8, !noalias !29
+  %1011 = sdiv i64 %1010, 8
+  %1012 = load ptr, ptr %65, align 8, !noalias !29
+  %1013 = getelementptr inbounds i8, ptr %1012, i64 40
+  %1014 = load i64, ptr %1013, align 8, !noalias !29
+  %1015 = load ptr, ptr %19, align 8, !noalias !29
+  %1016 = getelementptr inbounds i8, ptr %1015, i64 8
+  %1017 = load i64, ptr %1016, align 8, !noalias !29
+  %1018 = load ptr, ptr %83, align 8, !noalias !29
+  %1019 = icmp sgt i64 %1014, 0
+  br i1 %1019, label %1020, label %1082
 
-1292:                                             ; preds = %1307, %1264
-  %1293 = load ptr, ptr %109, align 8, !noalias !16
-  %1294 = load ptr, ptr %104, align 8, !noalias !16
-  call fastcc void @real_solve(ptr noundef %1293, i64 noundef %1198, ptr noundef %1294, ptr noundef %1200) #10, !noalias !16
-  %1295 = load ptr, ptr %110, align 8, !noalias !16
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1200, ptr noundef %1295, ptr noundef nonnull %17, i64 noundef %1196) #10, !noalias !16
-  %1296 = load <8 x double>, ptr %6, align 16, !noalias !16
-  %1297 = xor i64 %1273, -1
-  %1298 = and i64 %1214, %1297
-  %1299 = fcmp olt <8 x double> %1296, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1300 = bitcast <8 x i1> %1299 to i8
-  %1301 = zext i8 %1300 to i64
-  %1302 = and i64 %1298, %1301
-  %1303 = or i64 %1302, %1215
-  %1304 = trunc i64 %1298 to i8
-  %1305 = bitcast i8 %1304 to <8 x i1>
-  %1306 = select <8 x i1> %1305, <8 x double> %1296, <8 x double> %1208
-  br label %1319
+1020:                                             ; preds = %1009
+  %1021 = icmp sgt i64 %1010, 7
+  br label %1022
 
-1307:                                             ; preds = %1264, %1307
-  %1308 = phi i64 [ %1317, %1307 ], [ 0, %1264 ]
-  %1309 = load ptr, ptr %113, align 8, !noalias !16
-  %1310 = shl nsw i64 %1308, 6
-  %1311 = getelementptr inbounds i8, ptr %1309, i64 %1310
-  %1312 = load <8 x double>, ptr %1311, align 8, !noalias !16
-  %1313 = getelementptr inbounds i8, ptr %1199, i64 %1310
-  %1314 = load <8 x double>, ptr %1313, align 8, !noalias !16
-  %1315 = fadd <8 x double> %1312, %1314
-  %1316 = getelementptr inbounds i8, ptr %1200, i64 %1310
-  store <8 x double> %1315, ptr %1316, align 8, !noalias !16
-  %1317 = add nuw nsw i64 %1308, 1
-  %1318 = icmp eq i64 %1317, %1196
-  br i1 %1318, label %1292, label %1307, !llvm.loop !53
+1022:                                             ; preds = %1020, %1030
+  %1023 = phi <8 x double> [ zeroinitializer, %1020 ], [ %1038, %1030 ]
+  %1024 = phi i64 [ 0, %1020 ], [ %1039, %1030 ]
+  br i1 %1021, label %1025, label %1030
 
-1319:                                             ; preds = %1204, %1292
-  %1320 = phi i64 [ %1215, %1204 ], [ %1303, %1292 ]
-  %1321 = phi <8 x double> [ %1101, %1204 ], [ %1251, %1292 ]
-  %1322 = phi <8 x double> [ %1185, %1204 ], [ %1277, %1292 ]
-  %1323 = phi <8 x double> [ %1208, %1204 ], [ %1306, %1292 ]
-  %1324 = fcmp olt <8 x double> %1323, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1325 = select <8 x i1> %1324, <8 x double> <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>, <8 x double> %1323
-  %1326 = load ptr, ptr %70, align 8, !noalias !16
-  %1327 = getelementptr inbounds i8, ptr %1326, i64 192
-  %1328 = load <8 x double>, ptr %1327, align 8, !noalias !16
-  %1329 = fadd <8 x double> %1098, <double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01>
-  %1330 = fdiv <8 x double> <double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667>, %1329
-  %1331 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1325)
-  %1332 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1331)
-  %1333 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1332
-  %1334 = fmul <8 x double> %1330, %1333
-  %1335 = fcmp ogt <8 x double> %1334, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1336 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1323)
-  %1337 = fcmp one <8 x double> %1336, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1338 = select <8 x i1> %1335, <8 x double> %1334, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1339 = select <8 x i1> %1337, <8 x double> %1338, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1340 = fmul <8 x double> %1339, %242
-  %1341 = getelementptr inbounds i8, ptr %1326, i64 128
-  %1342 = load <8 x double>, ptr %1341, align 8, !noalias !16
-  %1343 = fdiv <8 x double> %242, %1342
-  %1344 = fdiv <8 x double> %1328, %1325
-  %1345 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1344)
-  %1346 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1345)
-  %1347 = fmul <8 x double> %1343, %1346
-  %1348 = fcmp ogt <8 x double> %1328, zeroinitializer
-  %1349 = fcmp olt <8 x double> %1347, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1350 = select <8 x i1> %1348, <8 x i1> %1349, <8 x i1> zeroinitializer
-  %1351 = select <8 x i1> %1350, <8 x double> %1347, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1352 = fmul <8 x double> %1334, %1351
-  %1353 = fcmp olt <8 x double> %1352, <double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01>
-  %1354 = bitcast <8 x double> %1352 to <8 x i64>
-  %1355 = select <8 x i1> %1353, <8 x i64> %1354, <8 x i64> <i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520>
-  %1356 = bitcast <8 x i64> %1355 to <8 x double>
-  %1357 = fcmp ule <8 x double> %1356, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1358 = fcmp uge <8 x double> %1356, <double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00>
-  %1359 = or <8 x i1> %1357, %1358
-  %1360 = select <8 x i1> %1359, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %1104
-  %1361 = load <8 x double>, ptr %1326, align 8, !noalias !16
-  %1362 = fcmp ogt <8 x double> %1356, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1363 = bitcast <8 x i64> %1355 to <8 x double>
-  %1364 = select <8 x i1> %1362, <8 x double> %1363, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1365 = fmul <8 x double> %1364, %242
-  %1366 = trunc nuw i64 %1320 to i8
-  %1367 = bitcast i8 %1366 to <8 x i1>
-  %1368 = trunc i64 %1096 to i8
-  %1369 = bitcast i8 %1368 to <8 x i1>
-  %1370 = select <8 x i1> %1360, <8 x double> %1365, <8 x double> %1361
-  %1371 = select <8 x i1> %1367, <8 x double> %1370, <8 x double> %1340
-  %1372 = select <8 x i1> %1369, <8 x double> %1371, <8 x double> %1184
-  %1373 = xor i64 %1320, -1
-  %1374 = and i64 %1096, %1373
-  %1375 = load ptr, ptr %61, align 8, !noalias !16
-  %1376 = getelementptr inbounds i8, ptr %1375, i64 32
-  %1377 = load i64, ptr %1376, align 8, !noalias !16
-  %1378 = or i64 %1377, %1374
-  store i64 %1378, ptr %1376, align 8, !noalias !16
-  %1379 = load ptr, ptr %61, align 8, !noalias !16
-  %1380 = getelementptr inbounds i8, ptr %1379, i64 8
-  %1381 = load i64, ptr %1380, align 8, !noalias !16
-  %1382 = xor i64 %1374, -1
-  %1383 = and i64 %1381, %1382
-  %1384 = getelementptr inbounds i8, ptr %1379, i64 16
-  %1385 = load i64, ptr %1384, align 8, !noalias !16
-  %1386 = xor i64 %1385, -1
-  %1387 = and i64 %1374, %1386
-  %1388 = or disjoint i64 %1387, %1383
-  store i64 %1388, ptr %1380, align 8, !noalias !16
-  br label %1405
+1025:                                             ; preds = %1022
+  %1026 = add nuw i64 %1024, %1011
+  %1027 = load ptr, ptr %97, align 8, !noalias !29
+  %1028 = load ptr, ptr %21, align 8, !noalias !29
+  %1029 = load ptr, ptr %98, align 8, !noalias !29
+  br label %1041
 
-1389:                                             ; preds = %1189, %1389
-  %1390 = phi i64 [ 0, %1189 ], [ %1403, %1389 ]
-  %1391 = load ptr, ptr %103, align 8, !noalias !16
-  %1392 = load ptr, ptr %17, align 8, !noalias !16
-  %1393 = shl nsw i64 %1390, 6
-  %1394 = getelementptr inbounds i8, ptr %1392, i64 %1393
-  %1395 = load <8 x double>, ptr %1394, align 8, !noalias !16
-  %1396 = load ptr, ptr %78, align 8, !noalias !16
-  %1397 = shl i64 %1390, 6
-  %1398 = getelementptr i8, ptr %1396, i64 %1190
-  %1399 = getelementptr i8, ptr %1398, i64 %1397
-  %1400 = load <8 x double>, ptr %1399, align 8, !noalias !16
-  %1401 = fadd <8 x double> %1395, %1400
-  %1402 = getelementptr inbounds i8, ptr %1391, i64 %1393
-  store <8 x double> %1401, ptr %1402, align 8, !noalias !16
-  %1403 = add nuw nsw i64 %1390, 1
-  %1404 = icmp eq i64 %1403, %270
-  br i1 %1404, label %1191, label %1389, !llvm.loop !54
+1030:                                             ; preds = %1066, %1022
+  %1031 = phi <8 x double> [ zeroinitializer, %1022 ], [ %1079, %1066 ]
+  %1032 = phi <8 x double> [ zeroinitializer, %1022 ], [ %1067, %1066 ]
+  %1033 = fcmp ogt <8 x double> %1031, zeroinitializer
+  %1034 = fdiv <8 x double> %1032, %1031
+  %1035 = fmul <8 x double> %1023, %1031
+  %1036 = fcmp ogt <8 x double> %1032, %1035
+  %1037 = select <8 x i1> %1033, <8 x double> %1034, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1038 = select <8 x i1> %1036, <8 x double> %1037, <8 x double> %1023
+  %1039 = add nuw nsw i64 %1024, 1
+  %1040 = icmp eq i64 %1039, %1014
+  br i1 %1040, label %1082, label %1022, !llvm.loop !47
 
-1405:                                             ; preds = %1319, %1183, %437, %339
-  %1406 = phi i64 [ %136, %339 ], [ %136, %437 ], [ %1096, %1183 ], [ %1096, %1319 ]
-  %1407 = phi i64 [ %137, %339 ], [ %137, %437 ], [ %1097, %1183 ], [ %1097, %1319 ]
-  %1408 = phi <8 x double> [ %138, %339 ], [ %138, %437 ], [ %1098, %1183 ], [ %1098, %1319 ]
-  %1409 = phi <8 x double> [ %139, %339 ], [ %139, %437 ], [ %1099, %1183 ], [ %1099, %1319 ]
-  %1410 = phi <8 x double> [ %140, %339 ], [ %140, %437 ], [ %1100, %1183 ], [ %1100, %1319 ]
-  %1411 = phi i8 [ 0, %339 ], [ 0, %437 ], [ %1105, %1183 ], [ %1105, %1319 ]
-  %1412 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %339 ], [ %439, %437 ], [ %1185, %1183 ], [ %1322, %1319 ]
-  %1413 = phi <8 x double> [ zeroinitializer, %339 ], [ zeroinitializer, %437 ], [ zeroinitializer, %1183 ], [ %1323, %1319 ]
-  %1414 = phi <8 x double> [ %231, %339 ], [ %438, %437 ], [ %1184, %1183 ], [ %1372, %1319 ]
-  %1415 = phi <8 x double> [ zeroinitializer, %339 ], [ zeroinitializer, %437 ], [ %1101, %1183 ], [ %1321, %1319 ]
-  %1416 = phi i64 [ 0, %339 ], [ 0, %437 ], [ 0, %1183 ], [ %1320, %1319 ]
-  %1417 = zext i8 %1411 to i64
-  %1418 = load ptr, ptr %16, align 8, !noalias !55
-  %1419 = getelementptr inbounds i8, ptr %1418, i64 72
-  %1420 = load ptr, ptr %1419, align 8
-  store <8 x i64> %241, ptr %1420, align 8
-  %1421 = load ptr, ptr %118, align 8, !noalias !55
-  %1422 = load <8 x double>, ptr %1421, align 8
-  %1423 = fadd <8 x double> %1415, %1422
-  store <8 x double> %1423, ptr %1421, align 8
-  %1424 = icmp ne i64 %1416, 0
-  %1425 = select i1 %47, i1 %1424, i1 false
-  br i1 %1425, label %1426, label %1429
+1041:                                             ; preds = %1025, %1066
+  %1042 = phi <8 x double> [ zeroinitializer, %1025 ], [ %1067, %1066 ]
+  %1043 = phi i64 [ 0, %1025 ], [ %1068, %1066 ]
+  %1044 = phi <8 x double> [ zeroinitializer, %1025 ], [ %1079, %1066 ]
+  %1045 = mul nuw nsw i64 %1043, %1014
+  %1046 = add i64 %1026, %1045
+  %1047 = shl nsw i64 %1046, 6
+  %1048 = getelementptr inbounds i8, ptr %1027, i64 %1047
+  %1049 = load <8 x double>, ptr %1048, align 8, !noalias !29
+  %1050 = getelementptr inbounds i8, ptr %1028, i64 %1047
+  %1051 = load <8 x double>, ptr %1050, align 8, !noalias !29
+  %1052 = shl i64 %1046, 7
+  %1053 = shl nsw i64 %1046, 7
+  %1054 = getelementptr inbounds i8, ptr %1029, i64 %1053
+  %1055 = load <8 x double>, ptr %1054, align 8, !noalias !48
+  %1056 = or disjoint i64 %1052, 64
+  %1057 = getelementptr inbounds i8, ptr %1029, i64 %1056
+  %1058 = load <8 x double>, ptr %1057, align 8, !noalias !48
+  %1059 = fmul <8 x double> %1049, %1049
+  %1060 = fmul <8 x double> %1055, %1055
+  %1061 = fmul <8 x double> %1058, %1058
+  %1062 = fadd <8 x double> %1060, %1061
+  %1063 = fadd <8 x double> %1059, %1062
+  %1064 = fmul <8 x double> %1051, %1051
+  %1065 = fadd <8 x double> %1044, %1064
+  br label %1070
 
-1426:                                             ; preds = %1405
-  store <8 x double> %238, ptr %8, align 16
-  %1427 = load ptr, ptr %119, align 8
-  %1428 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %8, ptr noundef %1427, i64 noundef %1416, i32 noundef 1) #10
-  br label %1429
+1066:                                             ; preds = %1070
+  %1067 = fadd <8 x double> %1042, %1063
+  %1068 = add nuw nsw i64 %1043, 1
+  %1069 = icmp eq i64 %1068, %1011
+  br i1 %1069, label %1030, label %1041, !llvm.loop !51
 
-1429:                                             ; preds = %1426, %1405
-  %1430 = phi i64 [ %1428, %1426 ], [ 0, %1405 ]
-  %1431 = xor i64 %1430, -1
-  %1432 = and i64 %1416, %1431
-  %1433 = load ptr, ptr %15, align 8
-  %1434 = getelementptr inbounds i8, ptr %1433, i64 8
-  %1435 = load i64, ptr %1434, align 8
-  %1436 = load i64, ptr %120, align 8
-  %1437 = load ptr, ptr %121, align 8
-  %1438 = trunc nuw i64 %1432 to i8
-  %1439 = load ptr, ptr %122, align 8
-  %1440 = load ptr, ptr %123, align 8
-  %1441 = load ptr, ptr %124, align 8
+1070:                                             ; preds = %1041, %1070
+  %1071 = phi i64 [ 0, %1041 ], [ %1080, %1070 ]
+  %1072 = phi <8 x double> [ %1065, %1041 ], [ %1079, %1070 ]
+  %1073 = mul nsw i64 %1017, %1071
+  %1074 = add nsw i64 %1073, %1046
+  %1075 = shl nsw i64 %1074, 6
+  %1076 = getelementptr inbounds i8, ptr %1018, i64 %1075
+  %1077 = load <8 x double>, ptr %1076, align 8, !noalias !29
+  %1078 = fmul <8 x double> %1077, %1077
+  %1079 = fadd <8 x double> %1072, %1078
+  %1080 = add nuw nsw i64 %1071, 1
+  %1081 = icmp eq i64 %1080, 3
+  br i1 %1081, label %1066, label %1070, !llvm.loop !52
+
+1082:                                             ; preds = %1030, %1009
+  %1083 = phi <8 x double> [ zeroinitializer, %1009 ], [ %1038, %1030 ]
+  %1084 = fcmp ole <8 x double> %1083, %586
+  %1085 = bitcast <8 x i1> %1084 to i8
+  %1086 = zext i8 %1085 to i64
+  %1087 = and i64 %1002, %1086
+  br label %1088
+
+1088:                                             ; preds = %1082, %985
+  %1089 = phi i64 [ %1087, %1082 ], [ %1002, %985 ]
+  %1090 = xor i64 %1089, -1
+  %1091 = and i64 %902, %1090
+  %1092 = icmp eq i64 %1091, 0
+  %1093 = select i1 %1092, i32 2, i32 0
+  %1094 = select i1 %1092, <8 x double> %591, <8 x double> %873
+  br label %1095
+
+1095:                                             ; preds = %1088, %686
+  %1096 = phi i64 [ %689, %686 ], [ %604, %1088 ]
+  %1097 = phi i64 [ %683, %686 ], [ %603, %1088 ]
+  %1098 = phi <8 x double> [ %599, %686 ], [ %602, %1088 ]
+  %1099 = phi <8 x double> [ %598, %686 ], [ %601, %1088 ]
+  %1100 = phi <8 x double> [ %682, %686 ], [ %600, %1088 ]
+  %1101 = phi <8 x double> [ %599, %686 ], [ %1001, %1088 ]
+  %1102 = phi <8 x double> [ %598, %686 ], [ %889, %1088 ]
+  %1103 = phi i64 [ %689, %686 ], [ %1002, %1088 ]
+  %1104 = phi i32 [ 1, %686 ], [ %1093, %1088 ]
+  %1105 = phi i64 [ %593, %686 ], [ %905, %1088 ]
+  %1106 = phi i64 [ %607, %686 ], [ %1091, %1088 ]
+  %1107 = phi <8 x double> [ %591, %686 ], [ %1094, %1088 ]
+  %1108 = icmp eq i32 %1104, 0
+  br i1 %1108, label %587, label %1109
+
+1109:                                             ; preds = %1095, %587
+  %1110 = phi i32 [ %1104, %1095 ], [ 2, %587 ]
+  %1111 = icmp eq i32 %1110, 2
+  br i1 %1111, label %1112, label %1115
+
+1112:                                             ; preds = %1109
+  %1113 = xor i64 %1105, -1
+  %1114 = and i64 %1103, %1113
+  br label %1115
+
+1115:                                             ; preds = %1109, %1112
+  %1116 = phi i64 [ %1114, %1112 ], [ %1096, %1109 ]
+  %1117 = phi i64 [ %683, %1112 ], [ %1097, %1109 ]
+  %1118 = phi <8 x double> [ %1101, %1112 ], [ %1098, %1109 ]
+  %1119 = phi <8 x double> [ %1102, %1112 ], [ %1099, %1109 ]
+  %1120 = phi <8 x double> [ %682, %1112 ], [ %1100, %1109 ]
+  %1121 = fadd <8 x double> %1120, zeroinitializer
+  %1122 = fcmp ogt <8 x double> %1118, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %1123 = fcmp ogt <8 x double> %1119, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %1124 = and <8 x i1> %1123, %1122
+  %1125 = bitcast <8 x i1> %1124 to i8
+  %1126 = icmp eq i64 %1116, %454
+  br i1 %1126, label %1203, label %1127
+
+1127:                                             ; preds = %1115
+  %1128 = xor i64 %1116, -1
+  %1129 = and i64 %454, %1128
+  %1130 = load ptr, ptr %65, align 8, !noalias !19
+  %1131 = getelementptr inbounds i8, ptr %1130, i64 16
+  %1132 = load i64, ptr %1131, align 8, !noalias !19
+  %1133 = xor i64 %1117, -1
+  %1134 = and i64 %1132, %1133
+  %1135 = and i64 %1134, %1129
+  %1136 = trunc i64 %1129 to i8
+  %1137 = bitcast i8 %1136 to <8 x i1>
+  %1138 = trunc i64 %1117 to i8
+  %1139 = bitcast i8 %1138 to <8 x i1>
+  %1140 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1119)
+  %1141 = fcmp one <8 x double> %1140, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1142 = select <8 x i1> %1141, <8 x double> <double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00>, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %1143 = select <8 x i1> %1139, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1142
+  %1144 = select <8 x i1> %1137, <8 x double> %1143, <8 x double> %453
+  %1145 = icmp eq i64 %1135, 0
+  br i1 %1145, label %1173, label %1146
+
+1146:                                             ; preds = %1127
+  %1147 = load i64, ptr %105, align 8, !noalias !19
+  %1148 = icmp sgt i64 %1147, 7
+  br i1 %1148, label %1149, label %1166
+
+1149:                                             ; preds = %1146
+  %1150 = trunc i64 %1135 to i8
+  %1151 = bitcast i8 %1150 to <8 x i1>
+  br label %1152
+
+1152:                                             ; preds = %1149, %1152
+  %1153 = phi <8 x i64> [ zeroinitializer, %1149 ], [ %1160, %1152 ]
+  %1154 = phi i64 [ 0, %1149 ], [ %1162, %1152 ]
+  %1155 = load ptr, ptr %106, align 8, !noalias !19
+  %1156 = shl nsw i64 %1154, 6
+  %1157 = getelementptr inbounds i8, ptr %1155, i64 %1156
+  %1158 = load <8 x double>, ptr %1157, align 8, !noalias !19
+  %1159 = fcmp une <8 x double> %1158, zeroinitializer
+  %1160 = select <8 x i1> %1159, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %1153
+  %1161 = select <8 x i1> %1151, <8 x double> zeroinitializer, <8 x double> %1158
+  store <8 x double> %1161, ptr %1157, align 8, !noalias !19
+  %1162 = add nuw nsw i64 %1154, 1
+  %1163 = load i64, ptr %105, align 8, !noalias !19
+  %1164 = sdiv i64 %1163, 8
+  %1165 = icmp slt i64 %1162, %1164
+  br i1 %1165, label %1152, label %1166, !llvm.loop !53
+
+1166:                                             ; preds = %1152, %1146
+  %1167 = phi <8 x i64> [ zeroinitializer, %1146 ], [ %1160, %1152 ]
+  %1168 = icmp ne <8 x i64> %1167, zeroinitializer
+  %1169 = bitcast <8 x i1> %1168 to i8
+  %1170 = zext i8 %1169 to i64
+  %1171 = and i64 %1135, %1170
+  %1172 = xor i64 %1171, -1
+  br label %1173
+
+1173:                                             ; preds = %1127, %1166
+  %1174 = phi i64 [ -1, %1127 ], [ %1172, %1166 ]
+  %1175 = and i64 %1174, %1135
+  %1176 = getelementptr inbounds i8, ptr %1130, i64 24
+  %1177 = load i64, ptr %1176, align 8, !noalias !19
+  %1178 = and i64 %1177, %1174
+  store i64 %1178, ptr %1176, align 8, !noalias !19
+  %1179 = xor i64 %1175, -1
+  %1180 = load i64, ptr %1131, align 8, !noalias !19
+  %1181 = and i64 %1180, %1179
+  store i64 %1181, ptr %1131, align 8, !noalias !19
+  %1182 = trunc i64 %1175 to i8
+  %1183 = bitcast i8 %1182 to <8 x i1>
+  %1184 = fmul <8 x double> %248, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %1185 = select <8 x i1> %1183, <8 x double> %1184, <8 x double> %452
+  %1186 = fmul <8 x double> %248, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1187 = select <8 x i1> %1139, <8 x double> %1186, <8 x double> %1185
+  %1188 = load ptr, ptr %74, align 8, !noalias !19
+  %1189 = getelementptr inbounds i8, ptr %1188, i64 64
+  %1190 = load <8 x double>, ptr %1189, align 8, !noalias !19
+  %1191 = select <8 x i1> %1139, <8 x double> zeroinitializer, <8 x double> %1190
+  store <8 x double> %1191, ptr %1189, align 8, !noalias !19
+  %1192 = and i64 %1174, %1129
+  %1193 = load ptr, ptr %65, align 8, !noalias !19
+  %1194 = getelementptr inbounds i8, ptr %1193, i64 8
+  %1195 = load i64, ptr %1194, align 8, !noalias !19
+  %1196 = xor i64 %1192, -1
+  %1197 = and i64 %1195, %1196
+  %1198 = getelementptr inbounds i8, ptr %1193, i64 16
+  %1199 = load i64, ptr %1198, align 8, !noalias !19
+  %1200 = xor i64 %1199, -1
+  %1201 = and i64 %1192, %1200
+  %1202 = or disjoint i64 %1201, %1197
+  store i64 %1202, ptr %1194, align 8, !noalias !19
+  br label %1203
+
+1203:                                             ; preds = %1173, %1115
+  %1204 = phi <8 x double> [ %452, %1115 ], [ %1187, %1173 ]
+  %1205 = phi <8 x double> [ %453, %1115 ], [ %1144, %1173 ]
+  %1206 = icmp eq i64 %1116, 0
+  br i1 %1206, label %1705, label %1207
+
+1207:                                             ; preds = %1203
+  %1208 = icmp sgt i64 %284, 0
+  br i1 %1208, label %1209, label %1211
+
+1209:                                             ; preds = %1207
+  %1210 = shl i64 %284, 7
+  br label %1689
+
+1211:                                             ; preds = %1689, %1207
+  %1212 = getelementptr inbounds i8, ptr %297, i64 32
+  %1213 = load i64, ptr %1212, align 8, !noalias !19
+  %1214 = load ptr, ptr %19, align 8, !noalias !19
+  %1215 = getelementptr inbounds i8, ptr %1214, i64 8
+  %1216 = load i64, ptr %1215, align 8, !noalias !19
+  %1217 = load ptr, ptr %108, align 8, !noalias !19
+  %1218 = load ptr, ptr %109, align 8, !noalias !19
+  %1219 = icmp sgt i64 %1216, 0
+  br i1 %1219, label %1220, label %1222
+
+1220:                                             ; preds = %1211
+  %1221 = shl i64 %1216, 7
+  br label %1378
+
+1222:                                             ; preds = %1378, %1211
+  %1223 = load i64, ptr %112, align 8, !noalias !19
+  %1224 = sdiv i64 %1223, 8
+  %1225 = load ptr, ptr %65, align 8, !noalias !19
+  %1226 = getelementptr inbounds i8, ptr %1225, i64 40
+  %1227 = load i64, ptr %1226, align 8, !noalias !19
+  %1228 = load ptr, ptr %113, align 8, !noalias !19
+  %1229 = load ptr, ptr %111, align 8, !noalias !19
+  call fastcc void @real_solve(ptr noundef %1228, i64 noundef %1224, ptr noundef %1229, ptr noundef %1218) #11, !noalias !19
+  %1230 = icmp sgt i64 %1227, 0
+  br i1 %1230, label %1231, label %1236
+
+1231:                                             ; preds = %1222
+  %1232 = load ptr, ptr %113, align 8, !noalias !19
+  %1233 = load ptr, ptr %111, align 8, !noalias !19
+  %1234 = shl nsw i64 %1224, 6
+  %1235 = getelementptr inbounds i8, ptr %1218, i64 %1234
+  call fastcc void @real_solve_columns(ptr noundef %1232, i64 noundef %1224, ptr noundef %1233, ptr noundef %1235, i64 noundef %1227) #11, !noalias !19
+  br label %1236
+
+1236:                                             ; preds = %1222, %1231
+  %1237 = load ptr, ptr %19, align 8, !noalias !19
+  %1238 = getelementptr inbounds i8, ptr %1237, i64 24
+  %1239 = load i64, ptr %1238, align 8, !noalias !19
+  %1240 = load ptr, ptr %114, align 8, !noalias !19
+  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %1218, ptr noundef %1240, ptr noundef nonnull %21, i64 noundef %1239) #11, !noalias !19
+  %1241 = load <8 x double>, ptr %8, align 16, !noalias !19
+  %1242 = getelementptr inbounds i8, ptr %1237, i64 8
+  %1243 = load i64, ptr %1242, align 8, !noalias !19
+  %1244 = add nsw i64 %1243, -3
+  %1245 = getelementptr i8, ptr %1240, i64 64
+  %1246 = getelementptr i8, ptr %1240, i64 128
+  %1247 = getelementptr i8, ptr %1240, i64 192
+  %1248 = icmp slt i64 %1239, %1244
+  br i1 %1248, label %1256, label %1249
+
+1249:                                             ; preds = %1256, %1236
+  %1250 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1266, %1256 ]
+  %1251 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1271, %1256 ]
+  %1252 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1276, %1256 ]
+  %1253 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1281, %1256 ]
+  %1254 = phi i64 [ %1239, %1236 ], [ %1282, %1256 ]
+  %1255 = icmp slt i64 %1254, %1243
+  br i1 %1255, label %1284, label %1294
+
+1256:                                             ; preds = %1236, %1256
+  %1257 = phi i64 [ %1282, %1256 ], [ %1239, %1236 ]
+  %1258 = phi <8 x double> [ %1281, %1256 ], [ zeroinitializer, %1236 ]
+  %1259 = phi <8 x double> [ %1276, %1256 ], [ zeroinitializer, %1236 ]
+  %1260 = phi <8 x double> [ %1271, %1256 ], [ zeroinitializer, %1236 ]
+  %1261 = phi <8 x double> [ %1266, %1256 ], [ zeroinitializer, %1236 ]
+  %1262 = shl nsw i64 %1257, 6
+  %1263 = getelementptr inbounds i8, ptr %1240, i64 %1262
+  %1264 = load <8 x double>, ptr %1263, align 8, !noalias !19
+  %1265 = fmul <8 x double> %1264, zeroinitializer
+  %1266 = fadd <8 x double> %1261, %1265
+  %1267 = shl i64 %1257, 6
+  %1268 = getelementptr i8, ptr %1245, i64 %1267
+  %1269 = load <8 x double>, ptr %1268, align 8, !noalias !19
+  %1270 = fmul <8 x double> %1269, zeroinitializer
+  %1271 = fadd <8 x double> %1260, %1270
+  %1272 = shl i64 %1257, 6
+  %1273 = getelementptr i8, ptr %1246, i64 %1272
+  %1274 = load <8 x double>, ptr %1273, align 8, !noalias !19
+  %1275 = fmul <8 x double> %1274, zeroinitializer
+  %1276 = fadd <8 x double> %1259, %1275
+  %1277 = shl i64 %1257, 6
+  %1278 = getelementptr i8, ptr %1247, i64 %1277
+  %1279 = load <8 x double>, ptr %1278, align 8, !noalias !19
+  %1280 = fmul <8 x double> %1279, zeroinitializer
+  %1281 = fadd <8 x double> %1258, %1280
+  %1282 = add nsw i64 %1257, 4
+  %1283 = icmp slt i64 %1282, %1244
+  br i1 %1283, label %1256, label %1249, !llvm.loop !54
+
+1284:                                             ; preds = %1249, %1284
+  %1285 = phi i64 [ %1292, %1284 ], [ %1254, %1249 ]
+  %1286 = phi <8 x double> [ %1291, %1284 ], [ %1250, %1249 ]
+  %1287 = shl nsw i64 %1285, 6
+  %1288 = getelementptr inbounds i8, ptr %1240, i64 %1287
+  %1289 = load <8 x double>, ptr %1288, align 8, !noalias !19
+  %1290 = fmul <8 x double> %1289, zeroinitializer
+  %1291 = fadd <8 x double> %1286, %1290
+  %1292 = add nsw i64 %1285, 1
+  %1293 = icmp eq i64 %1292, %1243
+  br i1 %1293, label %1294, label %1284, !llvm.loop !55
+
+1294:                                             ; preds = %1284, %1249
+  %1295 = phi <8 x double> [ %1250, %1249 ], [ %1291, %1284 ]
+  %1296 = fadd <8 x double> %1251, %1295
+  %1297 = fadd <8 x double> %1252, %1253
+  %1298 = fadd <8 x double> %1297, %1296
+  %1299 = fadd <8 x double> %1241, %1298
+  %1300 = getelementptr inbounds i8, ptr %1237, i64 48
+  %1301 = load i64, ptr %1300, align 8, !noalias !19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %6, i8 0, i64 512, i1 false), !noalias !19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %7, i8 0, i64 512, i1 false), !noalias !19
+  %1302 = icmp eq i64 %1301, 0
+  br i1 %1302, label %1366, label %1303
+
+1303:                                             ; preds = %1294
+  %1304 = icmp slt i64 %1239, %1301
+  br i1 %1304, label %1306, label %1305
+
+1305:                                             ; preds = %1310, %1303
+  br label %1357
+
+1306:                                             ; preds = %1303
+  %1307 = load ptr, ptr %21, align 8, !noalias !19
+  %1308 = load ptr, ptr %115, align 8, !noalias !19
+  %1309 = load ptr, ptr %66, align 8, !noalias !19
+  br label %1310
+
+1310:                                             ; preds = %1306, %1310
+  %1311 = phi i64 [ %1239, %1306 ], [ %1342, %1310 ]
+  %1312 = shl nsw i64 %1311, 6
+  %1313 = getelementptr inbounds i8, ptr %1307, i64 %1312
+  %1314 = load <8 x double>, ptr %1313, align 8, !noalias !19
+  %1315 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1314)
+  %1316 = getelementptr inbounds i8, ptr %1240, i64 %1312
+  %1317 = load <8 x double>, ptr %1316, align 8, !noalias !19
+  %1318 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1317)
+  %1319 = fcmp ogt <8 x double> %1315, %1318
+  %1320 = select <8 x i1> %1319, <8 x double> %1315, <8 x double> %1318
+  %1321 = getelementptr inbounds i8, ptr %1308, i64 %1312
+  %1322 = load <8 x double>, ptr %1321, align 8, !noalias !19
+  %1323 = getelementptr inbounds double, ptr %1309, i64 %1311
+  %1324 = load double, ptr %1323, align 8, !noalias !19
+  %1325 = insertelement <8 x double> poison, double %1324, i64 0
+  %1326 = shufflevector <8 x double> %1325, <8 x double> poison, <8 x i32> zeroinitializer
+  %1327 = fmul <8 x double> %1320, %1326
+  %1328 = fadd <8 x double> %1322, %1327
+  %1329 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1328
+  %1330 = getelementptr inbounds i8, ptr %1218, i64 %1312
+  %1331 = load <8 x double>, ptr %1330, align 8, !noalias !19
+  %1332 = fmul <8 x double> %1331, %1329
+  %1333 = srem i64 %1311, 8
+  %1334 = shl nsw i64 %1333, 6
+  %1335 = getelementptr inbounds i8, ptr %6, i64 %1334
+  %1336 = load <8 x double>, ptr %1335, align 16, !noalias !19
+  %1337 = fmul <8 x double> %1332, %1332
+  %1338 = fadd <8 x double> %1336, %1337
+  store <8 x double> %1338, ptr %1335, align 16, !noalias !19
+  %1339 = getelementptr inbounds i8, ptr %7, i64 %1334
+  %1340 = load <8 x double>, ptr %1339, align 16, !noalias !19
+  %1341 = fadd <8 x double> %1340, %1337
+  store <8 x double> %1341, ptr %1339, align 16, !noalias !19
+  %1342 = add nsw i64 %1311, 1
+  %1343 = icmp eq i64 %1342, %1301
+  br i1 %1343, label %1305, label %1310, !llvm.loop !56
+
+1344:                                             ; preds = %1357
+  %1345 = sub nsw i64 %1301, %1239
+  %1346 = sitofp i64 %1345 to double
+  %1347 = insertelement <8 x double> poison, double %1346, i64 0
+  %1348 = shufflevector <8 x double> %1347, <8 x double> poison, <8 x i32> zeroinitializer
+  %1349 = fdiv <8 x double> %1363, %1348
+  %1350 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1349)
+  %1351 = insertelement <8 x double> poison, double %279, i64 0
+  %1352 = shufflevector <8 x double> %1351, <8 x double> poison, <8 x i32> zeroinitializer
+  %1353 = fcmp olt <8 x double> %1352, %248
+  %1354 = fcmp ogt <8 x double> %1350, %1299
+  %1355 = select <8 x i1> %1353, <8 x i1> %1354, <8 x i1> zeroinitializer
+  %1356 = select <8 x i1> %1355, <8 x double> %1350, <8 x double> %1299
+  br label %1366
+
+1357:                                             ; preds = %1305, %1357
+  %1358 = phi i64 [ %1364, %1357 ], [ 0, %1305 ]
+  %1359 = phi <8 x double> [ %1363, %1357 ], [ zeroinitializer, %1305 ]
+  %1360 = shl nuw nsw i64 %1358, 6
+  %1361 = getelementptr inbounds i8, ptr %6, i64 %1360
+  %1362 = load <8 x double>, ptr %1361, align 16, !noalias !19
+  %1363 = fadd <8 x double> %1359, %1362
+  %1364 = add nuw nsw i64 %1358, 1
+  %1365 = icmp eq i64 %1364, 8
+  br i1 %1365, label %1344, label %1357, !llvm.loop !57
+
+1366:                                             ; preds = %1294, %1344
+  %1367 = phi <8 x double> [ %1299, %1294 ], [ %1356, %1344 ]
+  %1368 = fcmp olt <8 x double> %1367, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1369 = bitcast <8 x i1> %1368 to i8
+  %1370 = zext i8 %1369 to i64
+  %1371 = xor i64 %1370, -1
+  %1372 = and i64 %1213, %1371
+  %1373 = and i64 %1372, %1116
+  %1374 = and i64 %1116, %1370
+  %1375 = icmp eq i64 %1373, 0
+  br i1 %1375, label %1619, label %1376
+
+1376:                                             ; preds = %1366
+  %1377 = icmp sgt i64 %1216, 0
+  br i1 %1377, label %1438, label %1406
+
+1378:                                             ; preds = %1220, %1378
+  %1379 = phi i64 [ 0, %1220 ], [ %1404, %1378 ]
+  %1380 = load ptr, ptr %82, align 8, !noalias !19
+  %1381 = shl nsw i64 %1379, 6
+  %1382 = getelementptr inbounds i8, ptr %1380, i64 %1381
+  %1383 = load <8 x double>, ptr %1382, align 8, !noalias !19
+  %1384 = fmul <8 x double> %1383, <double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05>
+  %1385 = add nuw nsw i64 %1379, %1216
+  %1386 = shl nsw i64 %1385, 6
+  %1387 = getelementptr inbounds i8, ptr %1380, i64 %1386
+  %1388 = load <8 x double>, ptr %1387, align 8, !noalias !19
+  %1389 = fmul <8 x double> %1388, <double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580>
+  %1390 = fsub <8 x double> %1389, %1384
+  %1391 = shl i64 %1379, 6
+  %1392 = getelementptr i8, ptr %1380, i64 %1221
+  %1393 = getelementptr i8, ptr %1392, i64 %1391
+  %1394 = load <8 x double>, ptr %1393, align 8, !noalias !19
+  %1395 = fmul <8 x double> %1394, <double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555>
+  %1396 = fsub <8 x double> %1390, %1395
+  %1397 = fdiv <8 x double> %1396, %248
+  %1398 = getelementptr inbounds i8, ptr %1217, i64 %1381
+  store <8 x double> %1397, ptr %1398, align 8, !noalias !19
+  %1399 = load ptr, ptr %110, align 8, !noalias !19
+  %1400 = getelementptr inbounds i8, ptr %1399, i64 %1381
+  %1401 = load <8 x double>, ptr %1400, align 8, !noalias !19
+  %1402 = fadd <8 x double> %1401, %1397
+  %1403 = getelementptr inbounds i8, ptr %1218, i64 %1381
+  store <8 x double> %1402, ptr %1403, align 8, !noalias !19
+  %1404 = add nuw nsw i64 %1379, 1
+  %1405 = icmp eq i64 %1404, %1216
+  br i1 %1405, label %1222, label %1378, !llvm.loop !58
+
+1406:                                             ; preds = %1438, %1376
+  %1407 = trunc i64 %1373 to i8
+  %1408 = bitcast i8 %1407 to <8 x i1>
+  %1409 = select <8 x i1> %1408, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1410 = fadd <8 x double> %1121, %1409
+  %1411 = load ptr, ptr %117, align 8, !noalias !19
+  %1412 = load ptr, ptr %118, align 8, !noalias !19
+  %1413 = load ptr, ptr %119, align 8, !noalias !19
+  store <8 x double> %232, ptr %1413, align 8, !noalias !19
+  %1414 = load ptr, ptr %19, align 8, !noalias !19
+  %1415 = getelementptr inbounds i8, ptr %1414, i64 40
+  %1416 = load i64, ptr %1415, align 8, !noalias !19
+  %1417 = icmp eq i64 %1416, 0
+  br i1 %1417, label %1419, label %1418
+
+1418:                                             ; preds = %1406
+  call fastcc void @settle(ptr noundef nonnull %19) #11, !noalias !19
+  br label %1419
+
+1419:                                             ; preds = %1418, %1406
+  %1420 = load i64, ptr %120, align 8, !noalias !19
+  %1421 = icmp sgt i64 %1420, 0
+  br i1 %1421, label %1422, label %1423
+
+1422:                                             ; preds = %1419
+  call fastcc void @sample(ptr noundef nonnull %19) #11, !noalias !19
+  br label %1423
+
+1423:                                             ; preds = %1422, %1419
+  %1424 = load ptr, ptr %19, align 8, !noalias !19
+  %1425 = load i64, ptr %1424, align 8, !noalias !19
+  %1426 = load ptr, ptr %119, align 8, !noalias !19
+  %1427 = load ptr, ptr %121, align 8, !noalias !19
+  %1428 = load ptr, ptr %122, align 8, !noalias !19
+  %1429 = inttoptr i64 %1425 to ptr
+  %1430 = load ptr, ptr %1429, align 8, !noalias !19
+  %1431 = call i32 %1430(ptr noundef %1426, ptr noundef %1411, ptr noundef %1427, ptr noundef %1428, ptr noundef %1412) #12, !noalias !19
+  %1432 = zext i32 %1431 to i64
+  %1433 = and i64 %1373, %1432
+  %1434 = trunc i64 %1433 to i8
+  %1435 = bitcast i8 %1434 to <8 x i1>
+  %1436 = select <8 x i1> %1435, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1205
+  %1437 = icmp sgt i64 %1216, 0
+  br i1 %1437, label %1607, label %1451
+
+1438:                                             ; preds = %1376, %1438
+  %1439 = phi i64 [ %1449, %1438 ], [ 0, %1376 ]
+  %1440 = load ptr, ptr %116, align 8, !noalias !19
+  %1441 = load ptr, ptr %21, align 8, !noalias !19
+  %1442 = shl nsw i64 %1439, 6
+  %1443 = getelementptr inbounds i8, ptr %1441, i64 %1442
+  %1444 = load <8 x double>, ptr %1443, align 8, !noalias !19
+  %1445 = getelementptr inbounds i8, ptr %1218, i64 %1442
+  %1446 = load <8 x double>, ptr %1445, align 8, !noalias !19
+  %1447 = fadd <8 x double> %1444, %1446
+  %1448 = getelementptr inbounds i8, ptr %1440, i64 %1442
+  store <8 x double> %1447, ptr %1448, align 8, !noalias !19
+  %1449 = add nuw nsw i64 %1439, 1
+  %1450 = icmp eq i64 %1449, %1216
+  br i1 %1450, label %1406, label %1438, !llvm.loop !59
+
+1451:                                             ; preds = %1607, %1423
+  %1452 = load i64, ptr %112, align 8, !noalias !19
+  %1453 = sdiv i64 %1452, 8
+  %1454 = load ptr, ptr %65, align 8, !noalias !19
+  %1455 = getelementptr inbounds i8, ptr %1454, i64 40
+  %1456 = load i64, ptr %1455, align 8, !noalias !19
+  %1457 = load ptr, ptr %113, align 8, !noalias !19
+  %1458 = load ptr, ptr %111, align 8, !noalias !19
+  call fastcc void @real_solve(ptr noundef %1457, i64 noundef %1453, ptr noundef %1458, ptr noundef %1218) #11, !noalias !19
+  %1459 = icmp sgt i64 %1456, 0
+  br i1 %1459, label %1460, label %1465
+
+1460:                                             ; preds = %1451
+  %1461 = load ptr, ptr %113, align 8, !noalias !19
+  %1462 = load ptr, ptr %111, align 8, !noalias !19
+  %1463 = shl nsw i64 %1453, 6
+  %1464 = getelementptr inbounds i8, ptr %1218, i64 %1463
+  call fastcc void @real_solve_columns(ptr noundef %1461, i64 noundef %1453, ptr noundef %1462, ptr noundef %1464, i64 noundef %1456) #11, !noalias !19
   br label %1465
 
-1442:                                             ; preds = %1465
-  %1443 = bitcast i8 %1438 to <8 x i1>
-  %1444 = icmp sgt i64 %1435, 0
-  br i1 %1444, label %1445, label %1534
+1465:                                             ; preds = %1451, %1460
+  %1466 = load ptr, ptr %19, align 8, !noalias !19
+  %1467 = getelementptr inbounds i8, ptr %1466, i64 24
+  %1468 = load i64, ptr %1467, align 8, !noalias !19
+  %1469 = load ptr, ptr %114, align 8, !noalias !19
+  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1218, ptr noundef %1469, ptr noundef nonnull %21, i64 noundef %1468) #11, !noalias !19
+  %1470 = load <8 x double>, ptr %9, align 16, !noalias !19
+  %1471 = getelementptr inbounds i8, ptr %1466, i64 8
+  %1472 = load i64, ptr %1471, align 8, !noalias !19
+  %1473 = add nsw i64 %1472, -3
+  %1474 = getelementptr i8, ptr %1469, i64 64
+  %1475 = getelementptr i8, ptr %1469, i64 128
+  %1476 = getelementptr i8, ptr %1469, i64 192
+  %1477 = icmp slt i64 %1468, %1473
+  br i1 %1477, label %1485, label %1478
 
-1445:                                             ; preds = %1442
-  %1446 = load <2 x double>, ptr %2, align 16
-  %1447 = shufflevector <2 x double> %1446, <2 x double> poison, <8 x i32> zeroinitializer
-  %1448 = load <2 x double>, ptr %125, align 8
-  %1449 = shufflevector <2 x double> %1448, <2 x double> poison, <8 x i32> zeroinitializer
-  %1450 = load double, ptr %126, align 16
-  %1451 = insertelement <8 x double> poison, double %1450, i64 0
-  %1452 = shufflevector <8 x double> %1451, <8 x double> poison, <8 x i32> zeroinitializer
-  %1453 = shl i64 %1435, 7
-  %1454 = getelementptr i8, ptr %1437, i64 %1453
-  %1455 = load <2 x double>, ptr %3, align 16
-  %1456 = shufflevector <2 x double> %1455, <2 x double> poison, <8 x i32> zeroinitializer
-  %1457 = load <2 x double>, ptr %127, align 8
-  %1458 = shufflevector <2 x double> %1457, <2 x double> poison, <8 x i32> zeroinitializer
-  %1459 = load double, ptr %128, align 16
-  %1460 = insertelement <8 x double> poison, double %1459, i64 0
-  %1461 = shufflevector <8 x double> %1460, <8 x double> poison, <8 x i32> zeroinitializer
-  %1462 = getelementptr inbounds double, ptr %1439, i64 %1436
-  %1463 = shl nsw i64 %1436, 4
-  %1464 = getelementptr inbounds i8, ptr %1439, i64 %1463
-  br label %1476
+1478:                                             ; preds = %1485, %1465
+  %1479 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1495, %1485 ]
+  %1480 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1500, %1485 ]
+  %1481 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1505, %1485 ]
+  %1482 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1510, %1485 ]
+  %1483 = phi i64 [ %1468, %1465 ], [ %1511, %1485 ]
+  %1484 = icmp slt i64 %1483, %1472
+  br i1 %1484, label %1513, label %1523
 
-1465:                                             ; preds = %1429, %1465
-  %1466 = phi i64 [ 0, %1429 ], [ %1474, %1465 ]
-  %1467 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1466
-  %1468 = getelementptr inbounds i8, ptr %1467, i64 8
-  %1469 = load double, ptr %1468, align 8
-  %1470 = getelementptr inbounds [3 x double], ptr %2, i64 0, i64 %1466
-  store double %1469, ptr %1470, align 8
-  %1471 = getelementptr inbounds i8, ptr %1467, i64 16
-  %1472 = load double, ptr %1471, align 8
-  %1473 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %1466
-  store double %1472, ptr %1473, align 8
-  %1474 = add nuw nsw i64 %1466, 1
-  %1475 = icmp eq i64 %1474, 3
-  br i1 %1475, label %1442, label %1465, !llvm.loop !56
+1485:                                             ; preds = %1465, %1485
+  %1486 = phi i64 [ %1511, %1485 ], [ %1468, %1465 ]
+  %1487 = phi <8 x double> [ %1510, %1485 ], [ zeroinitializer, %1465 ]
+  %1488 = phi <8 x double> [ %1505, %1485 ], [ zeroinitializer, %1465 ]
+  %1489 = phi <8 x double> [ %1500, %1485 ], [ zeroinitializer, %1465 ]
+  %1490 = phi <8 x double> [ %1495, %1485 ], [ zeroinitializer, %1465 ]
+  %1491 = shl nsw i64 %1486, 6
+  %1492 = getelementptr inbounds i8, ptr %1469, i64 %1491
+  %1493 = load <8 x double>, ptr %1492, align 8, !noalias !19
+  %1494 = fmul <8 x double> %1493, zeroinitializer
+  %1495 = fadd <8 x double> %1490, %1494
+  %1496 = shl i64 %1486, 6
+  %1497 = getelementptr i8, ptr %1474, i64 %1496
+  %1498 = load <8 x double>, ptr %1497, align 8, !noalias !19
+  %1499 = fmul <8 x double> %1498, zeroinitializer
+  %1500 = fadd <8 x double> %1489, %1499
+  %1501 = shl i64 %1486, 6
+  %1502 = getelementptr i8, ptr %1475, i64 %1501
+  %1503 = load <8 x double>, ptr %1502, align 8, !noalias !19
+  %1504 = fmul <8 x double> %1503, zeroinitializer
+  %1505 = fadd <8 x double> %1488, %1504
+  %1506 = shl i64 %1486, 6
+  %1507 = getelementptr i8, ptr %1476, i64 %1506
+  %1508 = load <8 x double>, ptr %1507, align 8, !noalias !19
+  %1509 = fmul <8 x double> %1508, zeroinitializer
+  %1510 = fadd <8 x double> %1487, %1509
+  %1511 = add nsw i64 %1486, 4
+  %1512 = icmp slt i64 %1511, %1473
+  br i1 %1512, label %1485, label %1478, !llvm.loop !54
 
-1476:                                             ; preds = %1445, %1518
-  %1477 = phi i64 [ 0, %1445 ], [ %1519, %1518 ]
-  %1478 = shl nsw i64 %1477, 6
-  %1479 = getelementptr inbounds i8, ptr %1437, i64 %1478
-  %1480 = load <8 x double>, ptr %1479, align 8
-  %1481 = fmul <8 x double> %1480, %1447
-  %1482 = add nuw nsw i64 %1477, %1435
-  %1483 = shl nsw i64 %1482, 6
-  %1484 = getelementptr inbounds i8, ptr %1437, i64 %1483
-  %1485 = load <8 x double>, ptr %1484, align 8
-  %1486 = fmul <8 x double> %1485, %1449
-  %1487 = fadd <8 x double> %1481, %1486
-  %1488 = shl i64 %1477, 6
-  %1489 = getelementptr i8, ptr %1454, i64 %1488
-  %1490 = load <8 x double>, ptr %1489, align 8
-  %1491 = fmul <8 x double> %1490, %1452
-  %1492 = fadd <8 x double> %1487, %1491
-  %1493 = fmul <8 x double> %1480, %1456
-  %1494 = fmul <8 x double> %1485, %1458
-  %1495 = fadd <8 x double> %1493, %1494
-  %1496 = fmul <8 x double> %1490, %1461
-  %1497 = fadd <8 x double> %1495, %1496
-  %1498 = load ptr, ptr %129, align 8
-  %1499 = getelementptr inbounds i8, ptr %1498, i64 %1478
-  %1500 = load <8 x double>, ptr %1499, align 8
-  %1501 = load ptr, ptr %17, align 8
-  %1502 = getelementptr inbounds i8, ptr %1501, i64 %1478
-  %1503 = load <8 x double>, ptr %1502, align 8
-  %1504 = fsub <8 x double> %1500, %1503
-  %1505 = getelementptr inbounds i8, ptr %1439, i64 %1478
-  store <8 x double> %1504, ptr %1505, align 8
-  %1506 = fneg <8 x double> %1492
-  %1507 = fsub <8 x double> %1506, %1497
-  %1508 = getelementptr inbounds i8, ptr %1462, i64 %1478
-  store <8 x double> %1507, ptr %1508, align 8
-  %1509 = fneg <8 x double> %1497
-  %1510 = getelementptr inbounds i8, ptr %1464, i64 %1478
-  store <8 x double> %1509, ptr %1510, align 8
-  %1511 = load ptr, ptr %17, align 8
-  %1512 = getelementptr inbounds i8, ptr %1511, i64 %1478
-  %1513 = load <8 x i64>, ptr %1512, align 8
-  %1514 = getelementptr inbounds i8, ptr %1440, i64 %1478
-  %1515 = load <8 x i64>, ptr %1514, align 8
-  %1516 = select <8 x i1> %1443, <8 x i64> %1513, <8 x i64> %1515
-  store <8 x i64> %1516, ptr %1514, align 8
-  %1517 = getelementptr i8, ptr %1439, i64 %1478
-  br label %1521
+1513:                                             ; preds = %1478, %1513
+  %1514 = phi i64 [ %1521, %1513 ], [ %1483, %1478 ]
+  %1515 = phi <8 x double> [ %1520, %1513 ], [ %1479, %1478 ]
+  %1516 = shl nsw i64 %1514, 6
+  %1517 = getelementptr inbounds i8, ptr %1469, i64 %1516
+  %1518 = load <8 x double>, ptr %1517, align 8, !noalias !19
+  %1519 = fmul <8 x double> %1518, zeroinitializer
+  %1520 = fadd <8 x double> %1515, %1519
+  %1521 = add nsw i64 %1514, 1
+  %1522 = icmp eq i64 %1521, %1472
+  br i1 %1522, label %1523, label %1513, !llvm.loop !55
 
-1518:                                             ; preds = %1521
-  %1519 = add nuw nsw i64 %1477, 1
-  %1520 = icmp eq i64 %1519, %1435
-  br i1 %1520, label %1534, label %1476, !llvm.loop !57
+1523:                                             ; preds = %1513, %1478
+  %1524 = phi <8 x double> [ %1479, %1478 ], [ %1520, %1513 ]
+  %1525 = fadd <8 x double> %1480, %1524
+  %1526 = fadd <8 x double> %1481, %1482
+  %1527 = fadd <8 x double> %1526, %1525
+  %1528 = fadd <8 x double> %1470, %1527
+  %1529 = getelementptr inbounds i8, ptr %1466, i64 48
+  %1530 = load i64, ptr %1529, align 8, !noalias !19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %4, i8 0, i64 512, i1 false), !noalias !19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %5, i8 0, i64 512, i1 false), !noalias !19
+  %1531 = icmp eq i64 %1530, 0
+  br i1 %1531, label %1595, label %1532
 
-1521:                                             ; preds = %1476, %1521
-  %1522 = phi i64 [ 0, %1476 ], [ %1523, %1521 ]
-  %1523 = add nuw nsw i64 %1522, 1
-  %1524 = mul nuw nsw i64 %1435, %1523
-  %1525 = add nuw nsw i64 %1524, %1477
-  %1526 = mul nsw i64 %1436, %1522
-  %1527 = getelementptr double, ptr %1517, i64 %1526
-  %1528 = load <8 x i64>, ptr %1527, align 8
-  %1529 = shl nsw i64 %1525, 6
-  %1530 = getelementptr inbounds i8, ptr %1440, i64 %1529
-  %1531 = load <8 x i64>, ptr %1530, align 8
-  %1532 = select <8 x i1> %1443, <8 x i64> %1528, <8 x i64> %1531
-  store <8 x i64> %1532, ptr %1530, align 8
-  %1533 = icmp eq i64 %1523, 3
-  br i1 %1533, label %1518, label %1521, !llvm.loop !58
+1532:                                             ; preds = %1523
+  %1533 = icmp slt i64 %1468, %1530
+  br i1 %1533, label %1535, label %1534
 
-1534:                                             ; preds = %1518, %1442
-  %1535 = fcmp olt <8 x double> %1413, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1536 = bitcast <8 x double> %1413 to <8 x i64>
-  %1537 = select <8 x i1> %1535, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>, <8 x i64> %1536
-  %1538 = getelementptr inbounds i8, ptr %1441, i64 64
-  %1539 = load <8 x i64>, ptr %1538, align 8
-  %1540 = select <8 x i1> %1443, <8 x i64> %241, <8 x i64> %1539
-  store <8 x i64> %1540, ptr %1538, align 8
-  %1541 = getelementptr inbounds i8, ptr %1441, i64 128
-  %1542 = load <8 x i64>, ptr %1541, align 8
-  %1543 = select <8 x i1> %1443, <8 x i64> %241, <8 x i64> %1542
-  store <8 x i64> %1543, ptr %1541, align 8
-  %1544 = getelementptr inbounds i8, ptr %1441, i64 192
-  %1545 = load <8 x i64>, ptr %1544, align 8
-  %1546 = select <8 x i1> %1443, <8 x i64> %1537, <8 x i64> %1545
-  store <8 x i64> %1546, ptr %1544, align 8
-  %1547 = load ptr, ptr %61, align 8
-  %1548 = getelementptr inbounds i8, ptr %1547, i64 8
-  %1549 = load i64, ptr %1548, align 8
-  %1550 = xor i64 %1432, -1
-  %1551 = and i64 %1549, %1550
-  %1552 = and i64 %1432, %1417
-  %1553 = or disjoint i64 %1551, %1552
-  store i64 %1553, ptr %1548, align 8
-  %1554 = load ptr, ptr %61, align 8
-  %1555 = getelementptr inbounds i8, ptr %1554, i64 16
-  %1556 = load i64, ptr %1555, align 8
-  %1557 = and i64 %1556, %1550
-  store i64 %1557, ptr %1555, align 8
-  %1558 = load ptr, ptr %61, align 8
-  %1559 = getelementptr inbounds i8, ptr %1558, i64 32
-  %1560 = load i64, ptr %1559, align 8
-  %1561 = and i64 %1560, %1550
-  store i64 %1561, ptr %1559, align 8
-  %1562 = icmp ne i64 %1432, 0
-  %1563 = select i1 %48, i1 %1562, i1 false
-  br i1 %1563, label %1564, label %1568
+1534:                                             ; preds = %1539, %1532
+  br label %1586
 
-1564:                                             ; preds = %1534
-  %1565 = call fastcc i64 @clear_lanes(ptr noundef %0) #10
-  %1566 = xor i64 %1565, -1
-  %1567 = and i64 %1432, %1566
-  br label %1568
+1535:                                             ; preds = %1532
+  %1536 = load ptr, ptr %21, align 8, !noalias !19
+  %1537 = load ptr, ptr %123, align 8, !noalias !19
+  %1538 = load ptr, ptr %66, align 8, !noalias !19
+  br label %1539
 
-1568:                                             ; preds = %1534, %1564
-  %1569 = phi i64 [ %1567, %1564 ], [ 0, %1534 ]
-  store i64 0, ptr %13, align 8
-  %1570 = load ptr, ptr %130, align 8
-  %1571 = load <8 x double>, ptr %1570, align 8
-  %1572 = fcmp olt <8 x double> %1571, %238
-  %1573 = bitcast <8 x i1> %1572 to i8
-  %1574 = zext i8 %1573 to i64
-  %1575 = and i64 %1432, %1574
-  %1576 = or i64 %1575, %1569
-  %1577 = icmp eq i64 %1576, 0
-  br i1 %1577, label %1612, label %1578
+1539:                                             ; preds = %1535, %1539
+  %1540 = phi i64 [ %1468, %1535 ], [ %1571, %1539 ]
+  %1541 = shl nsw i64 %1540, 6
+  %1542 = getelementptr inbounds i8, ptr %1536, i64 %1541
+  %1543 = load <8 x double>, ptr %1542, align 8, !noalias !19
+  %1544 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1543)
+  %1545 = getelementptr inbounds i8, ptr %1469, i64 %1541
+  %1546 = load <8 x double>, ptr %1545, align 8, !noalias !19
+  %1547 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1546)
+  %1548 = fcmp ogt <8 x double> %1544, %1547
+  %1549 = select <8 x i1> %1548, <8 x double> %1544, <8 x double> %1547
+  %1550 = getelementptr inbounds i8, ptr %1537, i64 %1541
+  %1551 = load <8 x double>, ptr %1550, align 8, !noalias !19
+  %1552 = getelementptr inbounds double, ptr %1538, i64 %1540
+  %1553 = load double, ptr %1552, align 8, !noalias !19
+  %1554 = insertelement <8 x double> poison, double %1553, i64 0
+  %1555 = shufflevector <8 x double> %1554, <8 x double> poison, <8 x i32> zeroinitializer
+  %1556 = fmul <8 x double> %1549, %1555
+  %1557 = fadd <8 x double> %1551, %1556
+  %1558 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1557
+  %1559 = getelementptr inbounds i8, ptr %1218, i64 %1541
+  %1560 = load <8 x double>, ptr %1559, align 8, !noalias !19
+  %1561 = fmul <8 x double> %1560, %1558
+  %1562 = srem i64 %1540, 8
+  %1563 = shl nsw i64 %1562, 6
+  %1564 = getelementptr inbounds i8, ptr %4, i64 %1563
+  %1565 = load <8 x double>, ptr %1564, align 16, !noalias !19
+  %1566 = fmul <8 x double> %1561, %1561
+  %1567 = fadd <8 x double> %1565, %1566
+  store <8 x double> %1567, ptr %1564, align 16, !noalias !19
+  %1568 = getelementptr inbounds i8, ptr %5, i64 %1563
+  %1569 = load <8 x double>, ptr %1568, align 16, !noalias !19
+  %1570 = fadd <8 x double> %1569, %1566
+  store <8 x double> %1570, ptr %1568, align 16, !noalias !19
+  %1571 = add nsw i64 %1540, 1
+  %1572 = icmp eq i64 %1571, %1530
+  br i1 %1572, label %1534, label %1539, !llvm.loop !56
 
-1578:                                             ; preds = %1568
-  store <8 x double> %238, ptr %8, align 16
-  %1579 = icmp eq i64 %1569, 0
-  br i1 %1579, label %1582, label %1580
+1573:                                             ; preds = %1586
+  %1574 = sub nsw i64 %1530, %1468
+  %1575 = sitofp i64 %1574 to double
+  %1576 = insertelement <8 x double> poison, double %1575, i64 0
+  %1577 = shufflevector <8 x double> %1576, <8 x double> poison, <8 x i32> zeroinitializer
+  %1578 = fdiv <8 x double> %1592, %1577
+  %1579 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1578)
+  %1580 = insertelement <8 x double> poison, double %279, i64 0
+  %1581 = shufflevector <8 x double> %1580, <8 x double> poison, <8 x i32> zeroinitializer
+  %1582 = fcmp olt <8 x double> %1581, %248
+  %1583 = fcmp ogt <8 x double> %1579, %1528
+  %1584 = select <8 x i1> %1582, <8 x i1> %1583, <8 x i1> zeroinitializer
+  %1585 = select <8 x i1> %1584, <8 x double> %1579, <8 x double> %1528
+  br label %1595
 
-1580:                                             ; preds = %1578
-  %1581 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1569, ptr noundef nonnull %8, ptr noundef nonnull %10, ptr noundef nonnull %12, ptr noundef nonnull %9, ptr noundef nonnull %13) #10
-  br label %1582
+1586:                                             ; preds = %1534, %1586
+  %1587 = phi i64 [ %1593, %1586 ], [ 0, %1534 ]
+  %1588 = phi <8 x double> [ %1592, %1586 ], [ zeroinitializer, %1534 ]
+  %1589 = shl nuw nsw i64 %1587, 6
+  %1590 = getelementptr inbounds i8, ptr %4, i64 %1589
+  %1591 = load <8 x double>, ptr %1590, align 16, !noalias !19
+  %1592 = fadd <8 x double> %1588, %1591
+  %1593 = add nuw nsw i64 %1587, 1
+  %1594 = icmp eq i64 %1593, 8
+  br i1 %1594, label %1573, label %1586, !llvm.loop !57
 
-1582:                                             ; preds = %1580, %1578
-  %1583 = phi i64 [ %1581, %1580 ], [ 0, %1578 ]
-  %1584 = load i64, ptr %13, align 8
-  %1585 = xor i64 %1584, -1
-  %1586 = and i64 %1576, %1585
-  %1587 = icmp eq i64 %1583, 0
-  %1588 = select i1 %1587, ptr null, ptr %9
-  %1589 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1586, ptr noundef nonnull %8, ptr noundef %1588) #10
-  %1590 = load <8 x double>, ptr %8, align 16
-  br i1 %1587, label %1596, label %1591
+1595:                                             ; preds = %1523, %1573
+  %1596 = phi <8 x double> [ %1528, %1523 ], [ %1585, %1573 ]
+  %1597 = xor i64 %1432, -1
+  %1598 = and i64 %1373, %1597
+  %1599 = fcmp olt <8 x double> %1596, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1600 = bitcast <8 x i1> %1599 to i8
+  %1601 = zext i8 %1600 to i64
+  %1602 = and i64 %1598, %1601
+  %1603 = or i64 %1602, %1374
+  %1604 = trunc i64 %1598 to i8
+  %1605 = bitcast i8 %1604 to <8 x i1>
+  %1606 = select <8 x i1> %1605, <8 x double> %1596, <8 x double> %1367
+  br label %1619
 
-1591:                                             ; preds = %1582
-  %1592 = xor i64 %1589, -1
-  %1593 = and i64 %1583, %1592
-  %1594 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1593, ptr noundef nonnull %8, ptr noundef nonnull %9) #10
-  %1595 = or i64 %1594, %1589
-  br label %1596
+1607:                                             ; preds = %1423, %1607
+  %1608 = phi i64 [ %1617, %1607 ], [ 0, %1423 ]
+  %1609 = load ptr, ptr %118, align 8, !noalias !19
+  %1610 = shl nsw i64 %1608, 6
+  %1611 = getelementptr inbounds i8, ptr %1609, i64 %1610
+  %1612 = load <8 x double>, ptr %1611, align 8, !noalias !19
+  %1613 = getelementptr inbounds i8, ptr %1217, i64 %1610
+  %1614 = load <8 x double>, ptr %1613, align 8, !noalias !19
+  %1615 = fadd <8 x double> %1612, %1614
+  %1616 = getelementptr inbounds i8, ptr %1218, i64 %1610
+  store <8 x double> %1615, ptr %1616, align 8, !noalias !19
+  %1617 = add nuw nsw i64 %1608, 1
+  %1618 = icmp eq i64 %1617, %1216
+  br i1 %1618, label %1451, label %1607, !llvm.loop !60
 
-1596:                                             ; preds = %1591, %1582
-  %1597 = phi i64 [ %1595, %1591 ], [ %1589, %1582 ]
-  %1598 = icmp ne i64 %1597, 0
-  %1599 = select i1 %48, i1 %1598, i1 false
-  br i1 %1599, label %1600, label %1605
+1619:                                             ; preds = %1366, %1595
+  %1620 = phi i64 [ %1374, %1366 ], [ %1603, %1595 ]
+  %1621 = phi <8 x double> [ %1121, %1366 ], [ %1410, %1595 ]
+  %1622 = phi <8 x double> [ %1205, %1366 ], [ %1436, %1595 ]
+  %1623 = phi <8 x double> [ %1367, %1366 ], [ %1606, %1595 ]
+  %1624 = fcmp olt <8 x double> %1623, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1625 = select <8 x i1> %1624, <8 x double> <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>, <8 x double> %1623
+  %1626 = load ptr, ptr %74, align 8, !noalias !19
+  %1627 = getelementptr inbounds i8, ptr %1626, i64 192
+  %1628 = load <8 x double>, ptr %1627, align 8, !noalias !19
+  %1629 = fadd <8 x double> %1118, <double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01>
+  %1630 = fdiv <8 x double> <double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667>, %1629
+  %1631 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1625)
+  %1632 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1631)
+  %1633 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1632
+  %1634 = fmul <8 x double> %1630, %1633
+  %1635 = fcmp ogt <8 x double> %1634, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1636 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1623)
+  %1637 = fcmp one <8 x double> %1636, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1638 = select <8 x i1> %1635, <8 x double> %1634, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1639 = select <8 x i1> %1637, <8 x double> %1638, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1640 = fmul <8 x double> %1639, %248
+  %1641 = getelementptr inbounds i8, ptr %1626, i64 128
+  %1642 = load <8 x double>, ptr %1641, align 8, !noalias !19
+  %1643 = fdiv <8 x double> %248, %1642
+  %1644 = fdiv <8 x double> %1628, %1625
+  %1645 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1644)
+  %1646 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1645)
+  %1647 = fmul <8 x double> %1643, %1646
+  %1648 = fcmp ogt <8 x double> %1628, zeroinitializer
+  %1649 = fcmp olt <8 x double> %1647, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1650 = select <8 x i1> %1648, <8 x i1> %1649, <8 x i1> zeroinitializer
+  %1651 = select <8 x i1> %1650, <8 x double> %1647, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1652 = fmul <8 x double> %1634, %1651
+  %1653 = fcmp olt <8 x double> %1652, <double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01>
+  %1654 = bitcast <8 x double> %1652 to <8 x i64>
+  %1655 = select <8 x i1> %1653, <8 x i64> %1654, <8 x i64> <i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520>
+  %1656 = bitcast <8 x i64> %1655 to <8 x double>
+  %1657 = fcmp ule <8 x double> %1656, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1658 = fcmp uge <8 x double> %1656, <double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00>
+  %1659 = or <8 x i1> %1657, %1658
+  %1660 = select <8 x i1> %1659, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %1124
+  %1661 = load <8 x double>, ptr %1626, align 8, !noalias !19
+  %1662 = fcmp ogt <8 x double> %1656, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1663 = bitcast <8 x i64> %1655 to <8 x double>
+  %1664 = select <8 x i1> %1662, <8 x double> %1663, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1665 = fmul <8 x double> %1664, %248
+  %1666 = trunc nuw i64 %1620 to i8
+  %1667 = bitcast i8 %1666 to <8 x i1>
+  %1668 = trunc i64 %1116 to i8
+  %1669 = bitcast i8 %1668 to <8 x i1>
+  %1670 = select <8 x i1> %1660, <8 x double> %1665, <8 x double> %1661
+  %1671 = select <8 x i1> %1667, <8 x double> %1670, <8 x double> %1640
+  %1672 = select <8 x i1> %1669, <8 x double> %1671, <8 x double> %1204
+  %1673 = xor i64 %1620, -1
+  %1674 = and i64 %1116, %1673
+  %1675 = load ptr, ptr %65, align 8, !noalias !19
+  %1676 = getelementptr inbounds i8, ptr %1675, i64 32
+  %1677 = load i64, ptr %1676, align 8, !noalias !19
+  %1678 = or i64 %1677, %1674
+  store i64 %1678, ptr %1676, align 8, !noalias !19
+  %1679 = load ptr, ptr %65, align 8, !noalias !19
+  %1680 = getelementptr inbounds i8, ptr %1679, i64 8
+  %1681 = load i64, ptr %1680, align 8, !noalias !19
+  %1682 = xor i64 %1674, -1
+  %1683 = and i64 %1681, %1682
+  %1684 = getelementptr inbounds i8, ptr %1679, i64 16
+  %1685 = load i64, ptr %1684, align 8, !noalias !19
+  %1686 = xor i64 %1685, -1
+  %1687 = and i64 %1674, %1686
+  %1688 = or disjoint i64 %1687, %1683
+  store i64 %1688, ptr %1680, align 8, !noalias !19
+  br label %1705
 
-1600:                                             ; preds = %1596
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1597, i64 noundef 6) #10
-  %1601 = xor i64 %1597, -1
-  %1602 = load i64, ptr %11, align 8
-  %1603 = and i64 %1602, %1601
-  store i64 %1603, ptr %11, align 8
-  %1604 = and i64 %1583, %1601
-  br label %1605
+1689:                                             ; preds = %1209, %1689
+  %1690 = phi i64 [ 0, %1209 ], [ %1703, %1689 ]
+  %1691 = load ptr, ptr %107, align 8, !noalias !19
+  %1692 = load ptr, ptr %21, align 8, !noalias !19
+  %1693 = shl nsw i64 %1690, 6
+  %1694 = getelementptr inbounds i8, ptr %1692, i64 %1693
+  %1695 = load <8 x double>, ptr %1694, align 8, !noalias !19
+  %1696 = load ptr, ptr %82, align 8, !noalias !19
+  %1697 = shl i64 %1690, 6
+  %1698 = getelementptr i8, ptr %1696, i64 %1210
+  %1699 = getelementptr i8, ptr %1698, i64 %1697
+  %1700 = load <8 x double>, ptr %1699, align 8, !noalias !19
+  %1701 = fadd <8 x double> %1695, %1700
+  %1702 = getelementptr inbounds i8, ptr %1691, i64 %1693
+  store <8 x double> %1701, ptr %1702, align 8, !noalias !19
+  %1703 = add nuw nsw i64 %1690, 1
+  %1704 = icmp eq i64 %1703, %284
+  br i1 %1704, label %1211, label %1689, !llvm.loop !61
 
-1605:                                             ; preds = %1600, %1596
-  %1606 = phi i32 [ 1, %1600 ], [ %193, %1596 ]
-  %1607 = phi i64 [ %1604, %1600 ], [ %1583, %1596 ]
-  %1608 = or i64 %1597, %1430
-  %1609 = or i64 %1597, %1584
-  %1610 = xor i64 %1609, -1
-  %1611 = and i64 %1432, %1610
-  br label %1612
+1705:                                             ; preds = %1619, %1203, %451, %353
+  %1706 = phi i64 [ %142, %353 ], [ %142, %451 ], [ %1116, %1203 ], [ %1116, %1619 ]
+  %1707 = phi i64 [ %143, %353 ], [ %143, %451 ], [ %1117, %1203 ], [ %1117, %1619 ]
+  %1708 = phi <8 x double> [ %144, %353 ], [ %144, %451 ], [ %1118, %1203 ], [ %1118, %1619 ]
+  %1709 = phi <8 x double> [ %145, %353 ], [ %145, %451 ], [ %1119, %1203 ], [ %1119, %1619 ]
+  %1710 = phi <8 x double> [ %146, %353 ], [ %146, %451 ], [ %1120, %1203 ], [ %1120, %1619 ]
+  %1711 = phi i8 [ 0, %353 ], [ 0, %451 ], [ %1125, %1203 ], [ %1125, %1619 ]
+  %1712 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %353 ], [ %453, %451 ], [ %1205, %1203 ], [ %1622, %1619 ]
+  %1713 = phi <8 x double> [ zeroinitializer, %353 ], [ zeroinitializer, %451 ], [ zeroinitializer, %1203 ], [ %1623, %1619 ]
+  %1714 = phi <8 x double> [ %237, %353 ], [ %452, %451 ], [ %1204, %1203 ], [ %1672, %1619 ]
+  %1715 = phi <8 x double> [ zeroinitializer, %353 ], [ zeroinitializer, %451 ], [ %1121, %1203 ], [ %1621, %1619 ]
+  %1716 = phi i64 [ 0, %353 ], [ 0, %451 ], [ 0, %1203 ], [ %1620, %1619 ]
+  %1717 = zext i8 %1711 to i64
+  %1718 = load ptr, ptr %20, align 8, !noalias !62
+  %1719 = getelementptr inbounds i8, ptr %1718, i64 72
+  %1720 = load ptr, ptr %1719, align 8
+  store <8 x i64> %247, ptr %1720, align 8
+  %1721 = load ptr, ptr %124, align 8, !noalias !62
+  %1722 = load <8 x double>, ptr %1721, align 8
+  %1723 = fadd <8 x double> %1715, %1722
+  store <8 x double> %1723, ptr %1721, align 8
+  %1724 = icmp ne i64 %1716, 0
+  %1725 = select i1 %51, i1 %1724, i1 false
+  br i1 %1725, label %1726, label %1729
 
-1612:                                             ; preds = %1605, %1568
-  %1613 = phi <8 x double> [ %238, %1568 ], [ %1590, %1605 ]
-  %1614 = phi i64 [ 0, %1568 ], [ %1584, %1605 ]
-  %1615 = phi i64 [ %1430, %1568 ], [ %1608, %1605 ]
-  %1616 = phi i32 [ %193, %1568 ], [ %1606, %1605 ]
-  %1617 = phi i64 [ %1432, %1568 ], [ %1611, %1605 ]
-  %1618 = phi i64 [ 0, %1568 ], [ %1607, %1605 ]
-  %1619 = load ptr, ptr %130, align 8
-  %1620 = load <8 x double>, ptr %1619, align 8
-  %1621 = fcmp oeq <8 x double> %1620, %1613
-  %1622 = bitcast <8 x i1> %1621 to i8
-  %1623 = zext i8 %1622 to i64
-  %1624 = and i64 %1617, %1623
-  %1625 = icmp eq i64 %1624, 0
-  br i1 %1625, label %1626, label %1685
+1726:                                             ; preds = %1705
+  store <8 x double> %244, ptr %12, align 16
+  %1727 = load ptr, ptr %125, align 8
+  %1728 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %12, ptr noundef %1727, i64 noundef %1716, i32 noundef 1) #11
+  br label %1729
 
-1626:                                             ; preds = %1685, %1612
-  %1627 = trunc nuw i64 %1617 to i8
-  %1628 = bitcast i8 %1627 to <8 x i1>
-  %1629 = load ptr, ptr %57, align 8
-  %1630 = load <8 x double>, ptr %1629, align 8
-  %1631 = select <8 x i1> %1628, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1632 = fadd <8 x double> %1631, %1630
-  store <8 x double> %1632, ptr %1629, align 8
-  %1633 = load ptr, ptr %58, align 8
-  %1634 = load <8 x double>, ptr %1633, align 8
-  %1635 = xor <8 x i1> %1628, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1636 = and <8 x i1> %224, %1635
-  %1637 = select <8 x i1> %1636, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1638 = fadd <8 x double> %1637, %1634
-  store <8 x double> %1638, ptr %1633, align 8
-  %1639 = xor i64 %1617, -1
-  %1640 = and i64 %222, %1639
-  %1641 = or i64 %1615, %1614
-  %1642 = and i64 %1640, %1641
-  %1643 = trunc i64 %1615 to i8
-  %1644 = bitcast i8 %1643 to <8 x i1>
-  %1645 = trunc i64 %1642 to i8
-  %1646 = bitcast i8 %1645 to <8 x i1>
-  %1647 = fcmp oeq <8 x double> %1613, %229
-  %1648 = load ptr, ptr %54, align 8
-  %1649 = load <8 x double>, ptr %1648, align 8
-  %1650 = fcmp ogt <8 x double> %1649, %1414
-  %1651 = and <8 x i1> %1647, %1628
-  %1652 = select <8 x i1> %1651, <8 x i1> %1650, <8 x i1> zeroinitializer
-  %1653 = select <8 x i1> %1652, <8 x double> %1649, <8 x double> %1414
-  %1654 = fmul <8 x double> %242, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1655 = select <8 x i1> %1646, <8 x double> %1654, <8 x double> %1653
-  %1656 = select <8 x i1> %1644, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
-  %1657 = bitcast <8 x double> %1412 to <8 x i64>
-  %1658 = select <8 x i1> %1646, <8 x i64> %1656, <8 x i64> %1657
-  %1659 = load ptr, ptr %132, align 8
-  %1660 = trunc i64 %1640 to i8
-  %1661 = bitcast i8 %1660 to <8 x i1>
-  %1662 = load <8 x i64>, ptr %1659, align 8
-  %1663 = select <8 x i1> %1661, <8 x i64> %1658, <8 x i64> %1662
-  store <8 x i64> %1663, ptr %1659, align 8
-  %1664 = load ptr, ptr %61, align 8
-  %1665 = getelementptr inbounds i8, ptr %1664, i64 32
-  %1666 = load i64, ptr %1665, align 8
-  %1667 = or i64 %1666, %1642
-  store i64 %1667, ptr %1665, align 8
-  %1668 = load ptr, ptr %61, align 8
-  %1669 = getelementptr inbounds i8, ptr %1668, i64 8
-  %1670 = load i64, ptr %1669, align 8
-  %1671 = xor i64 %1642, -1
-  %1672 = and i64 %1670, %1671
-  %1673 = getelementptr inbounds i8, ptr %1668, i64 16
-  %1674 = load i64, ptr %1673, align 8
-  %1675 = xor i64 %1674, -1
-  %1676 = and i64 %1642, %1675
-  %1677 = or disjoint i64 %1676, %1672
-  store i64 %1677, ptr %1669, align 8
-  %1678 = load ptr, ptr %124, align 8
-  %1679 = getelementptr inbounds i8, ptr %1678, i64 64
-  %1680 = load <8 x double>, ptr %1679, align 8
-  %1681 = select <8 x i1> %1646, <8 x double> zeroinitializer, <8 x double> %1680
-  store <8 x double> %1681, ptr %1679, align 8
-  %1682 = load ptr, ptr %54, align 8
-  store <8 x double> %1655, ptr %1682, align 8
-  %1683 = load ptr, ptr %45, align 8
-  %1684 = select <8 x i1> %1628, <8 x double> %1613, <8 x double> %226
-  store <8 x double> %1684, ptr %1683, align 8
-  br i1 %133, label %1697, label %1695
+1729:                                             ; preds = %1726, %1705
+  %1730 = phi i64 [ %1728, %1726 ], [ 0, %1705 ]
+  %1731 = xor i64 %1730, -1
+  %1732 = and i64 %1716, %1731
+  %1733 = load ptr, ptr %19, align 8
+  %1734 = getelementptr inbounds i8, ptr %1733, i64 8
+  %1735 = load i64, ptr %1734, align 8
+  %1736 = load i64, ptr %126, align 8
+  %1737 = load ptr, ptr %127, align 8
+  %1738 = trunc nuw i64 %1732 to i8
+  %1739 = load ptr, ptr %128, align 8
+  %1740 = load ptr, ptr %129, align 8
+  %1741 = load ptr, ptr %130, align 8
+  br label %1765
 
-1685:                                             ; preds = %1612, %1685
-  %1686 = phi i64 [ %1693, %1685 ], [ %1624, %1612 ]
-  %1687 = load ptr, ptr %131, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1687, i64 noundef %1686) #10
-  %1688 = load ptr, ptr %130, align 8
-  %1689 = load <8 x double>, ptr %1688, align 8
-  %1690 = fcmp oeq <8 x double> %1689, %1613
-  %1691 = bitcast <8 x i1> %1690 to i8
-  %1692 = zext i8 %1691 to i64
-  %1693 = and i64 %1686, %1692
-  %1694 = icmp eq i64 %1693, 0
-  br i1 %1694, label %1626, label %1685, !llvm.loop !59
+1742:                                             ; preds = %1765
+  %1743 = bitcast i8 %1738 to <8 x i1>
+  %1744 = icmp sgt i64 %1735, 0
+  br i1 %1744, label %1745, label %1834
 
-1695:                                             ; preds = %1697, %1626
-  %1696 = icmp eq i64 %1618, 0
-  br i1 %1696, label %1719, label %1709
+1745:                                             ; preds = %1742
+  %1746 = load <2 x double>, ptr %2, align 16
+  %1747 = shufflevector <2 x double> %1746, <2 x double> poison, <8 x i32> zeroinitializer
+  %1748 = load <2 x double>, ptr %131, align 8
+  %1749 = shufflevector <2 x double> %1748, <2 x double> poison, <8 x i32> zeroinitializer
+  %1750 = load double, ptr %132, align 16
+  %1751 = insertelement <8 x double> poison, double %1750, i64 0
+  %1752 = shufflevector <8 x double> %1751, <8 x double> poison, <8 x i32> zeroinitializer
+  %1753 = shl i64 %1735, 7
+  %1754 = getelementptr i8, ptr %1737, i64 %1753
+  %1755 = load <2 x double>, ptr %3, align 16
+  %1756 = shufflevector <2 x double> %1755, <2 x double> poison, <8 x i32> zeroinitializer
+  %1757 = load <2 x double>, ptr %133, align 8
+  %1758 = shufflevector <2 x double> %1757, <2 x double> poison, <8 x i32> zeroinitializer
+  %1759 = load double, ptr %134, align 16
+  %1760 = insertelement <8 x double> poison, double %1759, i64 0
+  %1761 = shufflevector <8 x double> %1760, <8 x double> poison, <8 x i32> zeroinitializer
+  %1762 = getelementptr inbounds double, ptr %1739, i64 %1736
+  %1763 = shl nsw i64 %1736, 4
+  %1764 = getelementptr inbounds i8, ptr %1739, i64 %1763
+  br label %1776
 
-1697:                                             ; preds = %1626, %1697
-  %1698 = phi i64 [ %1707, %1697 ], [ 0, %1626 ]
-  %1699 = load ptr, ptr %17, align 8
-  %1700 = load ptr, ptr %134, align 8
-  %1701 = shl nsw i64 %1698, 6
-  %1702 = getelementptr inbounds i8, ptr %1700, i64 %1701
-  %1703 = load <8 x i64>, ptr %1702, align 8
-  %1704 = getelementptr inbounds i8, ptr %1699, i64 %1701
-  %1705 = load <8 x i64>, ptr %1704, align 8
-  %1706 = select <8 x i1> %1628, <8 x i64> %1703, <8 x i64> %1705
-  store <8 x i64> %1706, ptr %1704, align 8
-  %1707 = add nuw nsw i64 %1698, 1
-  %1708 = icmp eq i64 %1707, %21
-  br i1 %1708, label %1695, label %1697, !llvm.loop !60
+1765:                                             ; preds = %1729, %1765
+  %1766 = phi i64 [ 0, %1729 ], [ %1774, %1765 ]
+  %1767 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1766
+  %1768 = getelementptr inbounds i8, ptr %1767, i64 8
+  %1769 = load double, ptr %1768, align 8
+  %1770 = getelementptr inbounds [3 x double], ptr %2, i64 0, i64 %1766
+  store double %1769, ptr %1770, align 8
+  %1771 = getelementptr inbounds i8, ptr %1767, i64 16
+  %1772 = load double, ptr %1771, align 8
+  %1773 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %1766
+  store double %1772, ptr %1773, align 8
+  %1774 = add nuw nsw i64 %1766, 1
+  %1775 = icmp eq i64 %1774, 3
+  br i1 %1775, label %1742, label %1765, !llvm.loop !63
 
-1709:                                             ; preds = %1695
-  %1710 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1618, ptr noundef nonnull %12) #10
-  %1711 = icmp ne i32 %1616, 0
-  %1712 = icmp ne i64 %1710, %1618
-  %1713 = select i1 %1711, i1 true, i1 %1712
-  %1714 = zext i1 %1713 to i32
-  %1715 = trunc i64 %1618 to i8
-  %1716 = bitcast i8 %1715 to <8 x i1>
-  %1717 = xor <8 x i1> %1716, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1718 = and <8 x i1> %1717, %1628
-  br label %1719
+1776:                                             ; preds = %1745, %1818
+  %1777 = phi i64 [ 0, %1745 ], [ %1819, %1818 ]
+  %1778 = shl nsw i64 %1777, 6
+  %1779 = getelementptr inbounds i8, ptr %1737, i64 %1778
+  %1780 = load <8 x double>, ptr %1779, align 8
+  %1781 = fmul <8 x double> %1780, %1747
+  %1782 = add nuw nsw i64 %1777, %1735
+  %1783 = shl nsw i64 %1782, 6
+  %1784 = getelementptr inbounds i8, ptr %1737, i64 %1783
+  %1785 = load <8 x double>, ptr %1784, align 8
+  %1786 = fmul <8 x double> %1785, %1749
+  %1787 = fadd <8 x double> %1781, %1786
+  %1788 = shl i64 %1777, 6
+  %1789 = getelementptr i8, ptr %1754, i64 %1788
+  %1790 = load <8 x double>, ptr %1789, align 8
+  %1791 = fmul <8 x double> %1790, %1752
+  %1792 = fadd <8 x double> %1787, %1791
+  %1793 = fmul <8 x double> %1780, %1756
+  %1794 = fmul <8 x double> %1785, %1758
+  %1795 = fadd <8 x double> %1793, %1794
+  %1796 = fmul <8 x double> %1790, %1761
+  %1797 = fadd <8 x double> %1795, %1796
+  %1798 = load ptr, ptr %135, align 8
+  %1799 = getelementptr inbounds i8, ptr %1798, i64 %1778
+  %1800 = load <8 x double>, ptr %1799, align 8
+  %1801 = load ptr, ptr %21, align 8
+  %1802 = getelementptr inbounds i8, ptr %1801, i64 %1778
+  %1803 = load <8 x double>, ptr %1802, align 8
+  %1804 = fsub <8 x double> %1800, %1803
+  %1805 = getelementptr inbounds i8, ptr %1739, i64 %1778
+  store <8 x double> %1804, ptr %1805, align 8
+  %1806 = fneg <8 x double> %1792
+  %1807 = fsub <8 x double> %1806, %1797
+  %1808 = getelementptr inbounds i8, ptr %1762, i64 %1778
+  store <8 x double> %1807, ptr %1808, align 8
+  %1809 = fneg <8 x double> %1797
+  %1810 = getelementptr inbounds i8, ptr %1764, i64 %1778
+  store <8 x double> %1809, ptr %1810, align 8
+  %1811 = load ptr, ptr %21, align 8
+  %1812 = getelementptr inbounds i8, ptr %1811, i64 %1778
+  %1813 = load <8 x i64>, ptr %1812, align 8
+  %1814 = getelementptr inbounds i8, ptr %1740, i64 %1778
+  %1815 = load <8 x i64>, ptr %1814, align 8
+  %1816 = select <8 x i1> %1743, <8 x i64> %1813, <8 x i64> %1815
+  store <8 x i64> %1816, ptr %1814, align 8
+  %1817 = getelementptr i8, ptr %1739, i64 %1778
+  br label %1821
 
-1719:                                             ; preds = %1709, %1695
-  %1720 = phi i32 [ %1714, %1709 ], [ %1616, %1695 ]
-  %1721 = phi <8 x i1> [ %1718, %1709 ], [ %1628, %1695 ]
-  %1722 = phi i64 [ %1710, %1709 ], [ %194, %1695 ]
-  %1723 = bitcast <8 x i1> %1721 to i8
-  %1724 = icmp eq i8 %1723, 0
-  br i1 %1724, label %1728, label %1725
+1818:                                             ; preds = %1821
+  %1819 = add nuw nsw i64 %1777, 1
+  %1820 = icmp eq i64 %1819, %1735
+  br i1 %1820, label %1834, label %1776, !llvm.loop !64
 
-1725:                                             ; preds = %1719
-  %1726 = zext i8 %1723 to i64
-  %1727 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %7, i64 noundef %1726) #10
-  br label %1728
+1821:                                             ; preds = %1776, %1821
+  %1822 = phi i64 [ 0, %1776 ], [ %1823, %1821 ]
+  %1823 = add nuw nsw i64 %1822, 1
+  %1824 = mul nuw nsw i64 %1735, %1823
+  %1825 = add nuw nsw i64 %1824, %1777
+  %1826 = mul nsw i64 %1736, %1822
+  %1827 = getelementptr double, ptr %1817, i64 %1826
+  %1828 = load <8 x i64>, ptr %1827, align 8
+  %1829 = shl nsw i64 %1825, 6
+  %1830 = getelementptr inbounds i8, ptr %1740, i64 %1829
+  %1831 = load <8 x i64>, ptr %1830, align 8
+  %1832 = select <8 x i1> %1743, <8 x i64> %1828, <8 x i64> %1831
+  store <8 x i64> %1832, ptr %1830, align 8
+  %1833 = icmp eq i64 %1823, 3
+  br i1 %1833, label %1818, label %1821, !llvm.loop !65
 
-1728:                                             ; preds = %1719, %1725
-  %1729 = phi i64 [ %1727, %1725 ], [ 0, %1719 ]
-  %1730 = icmp ne i32 %1720, 0
-  %1731 = icmp ne i64 %1729, 0
-  %1732 = or i1 %1730, %1731
-  %1733 = zext i1 %1732 to i32
-  %1734 = trunc nuw i64 %1729 to i8
-  %1735 = bitcast i8 %1734 to <8 x i1>
-  %1736 = xor <8 x i1> %1735, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1737 = and <8 x i1> %1721, %1736
-  %1738 = load ptr, ptr %130, align 8
-  %1739 = load <8 x double>, ptr %1738, align 8
-  %1740 = fcmp oeq <8 x double> %1739, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1741 = select <8 x i1> %1740, <8 x i1> %1737, <8 x i1> zeroinitializer
-  %1742 = bitcast <8 x i1> %1741 to i8
-  %1743 = icmp eq i8 %1742, 0
-  br i1 %1743, label %1746, label %1744
+1834:                                             ; preds = %1818, %1742
+  %1835 = fcmp olt <8 x double> %1713, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1836 = bitcast <8 x double> %1713 to <8 x i64>
+  %1837 = select <8 x i1> %1835, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>, <8 x i64> %1836
+  %1838 = getelementptr inbounds i8, ptr %1741, i64 64
+  %1839 = load <8 x i64>, ptr %1838, align 8
+  %1840 = select <8 x i1> %1743, <8 x i64> %247, <8 x i64> %1839
+  store <8 x i64> %1840, ptr %1838, align 8
+  %1841 = getelementptr inbounds i8, ptr %1741, i64 128
+  %1842 = load <8 x i64>, ptr %1841, align 8
+  %1843 = select <8 x i1> %1743, <8 x i64> %247, <8 x i64> %1842
+  store <8 x i64> %1843, ptr %1841, align 8
+  %1844 = getelementptr inbounds i8, ptr %1741, i64 192
+  %1845 = load <8 x i64>, ptr %1844, align 8
+  %1846 = select <8 x i1> %1743, <8 x i64> %1837, <8 x i64> %1845
+  store <8 x i64> %1846, ptr %1844, align 8
+  %1847 = load ptr, ptr %65, align 8
+  %1848 = getelementptr inbounds i8, ptr %1847, i64 8
+  %1849 = load i64, ptr %1848, align 8
+  %1850 = xor i64 %1732, -1
+  %1851 = and i64 %1849, %1850
+  %1852 = and i64 %1732, %1717
+  %1853 = or disjoint i64 %1851, %1852
+  store i64 %1853, ptr %1848, align 8
+  %1854 = load ptr, ptr %65, align 8
+  %1855 = getelementptr inbounds i8, ptr %1854, i64 16
+  %1856 = load i64, ptr %1855, align 8
+  %1857 = and i64 %1856, %1850
+  store i64 %1857, ptr %1855, align 8
+  %1858 = load ptr, ptr %65, align 8
+  %1859 = getelementptr inbounds i8, ptr %1858, i64 32
+  %1860 = load i64, ptr %1859, align 8
+  %1861 = and i64 %1860, %1850
+  store i64 %1861, ptr %1859, align 8
+  %1862 = icmp ne i64 %1732, 0
+  %1863 = select i1 %52, i1 %1862, i1 false
+  br i1 %1863, label %1864, label %1868
 
-1744:                                             ; preds = %1728
-  %1745 = zext i8 %1742 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1745, i64 noundef 0) #10
-  br label %1746
+1864:                                             ; preds = %1834
+  %1865 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
+  %1866 = xor i64 %1865, -1
+  %1867 = and i64 %1732, %1866
+  br label %1868
 
-1746:                                             ; preds = %1744, %1728
-  %1747 = phi i32 [ 1, %1744 ], [ %1733, %1728 ]
-  br label %135
+1868:                                             ; preds = %1834, %1864
+  %1869 = phi i64 [ %1867, %1864 ], [ 0, %1834 ]
+  store i64 0, ptr %17, align 8
+  %1870 = load ptr, ptr %136, align 8
+  %1871 = load <8 x double>, ptr %1870, align 8
+  %1872 = fcmp olt <8 x double> %1871, %244
+  %1873 = bitcast <8 x i1> %1872 to i8
+  %1874 = zext i8 %1873 to i64
+  %1875 = and i64 %1732, %1874
+  %1876 = or i64 %1875, %1869
+  %1877 = icmp eq i64 %1876, 0
+  br i1 %1877, label %1912, label %1878
 
-1748:                                             ; preds = %192, %217, %188
-  %1749 = phi i64 [ 1, %188 ], [ 0, %217 ], [ 0, %192 ]
-  ret i64 %1749
+1878:                                             ; preds = %1868
+  store <8 x double> %244, ptr %12, align 16
+  %1879 = icmp eq i64 %1869, 0
+  br i1 %1879, label %1882, label %1880
+
+1880:                                             ; preds = %1878
+  %1881 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %1869, ptr noundef nonnull %12, ptr noundef nonnull %14, ptr noundef nonnull %16, ptr noundef nonnull %13, ptr noundef nonnull %17) #11
+  br label %1882
+
+1882:                                             ; preds = %1880, %1878
+  %1883 = phi i64 [ %1881, %1880 ], [ 0, %1878 ]
+  %1884 = load i64, ptr %17, align 8
+  %1885 = xor i64 %1884, -1
+  %1886 = and i64 %1876, %1885
+  %1887 = icmp eq i64 %1883, 0
+  %1888 = select i1 %1887, ptr null, ptr %13
+  %1889 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %1886, ptr noundef nonnull %12, ptr noundef %1888) #11
+  %1890 = load <8 x double>, ptr %12, align 16
+  br i1 %1887, label %1896, label %1891
+
+1891:                                             ; preds = %1882
+  %1892 = xor i64 %1889, -1
+  %1893 = and i64 %1883, %1892
+  %1894 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %1893, ptr noundef nonnull %12, ptr noundef nonnull %13) #11
+  %1895 = or i64 %1894, %1889
+  br label %1896
+
+1896:                                             ; preds = %1891, %1882
+  %1897 = phi i64 [ %1895, %1891 ], [ %1889, %1882 ]
+  %1898 = icmp ne i64 %1897, 0
+  %1899 = select i1 %52, i1 %1898, i1 false
+  br i1 %1899, label %1900, label %1905
+
+1900:                                             ; preds = %1896
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1897, i64 noundef 6) #11
+  %1901 = xor i64 %1897, -1
+  %1902 = load i64, ptr %15, align 8
+  %1903 = and i64 %1902, %1901
+  store i64 %1903, ptr %15, align 8
+  %1904 = and i64 %1883, %1901
+  br label %1905
+
+1905:                                             ; preds = %1900, %1896
+  %1906 = phi i32 [ 1, %1900 ], [ %199, %1896 ]
+  %1907 = phi i64 [ %1904, %1900 ], [ %1883, %1896 ]
+  %1908 = or i64 %1897, %1730
+  %1909 = or i64 %1897, %1884
+  %1910 = xor i64 %1909, -1
+  %1911 = and i64 %1732, %1910
+  br label %1912
+
+1912:                                             ; preds = %1905, %1868
+  %1913 = phi <8 x double> [ %244, %1868 ], [ %1890, %1905 ]
+  %1914 = phi i64 [ 0, %1868 ], [ %1884, %1905 ]
+  %1915 = phi i64 [ %1730, %1868 ], [ %1908, %1905 ]
+  %1916 = phi i32 [ %199, %1868 ], [ %1906, %1905 ]
+  %1917 = phi i64 [ %1732, %1868 ], [ %1911, %1905 ]
+  %1918 = phi i64 [ 0, %1868 ], [ %1907, %1905 ]
+  %1919 = load ptr, ptr %136, align 8
+  %1920 = load <8 x double>, ptr %1919, align 8
+  %1921 = fcmp oeq <8 x double> %1920, %1913
+  %1922 = bitcast <8 x i1> %1921 to i8
+  %1923 = zext i8 %1922 to i64
+  %1924 = and i64 %1917, %1923
+  %1925 = icmp eq i64 %1924, 0
+  br i1 %1925, label %1926, label %1985
+
+1926:                                             ; preds = %1985, %1912
+  %1927 = trunc nuw i64 %1917 to i8
+  %1928 = bitcast i8 %1927 to <8 x i1>
+  %1929 = load ptr, ptr %61, align 8
+  %1930 = load <8 x double>, ptr %1929, align 8
+  %1931 = select <8 x i1> %1928, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1932 = fadd <8 x double> %1931, %1930
+  store <8 x double> %1932, ptr %1929, align 8
+  %1933 = load ptr, ptr %62, align 8
+  %1934 = load <8 x double>, ptr %1933, align 8
+  %1935 = xor <8 x i1> %1928, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1936 = and <8 x i1> %230, %1935
+  %1937 = select <8 x i1> %1936, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1938 = fadd <8 x double> %1937, %1934
+  store <8 x double> %1938, ptr %1933, align 8
+  %1939 = xor i64 %1917, -1
+  %1940 = and i64 %228, %1939
+  %1941 = or i64 %1915, %1914
+  %1942 = and i64 %1940, %1941
+  %1943 = trunc i64 %1915 to i8
+  %1944 = bitcast i8 %1943 to <8 x i1>
+  %1945 = trunc i64 %1942 to i8
+  %1946 = bitcast i8 %1945 to <8 x i1>
+  %1947 = fcmp oeq <8 x double> %1913, %235
+  %1948 = load ptr, ptr %58, align 8
+  %1949 = load <8 x double>, ptr %1948, align 8
+  %1950 = fcmp ogt <8 x double> %1949, %1714
+  %1951 = and <8 x i1> %1947, %1928
+  %1952 = select <8 x i1> %1951, <8 x i1> %1950, <8 x i1> zeroinitializer
+  %1953 = select <8 x i1> %1952, <8 x double> %1949, <8 x double> %1714
+  %1954 = fmul <8 x double> %248, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1955 = select <8 x i1> %1946, <8 x double> %1954, <8 x double> %1953
+  %1956 = select <8 x i1> %1944, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
+  %1957 = bitcast <8 x double> %1712 to <8 x i64>
+  %1958 = select <8 x i1> %1946, <8 x i64> %1956, <8 x i64> %1957
+  %1959 = load ptr, ptr %138, align 8
+  %1960 = trunc i64 %1940 to i8
+  %1961 = bitcast i8 %1960 to <8 x i1>
+  %1962 = load <8 x i64>, ptr %1959, align 8
+  %1963 = select <8 x i1> %1961, <8 x i64> %1958, <8 x i64> %1962
+  store <8 x i64> %1963, ptr %1959, align 8
+  %1964 = load ptr, ptr %65, align 8
+  %1965 = getelementptr inbounds i8, ptr %1964, i64 32
+  %1966 = load i64, ptr %1965, align 8
+  %1967 = or i64 %1966, %1942
+  store i64 %1967, ptr %1965, align 8
+  %1968 = load ptr, ptr %65, align 8
+  %1969 = getelementptr inbounds i8, ptr %1968, i64 8
+  %1970 = load i64, ptr %1969, align 8
+  %1971 = xor i64 %1942, -1
+  %1972 = and i64 %1970, %1971
+  %1973 = getelementptr inbounds i8, ptr %1968, i64 16
+  %1974 = load i64, ptr %1973, align 8
+  %1975 = xor i64 %1974, -1
+  %1976 = and i64 %1942, %1975
+  %1977 = or disjoint i64 %1976, %1972
+  store i64 %1977, ptr %1969, align 8
+  %1978 = load ptr, ptr %130, align 8
+  %1979 = getelementptr inbounds i8, ptr %1978, i64 64
+  %1980 = load <8 x double>, ptr %1979, align 8
+  %1981 = select <8 x i1> %1946, <8 x double> zeroinitializer, <8 x double> %1980
+  store <8 x double> %1981, ptr %1979, align 8
+  %1982 = load ptr, ptr %58, align 8
+  store <8 x double> %1955, ptr %1982, align 8
+  %1983 = load ptr, ptr %49, align 8
+  %1984 = select <8 x i1> %1928, <8 x double> %1913, <8 x double> %232
+  store <8 x double> %1984, ptr %1983, align 8
+  br i1 %139, label %1997, label %1995
+
+1985:                                             ; preds = %1912, %1985
+  %1986 = phi i64 [ %1993, %1985 ], [ %1924, %1912 ]
+  %1987 = load ptr, ptr %137, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1987, i64 noundef %1986) #11
+  %1988 = load ptr, ptr %136, align 8
+  %1989 = load <8 x double>, ptr %1988, align 8
+  %1990 = fcmp oeq <8 x double> %1989, %1913
+  %1991 = bitcast <8 x i1> %1990 to i8
+  %1992 = zext i8 %1991 to i64
+  %1993 = and i64 %1986, %1992
+  %1994 = icmp eq i64 %1993, 0
+  br i1 %1994, label %1926, label %1985, !llvm.loop !66
+
+1995:                                             ; preds = %1997, %1926
+  %1996 = icmp eq i64 %1918, 0
+  br i1 %1996, label %2019, label %2009
+
+1997:                                             ; preds = %1926, %1997
+  %1998 = phi i64 [ %2007, %1997 ], [ 0, %1926 ]
+  %1999 = load ptr, ptr %21, align 8
+  %2000 = load ptr, ptr %140, align 8
+  %2001 = shl nsw i64 %1998, 6
+  %2002 = getelementptr inbounds i8, ptr %2000, i64 %2001
+  %2003 = load <8 x i64>, ptr %2002, align 8
+  %2004 = getelementptr inbounds i8, ptr %1999, i64 %2001
+  %2005 = load <8 x i64>, ptr %2004, align 8
+  %2006 = select <8 x i1> %1928, <8 x i64> %2003, <8 x i64> %2005
+  store <8 x i64> %2006, ptr %2004, align 8
+  %2007 = add nuw nsw i64 %1998, 1
+  %2008 = icmp eq i64 %2007, %25
+  br i1 %2008, label %1995, label %1997, !llvm.loop !67
+
+2009:                                             ; preds = %1995
+  %2010 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1918, ptr noundef nonnull %16) #11
+  %2011 = icmp ne i32 %1916, 0
+  %2012 = icmp ne i64 %2010, %1918
+  %2013 = select i1 %2011, i1 true, i1 %2012
+  %2014 = zext i1 %2013 to i32
+  %2015 = trunc i64 %1918 to i8
+  %2016 = bitcast i8 %2015 to <8 x i1>
+  %2017 = xor <8 x i1> %2016, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %2018 = and <8 x i1> %2017, %1928
+  br label %2019
+
+2019:                                             ; preds = %2009, %1995
+  %2020 = phi i32 [ %2014, %2009 ], [ %1916, %1995 ]
+  %2021 = phi <8 x i1> [ %2018, %2009 ], [ %1928, %1995 ]
+  %2022 = phi i64 [ %2010, %2009 ], [ %200, %1995 ]
+  %2023 = bitcast <8 x i1> %2021 to i8
+  %2024 = icmp eq i8 %2023, 0
+  br i1 %2024, label %2028, label %2025
+
+2025:                                             ; preds = %2019
+  %2026 = zext i8 %2023 to i64
+  %2027 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %2026) #11
+  br label %2028
+
+2028:                                             ; preds = %2019, %2025
+  %2029 = phi i64 [ %2027, %2025 ], [ 0, %2019 ]
+  %2030 = icmp ne i32 %2020, 0
+  %2031 = icmp ne i64 %2029, 0
+  %2032 = or i1 %2030, %2031
+  %2033 = zext i1 %2032 to i32
+  %2034 = trunc nuw i64 %2029 to i8
+  %2035 = bitcast i8 %2034 to <8 x i1>
+  %2036 = xor <8 x i1> %2035, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %2037 = and <8 x i1> %2021, %2036
+  %2038 = load ptr, ptr %136, align 8
+  %2039 = load <8 x double>, ptr %2038, align 8
+  %2040 = fcmp oeq <8 x double> %2039, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %2041 = select <8 x i1> %2040, <8 x i1> %2037, <8 x i1> zeroinitializer
+  %2042 = bitcast <8 x i1> %2041 to i8
+  %2043 = icmp eq i8 %2042, 0
+  br i1 %2043, label %2046, label %2044
+
+2044:                                             ; preds = %2028
+  %2045 = zext i8 %2042 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %2045, i64 noundef 0) #11
+  br label %2046
+
+2046:                                             ; preds = %2044, %2028
+  %2047 = phi i32 [ 1, %2044 ], [ %2033, %2028 ]
+  br label %141
+
+2048:                                             ; preds = %198, %223, %194
+  %2049 = phi i64 [ 1, %194 ], [ 0, %223 ], [ 0, %198 ]
+  ret i64 %2049
 }
 
 
@@ -2168,510 +2534,565 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
 define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #2 {
   %3 = getelementptr inbounds i8, ptr %0, i64 696
   %4 = getelementptr inbounds i8, ptr %0, i64 984
-  %5 = getelementptr inbounds i8, ptr %0, i64 432
-  %6 = load ptr, ptr %4, align 8
-  %7 = getelementptr inbounds i8, ptr %0, i64 1128
-  %8 = getelementptr inbounds i8, ptr %0, i64 1064
-  %9 = getelementptr inbounds i8, ptr %0, i64 1056
-  %10 = getelementptr inbounds i8, ptr %0, i64 936
-  %11 = getelementptr inbounds i8, ptr %0, i64 1144
-  %12 = getelementptr inbounds i8, ptr %0, i64 1072
-  %13 = getelementptr inbounds i8, ptr %0, i64 1080
-  %14 = getelementptr inbounds i8, ptr %0, i64 192
-  %15 = getelementptr inbounds i8, ptr %0, i64 1096
-  %16 = getelementptr inbounds i8, ptr %0, i64 1104
-  %17 = getelementptr inbounds i8, ptr %0, i64 216
-  %18 = getelementptr inbounds i8, ptr %0, i64 1120
-  %19 = getelementptr inbounds i8, ptr %0, i64 1176
-  %20 = getelementptr inbounds i8, ptr %0, i64 1704
-  %21 = getelementptr inbounds i8, ptr %0, i64 1712
-  %22 = getelementptr inbounds i8, ptr %0, i64 1192
-  %23 = getelementptr inbounds i8, ptr %0, i64 1192
-  %24 = getelementptr inbounds i8, ptr %0, i64 1208
-  %25 = getelementptr inbounds i8, ptr %0, i64 1248
-  %26 = getelementptr inbounds i8, ptr %0, i64 1200
-  %27 = getelementptr inbounds i8, ptr %0, i64 1096
+  %5 = getelementptr inbounds i8, ptr %0, i64 144
+  %6 = getelementptr inbounds i8, ptr %0, i64 432
+  %7 = load ptr, ptr %4, align 8
+  %8 = getelementptr inbounds i8, ptr %0, i64 1152
+  %9 = getelementptr inbounds i8, ptr %0, i64 1064
+  %10 = getelementptr inbounds i8, ptr %0, i64 1056
+  %11 = getelementptr inbounds i8, ptr %0, i64 936
+  %12 = getelementptr inbounds i8, ptr %0, i64 1168
+  %13 = getelementptr inbounds i8, ptr %0, i64 1072
+  %14 = getelementptr inbounds i8, ptr %0, i64 1080
+  %15 = getelementptr inbounds i8, ptr %0, i64 192
+  %16 = getelementptr inbounds i8, ptr %0, i64 1096
+  %17 = getelementptr inbounds i8, ptr %0, i64 1104
+  %18 = getelementptr inbounds i8, ptr %0, i64 216
+  %19 = getelementptr inbounds i8, ptr %0, i64 1120
+  %20 = getelementptr inbounds i8, ptr %0, i64 1128
+  %21 = getelementptr inbounds i8, ptr %0, i64 672
+  %22 = getelementptr inbounds i8, ptr %0, i64 1144
+  %23 = getelementptr inbounds i8, ptr %0, i64 1200
+  %24 = getelementptr inbounds i8, ptr %0, i64 1728
+  %25 = getelementptr inbounds i8, ptr %0, i64 1736
+  %26 = getelementptr inbounds i8, ptr %0, i64 1216
+  %27 = getelementptr inbounds i8, ptr %0, i64 1216
   %28 = getelementptr inbounds i8, ptr %0, i64 1232
-  %29 = getelementptr inbounds i8, ptr %0, i64 1224
-  %30 = getelementptr inbounds i8, ptr %0, i64 1240
-  %31 = getelementptr inbounds i8, ptr %0, i64 1120
-  %32 = getelementptr inbounds i8, ptr %0, i64 1464
-  %33 = getelementptr inbounds i8, ptr %0, i64 1480
-  %34 = getelementptr inbounds i8, ptr %0, i64 1416
-  %35 = getelementptr inbounds i8, ptr %0, i64 1488
-  %36 = getelementptr inbounds i8, ptr %0, i64 1504
-  %37 = getelementptr inbounds i8, ptr %0, i64 1440
-  %38 = getelementptr inbounds i8, ptr %0, i64 1032
-  br label %39
+  %29 = getelementptr inbounds i8, ptr %0, i64 1272
+  %30 = getelementptr inbounds i8, ptr %0, i64 1224
+  %31 = getelementptr inbounds i8, ptr %0, i64 1096
+  %32 = getelementptr inbounds i8, ptr %0, i64 1256
+  %33 = getelementptr inbounds i8, ptr %0, i64 1248
+  %34 = getelementptr inbounds i8, ptr %0, i64 1264
+  %35 = getelementptr inbounds i8, ptr %0, i64 1120
+  %36 = getelementptr inbounds i8, ptr %0, i64 1488
+  %37 = getelementptr inbounds i8, ptr %0, i64 1504
+  %38 = getelementptr inbounds i8, ptr %0, i64 1440
+  %39 = getelementptr inbounds i8, ptr %0, i64 1512
+  %40 = getelementptr inbounds i8, ptr %0, i64 1528
+  %41 = getelementptr inbounds i8, ptr %0, i64 1464
+  %42 = getelementptr inbounds i8, ptr %0, i64 1032
+  br label %43
 
-39:                                               ; preds = %2, %274
-  %40 = phi i64 [ 0, %2 ], [ %284, %274 ]
-  %41 = phi i64 [ 0, %2 ], [ %275, %274 ]
-  %42 = phi i64 [ -1, %2 ], [ %283, %274 ]
-  %43 = phi i64 [ 0, %2 ], [ %282, %274 ]
-  %44 = load i64, ptr %6, align 8
-  %45 = load i64, ptr %8, align 8
-  %46 = icmp sge i64 %44, %45
-  br i1 %46, label %78, label %47
+43:                                               ; preds = %2, %301
+  %44 = phi i64 [ 0, %2 ], [ %311, %301 ]
+  %45 = phi i64 [ 0, %2 ], [ %302, %301 ]
+  %46 = phi i64 [ -1, %2 ], [ %310, %301 ]
+  %47 = phi i64 [ 0, %2 ], [ %309, %301 ]
+  %48 = load i64, ptr %7, align 8
+  %49 = load i64, ptr %9, align 8
+  %50 = icmp sge i64 %48, %49
+  br i1 %50, label %83, label %51
 
-47:                                               ; preds = %39
-  %48 = load ptr, ptr %7, align 8
-  %49 = load i64, ptr %11, align 8
-  %50 = mul nsw i64 %49, %44
-  %51 = getelementptr i64, ptr %48, i64 %50
-  %52 = getelementptr i8, ptr %51, i64 24
-  %53 = load i64, ptr %52, align 8
-  %54 = icmp eq i64 %53, 0
-  br i1 %54, label %78, label %73
+51:                                               ; preds = %43
+  %52 = load ptr, ptr %8, align 8
+  %53 = load i64, ptr %12, align 8
+  %54 = mul nsw i64 %53, %48
+  %55 = getelementptr i64, ptr %52, i64 %54
+  %56 = getelementptr i8, ptr %55, i64 24
+  %57 = load i64, ptr %56, align 8
+  %58 = icmp eq i64 %57, 0
+  br i1 %58, label %83, label %78
 
-55:                                               ; preds = %274
-  %56 = getelementptr inbounds i8, ptr %0, i64 144
-  store i64 %282, ptr %1, align 8
-  %57 = icmp slt i64 %283, 0
-  br i1 %57, label %389, label %58
+59:                                               ; preds = %301
+  store i64 %309, ptr %1, align 8
+  %60 = icmp slt i64 %310, 0
+  br i1 %60, label %434, label %61
 
-58:                                               ; preds = %55
-  %59 = getelementptr inbounds i8, ptr %0, i64 936
-  %60 = getelementptr inbounds i8, ptr %0, i64 600
-  %61 = getelementptr inbounds i8, ptr %0, i64 192
-  %62 = getelementptr inbounds i8, ptr %0, i64 216
-  %63 = getelementptr inbounds i8, ptr %0, i64 720
-  %64 = getelementptr inbounds i8, ptr %0, i64 816
-  br label %309
+61:                                               ; preds = %59
+  %62 = getelementptr inbounds i8, ptr %0, i64 936
+  %63 = getelementptr inbounds i8, ptr %0, i64 600
+  %64 = getelementptr inbounds i8, ptr %0, i64 192
+  %65 = getelementptr inbounds i8, ptr %0, i64 216
+  %66 = getelementptr inbounds i8, ptr %0, i64 672
+  %67 = getelementptr inbounds i8, ptr %0, i64 1144
+  %68 = getelementptr inbounds i8, ptr %0, i64 720
+  %69 = getelementptr inbounds i8, ptr %0, i64 816
+  br label %336
 
-65:                                               ; preds = %73
-  %66 = load ptr, ptr %7, align 8
-  %67 = load i64, ptr %11, align 8
-  %68 = mul nsw i64 %67, %75
-  %69 = getelementptr i64, ptr %66, i64 %68
-  %70 = getelementptr i8, ptr %69, i64 24
-  %71 = load i64, ptr %70, align 8
-  %72 = icmp eq i64 %71, 0
-  br i1 %72, label %78, label %73, !llvm.loop !61
+70:                                               ; preds = %78
+  %71 = load ptr, ptr %8, align 8
+  %72 = load i64, ptr %12, align 8
+  %73 = mul nsw i64 %72, %80
+  %74 = getelementptr i64, ptr %71, i64 %73
+  %75 = getelementptr i8, ptr %74, i64 24
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp eq i64 %76, 0
+  br i1 %77, label %83, label %78, !llvm.loop !68
 
-73:                                               ; preds = %47, %65
-  %74 = phi i64 [ %75, %65 ], [ %44, %47 ]
-  %75 = add nsw i64 %74, 1
-  store i64 %75, ptr %6, align 8
-  %76 = load i64, ptr %8, align 8
-  %77 = icmp sge i64 %75, %76
-  br i1 %77, label %78, label %65, !llvm.loop !61
+78:                                               ; preds = %51, %70
+  %79 = phi i64 [ %80, %70 ], [ %48, %51 ]
+  %80 = add nsw i64 %79, 1
+  store i64 %80, ptr %7, align 8
+  %81 = load i64, ptr %9, align 8
+  %82 = icmp sge i64 %80, %81
+  br i1 %82, label %83, label %70, !llvm.loop !68
 
-78:                                               ; preds = %73, %65, %47, %39
-  %79 = phi i64 [ %44, %39 ], [ %44, %47 ], [ %75, %65 ], [ %75, %73 ]
-  %80 = phi i1 [ %46, %39 ], [ %46, %47 ], [ %77, %65 ], [ %77, %73 ]
-  %81 = load ptr, ptr %10, align 8
-  %82 = getelementptr inbounds i64, ptr %81, i64 %40
-  %83 = load i64, ptr %82, align 8
-  %84 = icmp ne i64 %83, -1
-  %85 = or i1 %80, %84
-  br i1 %85, label %274, label %86
+83:                                               ; preds = %78, %70, %51, %43
+  %84 = phi i64 [ %48, %43 ], [ %48, %51 ], [ %80, %70 ], [ %80, %78 ]
+  %85 = phi i1 [ %50, %43 ], [ %50, %51 ], [ %82, %70 ], [ %82, %78 ]
+  %86 = load ptr, ptr %11, align 8
+  %87 = getelementptr inbounds i64, ptr %86, i64 %44
+  %88 = load i64, ptr %87, align 8
+  %89 = icmp ne i64 %88, -1
+  %90 = or i1 %85, %89
+  br i1 %90, label %301, label %91
 
-86:                                               ; preds = %78
-  %87 = add nsw i64 %79, 1
-  store i64 %87, ptr %6, align 8
-  %88 = load ptr, ptr %10, align 8
-  %89 = getelementptr inbounds i64, ptr %88, i64 %40
-  store i64 %79, ptr %89, align 8
-  %90 = load ptr, ptr %5, align 8
-  %91 = load ptr, ptr %9, align 8
-  %92 = load i64, ptr %12, align 8
-  %93 = mul nsw i64 %92, %79
-  %94 = getelementptr inbounds double, ptr %91, i64 %93
-  %95 = getelementptr double, ptr %90, i64 %40
-  %96 = icmp sgt i64 %92, 0
-  br i1 %96, label %97, label %106
+91:                                               ; preds = %83
+  %92 = add nsw i64 %84, 1
+  store i64 %92, ptr %7, align 8
+  %93 = load ptr, ptr %11, align 8
+  %94 = getelementptr inbounds i64, ptr %93, i64 %44
+  store i64 %84, ptr %94, align 8
+  %95 = load ptr, ptr %6, align 8
+  %96 = load ptr, ptr %10, align 8
+  %97 = load i64, ptr %13, align 8
+  %98 = mul nsw i64 %97, %84
+  %99 = getelementptr inbounds double, ptr %96, i64 %98
+  %100 = getelementptr double, ptr %95, i64 %44
+  %101 = icmp sgt i64 %97, 0
+  br i1 %101, label %102, label %111
 
-97:                                               ; preds = %86, %97
-  %98 = phi i64 [ %103, %97 ], [ 0, %86 ]
-  %99 = getelementptr inbounds double, ptr %94, i64 %98
-  %100 = load double, ptr %99, align 8
-  %101 = shl i64 %98, 6
-  %102 = getelementptr i8, ptr %95, i64 %101
-  store double %100, ptr %102, align 8
-  %103 = add nuw nsw i64 %98, 1
-  %104 = load i64, ptr %12, align 8
-  %105 = icmp slt i64 %103, %104
-  br i1 %105, label %97, label %106, !llvm.loop !62
+102:                                              ; preds = %91, %102
+  %103 = phi i64 [ %108, %102 ], [ 0, %91 ]
+  %104 = getelementptr inbounds double, ptr %99, i64 %103
+  %105 = load double, ptr %104, align 8
+  %106 = shl i64 %103, 6
+  %107 = getelementptr i8, ptr %100, i64 %106
+  store double %105, ptr %107, align 8
+  %108 = add nuw nsw i64 %103, 1
+  %109 = load i64, ptr %13, align 8
+  %110 = icmp slt i64 %108, %109
+  br i1 %110, label %102, label %111, !llvm.loop !69
 
-106:                                              ; preds = %97, %86
-  %107 = load ptr, ptr %14, align 8
-  %108 = load ptr, ptr %13, align 8
-  %109 = load i64, ptr %15, align 8
-  %110 = mul nsw i64 %109, %79
-  %111 = getelementptr inbounds double, ptr %108, i64 %110
-  %112 = getelementptr double, ptr %107, i64 %40
-  %113 = icmp sgt i64 %109, 0
-  br i1 %113, label %114, label %123
+111:                                              ; preds = %102, %91
+  %112 = load ptr, ptr %15, align 8
+  %113 = load ptr, ptr %14, align 8
+  %114 = load i64, ptr %16, align 8
+  %115 = mul nsw i64 %114, %84
+  %116 = getelementptr inbounds double, ptr %113, i64 %115
+  %117 = getelementptr double, ptr %112, i64 %44
+  %118 = icmp sgt i64 %114, 0
+  br i1 %118, label %119, label %128
 
-114:                                              ; preds = %106, %114
-  %115 = phi i64 [ %120, %114 ], [ 0, %106 ]
-  %116 = getelementptr inbounds double, ptr %111, i64 %115
-  %117 = load double, ptr %116, align 8
-  %118 = shl i64 %115, 6
-  %119 = getelementptr i8, ptr %112, i64 %118
-  store double %117, ptr %119, align 8
-  %120 = add nuw nsw i64 %115, 1
-  %121 = load i64, ptr %15, align 8
-  %122 = icmp slt i64 %120, %121
-  br i1 %122, label %114, label %123, !llvm.loop !62
+119:                                              ; preds = %111, %119
+  %120 = phi i64 [ %125, %119 ], [ 0, %111 ]
+  %121 = getelementptr inbounds double, ptr %116, i64 %120
+  %122 = load double, ptr %121, align 8
+  %123 = shl i64 %120, 6
+  %124 = getelementptr i8, ptr %117, i64 %123
+  store double %122, ptr %124, align 8
+  %125 = add nuw nsw i64 %120, 1
+  %126 = load i64, ptr %16, align 8
+  %127 = icmp slt i64 %125, %126
+  br i1 %127, label %119, label %128, !llvm.loop !69
 
-123:                                              ; preds = %114, %106
-  %124 = load ptr, ptr %17, align 8
-  %125 = load ptr, ptr %16, align 8
-  %126 = load i64, ptr %18, align 8
-  %127 = mul nsw i64 %126, %79
-  %128 = getelementptr inbounds double, ptr %125, i64 %127
-  %129 = getelementptr double, ptr %124, i64 %40
-  %130 = icmp sgt i64 %126, 0
-  br i1 %130, label %131, label %140
+128:                                              ; preds = %119, %111
+  %129 = load ptr, ptr %18, align 8
+  %130 = load ptr, ptr %17, align 8
+  %131 = load i64, ptr %19, align 8
+  %132 = mul nsw i64 %131, %84
+  %133 = getelementptr inbounds double, ptr %130, i64 %132
+  %134 = getelementptr double, ptr %129, i64 %44
+  %135 = icmp sgt i64 %131, 0
+  br i1 %135, label %136, label %145
 
-131:                                              ; preds = %123, %131
-  %132 = phi i64 [ %137, %131 ], [ 0, %123 ]
-  %133 = getelementptr inbounds double, ptr %128, i64 %132
-  %134 = load double, ptr %133, align 8
-  %135 = shl i64 %132, 6
-  %136 = getelementptr i8, ptr %129, i64 %135
-  store double %134, ptr %136, align 8
-  %137 = add nuw nsw i64 %132, 1
-  %138 = load i64, ptr %18, align 8
-  %139 = icmp slt i64 %137, %138
-  br i1 %139, label %131, label %140, !llvm.loop !62
+136:                                              ; preds = %128, %136
+  %137 = phi i64 [ %142, %136 ], [ 0, %128 ]
+  %138 = getelementptr inbounds double, ptr %133, i64 %137
+  %139 = load double, ptr %138, align 8
+  %140 = shl i64 %137, 6
+  %141 = getelementptr i8, ptr %134, i64 %140
+  store double %139, ptr %141, align 8
+  %142 = add nuw nsw i64 %137, 1
+  %143 = load i64, ptr %19, align 8
+  %144 = icmp slt i64 %142, %143
+  br i1 %144, label %136, label %145, !llvm.loop !69
 
-140:                                              ; preds = %131, %123
-  %141 = load ptr, ptr %20, align 8
-  %142 = load i64, ptr %21, align 8
-  %143 = getelementptr inbounds double, ptr %141, i64 %142
-  %144 = load i64, ptr %22, align 8
-  %145 = mul i64 %144, -64
-  %146 = getelementptr inbounds i8, ptr %143, i64 %145
-  %147 = load ptr, ptr %19, align 8
-  %148 = mul nsw i64 %144, %79
-  %149 = getelementptr inbounds double, ptr %147, i64 %148
-  %150 = getelementptr double, ptr %146, i64 %40
-  %151 = load i64, ptr %23, align 8
-  %152 = icmp sgt i64 %151, 0
-  br i1 %152, label %153, label %162
+145:                                              ; preds = %136, %128
+  %146 = load ptr, ptr %21, align 8
+  %147 = load ptr, ptr %5, align 8
+  %148 = getelementptr inbounds i8, ptr %147, i64 24
+  %149 = load i64, ptr %148, align 8
+  %150 = shl nsw i64 %149, 6
+  %151 = getelementptr inbounds i8, ptr %146, i64 %150
+  %152 = load ptr, ptr %20, align 8
+  %153 = load i64, ptr %22, align 8
+  %154 = mul nsw i64 %153, %84
+  %155 = getelementptr inbounds double, ptr %152, i64 %154
+  %156 = getelementptr double, ptr %151, i64 %44
+  %157 = icmp sgt i64 %153, 0
+  br i1 %157, label %158, label %167
 
-153:                                              ; preds = %140, %153
-  %154 = phi i64 [ %159, %153 ], [ 0, %140 ]
-  %155 = getelementptr inbounds double, ptr %149, i64 %154
-  %156 = load double, ptr %155, align 8
-  %157 = shl i64 %154, 6
-  %158 = getelementptr i8, ptr %150, i64 %157
-  store double %156, ptr %158, align 8
-  %159 = add nuw nsw i64 %154, 1
-  %160 = load i64, ptr %23, align 8
-  %161 = icmp slt i64 %159, %160
-  br i1 %161, label %153, label %162, !llvm.loop !62
+158:                                              ; preds = %145, %158
+  %159 = phi i64 [ %164, %158 ], [ 0, %145 ]
+  %160 = getelementptr inbounds double, ptr %155, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = shl i64 %159, 6
+  %163 = getelementptr i8, ptr %156, i64 %162
+  store double %161, ptr %163, align 8
+  %164 = add nuw nsw i64 %159, 1
+  %165 = load i64, ptr %22, align 8
+  %166 = icmp slt i64 %164, %165
+  br i1 %166, label %158, label %167, !llvm.loop !69
 
-162:                                              ; preds = %153, %140
-  %163 = load i64, ptr %24, align 8
-  %164 = icmp sgt i64 %163, 0
-  br i1 %164, label %165, label %267
+167:                                              ; preds = %158, %145
+  %168 = load ptr, ptr %24, align 8
+  %169 = load i64, ptr %25, align 8
+  %170 = getelementptr inbounds double, ptr %168, i64 %169
+  %171 = load i64, ptr %26, align 8
+  %172 = mul i64 %171, -64
+  %173 = getelementptr inbounds i8, ptr %170, i64 %172
+  %174 = load ptr, ptr %23, align 8
+  %175 = mul nsw i64 %171, %84
+  %176 = getelementptr inbounds double, ptr %174, i64 %175
+  %177 = getelementptr double, ptr %173, i64 %44
+  %178 = load i64, ptr %27, align 8
+  %179 = icmp sgt i64 %178, 0
+  br i1 %179, label %180, label %189
 
-165:                                              ; preds = %162
-  %166 = load ptr, ptr %26, align 8
-  %167 = getelementptr inbounds i64, ptr %166, i64 %40
-  %168 = load i64, ptr %167, align 8
-  %169 = inttoptr i64 %168 to ptr
-  %170 = load i64, ptr %27, align 8
-  %171 = icmp sgt i64 %170, 0
-  br i1 %171, label %172, label %174
+180:                                              ; preds = %167, %180
+  %181 = phi i64 [ %186, %180 ], [ 0, %167 ]
+  %182 = getelementptr inbounds double, ptr %176, i64 %181
+  %183 = load double, ptr %182, align 8
+  %184 = shl i64 %181, 6
+  %185 = getelementptr i8, ptr %177, i64 %184
+  store double %183, ptr %185, align 8
+  %186 = add nuw nsw i64 %181, 1
+  %187 = load i64, ptr %27, align 8
+  %188 = icmp slt i64 %186, %187
+  br i1 %188, label %180, label %189, !llvm.loop !69
 
-172:                                              ; preds = %165
-  %173 = getelementptr inbounds i8, ptr %169, i64 192
-  br label %177
+189:                                              ; preds = %180, %167
+  %190 = load i64, ptr %28, align 8
+  %191 = icmp sgt i64 %190, 0
+  br i1 %191, label %192, label %294
 
-174:                                              ; preds = %177, %165
-  %175 = load i64, ptr %28, align 8
-  %176 = icmp sgt i64 %175, 0
-  br i1 %176, label %198, label %190
+192:                                              ; preds = %189
+  %193 = load ptr, ptr %30, align 8
+  %194 = getelementptr inbounds i64, ptr %193, i64 %44
+  %195 = load i64, ptr %194, align 8
+  %196 = inttoptr i64 %195 to ptr
+  %197 = load i64, ptr %31, align 8
+  %198 = icmp sgt i64 %197, 0
+  br i1 %198, label %199, label %201
 
-177:                                              ; preds = %172, %177
-  %178 = phi i64 [ %170, %172 ], [ %188, %177 ]
-  %179 = phi i64 [ 0, %172 ], [ %187, %177 ]
-  %180 = load ptr, ptr %13, align 8
-  %181 = mul nsw i64 %178, %79
-  %182 = getelementptr double, ptr %180, i64 %181
-  %183 = getelementptr double, ptr %182, i64 %179
-  %184 = load double, ptr %183, align 8
-  %185 = load ptr, ptr %173, align 8
-  %186 = getelementptr inbounds double, ptr %185, i64 %179
-  store double %184, ptr %186, align 8
-  %187 = add nuw nsw i64 %179, 1
-  %188 = load i64, ptr %27, align 8
-  %189 = icmp slt i64 %187, %188
-  br i1 %189, label %177, label %174, !llvm.loop !64
+199:                                              ; preds = %192
+  %200 = getelementptr inbounds i8, ptr %196, i64 192
+  br label %204
 
-190:                                              ; preds = %198, %174
-  %191 = load ptr, ptr %25, align 8
-  %192 = getelementptr inbounds i8, ptr %191, i64 8
-  %193 = load i64, ptr %192, align 8
-  %194 = icmp sgt i64 %193, 0
-  br i1 %194, label %195, label %263
+201:                                              ; preds = %204, %192
+  %202 = load i64, ptr %32, align 8
+  %203 = icmp sgt i64 %202, 0
+  br i1 %203, label %225, label %217
 
-195:                                              ; preds = %190
-  %196 = getelementptr inbounds i8, ptr %169, i64 1248
-  %197 = getelementptr inbounds i8, ptr %169, i64 1008
-  br label %218
+204:                                              ; preds = %199, %204
+  %205 = phi i64 [ %197, %199 ], [ %215, %204 ]
+  %206 = phi i64 [ 0, %199 ], [ %214, %204 ]
+  %207 = load ptr, ptr %14, align 8
+  %208 = mul nsw i64 %205, %84
+  %209 = getelementptr double, ptr %207, i64 %208
+  %210 = getelementptr double, ptr %209, i64 %206
+  %211 = load double, ptr %210, align 8
+  %212 = load ptr, ptr %200, align 8
+  %213 = getelementptr inbounds double, ptr %212, i64 %206
+  store double %211, ptr %213, align 8
+  %214 = add nuw nsw i64 %206, 1
+  %215 = load i64, ptr %31, align 8
+  %216 = icmp slt i64 %214, %215
+  br i1 %216, label %204, label %201, !llvm.loop !71
 
-198:                                              ; preds = %174, %198
-  %199 = phi i64 [ %215, %198 ], [ 0, %174 ]
-  %200 = load ptr, ptr %29, align 8
-  %201 = load i64, ptr %30, align 8
-  %202 = mul nsw i64 %201, %199
-  %203 = getelementptr inbounds i64, ptr %200, i64 %202
-  %204 = load i64, ptr %203, align 8
-  %205 = inttoptr i64 %204 to ptr
-  %206 = load ptr, ptr %205, align 8
-  %207 = load ptr, ptr %16, align 8
-  %208 = load i64, ptr %31, align 8
-  %209 = mul nsw i64 %208, %79
-  %210 = getelementptr inbounds double, ptr %207, i64 %209
-  %211 = getelementptr i64, ptr %203, i64 %40
-  %212 = getelementptr i8, ptr %211, i64 8
-  %213 = load i64, ptr %212, align 8
-  %214 = inttoptr i64 %213 to ptr
-  tail call void %206(ptr noundef %210, ptr noundef %214) #11
-  %215 = add nuw nsw i64 %199, 1
-  %216 = load i64, ptr %28, align 8
-  %217 = icmp slt i64 %215, %216
-  br i1 %217, label %198, label %190, !llvm.loop !65
+217:                                              ; preds = %225, %201
+  %218 = load ptr, ptr %29, align 8
+  %219 = getelementptr inbounds i8, ptr %218, i64 8
+  %220 = load i64, ptr %219, align 8
+  %221 = icmp sgt i64 %220, 0
+  br i1 %221, label %222, label %290
 
-218:                                              ; preds = %195, %232
-  %219 = phi i64 [ 0, %195 ], [ %241, %232 ]
-  %220 = load ptr, ptr %32, align 8
-  %221 = load i64, ptr %33, align 8
-  %222 = mul nsw i64 %221, %79
-  %223 = getelementptr i64, ptr %220, i64 %222
-  %224 = getelementptr i64, ptr %223, i64 %219
-  %225 = load i64, ptr %224, align 8
-  %226 = sitofp i64 %225 to double
-  %227 = load ptr, ptr %34, align 8
-  %228 = shl i64 %219, 6
-  %229 = getelementptr i8, ptr %227, i64 %228
-  %230 = getelementptr double, ptr %229, i64 %40
-  store double %226, ptr %230, align 8
-  %231 = mul i64 %219, 800
-  br label %246
+222:                                              ; preds = %217
+  %223 = getelementptr inbounds i8, ptr %196, i64 1248
+  %224 = getelementptr inbounds i8, ptr %196, i64 1008
+  br label %245
 
-232:                                              ; preds = %256
-  %233 = load ptr, ptr %197, align 8
-  %234 = shl nuw nsw i64 %219, 1
-  %235 = or disjoint i64 %234, 1
-  %236 = getelementptr inbounds double, ptr %233, i64 %235
-  store double 0x7FF8000000000000, ptr %236, align 8
-  %237 = load ptr, ptr %197, align 8
-  %238 = getelementptr inbounds double, ptr %237, i64 %234
-  store double 0x7FF8000000000000, ptr %238, align 8
-  %239 = load ptr, ptr %37, align 8
-  %240 = getelementptr inbounds double, ptr %239, i64 %40
-  store double 0x7FF8000000000000, ptr %240, align 8
-  %241 = add nuw nsw i64 %219, 1
-  %242 = load ptr, ptr %25, align 8
-  %243 = getelementptr inbounds i8, ptr %242, i64 8
-  %244 = load i64, ptr %243, align 8
-  %245 = icmp slt i64 %241, %244
-  br i1 %245, label %218, label %263, !llvm.loop !66
+225:                                              ; preds = %201, %225
+  %226 = phi i64 [ %242, %225 ], [ 0, %201 ]
+  %227 = load ptr, ptr %33, align 8
+  %228 = load i64, ptr %34, align 8
+  %229 = mul nsw i64 %228, %226
+  %230 = getelementptr inbounds i64, ptr %227, i64 %229
+  %231 = load i64, ptr %230, align 8
+  %232 = inttoptr i64 %231 to ptr
+  %233 = load ptr, ptr %232, align 8
+  %234 = load ptr, ptr %17, align 8
+  %235 = load i64, ptr %35, align 8
+  %236 = mul nsw i64 %235, %84
+  %237 = getelementptr inbounds double, ptr %234, i64 %236
+  %238 = getelementptr i64, ptr %230, i64 %44
+  %239 = getelementptr i8, ptr %238, i64 8
+  %240 = load i64, ptr %239, align 8
+  %241 = inttoptr i64 %240 to ptr
+  tail call void %233(ptr noundef %237, ptr noundef %241) #12
+  %242 = add nuw nsw i64 %226, 1
+  %243 = load i64, ptr %32, align 8
+  %244 = icmp slt i64 %242, %243
+  br i1 %244, label %225, label %217, !llvm.loop !72
 
-246:                                              ; preds = %218, %256
-  %247 = phi i64 [ 0, %218 ], [ %261, %256 ]
-  %248 = icmp eq i64 %247, 0
-  br i1 %248, label %249, label %256
+245:                                              ; preds = %222, %259
+  %246 = phi i64 [ 0, %222 ], [ %268, %259 ]
+  %247 = load ptr, ptr %36, align 8
+  %248 = load i64, ptr %37, align 8
+  %249 = mul nsw i64 %248, %84
+  %250 = getelementptr i64, ptr %247, i64 %249
+  %251 = getelementptr i64, ptr %250, i64 %246
+  %252 = load i64, ptr %251, align 8
+  %253 = sitofp i64 %252 to double
+  %254 = load ptr, ptr %38, align 8
+  %255 = shl i64 %246, 6
+  %256 = getelementptr i8, ptr %254, i64 %255
+  %257 = getelementptr double, ptr %256, i64 %44
+  store double %253, ptr %257, align 8
+  %258 = mul i64 %246, 800
+  br label %273
 
-249:                                              ; preds = %246
-  %250 = load ptr, ptr %35, align 8
-  %251 = load i64, ptr %36, align 8
-  %252 = mul nsw i64 %251, %79
-  %253 = getelementptr double, ptr %250, i64 %252
-  %254 = getelementptr double, ptr %253, i64 %219
-  %255 = load double, ptr %254, align 8
-  br label %256
+259:                                              ; preds = %283
+  %260 = load ptr, ptr %224, align 8
+  %261 = shl nuw nsw i64 %246, 1
+  %262 = or disjoint i64 %261, 1
+  %263 = getelementptr inbounds double, ptr %260, i64 %262
+  store double 0x7FF8000000000000, ptr %263, align 8
+  %264 = load ptr, ptr %224, align 8
+  %265 = getelementptr inbounds double, ptr %264, i64 %261
+  store double 0x7FF8000000000000, ptr %265, align 8
+  %266 = load ptr, ptr %41, align 8
+  %267 = getelementptr inbounds double, ptr %266, i64 %44
+  store double 0x7FF8000000000000, ptr %267, align 8
+  %268 = add nuw nsw i64 %246, 1
+  %269 = load ptr, ptr %29, align 8
+  %270 = getelementptr inbounds i8, ptr %269, i64 8
+  %271 = load i64, ptr %270, align 8
+  %272 = icmp slt i64 %268, %271
+  br i1 %272, label %245, label %290, !llvm.loop !73
 
-256:                                              ; preds = %249, %246
-  %257 = phi double [ %255, %249 ], [ 0xFFF0000000000000, %246 ]
-  %258 = load ptr, ptr %196, align 8
-  %259 = getelementptr inbounds i8, ptr %258, i64 %231
-  %260 = getelementptr inbounds double, ptr %259, i64 %247
-  store double %257, ptr %260, align 8
-  %261 = add nuw nsw i64 %247, 1
-  %262 = icmp eq i64 %261, 100
-  br i1 %262, label %232, label %246, !llvm.loop !67
+273:                                              ; preds = %245, %283
+  %274 = phi i64 [ 0, %245 ], [ %288, %283 ]
+  %275 = icmp eq i64 %274, 0
+  br i1 %275, label %276, label %283
 
-263:                                              ; preds = %232, %190
-  %264 = getelementptr inbounds i8, ptr %169, i64 648
-  %265 = load ptr, ptr %264, align 8
-  %266 = getelementptr inbounds i8, ptr %265, i64 80
-  store i64 0, ptr %266, align 8
-  br label %267
+276:                                              ; preds = %273
+  %277 = load ptr, ptr %39, align 8
+  %278 = load i64, ptr %40, align 8
+  %279 = mul nsw i64 %278, %84
+  %280 = getelementptr double, ptr %277, i64 %279
+  %281 = getelementptr double, ptr %280, i64 %246
+  %282 = load double, ptr %281, align 8
+  br label %283
 
-267:                                              ; preds = %263, %162
-  %268 = load ptr, ptr %38, align 8
-  %269 = load double, ptr %268, align 8
-  %270 = load ptr, ptr %3, align 8
-  %271 = getelementptr inbounds double, ptr %270, i64 %40
-  store double %269, ptr %271, align 8
-  %272 = shl nuw nsw i64 1, %40
-  %273 = or i64 %272, %41
-  br label %274
+283:                                              ; preds = %276, %273
+  %284 = phi double [ %282, %276 ], [ 0xFFF0000000000000, %273 ]
+  %285 = load ptr, ptr %223, align 8
+  %286 = getelementptr inbounds i8, ptr %285, i64 %258
+  %287 = getelementptr inbounds double, ptr %286, i64 %274
+  store double %284, ptr %287, align 8
+  %288 = add nuw nsw i64 %274, 1
+  %289 = icmp eq i64 %288, 100
+  br i1 %289, label %259, label %273, !llvm.loop !74
 
-274:                                              ; preds = %78, %267
-  %275 = phi i64 [ %273, %267 ], [ %41, %78 ]
-  %276 = load ptr, ptr %10, align 8
-  %277 = getelementptr inbounds i64, ptr %276, i64 %40
-  %278 = load i64, ptr %277, align 8
-  %279 = icmp sgt i64 %278, -1
-  %280 = shl nuw nsw i64 1, %40
-  %281 = select i1 %279, i64 %280, i64 0
-  %282 = or i64 %281, %43
-  %283 = select i1 %279, i64 %40, i64 %42
-  %284 = add nuw nsw i64 %40, 1
-  %285 = icmp eq i64 %284, 8
-  br i1 %285, label %55, label %39, !llvm.loop !68
+290:                                              ; preds = %259, %217
+  %291 = getelementptr inbounds i8, ptr %196, i64 648
+  %292 = load ptr, ptr %291, align 8
+  %293 = getelementptr inbounds i8, ptr %292, i64 80
+  store i64 0, ptr %293, align 8
+  br label %294
 
-286:                                              ; preds = %386
-  %287 = getelementptr inbounds i8, ptr %0, i64 272
-  %288 = load i64, ptr %287, align 8
-  %289 = icmp sgt i64 %288, 0
-  br i1 %289, label %290, label %389
+294:                                              ; preds = %290, %189
+  %295 = load ptr, ptr %42, align 8
+  %296 = load double, ptr %295, align 8
+  %297 = load ptr, ptr %3, align 8
+  %298 = getelementptr inbounds double, ptr %297, i64 %44
+  store double %296, ptr %298, align 8
+  %299 = shl nuw nsw i64 1, %44
+  %300 = or i64 %299, %45
+  br label %301
 
-290:                                              ; preds = %286
-  %291 = getelementptr inbounds i8, ptr %0, i64 264
-  %292 = getelementptr inbounds i8, ptr %0, i64 216
-  br label %293
+301:                                              ; preds = %83, %294
+  %302 = phi i64 [ %300, %294 ], [ %45, %83 ]
+  %303 = load ptr, ptr %11, align 8
+  %304 = getelementptr inbounds i64, ptr %303, i64 %44
+  %305 = load i64, ptr %304, align 8
+  %306 = icmp sgt i64 %305, -1
+  %307 = shl nuw nsw i64 1, %44
+  %308 = select i1 %306, i64 %307, i64 0
+  %309 = or i64 %308, %47
+  %310 = select i1 %306, i64 %44, i64 %46
+  %311 = add nuw nsw i64 %44, 1
+  %312 = icmp eq i64 %311, 8
+  br i1 %312, label %59, label %43, !llvm.loop !75
 
-293:                                              ; preds = %290, %293
-  %294 = phi i64 [ 0, %290 ], [ %306, %293 ]
-  %295 = load ptr, ptr %291, align 8
-  %296 = shl nuw nsw i64 %294, 1
-  %297 = getelementptr inbounds i64, ptr %295, i64 %296
-  %298 = load i64, ptr %297, align 8
-  %299 = inttoptr i64 %298 to ptr
-  %300 = load ptr, ptr %299, align 8
-  %301 = load ptr, ptr %292, align 8
-  %302 = or disjoint i64 %296, 1
-  %303 = getelementptr inbounds i64, ptr %295, i64 %302
-  %304 = load i64, ptr %303, align 8
-  %305 = inttoptr i64 %304 to ptr
-  tail call void %300(ptr noundef %301, ptr noundef %305) #11
-  %306 = add nuw nsw i64 %294, 1
-  %307 = load i64, ptr %287, align 8
-  %308 = icmp slt i64 %306, %307
-  br i1 %308, label %293, label %389, !llvm.loop !69
+313:                                              ; preds = %431
+  %314 = getelementptr inbounds i8, ptr %0, i64 272
+  %315 = load i64, ptr %314, align 8
+  %316 = icmp sgt i64 %315, 0
+  br i1 %316, label %317, label %434
 
-309:                                              ; preds = %58, %386
-  %310 = phi i64 [ 0, %58 ], [ %387, %386 ]
-  %311 = load ptr, ptr %59, align 8
-  %312 = getelementptr inbounds i64, ptr %311, i64 %310
-  %313 = load i64, ptr %312, align 8
-  %314 = icmp eq i64 %313, -1
-  br i1 %314, label %315, label %386
+317:                                              ; preds = %313
+  %318 = getelementptr inbounds i8, ptr %0, i64 264
+  %319 = getelementptr inbounds i8, ptr %0, i64 216
+  br label %320
 
-315:                                              ; preds = %309
-  %316 = load ptr, ptr %5, align 8
-  %317 = load ptr, ptr %56, align 8
-  %318 = getelementptr inbounds i8, ptr %317, i64 8
-  %319 = load i64, ptr %318, align 8
-  %320 = icmp sgt i64 %319, 0
-  br i1 %320, label %321, label %330
+320:                                              ; preds = %317, %320
+  %321 = phi i64 [ 0, %317 ], [ %333, %320 ]
+  %322 = load ptr, ptr %318, align 8
+  %323 = shl nuw nsw i64 %321, 1
+  %324 = getelementptr inbounds i64, ptr %322, i64 %323
+  %325 = load i64, ptr %324, align 8
+  %326 = inttoptr i64 %325 to ptr
+  %327 = load ptr, ptr %326, align 8
+  %328 = load ptr, ptr %319, align 8
+  %329 = or disjoint i64 %323, 1
+  %330 = getelementptr inbounds i64, ptr %322, i64 %329
+  %331 = load i64, ptr %330, align 8
+  %332 = inttoptr i64 %331 to ptr
+  tail call void %327(ptr noundef %328, ptr noundef %332) #12
+  %333 = add nuw nsw i64 %321, 1
+  %334 = load i64, ptr %314, align 8
+  %335 = icmp slt i64 %333, %334
+  br i1 %335, label %320, label %434, !llvm.loop !76
 
-321:                                              ; preds = %315, %321
-  %322 = phi i64 [ %328, %321 ], [ 0, %315 ]
-  %323 = shl i64 %322, 6
-  %324 = getelementptr i8, ptr %316, i64 %323
-  %325 = getelementptr double, ptr %324, i64 %283
-  %326 = load double, ptr %325, align 8
-  %327 = getelementptr double, ptr %324, i64 %310
-  store double %326, ptr %327, align 8
-  %328 = add nuw nsw i64 %322, 1
-  %329 = icmp eq i64 %328, %319
-  br i1 %329, label %330, label %321, !llvm.loop !70
+336:                                              ; preds = %61, %431
+  %337 = phi i64 [ 0, %61 ], [ %432, %431 ]
+  %338 = load ptr, ptr %62, align 8
+  %339 = getelementptr inbounds i64, ptr %338, i64 %337
+  %340 = load i64, ptr %339, align 8
+  %341 = icmp eq i64 %340, -1
+  br i1 %341, label %342, label %431
 
-330:                                              ; preds = %321, %315
-  %331 = load ptr, ptr %60, align 8
-  %332 = load ptr, ptr %56, align 8
-  %333 = getelementptr inbounds i8, ptr %332, i64 8
-  %334 = load i64, ptr %333, align 8
-  %335 = icmp sgt i64 %334, 0
-  br i1 %335, label %336, label %345
+342:                                              ; preds = %336
+  %343 = load ptr, ptr %6, align 8
+  %344 = load ptr, ptr %5, align 8
+  %345 = getelementptr inbounds i8, ptr %344, i64 8
+  %346 = load i64, ptr %345, align 8
+  %347 = icmp sgt i64 %346, 0
+  br i1 %347, label %348, label %357
 
-336:                                              ; preds = %330, %336
-  %337 = phi i64 [ %343, %336 ], [ 0, %330 ]
-  %338 = shl i64 %337, 6
-  %339 = getelementptr i8, ptr %331, i64 %338
-  %340 = getelementptr double, ptr %339, i64 %283
-  %341 = load double, ptr %340, align 8
-  %342 = getelementptr double, ptr %339, i64 %310
-  store double %341, ptr %342, align 8
-  %343 = add nuw nsw i64 %337, 1
-  %344 = icmp eq i64 %343, %334
-  br i1 %344, label %345, label %336, !llvm.loop !70
+348:                                              ; preds = %342, %348
+  %349 = phi i64 [ %355, %348 ], [ 0, %342 ]
+  %350 = shl i64 %349, 6
+  %351 = getelementptr i8, ptr %343, i64 %350
+  %352 = getelementptr double, ptr %351, i64 %310
+  %353 = load double, ptr %352, align 8
+  %354 = getelementptr double, ptr %351, i64 %337
+  store double %353, ptr %354, align 8
+  %355 = add nuw nsw i64 %349, 1
+  %356 = icmp eq i64 %355, %346
+  br i1 %356, label %357, label %348, !llvm.loop !77
 
-345:                                              ; preds = %336, %330
-  %346 = load ptr, ptr %61, align 8
-  %347 = load ptr, ptr %56, align 8
-  %348 = getelementptr inbounds i8, ptr %347, i64 48
-  %349 = load i64, ptr %348, align 8
-  %350 = icmp sgt i64 %349, 0
-  br i1 %350, label %351, label %360
+357:                                              ; preds = %348, %342
+  %358 = load ptr, ptr %63, align 8
+  %359 = load ptr, ptr %5, align 8
+  %360 = getelementptr inbounds i8, ptr %359, i64 8
+  %361 = load i64, ptr %360, align 8
+  %362 = icmp sgt i64 %361, 0
+  br i1 %362, label %363, label %372
 
-351:                                              ; preds = %345, %351
-  %352 = phi i64 [ %358, %351 ], [ 0, %345 ]
-  %353 = shl i64 %352, 6
-  %354 = getelementptr i8, ptr %346, i64 %353
-  %355 = getelementptr double, ptr %354, i64 %283
-  %356 = load double, ptr %355, align 8
-  %357 = getelementptr double, ptr %354, i64 %310
-  store double %356, ptr %357, align 8
-  %358 = add nuw nsw i64 %352, 1
-  %359 = icmp eq i64 %358, %349
-  br i1 %359, label %360, label %351, !llvm.loop !70
+363:                                              ; preds = %357, %363
+  %364 = phi i64 [ %370, %363 ], [ 0, %357 ]
+  %365 = shl i64 %364, 6
+  %366 = getelementptr i8, ptr %358, i64 %365
+  %367 = getelementptr double, ptr %366, i64 %310
+  %368 = load double, ptr %367, align 8
+  %369 = getelementptr double, ptr %366, i64 %337
+  store double %368, ptr %369, align 8
+  %370 = add nuw nsw i64 %364, 1
+  %371 = icmp eq i64 %370, %361
+  br i1 %371, label %372, label %363, !llvm.loop !77
 
-360:                                              ; preds = %351, %345
-  %361 = load ptr, ptr %62, align 8
-  %362 = load ptr, ptr %56, align 8
-  %363 = getelementptr inbounds i8, ptr %362, i64 56
-  %364 = load i64, ptr %363, align 8
-  %365 = icmp sgt i64 %364, 0
-  br i1 %365, label %366, label %375
+372:                                              ; preds = %363, %357
+  %373 = load ptr, ptr %64, align 8
+  %374 = load ptr, ptr %5, align 8
+  %375 = getelementptr inbounds i8, ptr %374, i64 56
+  %376 = load i64, ptr %375, align 8
+  %377 = icmp sgt i64 %376, 0
+  br i1 %377, label %378, label %387
 
-366:                                              ; preds = %360, %366
-  %367 = phi i64 [ %373, %366 ], [ 0, %360 ]
-  %368 = shl i64 %367, 6
-  %369 = getelementptr i8, ptr %361, i64 %368
-  %370 = getelementptr double, ptr %369, i64 %283
-  %371 = load double, ptr %370, align 8
-  %372 = getelementptr double, ptr %369, i64 %310
-  store double %371, ptr %372, align 8
-  %373 = add nuw nsw i64 %367, 1
-  %374 = icmp eq i64 %373, %364
-  br i1 %374, label %375, label %366, !llvm.loop !70
+378:                                              ; preds = %372, %378
+  %379 = phi i64 [ %385, %378 ], [ 0, %372 ]
+  %380 = shl i64 %379, 6
+  %381 = getelementptr i8, ptr %373, i64 %380
+  %382 = getelementptr double, ptr %381, i64 %310
+  %383 = load double, ptr %382, align 8
+  %384 = getelementptr double, ptr %381, i64 %337
+  store double %383, ptr %384, align 8
+  %385 = add nuw nsw i64 %379, 1
+  %386 = icmp eq i64 %385, %376
+  br i1 %386, label %387, label %378, !llvm.loop !77
 
-375:                                              ; preds = %366, %360
-  %376 = load ptr, ptr %3, align 8
-  %377 = getelementptr inbounds double, ptr %376, i64 %283
-  %378 = load double, ptr %377, align 8
-  %379 = getelementptr inbounds double, ptr %376, i64 %310
-  store double %378, ptr %379, align 8
-  %380 = load ptr, ptr %63, align 8
-  %381 = getelementptr inbounds double, ptr %380, i64 %310
-  store double 0.000000e+00, ptr %381, align 8
-  %382 = load ptr, ptr %64, align 8
-  %383 = getelementptr inbounds double, ptr %382, i64 %310
-  store double 0x7FF0000000000000, ptr %383, align 8
-  %384 = load ptr, ptr %59, align 8
-  %385 = getelementptr inbounds i64, ptr %384, i64 %310
-  store i64 -2, ptr %385, align 8
-  br label %386
+387:                                              ; preds = %378, %372
+  %388 = load ptr, ptr %65, align 8
+  %389 = load ptr, ptr %5, align 8
+  %390 = getelementptr inbounds i8, ptr %389, i64 64
+  %391 = load i64, ptr %390, align 8
+  %392 = icmp sgt i64 %391, 0
+  br i1 %392, label %393, label %402
 
-386:                                              ; preds = %309, %375
-  %387 = add nuw nsw i64 %310, 1
-  %388 = icmp eq i64 %387, 8
-  br i1 %388, label %286, label %309, !llvm.loop !71
+393:                                              ; preds = %387, %393
+  %394 = phi i64 [ %400, %393 ], [ 0, %387 ]
+  %395 = shl i64 %394, 6
+  %396 = getelementptr i8, ptr %388, i64 %395
+  %397 = getelementptr double, ptr %396, i64 %310
+  %398 = load double, ptr %397, align 8
+  %399 = getelementptr double, ptr %396, i64 %337
+  store double %398, ptr %399, align 8
+  %400 = add nuw nsw i64 %394, 1
+  %401 = icmp eq i64 %400, %391
+  br i1 %401, label %402, label %393, !llvm.loop !77
 
-389:                                              ; preds = %293, %286, %55
-  ret i64 %275
+402:                                              ; preds = %393, %387
+  %403 = load ptr, ptr %66, align 8
+  %404 = load ptr, ptr %5, align 8
+  %405 = getelementptr inbounds i8, ptr %404, i64 24
+  %406 = load i64, ptr %405, align 8
+  %407 = shl nsw i64 %406, 6
+  %408 = getelementptr inbounds i8, ptr %403, i64 %407
+  %409 = load i64, ptr %67, align 8
+  %410 = icmp sgt i64 %409, 0
+  br i1 %410, label %411, label %420
+
+411:                                              ; preds = %402, %411
+  %412 = phi i64 [ %418, %411 ], [ 0, %402 ]
+  %413 = shl i64 %412, 6
+  %414 = getelementptr i8, ptr %408, i64 %413
+  %415 = getelementptr double, ptr %414, i64 %310
+  %416 = load double, ptr %415, align 8
+  %417 = getelementptr double, ptr %414, i64 %337
+  store double %416, ptr %417, align 8
+  %418 = add nuw nsw i64 %412, 1
+  %419 = icmp eq i64 %418, %409
+  br i1 %419, label %420, label %411, !llvm.loop !77
+
+420:                                              ; preds = %411, %402
+  %421 = load ptr, ptr %3, align 8
+  %422 = getelementptr inbounds double, ptr %421, i64 %310
+  %423 = load double, ptr %422, align 8
+  %424 = getelementptr inbounds double, ptr %421, i64 %337
+  store double %423, ptr %424, align 8
+  %425 = load ptr, ptr %68, align 8
+  %426 = getelementptr inbounds double, ptr %425, i64 %337
+  store double 0.000000e+00, ptr %426, align 8
+  %427 = load ptr, ptr %69, align 8
+  %428 = getelementptr inbounds double, ptr %427, i64 %337
+  store double 0x7FF0000000000000, ptr %428, align 8
+  %429 = load ptr, ptr %62, align 8
+  %430 = getelementptr inbounds i64, ptr %429, i64 %337
+  store i64 -2, ptr %430, align 8
+  br label %431
+
+431:                                              ; preds = %336, %420
+  %432 = add nuw nsw i64 %337, 1
+  %433 = icmp eq i64 %432, 8
+  br i1 %433, label %313, label %336, !llvm.loop !78
+
+434:                                              ; preds = %320, %313, %59
+  ret i64 %302
 }
 
 define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, i64 noundef %3) unnamed_addr #3 {
@@ -2689,7 +3110,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %16 = bitcast i8 %15 to <8 x i1>
   %17 = load ptr, ptr %8, align 8
   %18 = load <8 x double>, ptr %17, align 8
-  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %7) #10
+  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %7) #11
   %19 = getelementptr inbounds i8, ptr %1, i64 8
   %20 = load ptr, ptr %19, align 8
   %21 = load ptr, ptr %11, align 8
@@ -2705,7 +3126,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %29, label %31, label %30
 
 30:                                               ; preds = %4
-  tail call fastcc void @settle(ptr noundef nonnull %20) #10
+  tail call fastcc void @settle(ptr noundef nonnull %20) #11
   br label %31
 
 31:                                               ; preds = %30, %4
@@ -2715,7 +3136,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %34, label %35, label %36
 
 35:                                               ; preds = %31
-  tail call fastcc void @sample(ptr noundef nonnull %20) #10
+  tail call fastcc void @sample(ptr noundef nonnull %20) #11
   br label %36
 
 36:                                               ; preds = %31, %35
@@ -2728,7 +3149,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %43 = load ptr, ptr %42, align 8
   %44 = inttoptr i64 %38 to ptr
   %45 = load ptr, ptr %44, align 8
-  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #11
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #12
   %47 = sext i32 %46 to i64
   %48 = load ptr, ptr %19, align 8
   %49 = load ptr, ptr %48, align 8
@@ -2764,11 +3185,11 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %74 = getelementptr inbounds i8, ptr %73, i64 8
   %75 = load i64, ptr %74, align 8
   %76 = load ptr, ptr %71, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %76, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #10
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %76, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #11
   %77 = load <8 x double>, ptr %5, align 16
   %78 = getelementptr inbounds i8, ptr %71, i64 168
   %79 = load ptr, ptr %78, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %79, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #10
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %79, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #11
   %80 = load <8 x double>, ptr %6, align 16
   %81 = fcmp olt <8 x double> %77, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
   %82 = fcmp olt <8 x double> %80, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
@@ -2798,7 +3219,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %106 = load <8 x i64>, ptr %95, align 8
   %107 = select <8 x i1> %97, <8 x i64> %105, <8 x i64> %106
   store <8 x i64> %107, ptr %95, align 8
-  %108 = getelementptr inbounds i8, ptr %0, i64 1728
+  %108 = getelementptr inbounds i8, ptr %0, i64 1752
   %109 = xor i64 %14, -1
   %110 = load ptr, ptr %108, align 8
   %111 = getelementptr inbounds i8, ptr %110, i64 16
@@ -2820,7 +3241,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %125 = and i64 %14, %124
   %126 = or disjoint i64 %125, %121
   store i64 %126, ptr %119, align 8
-  %127 = getelementptr inbounds i8, ptr %0, i64 1752
+  %127 = getelementptr inbounds i8, ptr %0, i64 1776
   %128 = load ptr, ptr %127, align 8
   %129 = getelementptr inbounds i8, ptr %128, i64 64
   %130 = load <8 x double>, ptr %129, align 8
@@ -2884,7 +3305,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %177 = getelementptr inbounds i8, ptr %176, i64 8
   %178 = load i64, ptr %177, align 8
   %179 = icmp slt i64 %174, %178
-  br i1 %179, label %164, label %55, !llvm.loop !72
+  br i1 %179, label %164, label %55, !llvm.loop !79
 
 180:                                              ; preds = %157, %180
   %181 = phi i64 [ %2, %157 ], [ %203, %180 ]
@@ -2914,7 +3335,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %202 = add nsw i64 %181, -1
   %203 = and i64 %202, %181
   %204 = icmp eq i64 %203, 0
-  br i1 %204, label %205, label %180, !llvm.loop !73
+  br i1 %204, label %205, label %180, !llvm.loop !80
 
 205:                                              ; preds = %180, %55
   %206 = xor i64 %47, -1
@@ -2942,14 +3363,14 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %224 = select <8 x i1> %16, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
   %225 = fadd <8 x double> %224, %223
   store <8 x double> %225, ptr %222, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %213, i64 noundef 3) #10
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %221, i64 noundef 0) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %213, i64 noundef 3) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %221, i64 noundef 0) #11
   ret void
 
 226:                                              ; preds = %209, %226
   %227 = phi i64 [ %207, %209 ], [ %238, %226 ]
   %228 = load ptr, ptr %11, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %228, i64 noundef %227) #10
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %228, i64 noundef %227) #11
   %229 = load ptr, ptr %210, align 8
   %230 = load <8 x double>, ptr %229, align 8
   %231 = load ptr, ptr %211, align 8
@@ -2961,7 +3382,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %237 = zext i8 %236 to i64
   %238 = and i64 %227, %237
   %239 = icmp eq i64 %238, 0
-  br i1 %239, label %212, label %226, !llvm.loop !74
+  br i1 %239, label %212, label %226, !llvm.loop !81
 }
 
 define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #4 {
@@ -3004,7 +3425,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   %29 = select i1 %27, i64 %23, i64 %21
   %30 = select i1 %27, i64 %20, i64 %28
   %31 = icmp slt i64 %30, %29
-  br i1 %31, label %19, label %32, !llvm.loop !75
+  br i1 %31, label %19, label %32, !llvm.loop !82
 
 32:                                               ; preds = %19, %15
   %33 = phi i64 [ 0, %15 ], [ %30, %19 ]
@@ -3038,7 +3459,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   store double %50, ptr %51, align 8
   %52 = add nuw nsw i64 %9, 1
   %53 = icmp eq i64 %52, 8
-  br i1 %53, label %7, label %8, !llvm.loop !76
+  br i1 %53, label %7, label %8, !llvm.loop !83
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -3060,27 +3481,27 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %17 = getelementptr inbounds i8, ptr %0, i64 1040
   %18 = getelementptr inbounds i8, ptr %0, i64 792
   %19 = icmp sgt i64 %9, 0
-  %20 = getelementptr inbounds i8, ptr %0, i64 1128
-  %21 = getelementptr inbounds i8, ptr %0, i64 1144
+  %20 = getelementptr inbounds i8, ptr %0, i64 1152
+  %21 = getelementptr inbounds i8, ptr %0, i64 1168
   %22 = getelementptr inbounds i8, ptr %0, i64 840
   %23 = getelementptr inbounds i8, ptr %0, i64 864
   %24 = getelementptr inbounds i8, ptr %0, i64 888
   %25 = icmp slt i64 %2, 0
   %26 = getelementptr inbounds i8, ptr %0, i64 912
-  %27 = getelementptr inbounds i8, ptr %0, i64 1152
-  %28 = getelementptr inbounds i8, ptr %0, i64 1704
-  %29 = getelementptr inbounds i8, ptr %0, i64 1712
-  %30 = getelementptr inbounds i8, ptr %0, i64 1192
-  %31 = getelementptr inbounds i8, ptr %0, i64 1176
-  %32 = getelementptr inbounds i8, ptr %0, i64 1192
-  %33 = getelementptr inbounds i8, ptr %0, i64 1208
-  %34 = getelementptr inbounds i8, ptr %0, i64 1248
-  %35 = getelementptr inbounds i8, ptr %0, i64 1416
-  %36 = getelementptr inbounds i8, ptr %0, i64 1464
-  %37 = getelementptr inbounds i8, ptr %0, i64 1480
-  %38 = getelementptr inbounds i8, ptr %0, i64 1200
-  %39 = getelementptr inbounds i8, ptr %0, i64 1512
-  %40 = getelementptr inbounds i8, ptr %0, i64 1528
+  %27 = getelementptr inbounds i8, ptr %0, i64 1176
+  %28 = getelementptr inbounds i8, ptr %0, i64 1728
+  %29 = getelementptr inbounds i8, ptr %0, i64 1736
+  %30 = getelementptr inbounds i8, ptr %0, i64 1216
+  %31 = getelementptr inbounds i8, ptr %0, i64 1200
+  %32 = getelementptr inbounds i8, ptr %0, i64 1216
+  %33 = getelementptr inbounds i8, ptr %0, i64 1232
+  %34 = getelementptr inbounds i8, ptr %0, i64 1272
+  %35 = getelementptr inbounds i8, ptr %0, i64 1440
+  %36 = getelementptr inbounds i8, ptr %0, i64 1488
+  %37 = getelementptr inbounds i8, ptr %0, i64 1504
+  %38 = getelementptr inbounds i8, ptr %0, i64 1224
+  %39 = getelementptr inbounds i8, ptr %0, i64 1536
+  %40 = getelementptr inbounds i8, ptr %0, i64 1552
   br label %41
 
 41:                                               ; preds = %14, %175
@@ -3142,7 +3563,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %84 = add nsw i64 %62, -1
   %85 = getelementptr inbounds i8, ptr %63, i64 8
   %86 = icmp sgt i64 %62, 1
-  br i1 %86, label %61, label %64, !llvm.loop !77
+  br i1 %86, label %61, label %64, !llvm.loop !84
 
 87:                                               ; preds = %61, %87
   %88 = phi i64 [ %91, %87 ], [ 0, %61 ]
@@ -3151,7 +3572,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double 0x7FF8000000000000, ptr %90, align 8
   %91 = add nuw nsw i64 %88, 1
   %92 = icmp eq i64 %91, %9
-  br i1 %92, label %83, label %87, !llvm.loop !78
+  br i1 %92, label %83, label %87, !llvm.loop !85
 
 93:                                               ; preds = %64
   %94 = load ptr, ptr %26, align 8
@@ -3194,7 +3615,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %124 = add nuw nsw i64 %119, 1
   %125 = load i64, ptr %32, align 8
   %126 = icmp slt i64 %124, %125
-  br i1 %126, label %118, label %127, !llvm.loop !79
+  br i1 %126, label %118, label %127, !llvm.loop !86
 
 127:                                              ; preds = %118, %98
   %128 = load i64, ptr %33, align 8
@@ -3233,7 +3654,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %154 = load i64, ptr %153, align 8
   %155 = icmp slt i64 %151, %154
   %156 = add nuw i64 %136, 2
-  br i1 %155, label %135, label %174, !llvm.loop !80
+  br i1 %155, label %135, label %174, !llvm.loop !87
 
 157:                                              ; preds = %135, %157
   %158 = phi i64 [ %149, %135 ], [ %172, %157 ]
@@ -3253,10 +3674,10 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double %166, ptr %171, align 8
   %172 = add nuw nsw i64 %158, 1
   %173 = icmp eq i64 %172, %136
-  br i1 %173, label %150, label %157, !llvm.loop !81
+  br i1 %173, label %150, label %157, !llvm.loop !88
 
 174:                                              ; preds = %150, %130
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #11
   br label %175
 
 175:                                              ; preds = %174, %127
@@ -3266,11 +3687,11 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %178 = add nsw i64 %42, -1
   %179 = and i64 %178, %42
   %180 = icmp eq i64 %179, 0
-  br i1 %180, label %60, label %41, !llvm.loop !82
+  br i1 %180, label %60, label %41, !llvm.loop !89
 }
 
 define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
-  %6 = getelementptr inbounds i8, ptr %0, i64 1656
+  %6 = getelementptr inbounds i8, ptr %0, i64 1680
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 56
   %9 = load i64, ptr %8, align 8
@@ -3285,15 +3706,15 @@ define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr nound
 14:                                               ; preds = %5, %11
   %15 = phi ptr [ %13, %11 ], [ null, %5 ]
   %16 = inttoptr i64 %9 to ptr
-  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #11
+  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #12
   ret i64 %17
 }
 
 define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 432
-  %3 = getelementptr inbounds i8, ptr %0, i64 1248
+  %3 = getelementptr inbounds i8, ptr %0, i64 1272
   %4 = load ptr, ptr %3, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 1200
+  %5 = getelementptr inbounds i8, ptr %0, i64 1224
   %6 = load ptr, ptr %5, align 8
   %7 = load i64, ptr %6, align 8
   %8 = inttoptr i64 %7 to ptr
@@ -3310,22 +3731,22 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   br i1 %18, label %140, label %19
 
 19:                                               ; preds = %1
-  %20 = getelementptr inbounds i8, ptr %0, i64 1352
+  %20 = getelementptr inbounds i8, ptr %0, i64 1376
   %21 = load i64, ptr %20, align 8
   %22 = icmp sgt i64 %21, 0
   br i1 %22, label %23, label %30
 
 23:                                               ; preds = %19
-  %24 = getelementptr inbounds i8, ptr %0, i64 1344
+  %24 = getelementptr inbounds i8, ptr %0, i64 1368
   %25 = getelementptr inbounds i8, ptr %0, i64 456
-  %26 = getelementptr inbounds i8, ptr %0, i64 1944
+  %26 = getelementptr inbounds i8, ptr %0, i64 1968
   %27 = getelementptr inbounds i8, ptr %0, i64 144
-  %28 = getelementptr inbounds i8, ptr %0, i64 1296
+  %28 = getelementptr inbounds i8, ptr %0, i64 1320
   %29 = getelementptr inbounds i8, ptr %4, i64 32
   br label %63
 
 30:                                               ; preds = %83, %19
-  %31 = getelementptr inbounds i8, ptr %0, i64 1296
+  %31 = getelementptr inbounds i8, ptr %0, i64 1320
   %32 = load ptr, ptr %31, align 8
   %33 = getelementptr inbounds i8, ptr %4, i64 32
   %34 = load i64, ptr %33, align 8
@@ -3345,13 +3766,13 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %46 = load ptr, ptr %40, align 8
   %47 = load ptr, ptr %2, align 8
   %48 = load ptr, ptr %31, align 8
-  %49 = getelementptr inbounds i8, ptr %0, i64 1320
+  %49 = getelementptr inbounds i8, ptr %0, i64 1344
   %50 = load ptr, ptr %49, align 8
-  %51 = getelementptr inbounds i8, ptr %0, i64 1392
+  %51 = getelementptr inbounds i8, ptr %0, i64 1416
   %52 = load ptr, ptr %51, align 8
   %53 = inttoptr i64 %45 to ptr
   %54 = load ptr, ptr %53, align 8
-  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #11
+  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
   %56 = trunc i32 %55 to i8
   %57 = xor i8 %56, -1
   %58 = icmp sgt i64 %12, 0
@@ -3360,7 +3781,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
 59:                                               ; preds = %30
   %60 = bitcast i8 %57 to <8 x i1>
   %61 = sext <8 x i1> %60 to <8 x i64>
-  %62 = getelementptr inbounds i8, ptr %0, i64 1416
+  %62 = getelementptr inbounds i8, ptr %0, i64 1440
   br label %114
 
 63:                                               ; preds = %23, %83
@@ -3396,7 +3817,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %90 = add nuw nsw i64 %64, 1
   %91 = load i64, ptr %20, align 8
   %92 = icmp slt i64 %90, %91
-  br i1 %92, label %63, label %30, !llvm.loop !83
+  br i1 %92, label %63, label %30, !llvm.loop !90
 
 93:                                               ; preds = %63, %93
   %94 = phi i64 [ 0, %63 ], [ %106, %93 ]
@@ -3413,7 +3834,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %105 = select <8 x i1> %104, <8 x double> %95, <8 x double> %103
   %106 = add nuw nsw i64 %94, 1
   %107 = icmp eq i64 %106, 3
-  br i1 %107, label %83, label %93, !llvm.loop !84
+  br i1 %107, label %83, label %93, !llvm.loop !91
 
 108:                                              ; preds = %136
   %109 = icmp ne <8 x i64> %137, zeroinitializer
@@ -3455,7 +3876,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %137 = phi <8 x i64> [ %116, %114 ], [ %135, %121 ]
   %138 = add nuw nsw i64 %115, 1
   %139 = icmp eq i64 %138, %12
-  br i1 %139, label %108, label %114, !llvm.loop !85
+  br i1 %139, label %108, label %114, !llvm.loop !92
 
 140:                                              ; preds = %1, %111
   %141 = phi i64 [ %113, %111 ], [ 0, %1 ]
@@ -3473,7 +3894,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %14 = zext i8 %13 to i64
   %15 = xor i64 %14, -1
   %16 = and i64 %15, %2
-  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #10
+  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #11
   %18 = xor i64 %17, -1
   %19 = and i64 %18, %2
   %20 = icmp eq i64 %19, 0
@@ -3485,7 +3906,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   store double 1.000000e+00, ptr %23, align 8
   %24 = add nuw nsw i64 %22, 1
   %25 = icmp eq i64 %24, 8
-  br i1 %25, label %9, label %21, !llvm.loop !86
+  br i1 %25, label %9, label %21, !llvm.loop !93
 
 26:                                               ; preds = %9, %51
   %27 = phi i64 [ %53, %51 ], [ %19, %9 ]
@@ -3494,7 +3915,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %30 = getelementptr inbounds double, ptr %3, i64 %29
   %31 = load double, ptr %30, align 8
   %32 = getelementptr inbounds double, ptr %6, i64 %29
-  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #10
+  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #11
   %34 = getelementptr inbounds i64, ptr %5, i64 %29
   store i64 %33, ptr %34, align 8
   %35 = icmp eq i64 %33, -6
@@ -3525,7 +3946,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %52 = add nsw i64 %27, -1
   %53 = and i64 %52, %27
   %54 = icmp eq i64 %53, 0
-  br i1 %54, label %48, label %26, !llvm.loop !87
+  br i1 %54, label %48, label %26, !llvm.loop !94
 }
 
 define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
@@ -3568,7 +3989,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
 
 36:                                               ; preds = %39
   %37 = getelementptr inbounds i8, ptr %1, i64 8
-  %38 = getelementptr inbounds i8, ptr %0, i64 1656
+  %38 = getelementptr inbounds i8, ptr %0, i64 1680
   br label %46
 
 39:                                               ; preds = %31, %39
@@ -3579,7 +4000,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   store i64 %42, ptr %43, align 8
   %44 = add nuw nsw i64 %40, 1
   %45 = icmp eq i64 %44, 8
-  br i1 %45, label %36, label %39, !llvm.loop !88
+  br i1 %45, label %36, label %39, !llvm.loop !95
 
 46:                                               ; preds = %36, %92
   %47 = phi i64 [ %59, %92 ], [ %2, %36 ]
@@ -3627,7 +4048,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %82, i64 16
   %84 = load i64, ptr %83, align 8
-  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #10
+  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #11
   %85 = load ptr, ptr %38, align 8
   %86 = load i64, ptr %85, align 8
   %87 = icmp eq i64 %86, 1
@@ -3635,7 +4056,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
 
 88:                                               ; preds = %65
   %89 = load ptr, ptr %18, align 8
-  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #10
+  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
   %91 = or i64 %90, %48
   br label %92
 
@@ -3643,8 +4064,8 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %93 = phi i64 [ %91, %88 ], [ %48, %65 ]
   %94 = xor i64 %93, -1
   %95 = and i64 %59, %94
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #10
-  br label %46, !llvm.loop !89
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #11
+  br label %46, !llvm.loop !96
 
 96:                                               ; preds = %63, %96
   %97 = phi i64 [ %48, %63 ], [ %110, %96 ]
@@ -3665,7 +4086,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %109 = add nsw i64 %97, -1
   %110 = and i64 %109, %97
   %111 = icmp eq i64 %110, 0
-  br i1 %111, label %112, label %96, !llvm.loop !90
+  br i1 %111, label %112, label %96, !llvm.loop !97
 
 112:                                              ; preds = %96, %61
   ret i64 %48
@@ -3700,7 +4121,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %30, i64 16
   %32 = load i64, ptr %31, align 8
-  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #10
+  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #11
   %33 = load ptr, ptr %28, align 8
   %34 = load ptr, ptr %33, align 8
   %35 = getelementptr inbounds i8, ptr %34, i64 8
@@ -3713,7 +4134,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   br label %45
 
 40:                                               ; preds = %45, %5
-  %41 = getelementptr inbounds i8, ptr %0, i64 1656
+  %41 = getelementptr inbounds i8, ptr %0, i64 1680
   %42 = load ptr, ptr %41, align 8
   %43 = load i64, ptr %42, align 8
   %44 = icmp eq i64 %43, 1
@@ -3736,7 +4157,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %58 = getelementptr inbounds i8, ptr %57, i64 8
   %59 = load i64, ptr %58, align 8
   %60 = icmp slt i64 %55, %59
-  br i1 %60, label %45, label %40, !llvm.loop !91
+  br i1 %60, label %45, label %40, !llvm.loop !98
 
 61:                                               ; preds = %40
   %62 = bitcast <8 x i1> %12 to i8
@@ -3747,7 +4168,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %65 = zext i8 %62 to i64
   %66 = getelementptr inbounds i8, ptr %7, i64 24
   %67 = load ptr, ptr %66, align 8
-  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #10
+  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #11
   br label %69
 
 69:                                               ; preds = %40, %61, %64
@@ -3809,7 +4230,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !92
+  br i1 %45, label %28, label %19, !llvm.loop !99
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -3821,7 +4242,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !93
+  br i1 %54, label %29, label %46, !llvm.loop !100
 }
 
 define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #2 {
@@ -3833,14 +4254,14 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %8, label %32, label %9
 
 9:                                                ; preds = %3
-  %10 = getelementptr inbounds i8, ptr %0, i64 1200
+  %10 = getelementptr inbounds i8, ptr %0, i64 1224
   %11 = icmp sgt i64 %7, 0
   %12 = getelementptr inbounds i8, ptr %0, i64 432
   %13 = getelementptr inbounds i8, ptr %0, i64 696
-  %14 = getelementptr inbounds i8, ptr %0, i64 1248
-  %15 = getelementptr inbounds i8, ptr %0, i64 1440
-  %16 = getelementptr inbounds i8, ptr %0, i64 1416
-  %17 = getelementptr inbounds i8, ptr %0, i64 1368
+  %14 = getelementptr inbounds i8, ptr %0, i64 1272
+  %15 = getelementptr inbounds i8, ptr %0, i64 1464
+  %16 = getelementptr inbounds i8, ptr %0, i64 1440
+  %17 = getelementptr inbounds i8, ptr %0, i64 1392
   %18 = icmp sgt i64 %7, 0
   %19 = getelementptr inbounds i8, ptr %0, i64 432
   br label %20
@@ -3889,10 +4310,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %46, ptr %48, align 8
   %49 = add nuw nsw i64 %41, 1
   %50 = icmp eq i64 %49, %7
-  br i1 %50, label %34, label %40, !llvm.loop !94
+  br i1 %50, label %34, label %40, !llvm.loop !101
 
 51:                                               ; preds = %34
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
   br label %156
 
 52:                                               ; preds = %34
@@ -3944,10 +4365,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %92 = add nuw nsw i64 %85, %91
   %93 = add nuw nsw i64 %84, 1
   %94 = icmp eq i64 %93, %60
-  br i1 %94, label %80, label %83, !llvm.loop !95
+  br i1 %94, label %80, label %83, !llvm.loop !102
 
 95:                                               ; preds = %80
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
   br label %96
 
 96:                                               ; preds = %95, %80
@@ -4009,7 +4430,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %127, ptr %137, align 8
   %138 = add nuw nsw i64 %124, 1
   %139 = icmp eq i64 %138, %64
-  br i1 %139, label %120, label %123, !llvm.loop !96
+  br i1 %139, label %120, label %123, !llvm.loop !103
 
 140:                                              ; preds = %98, %96
   %141 = load ptr, ptr %57, align 8
@@ -4020,7 +4441,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
 
 145:                                              ; preds = %140
   %146 = inttoptr i64 %143 to ptr
-  %147 = tail call i64 %146(ptr noundef %56) #11
+  %147 = tail call i64 %146(ptr noundef %56) #12
   br label %148
 
 148:                                              ; preds = %145, %140
@@ -4028,7 +4449,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %75, label %150, label %151
 
 150:                                              ; preds = %148
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #10
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
   br label %151
 
 151:                                              ; preds = %150, %148
@@ -4089,7 +4510,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %191, ptr %193, align 8
   %194 = add nuw nsw i64 %181, 1
   %195 = icmp eq i64 %194, %164
-  br i1 %195, label %177, label %180, !llvm.loop !97
+  br i1 %195, label %177, label %180, !llvm.loop !104
 
 196:                                              ; preds = %200, %177
   %197 = add i64 %157, 3
@@ -4109,14 +4530,14 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %204, ptr %208, align 8
   %209 = add nuw nsw i64 %201, 1
   %210 = icmp eq i64 %209, %7
-  br i1 %210, label %196, label %200, !llvm.loop !98
+  br i1 %210, label %196, label %200, !llvm.loop !105
 
 211:                                              ; preds = %196
   %212 = or i64 %199, %21
   br label %214
 
 213:                                              ; preds = %196
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #11
   br label %214
 
 214:                                              ; preds = %213, %211
@@ -4124,7 +4545,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %216 = add nsw i64 %22, -1
   %217 = and i64 %216, %22
   %218 = icmp eq i64 %217, 0
-  br i1 %218, label %32, label %20, !llvm.loop !99
+  br i1 %218, label %32, label %20, !llvm.loop !106
 }
 
 define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
@@ -4163,7 +4584,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %29, label %31, label %30
 
 30:                                               ; preds = %17
-  tail call fastcc void @settle(ptr noundef nonnull %18) #10
+  tail call fastcc void @settle(ptr noundef nonnull %18) #11
   br label %31
 
 31:                                               ; preds = %30, %17
@@ -4173,7 +4594,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %34, label %35, label %36
 
 35:                                               ; preds = %31
-  tail call fastcc void @sample(ptr noundef nonnull %18) #10
+  tail call fastcc void @sample(ptr noundef nonnull %18) #11
   br label %36
 
 36:                                               ; preds = %31, %35
@@ -4186,7 +4607,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %43 = load ptr, ptr %42, align 8
   %44 = inttoptr i64 %38 to ptr
   %45 = load ptr, ptr %44, align 8
-  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #11
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #12
   %47 = load ptr, ptr %9, align 8
   %48 = load ptr, ptr %47, align 8
   %49 = getelementptr inbounds i8, ptr %48, i64 8
@@ -4207,7 +4628,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %60 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
   %61 = fadd <8 x double> %60, %59
   store <8 x double> %61, ptr %58, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #10
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #11
   ret i64 %56
 
 62:                                               ; preds = %52, %62
@@ -4227,7 +4648,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %75 = getelementptr inbounds i8, ptr %74, i64 8
   %76 = load i64, ptr %75, align 8
   %77 = icmp slt i64 %72, %76
-  br i1 %77, label %62, label %54, !llvm.loop !100
+  br i1 %77, label %62, label %54, !llvm.loop !107
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
@@ -4273,7 +4694,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   %31 = select i1 %29, i64 %25, i64 %23
   %32 = select i1 %29, i64 %22, i64 %30
   %33 = icmp slt i64 %32, %31
-  br i1 %33, label %21, label %34, !llvm.loop !75
+  br i1 %33, label %21, label %34, !llvm.loop !82
 
 34:                                               ; preds = %21, %7
   %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
@@ -4307,7 +4728,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   store double %52, ptr %13, align 8
   %53 = add nuw nsw i64 %8, 1
   %54 = icmp eq i64 %53, 8
-  br i1 %54, label %6, label %7, !llvm.loop !101
+  br i1 %54, label %6, label %7, !llvm.loop !108
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
@@ -4343,7 +4764,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !102
+  br i1 %25, label %15, label %14, !llvm.loop !109
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -4404,7 +4825,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !103
+  br i1 %76, label %65, label %77, !llvm.loop !110
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -4437,7 +4858,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !104
+  br i1 %105, label %22, label %26, !llvm.loop !111
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
@@ -4491,7 +4912,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !105
+  br i1 %48, label %13, label %20, !llvm.loop !112
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
@@ -4499,8 +4920,8 @@ declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #5
 
 define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 1248
-  %4 = getelementptr inbounds i8, ptr %0, i64 1200
+  %3 = getelementptr inbounds i8, ptr %0, i64 1272
+  %4 = getelementptr inbounds i8, ptr %0, i64 1224
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds i64, ptr %5, i64 %1
   %7 = load i64, ptr %6, align 8
@@ -4508,25 +4929,25 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %9 = getelementptr inbounds i8, ptr %8, i64 648
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %10, i64 80
-  %12 = getelementptr inbounds i8, ptr %0, i64 1608
-  %13 = getelementptr inbounds i8, ptr %0, i64 1624
+  %12 = getelementptr inbounds i8, ptr %0, i64 1632
+  %13 = getelementptr inbounds i8, ptr %0, i64 1648
   %14 = load i64, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 1568
+  %15 = getelementptr inbounds i8, ptr %0, i64 1592
   %16 = load i64, ptr %11, align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %33
 
 18:                                               ; preds = %2
-  %19 = getelementptr inbounds i8, ptr %0, i64 1560
+  %19 = getelementptr inbounds i8, ptr %0, i64 1584
   %20 = getelementptr inbounds i8, ptr %0, i64 936
-  %21 = getelementptr inbounds i8, ptr %0, i64 1536
+  %21 = getelementptr inbounds i8, ptr %0, i64 1560
   %22 = getelementptr inbounds i8, ptr %8, i64 1056
   %23 = getelementptr inbounds i8, ptr %8, i64 1080
-  %24 = getelementptr inbounds i8, ptr %0, i64 1584
+  %24 = getelementptr inbounds i8, ptr %0, i64 1608
   %25 = icmp sgt i64 %14, 0
   %26 = getelementptr inbounds i8, ptr %8, i64 1104
   %27 = getelementptr inbounds i8, ptr %8, i64 1128
-  %28 = getelementptr inbounds i8, ptr %0, i64 1632
+  %28 = getelementptr inbounds i8, ptr %0, i64 1656
   br label %29
 
 29:                                               ; preds = %18, %57
@@ -4574,7 +4995,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !106
+  br i1 %60, label %29, label %33, !llvm.loop !113
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -4594,7 +5015,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !107
+  br i1 %76, label %57, label %61, !llvm.loop !114
 }
 
 declare double @llvm.sqrt.f64(double) #5
@@ -4605,7 +5026,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
 
 5:                                                ; preds = %118, %57
   %6 = icmp eq i64 %25, %1
-  br i1 %6, label %7, label %13, !llvm.loop !108
+  br i1 %6, label %7, label %13, !llvm.loop !115
 
 7:                                                ; preds = %5
   %8 = icmp ne <8 x i64> %33, zeroinitializer
@@ -4666,7 +5087,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %54 = select <8 x i1> %49, <8 x double> %48, <8 x double> %41
   %55 = add nuw nsw i64 %42, 1
   %56 = icmp slt i64 %55, %1
-  br i1 %56, label %39, label %27, !llvm.loop !109
+  br i1 %56, label %39, label %27, !llvm.loop !116
 
 57:                                               ; preds = %71, %27
   %58 = load <8 x double>, ptr %22, align 8
@@ -4693,7 +5114,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %72 = add nuw nsw i64 %62, 1
   %73 = icmp sge i64 %72, %1
   %74 = select i1 %73, i1 true, i1 %36
-  br i1 %74, label %57, label %61, !llvm.loop !110
+  br i1 %74, label %57, label %61, !llvm.loop !117
 
 75:                                               ; preds = %69, %75
   %76 = phi i64 [ 0, %69 ], [ %87, %75 ]
@@ -4712,7 +5133,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %87 = add nuw nsw i64 %76, 1
   %88 = icmp sge i64 %87, %1
   %89 = or i1 %88, %68
-  br i1 %89, label %71, label %75, !llvm.loop !111
+  br i1 %89, label %71, label %75, !llvm.loop !118
 
 90:                                               ; preds = %57, %118
   %91 = phi i64 [ %119, %118 ], [ %25, %57 ]
@@ -4748,12 +5169,12 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   store <8 x double> %115, ptr %108, align 8
   %116 = add nuw nsw i64 %105, 1
   %117 = icmp slt i64 %116, %1
-  br i1 %117, label %104, label %118, !llvm.loop !112
+  br i1 %117, label %104, label %118, !llvm.loop !119
 
 118:                                              ; preds = %104, %90
   %119 = add nuw nsw i64 %91, 1
   %120 = icmp slt i64 %119, %1
-  br i1 %120, label %90, label %5, !llvm.loop !113
+  br i1 %120, label %90, label %5, !llvm.loop !120
 }
 
 define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #7 {
@@ -4762,7 +5183,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
 
 5:                                                ; preds = %179, %69
   %6 = icmp eq i64 %31, %1
-  br i1 %6, label %7, label %13, !llvm.loop !114
+  br i1 %6, label %7, label %13, !llvm.loop !121
 
 7:                                                ; preds = %5
   %8 = icmp ne <8 x i64> %39, zeroinitializer
@@ -4785,10 +5206,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %21 = shl i64 %20, 7
   %22 = shl nsw i64 %20, 7
   %23 = getelementptr inbounds i8, ptr %0, i64 %22
-  %24 = load <8 x double>, ptr %23, align 8, !noalias !115
+  %24 = load <8 x double>, ptr %23, align 8, !noalias !122
   %25 = or disjoint i64 %21, 64
   %26 = getelementptr inbounds i8, ptr %0, i64 %25
-  %27 = load <8 x double>, ptr %26, align 8, !noalias !115
+  %27 = load <8 x double>, ptr %26, align 8, !noalias !122
   %28 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %24)
   %29 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %27)
   %30 = fadd <8 x double> %28, %29
@@ -4820,10 +5241,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %51 = shl i64 %50, 7
   %52 = shl nsw i64 %50, 7
   %53 = getelementptr inbounds i8, ptr %0, i64 %52
-  %54 = load <8 x double>, ptr %53, align 8, !noalias !118
+  %54 = load <8 x double>, ptr %53, align 8, !noalias !125
   %55 = or disjoint i64 %51, 64
   %56 = getelementptr inbounds i8, ptr %0, i64 %55
-  %57 = load <8 x double>, ptr %56, align 8, !noalias !118
+  %57 = load <8 x double>, ptr %56, align 8, !noalias !125
   %58 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %54)
   %59 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %57)
   %60 = fadd <8 x double> %58, %59
@@ -4835,11 +5256,11 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %66 = select <8 x i1> %61, <8 x double> %60, <8 x double> %48
   %67 = add nuw nsw i64 %47, 1
   %68 = icmp slt i64 %67, %1
-  br i1 %68, label %45, label %33, !llvm.loop !121
+  br i1 %68, label %45, label %33, !llvm.loop !128
 
 69:                                               ; preds = %96, %33
-  %70 = load <8 x double>, ptr %23, align 8, !noalias !122
-  %71 = load <8 x double>, ptr %26, align 8, !noalias !122
+  %70 = load <8 x double>, ptr %23, align 8, !noalias !129
+  %71 = load <8 x double>, ptr %26, align 8, !noalias !129
   %72 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %70)
   %73 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %71)
   %74 = fcmp oge <8 x double> %72, %73
@@ -4876,7 +5297,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %97 = add nuw nsw i64 %87, 1
   %98 = icmp sge i64 %97, %1
   %99 = select i1 %98, i1 true, i1 %42
-  br i1 %99, label %69, label %86, !llvm.loop !125
+  br i1 %99, label %69, label %86, !llvm.loop !132
 
 100:                                              ; preds = %94, %100
   %101 = phi i64 [ 0, %94 ], [ %122, %100 ]
@@ -4884,18 +5305,18 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %103 = shl i64 %102, 7
   %104 = shl nsw i64 %102, 7
   %105 = getelementptr inbounds i8, ptr %0, i64 %104
-  %106 = load <8 x i64>, ptr %105, align 8, !noalias !126
+  %106 = load <8 x i64>, ptr %105, align 8, !noalias !133
   %107 = or disjoint i64 %103, 64
   %108 = getelementptr inbounds i8, ptr %0, i64 %107
-  %109 = load <8 x i64>, ptr %108, align 8, !noalias !126
+  %109 = load <8 x i64>, ptr %108, align 8, !noalias !133
   %110 = add nuw nsw i64 %101, %95
   %111 = shl i64 %110, 7
   %112 = shl nsw i64 %110, 7
   %113 = getelementptr inbounds i8, ptr %0, i64 %112
-  %114 = load <8 x i64>, ptr %113, align 8, !noalias !129
+  %114 = load <8 x i64>, ptr %113, align 8, !noalias !136
   %115 = or disjoint i64 %111, 64
   %116 = getelementptr inbounds i8, ptr %0, i64 %115
-  %117 = load <8 x i64>, ptr %116, align 8, !noalias !129
+  %117 = load <8 x i64>, ptr %116, align 8, !noalias !136
   %118 = select <8 x i1> %91, <8 x i64> %114, <8 x i64> %106
   %119 = select <8 x i1> %91, <8 x i64> %117, <8 x i64> %109
   store <8 x i64> %118, ptr %105, align 8
@@ -4907,7 +5328,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %122 = add nuw nsw i64 %101, 1
   %123 = icmp sge i64 %122, %1
   %124 = or i1 %123, %93
-  br i1 %124, label %96, label %100, !llvm.loop !132
+  br i1 %124, label %96, label %100, !llvm.loop !139
 
 125:                                              ; preds = %69, %179
   %126 = phi i64 [ %180, %179 ], [ %31, %69 ]
@@ -4916,10 +5337,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %129 = shl i64 %128, 7
   %130 = shl nsw i64 %128, 7
   %131 = getelementptr inbounds i8, ptr %0, i64 %130
-  %132 = load <8 x double>, ptr %131, align 8, !noalias !133
+  %132 = load <8 x double>, ptr %131, align 8, !noalias !140
   %133 = or disjoint i64 %129, 64
   %134 = getelementptr inbounds i8, ptr %0, i64 %133
-  %135 = load <8 x double>, ptr %134, align 8, !noalias !133
+  %135 = load <8 x double>, ptr %134, align 8, !noalias !140
   %136 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %132)
   %137 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %135)
   %138 = fadd <8 x double> %136, %137
@@ -4947,18 +5368,18 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %154 = shl i64 %153, 7
   %155 = shl nsw i64 %153, 7
   %156 = getelementptr inbounds i8, ptr %0, i64 %155
-  %157 = load <8 x double>, ptr %156, align 8, !noalias !136
+  %157 = load <8 x double>, ptr %156, align 8, !noalias !143
   %158 = or disjoint i64 %154, 64
   %159 = getelementptr inbounds i8, ptr %0, i64 %158
-  %160 = load <8 x double>, ptr %159, align 8, !noalias !136
+  %160 = load <8 x double>, ptr %159, align 8, !noalias !143
   %161 = add nuw nsw i64 %152, %19
   %162 = shl i64 %161, 7
   %163 = shl nsw i64 %161, 7
   %164 = getelementptr inbounds i8, ptr %0, i64 %163
-  %165 = load <8 x double>, ptr %164, align 8, !noalias !139
+  %165 = load <8 x double>, ptr %164, align 8, !noalias !146
   %166 = or disjoint i64 %162, 64
   %167 = getelementptr inbounds i8, ptr %0, i64 %166
-  %168 = load <8 x double>, ptr %167, align 8, !noalias !139
+  %168 = load <8 x double>, ptr %167, align 8, !noalias !146
   %169 = fmul <8 x double> %168, %150
   %170 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %148, <8 x double> %165, <8 x double> %169)
   %171 = fmul <8 x double> %149, %165
@@ -4971,15 +5392,17 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   store <8 x double> %176, ptr %159, align 8
   %177 = add nuw nsw i64 %152, 1
   %178 = icmp slt i64 %177, %1
-  br i1 %178, label %151, label %179, !llvm.loop !142
+  br i1 %178, label %151, label %179, !llvm.loop !149
 
 179:                                              ; preds = %151, %125
   %180 = add nuw nsw i64 %126, 1
   %181 = icmp slt i64 %180, %1
-  br i1 %181, label %125, label %5, !llvm.loop !143
+  br i1 %181, label %125, label %5, !llvm.loop !150
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #5
+
+declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg) #8
 
 define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #7 {
   %5 = icmp sgt i64 %1, 0
@@ -5012,7 +5435,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
 24:                                               ; preds = %18, %27
   %25 = add nuw nsw i64 %7, 1
   %26 = icmp eq i64 %25, %1
-  br i1 %26, label %16, label %6, !llvm.loop !144
+  br i1 %26, label %16, label %6, !llvm.loop !151
 
 27:                                               ; preds = %18
   %28 = getelementptr inbounds double, ptr %13, i64 %19
@@ -5028,7 +5451,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %35, ptr %34, align 8
   %37 = add nuw nsw i64 %19, 1
   %38 = icmp eq i64 %37, 8
-  br i1 %38, label %24, label %18, !llvm.loop !145
+  br i1 %38, label %24, label %18, !llvm.loop !152
 
 39:                                               ; preds = %52, %16
   %40 = icmp sgt i64 %1, 0
@@ -5056,7 +5479,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %53, ptr %47, align 8
   %54 = add nuw nsw i64 %45, 1
   %55 = icmp eq i64 %54, %1
-  br i1 %55, label %39, label %44, !llvm.loop !146
+  br i1 %55, label %39, label %44, !llvm.loop !153
 
 56:                                               ; preds = %50, %56
   %57 = phi i64 [ 0, %50 ], [ %68, %56 ]
@@ -5072,7 +5495,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %67 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %66, <8 x double> %65, <8 x double> %58)
   %68 = add nuw nsw i64 %57, 1
   %69 = icmp eq i64 %68, %45
-  br i1 %69, label %52, label %56, !llvm.loop !147
+  br i1 %69, label %52, label %56, !llvm.loop !154
 
 70:                                               ; preds = %80, %39
   ret void
@@ -5098,7 +5521,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %85 = fmul <8 x double> %81, %84
   store <8 x double> %85, ptr %75, align 8
   %86 = icmp sgt i64 %72, 1
-  br i1 %86, label %71, label %70, !llvm.loop !148
+  br i1 %86, label %71, label %70, !llvm.loop !155
 
 87:                                               ; preds = %78, %87
   %88 = phi i64 [ %72, %78 ], [ %99, %87 ]
@@ -5114,7 +5537,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %98 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %97, <8 x double> %96, <8 x double> %89)
   %99 = add nuw nsw i64 %88, 1
   %100 = icmp eq i64 %99, %1
-  br i1 %100, label %80, label %87, !llvm.loop !149
+  br i1 %100, label %80, label %87, !llvm.loop !156
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #7 {
@@ -5149,7 +5572,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 25:                                               ; preds = %19, %36
   %26 = add nuw nsw i64 %7, 1
   %27 = icmp eq i64 %26, %1
-  br i1 %27, label %17, label %6, !llvm.loop !144
+  br i1 %27, label %17, label %6, !llvm.loop !151
 
 28:                                               ; preds = %19
   %29 = getelementptr inbounds double, ptr %14, i64 %20
@@ -5164,7 +5587,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 36:                                               ; preds = %39
   %37 = add nuw nsw i64 %20, 1
   %38 = icmp eq i64 %37, 8
-  br i1 %38, label %25, label %19, !llvm.loop !145
+  br i1 %38, label %25, label %19, !llvm.loop !152
 
 39:                                               ; preds = %28, %39
   %40 = phi i64 [ 0, %28 ], [ %45, %39 ]
@@ -5176,7 +5599,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %42, ptr %43, align 8
   %45 = add nuw nsw i64 %40, 8
   %46 = icmp eq i64 %40, 0
-  br i1 %46, label %39, label %36, !llvm.loop !150
+  br i1 %46, label %39, label %36, !llvm.loop !157
 
 47:                                               ; preds = %63, %17
   %48 = icmp sgt i64 %1, 0
@@ -5191,10 +5614,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %53 = shl i64 %52, 7
   %54 = shl nsw i64 %52, 7
   %55 = getelementptr inbounds i8, ptr %3, i64 %54
-  %56 = load <8 x double>, ptr %55, align 8, !noalias !151
+  %56 = load <8 x double>, ptr %55, align 8, !noalias !158
   %57 = or disjoint i64 %53, 64
   %58 = getelementptr inbounds i8, ptr %3, i64 %57
-  %59 = load <8 x double>, ptr %58, align 8, !noalias !151
+  %59 = load <8 x double>, ptr %58, align 8, !noalias !158
   %60 = icmp eq i64 %52, 0
   br i1 %60, label %63, label %61
 
@@ -5209,7 +5632,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %65, ptr %58, align 8
   %66 = add nuw nsw i64 %52, 1
   %67 = icmp eq i64 %66, %1
-  br i1 %67, label %47, label %51, !llvm.loop !154
+  br i1 %67, label %47, label %51, !llvm.loop !161
 
 68:                                               ; preds = %61, %68
   %69 = phi i64 [ 0, %61 ], [ %94, %68 ]
@@ -5219,17 +5642,17 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %73 = shl i64 %72, 7
   %74 = shl nsw i64 %72, 7
   %75 = getelementptr inbounds i8, ptr %0, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8, !noalias !155
+  %76 = load <8 x double>, ptr %75, align 8, !noalias !162
   %77 = or disjoint i64 %73, 64
   %78 = getelementptr inbounds i8, ptr %0, i64 %77
-  %79 = load <8 x double>, ptr %78, align 8, !noalias !155
+  %79 = load <8 x double>, ptr %78, align 8, !noalias !162
   %80 = shl i64 %69, 7
   %81 = shl nsw i64 %69, 7
   %82 = getelementptr inbounds i8, ptr %3, i64 %81
-  %83 = load <8 x double>, ptr %82, align 8, !noalias !158
+  %83 = load <8 x double>, ptr %82, align 8, !noalias !165
   %84 = or disjoint i64 %80, 64
   %85 = getelementptr inbounds i8, ptr %3, i64 %84
-  %86 = load <8 x double>, ptr %85, align 8, !noalias !158
+  %86 = load <8 x double>, ptr %85, align 8, !noalias !165
   %87 = fneg <8 x double> %79
   %88 = fmul <8 x double> %86, %87
   %89 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %76, <8 x double> %83, <8 x double> %88)
@@ -5239,7 +5662,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %93 = fsub <8 x double> %70, %91
   %94 = add nuw nsw i64 %69, 1
   %95 = icmp eq i64 %94, %52
-  br i1 %95, label %63, label %68, !llvm.loop !161
+  br i1 %95, label %63, label %68, !llvm.loop !168
 
 96:                                               ; preds = %110, %47
   ret void
@@ -5250,10 +5673,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %100 = shl i64 %99, 7
   %101 = shl nsw i64 %99, 7
   %102 = getelementptr inbounds i8, ptr %3, i64 %101
-  %103 = load <8 x double>, ptr %102, align 8, !noalias !162
+  %103 = load <8 x double>, ptr %102, align 8, !noalias !169
   %104 = or disjoint i64 %100, 64
   %105 = getelementptr inbounds i8, ptr %3, i64 %104
-  %106 = load <8 x double>, ptr %105, align 8, !noalias !162
+  %106 = load <8 x double>, ptr %105, align 8, !noalias !169
   %107 = icmp slt i64 %98, %1
   br i1 %107, label %108, label %110
 
@@ -5268,10 +5691,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %114 = shl i64 %113, 7
   %115 = shl nsw i64 %113, 7
   %116 = getelementptr inbounds i8, ptr %0, i64 %115
-  %117 = load <8 x double>, ptr %116, align 8, !noalias !165
+  %117 = load <8 x double>, ptr %116, align 8, !noalias !172
   %118 = or disjoint i64 %114, 64
   %119 = getelementptr inbounds i8, ptr %0, i64 %118
-  %120 = load <8 x double>, ptr %119, align 8, !noalias !165
+  %120 = load <8 x double>, ptr %119, align 8, !noalias !172
   %121 = fneg <8 x double> %112
   %122 = fmul <8 x double> %120, %121
   %123 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %111, <8 x double> %117, <8 x double> %122)
@@ -5280,7 +5703,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %123, ptr %102, align 8
   store <8 x double> %125, ptr %105, align 8
   %126 = icmp sgt i64 %98, 1
-  br i1 %126, label %97, label %96, !llvm.loop !168
+  br i1 %126, label %97, label %96, !llvm.loop !175
 
 127:                                              ; preds = %108, %127
   %128 = phi i64 [ %98, %108 ], [ %153, %127 ]
@@ -5290,17 +5713,17 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %132 = shl i64 %131, 7
   %133 = shl nsw i64 %131, 7
   %134 = getelementptr inbounds i8, ptr %0, i64 %133
-  %135 = load <8 x double>, ptr %134, align 8, !noalias !169
+  %135 = load <8 x double>, ptr %134, align 8, !noalias !176
   %136 = or disjoint i64 %132, 64
   %137 = getelementptr inbounds i8, ptr %0, i64 %136
-  %138 = load <8 x double>, ptr %137, align 8, !noalias !169
+  %138 = load <8 x double>, ptr %137, align 8, !noalias !176
   %139 = shl i64 %128, 7
   %140 = shl nsw i64 %128, 7
   %141 = getelementptr inbounds i8, ptr %3, i64 %140
-  %142 = load <8 x double>, ptr %141, align 8, !noalias !172
+  %142 = load <8 x double>, ptr %141, align 8, !noalias !179
   %143 = or disjoint i64 %139, 64
   %144 = getelementptr inbounds i8, ptr %3, i64 %143
-  %145 = load <8 x double>, ptr %144, align 8, !noalias !172
+  %145 = load <8 x double>, ptr %144, align 8, !noalias !179
   %146 = fneg <8 x double> %138
   %147 = fmul <8 x double> %145, %146
   %148 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %135, <8 x double> %142, <8 x double> %147)
@@ -5310,7 +5733,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %152 = fsub <8 x double> %129, %150
   %153 = add nuw nsw i64 %128, 1
   %154 = icmp eq i64 %153, %1
-  br i1 %154, label %110, label %127, !llvm.loop !175
+  br i1 %154, label %110, label %127, !llvm.loop !182
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #7 {
@@ -5356,7 +5779,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 33:                                               ; preds = %27, %44
   %34 = add nuw nsw i64 %13, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %23, label %12, !llvm.loop !144
+  br i1 %35, label %23, label %12, !llvm.loop !151
 
 36:                                               ; preds = %27
   %37 = getelementptr inbounds double, ptr %20, i64 %28
@@ -5371,7 +5794,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 44:                                               ; preds = %47, %36
   %45 = add nuw nsw i64 %28, 1
   %46 = icmp eq i64 %45, 8
-  br i1 %46, label %33, label %27, !llvm.loop !145
+  br i1 %46, label %33, label %27, !llvm.loop !152
 
 47:                                               ; preds = %36, %47
   %48 = phi i64 [ %53, %47 ], [ 0, %36 ]
@@ -5383,7 +5806,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %50, ptr %51, align 8
   %53 = add nuw nsw i64 %48, 8
   %54 = icmp slt i64 %53, %10
-  br i1 %54, label %47, label %44, !llvm.loop !150
+  br i1 %54, label %47, label %44, !llvm.loop !157
 
 55:                                               ; preds = %25, %68
   %56 = phi i64 [ 0, %25 ], [ %69, %68 ]
@@ -5409,7 +5832,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 68:                                               ; preds = %93, %55
   %69 = add nuw nsw i64 %56, 1
   %70 = icmp eq i64 %69, %1
-  br i1 %70, label %61, label %55, !llvm.loop !176
+  br i1 %70, label %61, label %55, !llvm.loop !183
 
 71:                                               ; preds = %58, %93
   %72 = phi i64 [ 0, %58 ], [ %94, %93 ]
@@ -5438,16 +5861,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %90, ptr %84, align 8
   %91 = add nuw nsw i64 %81, 1
   %92 = icmp eq i64 %91, %4
-  br i1 %92, label %93, label %80, !llvm.loop !177
+  br i1 %92, label %93, label %80, !llvm.loop !184
 
 93:                                               ; preds = %80, %71
   %94 = add nuw nsw i64 %72, 1
   %95 = icmp eq i64 %94, %56
-  br i1 %95, label %68, label %71, !llvm.loop !178
+  br i1 %95, label %68, label %71, !llvm.loop !185
 
 96:                                               ; preds = %136, %106
   %97 = icmp sgt i64 %99, 1
-  br i1 %97, label %98, label %105, !llvm.loop !179
+  br i1 %97, label %98, label %105, !llvm.loop !186
 
 98:                                               ; preds = %63, %96
   %99 = phi i64 [ %1, %63 ], [ %100, %96 ]
@@ -5499,12 +5922,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %130, ptr %124, align 8
   %131 = add nuw nsw i64 %121, 1
   %132 = icmp eq i64 %131, %4
-  br i1 %132, label %133, label %120, !llvm.loop !177
+  br i1 %132, label %133, label %120, !llvm.loop !184
 
 133:                                              ; preds = %120, %111
   %134 = add nuw nsw i64 %112, 1
   %135 = icmp eq i64 %134, %1
-  br i1 %135, label %106, label %111, !llvm.loop !180
+  br i1 %135, label %106, label %111, !llvm.loop !187
 
 136:                                              ; preds = %107, %136
   %137 = phi i64 [ 0, %107 ], [ %144, %136 ]
@@ -5517,7 +5940,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %143, ptr %140, align 8
   %144 = add nuw nsw i64 %137, 1
   %145 = icmp eq i64 %144, %4
-  br i1 %145, label %96, label %136, !llvm.loop !181
+  br i1 %145, label %96, label %136, !llvm.loop !188
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #7 {
@@ -5563,7 +5986,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 33:                                               ; preds = %27, %44
   %34 = add nuw nsw i64 %13, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %23, label %12, !llvm.loop !144
+  br i1 %35, label %23, label %12, !llvm.loop !151
 
 36:                                               ; preds = %27
   %37 = getelementptr inbounds double, ptr %20, i64 %28
@@ -5578,7 +6001,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 44:                                               ; preds = %47, %36
   %45 = add nuw nsw i64 %28, 1
   %46 = icmp eq i64 %45, 8
-  br i1 %46, label %33, label %27, !llvm.loop !145
+  br i1 %46, label %33, label %27, !llvm.loop !152
 
 47:                                               ; preds = %36, %47
   %48 = phi i64 [ %53, %47 ], [ 0, %36 ]
@@ -5590,7 +6013,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %50, ptr %51, align 8
   %53 = add nuw nsw i64 %48, 8
   %54 = icmp slt i64 %53, %10
-  br i1 %54, label %47, label %44, !llvm.loop !150
+  br i1 %54, label %47, label %44, !llvm.loop !157
 
 55:                                               ; preds = %25, %67
   %56 = phi i64 [ 0, %25 ], [ %68, %67 ]
@@ -5615,7 +6038,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 67:                                               ; preds = %109, %55
   %68 = add nuw nsw i64 %56, 1
   %69 = icmp eq i64 %68, %1
-  br i1 %69, label %61, label %55, !llvm.loop !182
+  br i1 %69, label %61, label %55, !llvm.loop !189
 
 70:                                               ; preds = %58, %109
   %71 = phi i64 [ 0, %58 ], [ %110, %109 ]
@@ -5623,10 +6046,10 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %73 = shl i64 %72, 7
   %74 = shl nsw i64 %72, 7
   %75 = getelementptr inbounds i8, ptr %0, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8, !noalias !183
+  %76 = load <8 x double>, ptr %75, align 8, !noalias !190
   %77 = or disjoint i64 %73, 64
   %78 = getelementptr inbounds i8, ptr %0, i64 %77
-  %79 = load <8 x double>, ptr %78, align 8, !noalias !183
+  %79 = load <8 x double>, ptr %78, align 8, !noalias !190
   br i1 %26, label %80, label %109
 
 80:                                               ; preds = %70
@@ -5640,18 +6063,18 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %86 = shl i64 %85, 7
   %87 = shl nsw i64 %85, 7
   %88 = getelementptr inbounds i8, ptr %3, i64 %87
-  %89 = load <8 x double>, ptr %88, align 8, !noalias !186
+  %89 = load <8 x double>, ptr %88, align 8, !noalias !193
   %90 = or disjoint i64 %86, 64
   %91 = getelementptr inbounds i8, ptr %3, i64 %90
-  %92 = load <8 x double>, ptr %91, align 8, !noalias !186
+  %92 = load <8 x double>, ptr %91, align 8, !noalias !193
   %93 = add nuw nsw i64 %84, %81
   %94 = shl i64 %93, 7
   %95 = shl nsw i64 %93, 7
   %96 = getelementptr inbounds i8, ptr %3, i64 %95
-  %97 = load <8 x double>, ptr %96, align 8, !noalias !189
+  %97 = load <8 x double>, ptr %96, align 8, !noalias !196
   %98 = or disjoint i64 %94, 64
   %99 = getelementptr inbounds i8, ptr %3, i64 %98
-  %100 = load <8 x double>, ptr %99, align 8, !noalias !189
+  %100 = load <8 x double>, ptr %99, align 8, !noalias !196
   %101 = fmul <8 x double> %100, %82
   %102 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %76, <8 x double> %97, <8 x double> %101)
   %103 = fmul <8 x double> %79, %97
@@ -5662,16 +6085,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %106, ptr %91, align 8
   %107 = add nuw nsw i64 %84, 1
   %108 = icmp eq i64 %107, %4
-  br i1 %108, label %109, label %83, !llvm.loop !192
+  br i1 %108, label %109, label %83, !llvm.loop !199
 
 109:                                              ; preds = %83, %70
   %110 = add nuw nsw i64 %71, 1
   %111 = icmp eq i64 %110, %56
-  br i1 %111, label %67, label %70, !llvm.loop !193
+  br i1 %111, label %67, label %70, !llvm.loop !200
 
 112:                                              ; preds = %173, %122
   %113 = icmp sgt i64 %115, 1
-  br i1 %113, label %114, label %121, !llvm.loop !194
+  br i1 %113, label %114, label %121, !llvm.loop !201
 
 114:                                              ; preds = %63, %112
   %115 = phi i64 [ %1, %63 ], [ %116, %112 ]
@@ -5706,10 +6129,10 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %134 = shl i64 %133, 7
   %135 = shl nsw i64 %133, 7
   %136 = getelementptr inbounds i8, ptr %0, i64 %135
-  %137 = load <8 x double>, ptr %136, align 8, !noalias !195
+  %137 = load <8 x double>, ptr %136, align 8, !noalias !202
   %138 = or disjoint i64 %134, 64
   %139 = getelementptr inbounds i8, ptr %0, i64 %138
-  %140 = load <8 x double>, ptr %139, align 8, !noalias !195
+  %140 = load <8 x double>, ptr %139, align 8, !noalias !202
   br i1 %64, label %141, label %170
 
 141:                                              ; preds = %131
@@ -5723,18 +6146,18 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %147 = shl i64 %146, 7
   %148 = shl nsw i64 %146, 7
   %149 = getelementptr inbounds i8, ptr %3, i64 %148
-  %150 = load <8 x double>, ptr %149, align 8, !noalias !198
+  %150 = load <8 x double>, ptr %149, align 8, !noalias !205
   %151 = or disjoint i64 %147, 64
   %152 = getelementptr inbounds i8, ptr %3, i64 %151
-  %153 = load <8 x double>, ptr %152, align 8, !noalias !198
+  %153 = load <8 x double>, ptr %152, align 8, !noalias !205
   %154 = add nsw i64 %145, %142
   %155 = shl i64 %154, 7
   %156 = shl nsw i64 %154, 7
   %157 = getelementptr inbounds i8, ptr %3, i64 %156
-  %158 = load <8 x double>, ptr %157, align 8, !noalias !201
+  %158 = load <8 x double>, ptr %157, align 8, !noalias !208
   %159 = or disjoint i64 %155, 64
   %160 = getelementptr inbounds i8, ptr %3, i64 %159
-  %161 = load <8 x double>, ptr %160, align 8, !noalias !201
+  %161 = load <8 x double>, ptr %160, align 8, !noalias !208
   %162 = fmul <8 x double> %161, %143
   %163 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %137, <8 x double> %158, <8 x double> %162)
   %164 = fmul <8 x double> %140, %158
@@ -5745,12 +6168,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %167, ptr %152, align 8
   %168 = add nuw nsw i64 %145, 1
   %169 = icmp eq i64 %168, %4
-  br i1 %169, label %170, label %144, !llvm.loop !192
+  br i1 %169, label %170, label %144, !llvm.loop !199
 
 170:                                              ; preds = %144, %131
   %171 = add nuw nsw i64 %132, 1
   %172 = icmp eq i64 %171, %1
-  br i1 %172, label %122, label %131, !llvm.loop !204
+  br i1 %172, label %122, label %131, !llvm.loop !211
 
 173:                                              ; preds = %123, %173
   %174 = phi i64 [ 0, %123 ], [ %190, %173 ]
@@ -5758,12 +6181,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %176 = shl i64 %175, 7
   %177 = shl nsw i64 %175, 7
   %178 = getelementptr inbounds i8, ptr %3, i64 %177
-  %179 = load <8 x double>, ptr %178, align 8, !noalias !205
+  %179 = load <8 x double>, ptr %178, align 8, !noalias !212
   %180 = or disjoint i64 %176, 64
   %181 = getelementptr inbounds i8, ptr %3, i64 %180
-  %182 = load <8 x double>, ptr %181, align 8, !noalias !205
-  %183 = load <8 x double>, ptr %128, align 8, !noalias !208
-  %184 = load <8 x double>, ptr %130, align 8, !noalias !208
+  %182 = load <8 x double>, ptr %181, align 8, !noalias !212
+  %183 = load <8 x double>, ptr %128, align 8, !noalias !215
+  %184 = load <8 x double>, ptr %130, align 8, !noalias !215
   %185 = fneg <8 x double> %182
   %186 = fmul <8 x double> %184, %185
   %187 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %179, <8 x double> %183, <8 x double> %186)
@@ -5773,22 +6196,22 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %189, ptr %181, align 8
   %190 = add nuw nsw i64 %174, 1
   %191 = icmp eq i64 %190, %4
-  br i1 %191, label %112, label %173, !llvm.loop !211
+  br i1 %191, label %112, label %173, !llvm.loop !218
 }
 
 define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3) unnamed_addr #3 {
   %5 = alloca [5 x <8 x double>], align 64
-  %6 = getelementptr inbounds i8, ptr %0, i64 1248
+  %6 = getelementptr inbounds i8, ptr %0, i64 1272
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 8
   %9 = load i64, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 1200
+  %10 = getelementptr inbounds i8, ptr %0, i64 1224
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr %11, align 8
   %13 = inttoptr i64 %12 to ptr
   %14 = getelementptr inbounds i8, ptr %13, i64 864
   %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %0, i64 1440
+  %16 = getelementptr inbounds i8, ptr %0, i64 1464
   %17 = load ptr, ptr %16, align 8
   %18 = load <8 x double>, ptr %17, align 8
   %19 = getelementptr inbounds i8, ptr %0, i64 696
@@ -5802,7 +6225,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %26, label %101, label %27
 
 27:                                               ; preds = %4
-  %28 = getelementptr inbounds i8, ptr %0, i64 1392
+  %28 = getelementptr inbounds i8, ptr %0, i64 1416
   %29 = load ptr, ptr %28, align 8
   %30 = getelementptr inbounds i8, ptr %0, i64 144
   %31 = getelementptr inbounds i8, ptr %1, i64 16
@@ -5830,7 +6253,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %52 = load ptr, ptr %51, align 8
   %53 = getelementptr inbounds i8, ptr %52, i64 16
   %54 = load i64, ptr %53, align 8
-  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #10
+  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #11
   %55 = fmul <8 x double> %35, zeroinitializer
   %56 = fadd <8 x double> %21, %55
   %57 = getelementptr inbounds i8, ptr %0, i64 168
@@ -5843,7 +6266,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %62, label %64, label %63
 
 63:                                               ; preds = %27
-  tail call fastcc void @settle(ptr noundef nonnull %30) #10
+  tail call fastcc void @settle(ptr noundef nonnull %30) #11
   br label %64
 
 64:                                               ; preds = %63, %27
@@ -5853,7 +6276,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %67, label %68, label %69
 
 68:                                               ; preds = %64
-  tail call fastcc void @sample(ptr noundef nonnull %30) #10
+  tail call fastcc void @sample(ptr noundef nonnull %30) #11
   br label %69
 
 69:                                               ; preds = %64, %68
@@ -5866,18 +6289,18 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %76 = load ptr, ptr %75, align 8
   %77 = getelementptr inbounds i8, ptr %0, i64 192
   %78 = load ptr, ptr %77, align 8
-  %79 = getelementptr inbounds i8, ptr %0, i64 1272
+  %79 = getelementptr inbounds i8, ptr %0, i64 1296
   %80 = load ptr, ptr %79, align 8
   %81 = inttoptr i64 %71 to ptr
   %82 = load ptr, ptr %81, align 8
-  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #11
+  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #12
   %84 = zext i32 %83 to i64
   %85 = and i64 %84, %24
   %86 = icmp sgt i64 %9, 0
   br i1 %86, label %87, label %101
 
 87:                                               ; preds = %69
-  %88 = getelementptr inbounds i8, ptr %0, i64 1368
+  %88 = getelementptr inbounds i8, ptr %0, i64 1392
   br label %89
 
 89:                                               ; preds = %87, %89
@@ -5893,11 +6316,11 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %98, ptr %96, align 8
   %99 = add nuw nsw i64 %90, 1
   %100 = icmp eq i64 %99, %9
-  br i1 %100, label %101, label %89, !llvm.loop !212
+  br i1 %100, label %101, label %89, !llvm.loop !219
 
 101:                                              ; preds = %89, %69, %4
   %102 = phi i64 [ 0, %4 ], [ %85, %69 ], [ %85, %89 ]
-  %103 = getelementptr inbounds i8, ptr %0, i64 1368
+  %103 = getelementptr inbounds i8, ptr %0, i64 1392
   %104 = shl i64 %9, 6
   %105 = getelementptr inbounds i8, ptr %0, i64 144
   %106 = getelementptr inbounds i8, ptr %1, i64 16
@@ -5906,7 +6329,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %109 = getelementptr inbounds i8, ptr %0, i64 296
   %110 = getelementptr inbounds i8, ptr %0, i64 168
   %111 = getelementptr inbounds i8, ptr %0, i64 192
-  %112 = getelementptr inbounds i8, ptr %0, i64 1272
+  %112 = getelementptr inbounds i8, ptr %0, i64 1296
   br label %126
 
 113:                                              ; preds = %172
@@ -5919,9 +6342,9 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %119, label %120, label %188
 
 120:                                              ; preds = %113
-  %121 = getelementptr inbounds i8, ptr %0, i64 1416
+  %121 = getelementptr inbounds i8, ptr %0, i64 1440
   %122 = load ptr, ptr %121, align 8
-  %123 = getelementptr inbounds i8, ptr %0, i64 1368
+  %123 = getelementptr inbounds i8, ptr %0, i64 1392
   %124 = load ptr, ptr %123, align 8
   %125 = getelementptr inbounds i8, ptr %5, i64 64
   br label %195
@@ -5961,7 +6384,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %157 = load ptr, ptr %156, align 8
   %158 = getelementptr inbounds i8, ptr %157, i64 16
   %159 = load i64, ptr %158, align 8
-  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #10
+  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #11
   %160 = fmul <8 x double> %141, %139
   %161 = fadd <8 x double> %135, %160
   %162 = load ptr, ptr %108, align 8
@@ -5973,7 +6396,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %166, label %168, label %167
 
 167:                                              ; preds = %126
-  tail call fastcc void @settle(ptr noundef nonnull %105) #10
+  tail call fastcc void @settle(ptr noundef nonnull %105) #11
   br label %168
 
 168:                                              ; preds = %167, %126
@@ -5982,7 +6405,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %170, label %171, label %172
 
 171:                                              ; preds = %168
-  tail call fastcc void @sample(ptr noundef nonnull %105) #10
+  tail call fastcc void @sample(ptr noundef nonnull %105) #11
   br label %172
 
 172:                                              ; preds = %168, %171
@@ -5996,12 +6419,12 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %180 = load ptr, ptr %112, align 8
   %181 = inttoptr i64 %174 to ptr
   %182 = load ptr, ptr %181, align 8
-  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #11
+  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #12
   %184 = zext i32 %183 to i64
   %185 = or i64 %128, %184
   %186 = add nuw nsw i64 %127, 1
   %187 = icmp eq i64 %186, 5
-  br i1 %187, label %113, label %126, !llvm.loop !213
+  br i1 %187, label %113, label %126, !llvm.loop !220
 
 188:                                              ; preds = %316, %113
   %189 = phi <8 x i64> [ %118, %113 ], [ %318, %316 ]
@@ -6009,7 +6432,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %190, label %191, label %321
 
 191:                                              ; preds = %188
-  %192 = getelementptr inbounds i8, ptr %0, i64 1368
+  %192 = getelementptr inbounds i8, ptr %0, i64 1392
   %193 = shl i64 %9, 8
   %194 = icmp slt <8 x i64> %189, zeroinitializer
   br label %330
@@ -6074,7 +6497,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %235 = phi <8 x i64> [ %233, %231 ], [ %212, %229 ]
   %236 = add nuw nsw i64 %209, 1
   %237 = icmp eq i64 %236, 5
-  br i1 %237, label %203, label %208, !llvm.loop !214
+  br i1 %237, label %203, label %208, !llvm.loop !221
 
 238:                                              ; preds = %203
   %239 = fmul <8 x double> %225, %230
@@ -6162,14 +6585,14 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 313:                                              ; preds = %282, %256
   %314 = phi <8 x i64> [ %312, %282 ], [ %258, %256 ]
   %315 = icmp eq i64 %263, 4
-  br i1 %315, label %316, label %256, !llvm.loop !215
+  br i1 %315, label %316, label %256, !llvm.loop !222
 
 316:                                              ; preds = %313
   %317 = xor <8 x i64> %314, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
   %318 = and <8 x i64> %251, %317
   %319 = add nuw nsw i64 %198, 1
   %320 = icmp eq i64 %319, %9
-  br i1 %320, label %188, label %195, !llvm.loop !216
+  br i1 %320, label %188, label %195, !llvm.loop !223
 
 321:                                              ; preds = %330, %188
   %322 = load ptr, ptr %16, align 8
@@ -6197,11 +6620,11 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %340, ptr %338, align 8
   %341 = add nuw nsw i64 %331, 1
   %342 = icmp eq i64 %341, %9
-  br i1 %342, label %321, label %330, !llvm.loop !217
+  br i1 %342, label %321, label %330, !llvm.loop !224
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 1200
+  %5 = getelementptr inbounds i8, ptr %0, i64 1224
   %6 = load ptr, ptr %5, align 8
   %7 = getelementptr inbounds i64, ptr %6, i64 %1
   %8 = load i64, ptr %7, align 8
@@ -6225,7 +6648,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   br label %129
 
 24:                                               ; preds = %147, %4
-  %25 = getelementptr inbounds i8, ptr %0, i64 1248
+  %25 = getelementptr inbounds i8, ptr %0, i64 1272
   %26 = load ptr, ptr %5, align 8
   %27 = getelementptr inbounds i64, ptr %26, i64 %1
   %28 = load i64, ptr %27, align 8
@@ -6239,7 +6662,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %36 = getelementptr inbounds i8, ptr %34, i64 %35
   %37 = mul i64 %32, 88
   %38 = getelementptr inbounds i8, ptr %34, i64 %37
-  %39 = getelementptr inbounds i8, ptr %0, i64 1440
+  %39 = getelementptr inbounds i8, ptr %0, i64 1464
   %40 = load ptr, ptr %39, align 8
   %41 = getelementptr inbounds double, ptr %40, i64 %1
   %42 = load double, ptr %41, align 8
@@ -6248,9 +6671,9 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   br i1 %43, label %44, label %64
 
 44:                                               ; preds = %24
-  %45 = getelementptr inbounds i8, ptr %0, i64 1416
+  %45 = getelementptr inbounds i8, ptr %0, i64 1440
   %46 = getelementptr inbounds i8, ptr %29, i64 936
-  %47 = getelementptr inbounds i8, ptr %0, i64 1368
+  %47 = getelementptr inbounds i8, ptr %0, i64 1392
   br label %48
 
 48:                                               ; preds = %44, %48
@@ -6271,7 +6694,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %60, ptr %61, align 8
   %62 = add nuw nsw i64 %49, 1
   %63 = icmp eq i64 %62, %32
-  br i1 %63, label %64, label %48, !llvm.loop !97
+  br i1 %63, label %64, label %48, !llvm.loop !104
 
 64:                                               ; preds = %48, %24
   %65 = getelementptr inbounds i8, ptr %9, i64 624
@@ -6297,7 +6720,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %83 = load ptr, ptr %82, align 8
   %84 = getelementptr inbounds double, ptr %83, i64 %1
   %85 = load double, ptr %84, align 8
-  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #11
+  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #12
   %87 = load ptr, ptr %75, align 8
   store double 0x7FF0000000000000, ptr %87, align 8
   %88 = load ptr, ptr %65, align 8
@@ -6326,8 +6749,8 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 
 108:                                              ; preds = %64
   %109 = getelementptr inbounds i8, ptr %94, i64 936
-  %110 = getelementptr inbounds i8, ptr %0, i64 1416
-  %111 = getelementptr inbounds i8, ptr %0, i64 1368
+  %110 = getelementptr inbounds i8, ptr %0, i64 1440
+  %111 = getelementptr inbounds i8, ptr %0, i64 1392
   br label %112
 
 112:                                              ; preds = %108, %112
@@ -6348,7 +6771,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %123, ptr %125, align 8
   %126 = add nuw nsw i64 %113, 1
   %127 = icmp eq i64 %126, %97
-  br i1 %127, label %128, label %112, !llvm.loop !97
+  br i1 %127, label %128, label %112, !llvm.loop !104
 
 128:                                              ; preds = %112, %64
   ret i64 %86
@@ -6378,7 +6801,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 147:                                              ; preds = %150, %129
   %148 = add nuw nsw i64 %130, 1
   %149 = icmp eq i64 %148, %15
-  br i1 %149, label %24, label %129, !llvm.loop !218
+  br i1 %149, label %24, label %129, !llvm.loop !225
 
 150:                                              ; preds = %129, %150
   %151 = phi i64 [ %164, %150 ], [ 0, %129 ]
@@ -6400,7 +6823,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %166 = getelementptr inbounds i8, ptr %165, i64 24
   %167 = load i64, ptr %166, align 8
   %168 = icmp slt i64 %164, %167
-  br i1 %168, label %150, label %147, !llvm.loop !219
+  br i1 %168, label %150, label %147, !llvm.loop !226
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -6437,7 +6860,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !220
+  br i1 %31, label %20, label %19, !llvm.loop !227
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -6451,10 +6874,10 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !221
+  br i1 %43, label %32, label %24, !llvm.loop !228
 }
 
-declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #9
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -6464,10 +6887,11 @@ attributes #4 = { noinline nounwind }
 attributes #5 = { nounwind willreturn memory(none) }
 attributes #6 = { noinline nounwind }
 attributes #7 = { noinline nounwind }
-attributes #8 = { nounwind willreturn memory(none) }
-attributes #9 = { nounwind }
+attributes #8 = { nounwind willreturn }
+attributes #9 = { nounwind willreturn memory(none) }
 attributes #10 = { nounwind }
 attributes #11 = { nounwind }
+attributes #12 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -6480,125 +6904,125 @@ attributes #11 = { nounwind }
 !7 = distinct !{!7, !4, !5}
 !8 = distinct !{!8, !5}
 !9 = !{!10, !12}
-!10 = distinct !{!10, !11, !"implicit_of: argument 0"}
-!11 = distinct !{!11, !"implicit_of"}
+!10 = distinct !{!10, !11, !"implicit_in: argument 0"}
+!11 = distinct !{!11, !"implicit_in"}
 !12 = distinct !{!12, !13, !"attempt: argument 0"}
 !13 = distinct !{!13, !"attempt"}
-!14 = !{}
-!15 = distinct !{!15, !4, !5}
-!16 = !{!17}
-!17 = distinct !{!17, !18, !"try_step: argument 0"}
-!18 = distinct !{!18, !"try_step"}
-!19 = distinct !{!19, !4, !5}
-!20 = distinct !{!20, !4, !5}
-!21 = distinct !{!21, !4, !5}
+!14 = !{!15, !12}
+!15 = distinct !{!15, !16, !"implicit_of: argument 0"}
+!16 = distinct !{!16, !"implicit_of"}
+!17 = !{}
+!18 = distinct !{!18, !4, !5}
+!19 = !{!20}
+!20 = distinct !{!20, !21, !"try_step: argument 0"}
+!21 = distinct !{!21, !"try_step"}
 !22 = distinct !{!22, !4, !5}
 !23 = distinct !{!23, !4, !5}
 !24 = distinct !{!24, !4, !5}
 !25 = distinct !{!25, !4, !5}
-!26 = !{!27, !17}
-!27 = distinct !{!27, !28, !"solve_stages: argument 0"}
-!28 = distinct !{!28, !"solve_stages"}
-!29 = distinct !{!29, !4, !5}
-!30 = distinct !{!30, !4, !5}
-!31 = distinct !{!31, !4, !5}
+!26 = distinct !{!26, !4, !5}
+!27 = distinct !{!27, !4, !5}
+!28 = distinct !{!28, !4, !5}
+!29 = !{!30, !20}
+!30 = distinct !{!30, !31, !"solve_stages: argument 0"}
+!31 = distinct !{!31, !"solve_stages"}
 !32 = distinct !{!32, !4, !5}
-!33 = !{!34, !27, !17}
-!34 = distinct !{!34, !35, !"pair_item: argument 0"}
-!35 = distinct !{!35, !"pair_item"}
-!36 = distinct !{!36, !4, !5}
-!37 = !{!38, !27, !17}
-!38 = distinct !{!38, !39, !"pair_item: argument 0"}
-!39 = distinct !{!39, !"pair_item"}
-!40 = distinct !{!40, !4, !5}
-!41 = distinct !{!41, !4, !5}
-!42 = distinct !{!42, !4, !5}
+!33 = distinct !{!33, !4, !5}
+!34 = distinct !{!34, !4, !5}
+!35 = distinct !{!35, !4, !5}
+!36 = !{!37, !30, !20}
+!37 = distinct !{!37, !38, !"pair_item: argument 0"}
+!38 = distinct !{!38, !"pair_item"}
+!39 = distinct !{!39, !4, !5}
+!40 = !{!41, !30, !20}
+!41 = distinct !{!41, !42, !"pair_item: argument 0"}
+!42 = distinct !{!42, !"pair_item"}
 !43 = distinct !{!43, !4, !5}
 !44 = distinct !{!44, !4, !5}
-!45 = !{!46, !27, !17}
-!46 = distinct !{!46, !47, !"pair_item: argument 0"}
-!47 = distinct !{!47, !"pair_item"}
-!48 = distinct !{!48, !4, !5}
-!49 = distinct !{!49, !4, !5}
-!50 = distinct !{!50, !4, !5}
+!45 = distinct !{!45, !4, !5}
+!46 = distinct !{!46, !4, !5}
+!47 = distinct !{!47, !4, !5}
+!48 = !{!49, !30, !20}
+!49 = distinct !{!49, !50, !"pair_item: argument 0"}
+!50 = distinct !{!50, !"pair_item"}
 !51 = distinct !{!51, !4, !5}
 !52 = distinct !{!52, !4, !5}
 !53 = distinct !{!53, !4, !5}
 !54 = distinct !{!54, !4, !5}
-!55 = !{!12}
+!55 = distinct !{!55, !4, !5}
 !56 = distinct !{!56, !4, !5}
 !57 = distinct !{!57, !4, !5}
 !58 = distinct !{!58, !4, !5}
 !59 = distinct !{!59, !4, !5}
 !60 = distinct !{!60, !4, !5}
 !61 = distinct !{!61, !4, !5}
-!62 = distinct !{!62, !4, !5, !63}
-!63 = !{!"llvm.loop.vectorize.width", i32 1}
-!64 = distinct !{!64, !4, !5, !63}
+!62 = !{!12}
+!63 = distinct !{!63, !4, !5}
+!64 = distinct !{!64, !4, !5}
 !65 = distinct !{!65, !4, !5}
 !66 = distinct !{!66, !4, !5}
 !67 = distinct !{!67, !4, !5}
 !68 = distinct !{!68, !4, !5}
-!69 = distinct !{!69, !4, !5}
-!70 = distinct !{!70, !4, !5, !63}
-!71 = distinct !{!71, !4, !5}
+!69 = distinct !{!69, !4, !5, !70}
+!70 = !{!"llvm.loop.vectorize.width", i32 1}
+!71 = distinct !{!71, !4, !5, !70}
 !72 = distinct !{!72, !4, !5}
 !73 = distinct !{!73, !4, !5}
 !74 = distinct !{!74, !4, !5}
 !75 = distinct !{!75, !4, !5}
 !76 = distinct !{!76, !4, !5}
-!77 = distinct !{!77, !4, !5}
-!78 = distinct !{!78, !4, !5, !63}
-!79 = distinct !{!79, !4, !5, !63}
+!77 = distinct !{!77, !4, !5, !70}
+!78 = distinct !{!78, !4, !5}
+!79 = distinct !{!79, !4, !5}
 !80 = distinct !{!80, !4, !5}
 !81 = distinct !{!81, !4, !5}
 !82 = distinct !{!82, !4, !5}
 !83 = distinct !{!83, !4, !5}
 !84 = distinct !{!84, !4, !5}
-!85 = distinct !{!85, !4, !5}
-!86 = distinct !{!86, !4, !5}
+!85 = distinct !{!85, !4, !5, !70}
+!86 = distinct !{!86, !4, !5, !70}
 !87 = distinct !{!87, !4, !5}
-!88 = distinct !{!88, !4, !5, !63}
-!89 = distinct !{!89, !5}
+!88 = distinct !{!88, !4, !5}
+!89 = distinct !{!89, !4, !5}
 !90 = distinct !{!90, !4, !5}
 !91 = distinct !{!91, !4, !5}
 !92 = distinct !{!92, !4, !5}
-!93 = distinct !{!93, !4, !5, !63}
+!93 = distinct !{!93, !4, !5}
 !94 = distinct !{!94, !4, !5}
-!95 = distinct !{!95, !4, !5}
-!96 = distinct !{!96, !4, !5}
-!97 = distinct !{!97, !4, !5, !63}
+!95 = distinct !{!95, !4, !5, !70}
+!96 = distinct !{!96, !5}
+!97 = distinct !{!97, !4, !5}
 !98 = distinct !{!98, !4, !5}
 !99 = distinct !{!99, !4, !5}
-!100 = distinct !{!100, !4, !5}
+!100 = distinct !{!100, !4, !5, !70}
 !101 = distinct !{!101, !4, !5}
 !102 = distinct !{!102, !4, !5}
 !103 = distinct !{!103, !4, !5}
-!104 = distinct !{!104, !4, !5}
+!104 = distinct !{!104, !4, !5, !70}
 !105 = distinct !{!105, !4, !5}
 !106 = distinct !{!106, !4, !5}
-!107 = distinct !{!107, !4, !5, !63}
+!107 = distinct !{!107, !4, !5}
 !108 = distinct !{!108, !4, !5}
 !109 = distinct !{!109, !4, !5}
 !110 = distinct !{!110, !4, !5}
 !111 = distinct !{!111, !4, !5}
 !112 = distinct !{!112, !4, !5}
 !113 = distinct !{!113, !4, !5}
-!114 = distinct !{!114, !4, !5}
-!115 = !{!116}
-!116 = distinct !{!116, !117, !"pair_item: argument 0"}
-!117 = distinct !{!117, !"pair_item"}
-!118 = !{!119}
-!119 = distinct !{!119, !120, !"pair_item: argument 0"}
-!120 = distinct !{!120, !"pair_item"}
+!114 = distinct !{!114, !4, !5, !70}
+!115 = distinct !{!115, !4, !5}
+!116 = distinct !{!116, !4, !5}
+!117 = distinct !{!117, !4, !5}
+!118 = distinct !{!118, !4, !5}
+!119 = distinct !{!119, !4, !5}
+!120 = distinct !{!120, !4, !5}
 !121 = distinct !{!121, !4, !5}
 !122 = !{!123}
 !123 = distinct !{!123, !124, !"pair_item: argument 0"}
 !124 = distinct !{!124, !"pair_item"}
-!125 = distinct !{!125, !4, !5}
-!126 = !{!127}
-!127 = distinct !{!127, !128, !"pair_item: argument 0"}
-!128 = distinct !{!128, !"pair_item"}
+!125 = !{!126}
+!126 = distinct !{!126, !127, !"pair_item: argument 0"}
+!127 = distinct !{!127, !"pair_item"}
+!128 = distinct !{!128, !4, !5}
 !129 = !{!130}
 !130 = distinct !{!130, !131, !"pair_item: argument 0"}
 !131 = distinct !{!131, !"pair_item"}
@@ -6609,25 +7033,25 @@ attributes #11 = { nounwind }
 !136 = !{!137}
 !137 = distinct !{!137, !138, !"pair_item: argument 0"}
 !138 = distinct !{!138, !"pair_item"}
-!139 = !{!140}
-!140 = distinct !{!140, !141, !"pair_item: argument 0"}
-!141 = distinct !{!141, !"pair_item"}
-!142 = distinct !{!142, !4, !5}
-!143 = distinct !{!143, !4, !5}
-!144 = distinct !{!144, !4, !5}
-!145 = distinct !{!145, !4, !5}
-!146 = distinct !{!146, !4, !5}
-!147 = distinct !{!147, !4, !5}
-!148 = distinct !{!148, !4, !5}
+!139 = distinct !{!139, !4, !5}
+!140 = !{!141}
+!141 = distinct !{!141, !142, !"pair_item: argument 0"}
+!142 = distinct !{!142, !"pair_item"}
+!143 = !{!144}
+!144 = distinct !{!144, !145, !"pair_item: argument 0"}
+!145 = distinct !{!145, !"pair_item"}
+!146 = !{!147}
+!147 = distinct !{!147, !148, !"pair_item: argument 0"}
+!148 = distinct !{!148, !"pair_item"}
 !149 = distinct !{!149, !4, !5}
-!150 = distinct !{!150, !4, !5, !63}
-!151 = !{!152}
-!152 = distinct !{!152, !153, !"pair_item: argument 0"}
-!153 = distinct !{!153, !"pair_item"}
+!150 = distinct !{!150, !4, !5}
+!151 = distinct !{!151, !4, !5}
+!152 = distinct !{!152, !4, !5}
+!153 = distinct !{!153, !4, !5}
 !154 = distinct !{!154, !4, !5}
-!155 = !{!156}
-!156 = distinct !{!156, !157, !"pair_item: argument 0"}
-!157 = distinct !{!157, !"pair_item"}
+!155 = distinct !{!155, !4, !5}
+!156 = distinct !{!156, !4, !5}
+!157 = distinct !{!157, !4, !5, !70}
 !158 = !{!159}
 !159 = distinct !{!159, !160, !"pair_item: argument 0"}
 !160 = distinct !{!160, !"pair_item"}
@@ -6646,35 +7070,35 @@ attributes #11 = { nounwind }
 !173 = distinct !{!173, !174, !"pair_item: argument 0"}
 !174 = distinct !{!174, !"pair_item"}
 !175 = distinct !{!175, !4, !5}
-!176 = distinct !{!176, !4, !5}
-!177 = distinct !{!177, !4, !5}
-!178 = distinct !{!178, !4, !5}
-!179 = distinct !{!179, !4, !5}
-!180 = distinct !{!180, !4, !5}
-!181 = distinct !{!181, !4, !5}
+!176 = !{!177}
+!177 = distinct !{!177, !178, !"pair_item: argument 0"}
+!178 = distinct !{!178, !"pair_item"}
+!179 = !{!180}
+!180 = distinct !{!180, !181, !"pair_item: argument 0"}
+!181 = distinct !{!181, !"pair_item"}
 !182 = distinct !{!182, !4, !5}
-!183 = !{!184}
-!184 = distinct !{!184, !185, !"pair_item: argument 0"}
-!185 = distinct !{!185, !"pair_item"}
-!186 = !{!187}
-!187 = distinct !{!187, !188, !"pair_item: argument 0"}
-!188 = distinct !{!188, !"pair_item"}
-!189 = !{!190}
-!190 = distinct !{!190, !191, !"pair_item: argument 0"}
-!191 = distinct !{!191, !"pair_item"}
-!192 = distinct !{!192, !4, !5}
-!193 = distinct !{!193, !4, !5}
-!194 = distinct !{!194, !4, !5}
-!195 = !{!196}
-!196 = distinct !{!196, !197, !"pair_item: argument 0"}
-!197 = distinct !{!197, !"pair_item"}
-!198 = !{!199}
-!199 = distinct !{!199, !200, !"pair_item: argument 0"}
-!200 = distinct !{!200, !"pair_item"}
-!201 = !{!202}
-!202 = distinct !{!202, !203, !"pair_item: argument 0"}
-!203 = distinct !{!203, !"pair_item"}
-!204 = distinct !{!204, !4, !5}
+!183 = distinct !{!183, !4, !5}
+!184 = distinct !{!184, !4, !5}
+!185 = distinct !{!185, !4, !5}
+!186 = distinct !{!186, !4, !5}
+!187 = distinct !{!187, !4, !5}
+!188 = distinct !{!188, !4, !5}
+!189 = distinct !{!189, !4, !5}
+!190 = !{!191}
+!191 = distinct !{!191, !192, !"pair_item: argument 0"}
+!192 = distinct !{!192, !"pair_item"}
+!193 = !{!194}
+!194 = distinct !{!194, !195, !"pair_item: argument 0"}
+!195 = distinct !{!195, !"pair_item"}
+!196 = !{!197}
+!197 = distinct !{!197, !198, !"pair_item: argument 0"}
+!198 = distinct !{!198, !"pair_item"}
+!199 = distinct !{!199, !4, !5}
+!200 = distinct !{!200, !4, !5}
+!201 = distinct !{!201, !4, !5}
+!202 = !{!203}
+!203 = distinct !{!203, !204, !"pair_item: argument 0"}
+!204 = distinct !{!204, !"pair_item"}
 !205 = !{!206}
 !206 = distinct !{!206, !207, !"pair_item: argument 0"}
 !207 = distinct !{!207, !"pair_item"}
@@ -6682,13 +7106,20 @@ attributes #11 = { nounwind }
 !209 = distinct !{!209, !210, !"pair_item: argument 0"}
 !210 = distinct !{!210, !"pair_item"}
 !211 = distinct !{!211, !4, !5}
-!212 = distinct !{!212, !4, !5}
-!213 = distinct !{!213, !4, !5}
-!214 = distinct !{!214, !4, !5}
-!215 = distinct !{!215, !4, !5}
-!216 = distinct !{!216, !4, !5}
-!217 = distinct !{!217, !4, !5}
-!218 = distinct !{!218, !4, !5, !63}
+!212 = !{!213}
+!213 = distinct !{!213, !214, !"pair_item: argument 0"}
+!214 = distinct !{!214, !"pair_item"}
+!215 = !{!216}
+!216 = distinct !{!216, !217, !"pair_item: argument 0"}
+!217 = distinct !{!217, !"pair_item"}
+!218 = distinct !{!218, !4, !5}
 !219 = distinct !{!219, !4, !5}
 !220 = distinct !{!220, !4, !5}
 !221 = distinct !{!221, !4, !5}
+!222 = distinct !{!222, !4, !5}
+!223 = distinct !{!223, !4, !5}
+!224 = distinct !{!224, !4, !5}
+!225 = distinct !{!225, !4, !5, !70}
+!226 = distinct !{!226, !4, !5}
+!227 = distinct !{!227, !4, !5}
+!228 = distinct !{!228, !4, !5}

@@ -253,7 +253,7 @@ def integrate_samples(
     options: Options,
     states: np.ndarray,
     stopped: Callable[[], bool] = lambda: False,
-    controlled: int | None = None,
+    bounds: tuple[np.ndarray, np.ndarray] | None = None,
     beside: LanesBeside | None = None,
     jacobian: Kernel | None = None,
     switched: np.ndarray | None = None,
@@ -263,21 +263,23 @@ def integrate_samples(
     The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
     the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
     sample lie side by side, and the next sample's follow. The error is controlled of all
-    components, or of so many that come first. Motions may be held on constraints and watched for
-    events, by what is `beside`; those that cannot begin are left out then, as not computed. Asked
-    now and then whether the work is `stopped`, True ends it with KeyboardInterrupt. The rows of
-    `switched` say when the Kernel switches by time alone, in all samples alike.
+    components but the last, whose error `bounds` the step: they have relative tolerances (b,) and
+    absolute ones (m, b). Motions may be held on constraints and watched for events, by what is
+    `beside`; those that cannot begin are left out then, as not computed. Asked now and then whether
+    the work is `stopped`, True ends it with KeyboardInterrupt. The rows of `switched` say when the
+    Kernel switches by time alone, in all samples alike.
 
     Returned are `Queue.counts` and the times up to which each sample was integrated.
     """
     step_lanes = function_of("step_lanes" if jacobian is None else "step_lanes_implicit")
     m, n = x.shape
     length = LANES * n
-    controlled = controlled or n
+    relative, absolute = bounds or (np.zeros(0), np.zeros((m, 0)))
+    controlled = n - len(relative)
     arrays = method_arrays(method, length)
     memory, memory_rows = memory_for(arrays, length)
-    memory.rtol[:n], memory.rtol[:controlled] = 1.0, options.rtol
-    memory.atol[:n], memory.atol[:controlled] = 1.0, np.maximum(options.atol, LEAST_TOLERANCE)
+    memory.rtol[:controlled], memory.rtol[controlled:n] = options.rtol, relative
+    memory.atol[:controlled] = np.maximum(options.atol, LEAST_TOLERANCE)
     lanes = Lanes(*lined_up(len(Lanes._fields), LANES))._replace(
         samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
     )
@@ -289,12 +291,13 @@ def integrate_samples(
         x=np.array(x, order="C"),
         r=np.ascontiguousarray(r),
         p=np.ascontiguousarray(p),
+        bounds=np.maximum(absolute, LEAST_TOLERANCE),
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
         seen=own.seen,
     )
     newton, further = ((), []) if jacobian is None else _newton(n, jacobian)
-    problem = _problem(kernel, sampled, controlled, [*own.prepared, *further], switched)
+    problem = _problem(kernel, sampled, len(relative), [*own.prepared, *further], switched)
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
     beside_rows = rows_of(own.alone), rows_of(own.watch), rows_of(own.held)
     table = table_of(*parts, *beside_rows, rows_of(newton))
@@ -369,7 +372,7 @@ def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
 def _problem(
     kernel: Kernel,
     sampled: Sequence[tuple[np.ndarray, Any]],
-    controlled: int = 0,
+    bounded: int = 0,
     further: Sequence[tuple[int, int]] = (),
     switched: np.ndarray | None = None,
 ) -> LaneProblem:
@@ -383,7 +386,7 @@ def _problem(
         jumps = merged_jumps([jumps, switched])
     switches = 0 if switched is None else len(switched)
     return LaneProblem(
-        words=np.array([place, n, n, controlled, controlled, switches, *inputs]),
+        words=np.array([place, n, n, n - bounded, n, switches, n if bounded else 0, *inputs]),
         clock=lined_up(LANES),
         r=lined_up(LANES * max(1, program.num_specifieds)),
         p=lined_up(LANES * max(1, program.num_constants)),

@@ -187,7 +187,7 @@ def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Pro
         r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled
     if call is not None:
         jumps, switched = jumps_in(call), 0 if call.switched is None else len(call.switched)
-    words = np.array([called.place, n, blocks(n), n, blocks(n), switched])
+    words = np.array([called.place, n, blocks(n), n, blocks(n), switched, 0])
     until = np.array([np.inf])
     if isinstance(called, Callback):
         called.until = until

@@ -126,8 +126,9 @@ def constraints_for(
 
 def newton_for(n: int, own: int, lanes: int = 1) -> Newton:
     """Reserve the arrays of an implicit step of n numbers, of which so many are states."""
-    square = own * own
-    counts = (4, 1, square, square, square, 2 * square, own, own, *[3 * n] * 3, 4 * n, n, 2 * n, n)
+    square, padded = own * own, BLOCK * blocks(n)  # estimates of errors are read in whole blocks
+    matrices, stages = (square, square, square, 2 * square), [3 * n] * 3
+    counts = (4, 1, *matrices, own, own, *stages, 4 * n, padded, 2 * n, n)
     return Newton(np.zeros(6, dtype=np.int64), *(lined_up(count * lanes) for count in counts))
 
 
@@ -161,9 +162,9 @@ class Workspace:
             self.call = switching(self.call, times, options)
         self.problem = self._bind(f, args)
         beside = options.sensitivities
-        if beside is not None and beside.leads(method == IMPLICIT):
+        if beside is not None and not beside.controlled:
             words = self.problem.words
-            words[at.CONTROLLED], words[at.CONTROLLED_BLOCKS] = beside.states, blocks(beside.states)
+            words[at.CONTROLLED], words[at.BOUNDED] = beside.states, n
         self.method, self.memory = self._reserve()
         self.seen = np.zeros(0)
         self.constraints = self._hold()
@@ -344,6 +345,7 @@ class Workspace:
     def _set_tolerances(self, memory: Memory) -> None:
         memory.rtol[: self.n], memory.atol[: self.n] = self._tolerances()
         np.maximum(memory.atol, LEAST_TOLERANCE, out=memory.atol)
+        memory.atol[self.n :] = 1.0  # of what fills the last block
 
     def _tolerances(self) -> tuple[np.ndarray, np.ndarray]:
         options, beside = self.options, self.options.sensitivities
@@ -358,7 +360,7 @@ class Workspace:
             ) from None
         if beside is None:
             return rtol, atol
-        return beside.tolerances(rtol, atol, implicit=self.name == IMPLICIT)
+        return beside.tolerances(rtol, atol)
 
     def _hold(self) -> Constraints:
         wanted = self.options.constraints
