@@ -129,7 +129,8 @@ def test_the_gradient_along_the_motion_is_that_of_the_sensitivities(library):
     system = pendulum()
     layer = library.layer(system, **TIGHT)
     trajectory = system.simulate(sensitivities=["m1", "q1"], **TIGHT)
-    close(layer.simulate(), trajectory.states)
+    # Columns may shorten a few steps, those of one parameter others than those of two.
+    close(layer.simulate(), trajectory.states, 1e-9)
     weights = np.random.default_rng(1).normal(size=trajectory.states.shape)
     expected = np.einsum("tnk,tn->k", trajectory.sensitivity.values[:, :6], weights)
 
@@ -140,9 +141,9 @@ def test_the_gradient_along_the_motion_is_that_of_the_sensitivities(library):
     close(library.grad(cost, library.array([0.5, 0.3])), expected)
     found = library.jvp(lambda m: layer.simulate(p={"m1": m}), library.array(0.5),
                         library.array(2.0))  # fmt: skip
-    close(found, 2.0 * trajectory.sensitivity.values[:, :6, 0])
+    close(found, 2.0 * trajectory.sensitivity.values[:, :6, 0], 1e-8)
     found = library.jvp(lambda m: layer.final(p={"m1": m}), library.array(0.5), library.array(1.0))
-    close(found, trajectory.sensitivity.values[-1, :6, 0])
+    close(found, trajectory.sensitivity.values[-1, :6, 0], 1e-8)
 
 
 def test_many_samples_are_one_ensemble(library, monkeypatch):

@@ -142,9 +142,9 @@ def construct():
         (construct, 655, 55),
         (integrate, 30, 14),
         (simulate, 104, 28),
-        (with_contacts, 143, 33),
-        (ensemble, 91, 24),
-        (stiff_ensemble, 95, 24),
+        (with_contacts, 144, 33),
+        (ensemble, 92, 24),
+        (stiff_ensemble, 97, 24),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

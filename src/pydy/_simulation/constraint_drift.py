@@ -442,16 +442,16 @@ def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[in
 
 
 def part_of(
-    now: Problem, slopes: Slopes, name: str
+    problem: Problem, slopes: Slopes, name: str
 ) -> Callable[[Assembly], dict[str, list[int]]] | None:
     """Return the function that makes a part of `kept.Part` of an Assembly, or None."""
-    if name == "contradictions" and not now.definition.equations.unimplied:
+    if name == "contradictions" and not problem.definition.equations.unimplied:
         return None
     if name in PARTS:
         return PARTS[name]
     if name == "slopes":
         return slopes
-    made = now.energies, now.driven.layout
+    made = problem.energies, problem.driven.layout
     return EnergyPart(*made) if name == "energy" else Moving(*made)
 
 
@@ -524,13 +524,13 @@ def check_drift(motion: Motion) -> None:
 # -- the motions of an ensemble --------------------------------------------------------------------
 
 
-def drift_programs(now: Problem, model: CompiledModel, plan: SpecifiedsPlan) -> DriftPrograms:
+def drift_programs(problem: Problem, model: CompiledModel, plan: SpecifiedsPlan) -> DriftPrograms:
     """Return the parts as Programs, kept from the latest ensemble of a model."""
-    slopes = slopes_of(now.definition, plan)
+    slopes = slopes_of(problem.definition, plan)
     energies, by, found = model.latest.get("kept", (None, None, None))
-    if energies is not now.energies or by != slopes:
-        found = DriftPrograms(now, model, slopes)
-        model.latest["kept"] = now.energies, slopes, found
+    if energies is not problem.energies or by != slopes:
+        found = DriftPrograms(problem, model, slopes)
+        model.latest["kept"] = problem.energies, slopes, found
     made: DriftPrograms = found
     return made
 
@@ -538,8 +538,8 @@ def drift_programs(now: Problem, model: CompiledModel, plan: SpecifiedsPlan) -> 
 class DriftPrograms:
     """The parts of `kept.Part` as Programs, which can be sent to other processes."""
 
-    def __init__(self, now: Problem, model: CompiledModel, slopes: Slopes) -> None:
-        self._now, self._model, self._slopes = now, model, slopes
+    def __init__(self, problem: Problem, model: CompiledModel, slopes: Slopes) -> None:
+        self._now, self._model, self._slopes = problem, model, slopes
         self._made: dict[str, Program | None] = {}
         self._lock = _forks.Lock()
 

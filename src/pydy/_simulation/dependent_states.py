@@ -58,18 +58,18 @@ def check_dependents(
 
 
 def given_values(
-    now: Problem, keys: Iterable[Any], latest: Mapping[Any, float]
+    problem: Problem, keys: Iterable[Any], latest: Mapping[Any, float]
 ) -> dict[Any, float]:
     """Find initial conditions that are to stay: not zeros, nor solved for `latest`."""
-    states = now.definition.states
-    values = {s: float(now.x[states.index(s)]) for s in keys}
+    states = problem.definition.states
+    values = {s: float(problem.x[states.index(s)]) for s in keys}
     given = {s: v for s, v in values.items() if latest.get(s) != v}
     return {s: v for s, v in given.items() if v != 0.0 and len(given) < len(states)}
 
 
-def default_dependents(now: Problem, given: Iterable[Any]) -> list[Any]:
+def default_dependents(problem: Problem, given: Iterable[Any]) -> list[Any]:
     """Return the states to solve for: the dependent ones, or others where these are given."""
-    definition = now.definition
+    definition = problem.definition
     equations = definition.equations
     found: list[Any] = []
     for block, symbols, own in (
@@ -78,11 +78,11 @@ def default_dependents(now: Problem, given: Iterable[Any]) -> list[Any]:
     ):
         kept = set(given) - (set() if block == "velocity" else _guessed(definition))
         if not kept.isdisjoint(own):
-            gradient = _at(now, now.driven.compiled_jacobian(block, "x"), now.x)
+            gradient = _at(problem, problem.driven.compiled_jacobian(block, "x"), problem.x)
             places = [definition.states.index(s) for s in symbols]
             matrix = gradient.reshape(len(own), -1)[:, places]
             free = [k for k, symbol in enumerate(symbols) if symbol not in kept]
-            units = _motions(now, now.x)[places]
+            units = _motions(problem, problem.x)[places]
             columns = _determined(matrix, free, units)
             for k in sorted({symbols.index(s) for s in own} - set(columns)):  # cannot be kept
                 more = _determined(matrix, [*columns, k], units)
@@ -99,9 +99,9 @@ def _determined(matrix: np.ndarray, columns: Sequence[int], units: np.ndarray) -
     return sorted(columns[k] for k in independent_columns(scaled))
 
 
-def _motions(now: Problem, x: np.ndarray) -> np.ndarray:
+def _motions(problem: Problem, x: np.ndarray) -> np.ndarray:
     """Return how fast states change in motions of one energy: units in which they compare."""
-    known: np.ndarray = point_at(now, np.array([now.t]), x[None]).motions[0]
+    known: np.ndarray = point_at(problem, np.array([problem.t]), x[None]).motions[0]
     return known
 
 
@@ -128,9 +128,9 @@ def _warn_of_changes(definition: Definition, given: Mapping[Any, float], x: np.n
         )
 
 
-def _at(now: Problem, kernel: Any, state: np.ndarray) -> np.ndarray:
+def _at(problem: Problem, kernel: Any, state: np.ndarray) -> np.ndarray:
     """Evaluate a block at the first time."""
-    return np.asarray(now.at(np.array([now.t]), state[None]).evaluate(kernel)[0])
+    return np.asarray(problem.at(np.array([problem.t]), state[None]).evaluate(kernel)[0])
 
 
 def _refined(
@@ -153,14 +153,14 @@ def _refined(
 
 
 def _solve_coordinates(
-    now: Problem,
+    problem: Problem,
     coordinates: list[int],
     x: np.ndarray,
     use_jac: bool,
     root_kwargs: dict[str, Any],
 ) -> bool:
     """Solve the holonomic constraints for `coordinates` in place; return whether they are met."""
-    model, definition, value = now.driven, now.definition, partial(_at, now)
+    model, definition, value = problem.driven, problem.definition, partial(_at, problem)
     bounded, size = model.compiled_bounded("holonomic"), len(coordinates)
 
     def placed(z: np.ndarray) -> np.ndarray:
@@ -208,9 +208,9 @@ def _solve_coordinates(
     return met
 
 
-def _solve_speeds(now: Problem, speeds: list[int], x: np.ndarray) -> None:
+def _solve_speeds(problem: Problem, speeds: list[int], x: np.ndarray) -> None:
     """Solve the velocity constraints for `speeds` in place."""
-    model, definition, value = now.driven, now.definition, partial(_at, now)
+    model, definition, value = problem.driven, problem.definition, partial(_at, problem)
     kernel = model.compiled_jacobian("velocity", "x")
     slopes = value(kernel, x).reshape(len(speeds), len(x))
     matrix = slopes[:, speeds]
@@ -221,7 +221,7 @@ def _solve_speeds(now: Problem, speeds: list[int], x: np.ndarray) -> None:
     sound = bool(np.isfinite(matrix).all())
     units = None
     if sound and rank(matrix) < len(speeds):
-        units = _motions(now, x)[speeds]
+        units = _motions(problem, x)[speeds]
     if sound and rank(matrix, units=units) == len(speeds):
         # Pivots are compared between rows of the same size: constraints may be of any.
         rows = np.abs(matrix).max(axis=1)
@@ -235,9 +235,9 @@ def _solve_speeds(now: Problem, speeds: list[int], x: np.ndarray) -> None:
         names = [definition.states[k] for k in speeds]
         raise SingularMatrixError(
             f"The velocity constraints cannot be solved for {describe(names)} at t = "
-            f"{now.t!r}: their matrix is singular in this configuration. Choose other "
+            f"{problem.t!r}: their matrix is singular in this configuration. Choose other "
             "`dep_vars`.",
-            now.t,
+            problem.t,
             x,
         )
     left = np.abs(value(residual, x))
@@ -257,24 +257,24 @@ def _solve_speeds(now: Problem, speeds: list[int], x: np.ndarray) -> None:
 
 
 def solve_dependents(
-    now: Problem,
+    problem: Problem,
     places: tuple[list[int], list[int]],
     given: Mapping[Any, float],
     use_jac: bool,
     root_kwargs: dict[str, Any],
 ) -> np.ndarray:
     """Return the initial state, `places` solved for; say where that moves the `given`."""
-    x = now.x.copy()
-    now.plan.check_times(np.array([now.t]), "times")
+    x = problem.x.copy()
+    problem.plan.check_times(np.array([problem.t]), "times")
     coordinates, speeds = places
     met = True
 
     if coordinates:
-        met = _solve_coordinates(now, coordinates, x, use_jac, root_kwargs)
+        met = _solve_coordinates(problem, coordinates, x, use_jac, root_kwargs)
     if speeds:
-        _solve_speeds(now, speeds, x)
+        _solve_speeds(problem, speeds, x)
     if met:
-        _warn_of_changes(now.definition, given, x)
+        _warn_of_changes(problem.definition, given, x)
     return x
 
 

@@ -251,7 +251,7 @@ def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
     _errors.warn_not_finite(wrong, names, place)
 
 
-def warn_of_outputs(trajectory: Trajectory, now: Problem) -> None:
+def warn_of_outputs(trajectory: Trajectory, problem: Problem) -> None:
     """Warn of outputs along a motion that are not finite where its states are."""
-    at = now.at(trajectory.times, trajectory.states)
+    at = problem.at(trajectory.times, trajectory.states)
     warn_not_finite(trajectory.outputs, at, unique_names(trajectory.outputs_symbols))

@@ -158,10 +158,10 @@ def watched(at: At, sensitive: Any = None, integral: Any = None) -> Watched | No
 
 
 def warn_of_jumps(
-    now: Problem, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
+    problem: Problem, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
 ) -> None:
     """Warn where a motion passes a jump of the rates, which its derivatives do not contain."""
-    found = watched(now.at(np.array([now.t]), now.x[None]), sensitive, integral)
+    found = watched(problem.at(np.array([problem.t]), problem.x[None]), sensitive, integral)
     if found is None:
         return
     motion, parts = in_order(motion_of()), found.nodes
@@ -171,7 +171,7 @@ def warn_of_jumps(
         return None if known is None else known.values[:, : found.states]
 
     def evaluate(times: np.ndarray) -> Values:
-        return now.at(times, motion.at(times).states).values(parts)
+        return problem.at(times, motion.at(times).states).values(parts)
 
     if told := jump_message(
         Passed.of(motion.times, motion._dense, motion.events, columns), found, evaluate
@@ -221,24 +221,26 @@ def warn_of_kinks(at: At, T: np.ndarray, free: np.ndarray, columns: Sequence[int
             return
 
 
-def warn_of_impulses(now: Problem, times: np.ndarray) -> None:
+def warn_of_impulses(problem: Problem, times: np.ndarray) -> None:
     """Warn where a prescribed motion, or a constraint, jumps of which derivatives are taken."""
-    parts = ImpulsiveInputs(now.definition, now.plan)
-    if not _switches(now.at(times[:1], now.x[None]), parts):
+    parts = ImpulsiveInputs(problem.definition, problem.plan)
+    if not _switches(problem.at(times[:1], problem.x[None]), parts):
         return
-    assembly = now.driven.assembly.fork()
+    assembly = problem.driven.assembly.fork()
     names = parts.nodes(assembly)
-    beyond = differentiated(assembly, now.definition, now.plan)
+    beyond = differentiated(assembly, problem.definition, problem.plan)
 
     def evaluate(times: np.ndarray) -> Values:
-        return now.at(times, np.tile(now.x, (len(times), 1))).values(parts)
+        return problem.at(times, np.tile(problem.x, (len(times), 1))).values(parts)
 
     # Functions of time alone are looked at so often.
     every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=4096)))
     for k, beside, found, sizes in passages(evaluate, every):
         step = found["steps"][:, k].min(axis=0)
         for (node, what), one, size in zip(names.items(), step, sizes, strict=True):
-            if one > HALF * size and (node not in beyond or _acts(now, beyond[node][1], beside[0])):
+            if one > HALF * size and (
+                node not in beyond or _acts(problem, beyond[node][1], beside[0])
+            ):
                 warn_user(
                     f"At t = {beside[0]:.6g} {what} jumps by {one:.3g}. The equations hold its "
                     "derivative, in which that is an impulse, which the motion misses. Give a "
@@ -259,14 +261,16 @@ class _Slopes:
         return {"slopes": slopes, "bounds": rounding_bounds(assembly.graph, slopes)}
 
 
-def _acts(now: Problem, places: Sequence[int], t: float) -> bool:
+def _acts(problem: Problem, places: Sequence[int], t: float) -> bool:
     """Return whether specifieds move the states, with these constants, at this or other states.
 
     The second derivative of a steering angle is in the equations with an inertia that may be zero.
     """
-    x = np.array([now.x, *now.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(now.x)))])
+    x = np.array(
+        [problem.x, *problem.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(problem.x)))]
+    )
     times = np.full(len(x), t)
-    at = replace(now.at(times, x), model=now.model, r=now.specifieds(times, x))
+    at = replace(problem.at(times, x), model=problem.model, r=problem.specifieds(times, x))
     found = at.values(_Slopes(tuple(places)))
     return not is_zero(found["slopes"], found["bounds"]).all()
 

@@ -14,12 +14,12 @@ from pydy._simulation.constraint_drift import rates
 from pydy._simulation.problem import Problem
 
 
-def warn_of_missing_derivatives(now: Problem) -> None:
+def warn_of_missing_derivatives(problem: Problem) -> None:
     """Warn of a holonomic constraint that no velocity constraint and no kinematics keeps."""
-    equations = now.definition.equations
+    equations = problem.definition.equations
     if not equations.forgotten:
         return
-    places = [k for k in equations.forgotten if not _implied(now, k)]
+    places = [k for k in equations.forgotten if not _implied(problem, k)]
     if not places:
         return
     k = places[0]
@@ -32,13 +32,13 @@ def warn_of_missing_derivatives(now: Problem) -> None:
     )
 
 
-def _implied(now: Problem, place: int) -> bool:
+def _implied(problem: Problem, place: int) -> bool:
     """Return whether velocity constraints keep a holonomic one with the numbers of the System.
 
     They may do so with these constants, and not with those at which it was tried. Where the
     constraint has no derivative, at a singular position, nothing is known.
     """
-    equations, at = now.definition.equations, now.at(np.array([now.t]), now.x[None])
+    equations, at = problem.definition.equations, problem.at(np.array([problem.t]), problem.x[None])
     found = at.values(rates)
     count = len(equations.unimplied)
     slope = found["slopes"].reshape(count, -1)[equations.unimplied.index(place)]

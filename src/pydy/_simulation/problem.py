@@ -194,7 +194,7 @@ class Hybrid(Protocol):
         """Return the Motion from a Problem's state on, in its modes if it has any."""
 
 
-_REPLACED = frozenset(("t", "x", "p", "plan", "contradicted", "hybrid", "modes"))
+_REPLACED = frozenset(("t", "x", "p", "plan", "times", "contradicted", "hybrid", "modes"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,7 +222,7 @@ class Problem:
     modes: tuple[str, ...] | None = None  # of `hybrid`; None where they follow from the state
 
     def replace(self, **numbers: Any) -> Problem:
-        """Return the same with other `t`, `x`, `p`, `plan`, `contradicted`, `hybrid` or `modes`.
+        """Return the same with other numbers: `t`, `x`, `p`, `plan`, `times`, `modes` and others.
 
         Nothing is compiled or checked again. States that follow from others stay as they are: see
         `consistent`.

@@ -203,19 +203,19 @@ class Point(At):
         return rows, units
 
 
-def point_at(now: Problem, times: np.ndarray, states: np.ndarray) -> Point:
+def point_at(problem: Problem, times: np.ndarray, states: np.ndarray) -> Point:
     """Return the states (m, n) of a System at its numbers."""
     x = np.ascontiguousarray(states)
-    r = np.broadcast_to(now.plan.rows(x, times), (len(x), len(now.plan.symbols)))
-    return Point(now.definition, now.driven, times, x, r, now.p, now.plan)
+    r = np.broadcast_to(problem.plan.rows(x, times), (len(x), len(problem.plan.symbols)))
+    return Point(problem.definition, problem.driven, times, x, r, problem.p, problem.plan)
 
 
 def energetic_motions(
-    now: Problem, times: np.ndarray, states: np.ndarray
+    problem: Problem, times: np.ndarray, states: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return least sizes of coordinates, and of changes at one energy; 0 if unknown."""
-    m, q = len(states), len(now.definition.equations.coordinates)
-    at = point_at(now, times, states)
+    m, q = len(states), len(problem.definition.equations.coordinates)
+    at = point_at(problem, times, states)
     masses = at.inertias()
     known = masses > 0.0
     speeds = np.where(known, 1.0 / np.sqrt(np.where(known, masses, 1.0)), 0.0)

@@ -40,17 +40,17 @@ from pydy._system.values import Sweep, variables
 
 
 def _states(
-    now: Problem, q: Any, v: Any, a: np.ndarray, t: Any
+    problem: Problem, q: Any, v: Any, a: np.ndarray, t: Any
 ) -> tuple[np.ndarray, Any, tuple[Iterable[int], Iterable[int]]]:
     """Return the user's x, then a, and times, at one moment or at m, and the places left out."""
-    equations, n = now.definition.equations, len(now.definition.states)
+    equations, n = problem.definition.equations, len(problem.definition.states)
     nq, nu = len(equations.coordinates), len(equations.speeds)
-    of_q, left_q = _columns("q", q, equations.coordinates, lambda: now.x[:nq])
-    of_v, left_v = _columns("v", v, equations.speeds, lambda: now.x[nq : nq + nu])
-    instants = np.array(now.t) if t is None else real_array(t, "`t`")
+    of_q, left_q = _columns("q", q, equations.coordinates, lambda: problem.x[:nq])
+    of_v, left_v = _columns("v", v, equations.speeds, lambda: problem.x[nq : nq + nu])
+    instants = np.array(problem.t) if t is None else real_array(t, "`t`")
     if instants.ndim > 1:
         raise ValueError(f"`t` must be a number or have the shape (m,), got {instants.shape}.")
-    auxiliary = (now.x[nq + nu :],) if n > nq + nu else ()
+    auxiliary = (problem.x[nq + nu :],) if n > nq + nu else ()
     parts = of_q, of_v, *auxiliary, a
     rows = {len(part) for part in (*parts, instants[..., None]) if part.ndim > 1}
     if not rows:
@@ -332,12 +332,12 @@ class Dynamics(Setup):
         self, made: Quantity, at: tuple[Any, Any, Any, Any], r: Any, p: Any, wrt: Any
     ) -> np.ndarray:
         """Evaluate at the user's q, v, a and t."""
-        now = self._now(constants=p)
-        warn_of_missing_derivatives(now)
+        problem = self._now(constants=p)
+        warn_of_missing_derivatives(problem)
         # Values of constants that the motion does not depend on.
-        definition, silent = now.definition, getattr(self._eom_method, "values", {})
+        definition, silent = problem.definition, getattr(self._eom_method, "values", {})
         equations = definition.equations
-        x, t, left = _states(now, *at)
+        x, t, left = _states(problem, *at)
         by = () if wrt is None else made.by(definition, wrt)
         size = prod(made.shape)
         key = made.name, made.key, tuple(made.accelerations), by
@@ -355,7 +355,7 @@ class Dynamics(Setup):
             more=at[2].shape[-1],
             look=look if equations.constrained else None,
             solve=all({*places} <= {*left[0]} for _, places in equations.residual_blocks),
-        ).at(now, x, t, r, p)
+        ).at(problem, x, t, r, p)
         return out.reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
 
     def inverse_dynamics(

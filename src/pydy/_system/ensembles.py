@@ -132,13 +132,13 @@ class _Names:
         }
 
     @staticmethod
-    def latest(now: Problem, sensitive: bool) -> _Names:
+    def latest(problem: Problem, sensitive: bool) -> _Names:
         """Return those of a model, made once."""
         key = "names beside sensitivities" if sensitive else "names"
         more = (SENSITIVITY, QUANTITY, PARAMETER) if sensitive else ()
-        names: _Names | None = now.model.latest.get(key)
+        names: _Names | None = problem.model.latest.get(key)
         if names is None:
-            names = now.model.latest[key] = _Names(now.definition, more)
+            names = problem.model.latest[key] = _Names(problem.definition, more)
         return names
 
     def name(self, key: Any) -> str:
@@ -292,13 +292,15 @@ def _columns(
 
 
 def _check_assumptions(
-    now: Problem, columns: list[tuple[Any, Any]], kind: str, given: Mapping[Any, Any], what: str
+    problem: Problem, columns: list[tuple[Any, Any]], kind: str, given: Mapping[Any, Any], what: str
 ) -> None:
     """Warn once of samples, (dims, values) for each symbol, that contradict assumptions."""
-    assumed, told = now.definition.assumptions.get(kind), now.contradicted
+    assumed, told = problem.definition.assumptions.get(kind), problem.contradicted
     if not given or assumed is None or told is None:
         return
-    for place in {now.definition.places[kind].find(key, what) for key in given} & assumed.columns:
+    for place in {
+        problem.definition.places[kind].find(key, what) for key in given
+    } & assumed.columns:
         values = np.ravel(columns[place][1])
         rows = np.full((len(values), len(columns)), np.nan)
         rows[:, place] = values
@@ -480,16 +482,16 @@ class Ensembles(Setup):
         control = flag(control_sensitivities, "`control_sensitivities`")
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
-        now = self._now(solver_kwargs.get("events"), constants, contacts)
-        definition = now.definition
+        problem = self._now(solver_kwargs.get("events"), constants, contacts)
+        definition = problem.definition
         varied, common = _split_specifieds(specifieds)
-        plan = now.plan
+        plan = problem.plan
         for values in filter(None, (common, dict.fromkeys(varied, 0.0))):
             new = SpecifiedsPlan(values, definition.places["specifieds"], argument="specifieds")
             if values is common:
-                check_specifieds(definition, new, now.contradicted)
+                check_specifieds(definition, new, problem.contradicted)
             plan = plan.updated(new)
-        times = now.checked_times(now.times) if times is None else check_times(times)
+        times = problem.checked_times(problem.times) if times is None else check_times(times)
         if times.size and times[-1] < times[0]:
             refuse_descending(times, "ensembles integrate forward only")
         if len(times) < 2:
@@ -504,24 +506,26 @@ class Ensembles(Setup):
         if contacts is not None:
             columns = definition.places["specifieds"].columns(varied, "specifieds").tolist()
             wanted = {"sensitivities": sensitivities, "control_sensitivities": control}
-            motions = contacts.motions(now, solver, common, columns, {**solver_kwargs, **wanted})
+            motions = contacts.motions(
+                problem, solver, common, columns, {**solver_kwargs, **wanted}
+            )
             more = (SENSITIVITY, QUANTITY, PARAMETER) if motions.columns else ()
             names = _Names(definition, more, motions.outputs)
         else:
-            names = _Names.latest(now, sensitivities is not None)
+            names = _Names.latest(problem, sensitivities is not None)
         axes = _Axes(product, names)
         initial = check_mapping("initial_conditions", initial_conditions)
         constants = check_mapping("constants", constants)
         if len(initial) > 1 or len(constants) > 1:
             initial, constants = dict(merged(initial)), dict(merged(constants))
         places = definition.places
-        x = _columns("initial_conditions", initial, places["states"], now.x, axes, "initial")
-        p = _columns("constants", constants, places["constants"], now.p, axes, "constant")
+        x = _columns("initial_conditions", initial, places["states"], problem.x, axes, "initial")
+        p = _columns("constants", constants, places["constants"], problem.p, axes, "constant")
         r = _columns("specifieds", varied, places["specifieds"], plan.values, axes, "specified")
         if definition.assumptions:
-            _check_assumptions(now, x, "states", initial, "initial_conditions")
-            _check_assumptions(now, p, "constants", constants, "constants")
-            _check_assumptions(now, r, "specifieds", varied, "specifieds")
+            _check_assumptions(problem, x, "states", initial, "initial_conditions")
+            _check_assumptions(problem, p, "constants", constants, "constants")
+            _check_assumptions(problem, r, "specifieds", varied, "specifieds")
         axes.check_names()
         for (label, attrs), (dims, value) in zip(names.constants, p, strict=True):
             if not dims:
@@ -532,12 +536,12 @@ class Ensembles(Setup):
         given: dict[str, Any] = {**solver_kwargs}
         if definition.equations.implicit is not None:
             given = with_residuals_held(definition, solver, given)
-        kept, moved = None, now.model
+        kept, moved = None, problem.model
         if definition.equations.constrained or sensitivities is not None:
             moved = driven(moved, definition, plan)
 
         def at(t: np.ndarray, x: np.ndarray) -> At:
-            return At(definition, moved, t, x, plan.rows(x, t), now.p)
+            return At(definition, moved, t, x, plan.rows(x, t), problem.p)
 
         if definition.equations.constrained:
             start, shape = float(times[0]), tuple(axes.dims.values())
@@ -547,25 +551,25 @@ class Ensembles(Setup):
             equations = definition.equations
             left_out, every = any(equations.left_out), equations.beyond_projection
             names_of = ConstraintNames(equations) if "events" in given else ()
-            kept = Kept(drift_programs(now, moved, plan), left_out, every, mended, names_of)
-        ready: PreparedIntegration | None = now.model.latest.get("ensemble")
+            kept = Kept(drift_programs(problem, moved, plan), left_out, every, mended, names_of)
+        ready: PreparedIntegration | None = problem.model.latest.get("ensemble")
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None
         if ready is None or not ready.is_compatible(plan, solver, given):
-            ready = PreparedIntegration(definition, now.model, plan, solver, given)
+            ready = PreparedIntegration(definition, problem.model, plan, solver, given)
         integrated, options, beside = ready.model, ready.options, None
         if sensitivities is not None and motions is None:
-            sensitive = AugmentedSystem.of(now, integrated, plan, sensitivities)
+            sensitive = AugmentedSystem.of(problem, integrated, plan, sensitivities)
             looked_at = sensitive.controlled(control)
-            options = sensitive.stepped(solver, options, now.x, times, looked_at)
-            beside = differentiated(at(times[:1], now.x[None]), sensitive, options, control)
+            options = sensitive.stepped(solver, options, problem.x, times, looked_at)
+            beside = differentiated(at(times[:1], problem.x[None]), sensitive, options, control)
             if "events" in options:  # workers need no SymPy
                 options = {**options, "events": replace(options["events"], sources=())}
         read = ready.read
         if read is None or beside is not None:
             read = _read(definition, solver, options)
         if beside is None:
-            ready.read, now.model.latest["ensemble"] = read, ready
+            ready.read, problem.model.latest["ensemble"] = read, ready
         model = Model(
             rates=integrated.program("rates"),
             outputs=integrated.program("outputs") if definition.outputs_symbols else None,

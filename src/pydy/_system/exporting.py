@@ -110,12 +110,12 @@ def _names(symbols: Sequence[Any]) -> list[str]:
     return spelled
 
 
-def _held(now: Problem) -> dict[str, Any]:
+def _held(problem: Problem) -> dict[str, Any]:
     """Return the sizes that projection works with."""
-    equations, assembly = now.definition.equations, now.driven.assembly
+    equations, assembly = problem.definition.equations, problem.driven.assembly
     if not (assembly.holonomic or assembly.velocity):
         raise ValueError("`constraints='project'` holds constraints, but the system has none.")
-    every = with_all(now.driven, now.definition).assembly
+    every = with_all(problem.driven, problem.definition).assembly
     return {
         "holonomic": len(every.holonomic),
         "velocity": len(every.velocity),
@@ -129,13 +129,13 @@ def _held(now: Problem) -> dict[str, Any]:
 
 
 def _builders(
-    now: Problem, places: tuple[int, ...], events: Sequence[Event], projected: bool
+    problem: Problem, places: tuple[int, ...], events: Sequence[Event], projected: bool
 ) -> dict[str, Callable[[], Program]]:
     """Return what makes the Programs of a model with specifieds at some places as inputs."""
     from pydy.export.model import PARTS, with_inputs
 
-    assembly = now.driven.assembly
-    n, found = len(now.definition.states), dict[str, Callable[[], Program]]()
+    assembly = problem.driven.assembly
+    n, found = len(problem.definition.states), dict[str, Callable[[], Program]]()
 
     def store(part: str, what: str, make: Any, assembly: Assembly = assembly) -> None:
         program = partial(stored_program, assembly, what, lambda: make(assembly))
@@ -153,11 +153,11 @@ def _builders(
         store(part, f"exported {part}", methodcaller("program", part))
     if projected:
         what = f"projection {assembly.following}" if any(assembly.following) else "projection"
-        every = with_all(now.driven, now.definition).assembly
+        every = with_all(problem.driven, problem.definition).assembly
         store("projection", what, projection_program, every)
     if events:
         expressions = tuple(event.expression for event in events)
-        resets = [e.reset.get(s, s) for e in events for s in now.definition.states]
+        resets = [e.reset.get(s, s) for e in events for s in problem.definition.states]
         count, formulas = len(events), assembly.expression_program
         for part, make in {
             "events": partial(formulas, "the events", (count,), expressions),
@@ -247,19 +247,19 @@ class Exporting(Setup):
         """Return the Programs, names and numbers of the exported model."""
         from pydy.export.model import EventData, Model, Variable, identifiers
 
-        now = self._now(events)
-        warn_of_missing_derivatives(now)
-        definition, times = now.definition, now.times
+        problem = self._now(events)
+        warn_of_missing_derivatives(problem)
+        definition, times = problem.definition, problem.times
         start = float(times[0]) if len(times) else 0.0
-        places = _input_places(definition, now.plan, inputs)
-        held = choice(constraints, (None, "project"), "`constraints`") and _held(now)
+        places = _input_places(definition, problem.plan, inputs)
+        held = choice(constraints, (None, "project"), "`constraints`") and _held(problem)
         checked = check_events(events, definition.places["states"])
         _check_resets(definition, checked)
-        r = now.plan(now.x, start) if places else np.zeros(0)
+        r = problem.plan(problem.x, start) if places else np.zeros(0)
         parts = [
-            (definition.states, now.x),
+            (definition.states, problem.x),
             ([definition.specifieds[k] for k in places], r[[*places]]),
-            (definition.constants, now.p),
+            (definition.constants, problem.p),
             (definition.outputs_symbols, np.zeros(len(definition.outputs_symbols))),
         ]
         names = _names([symbol for symbols, _ in parts for symbol in symbols])
@@ -273,13 +273,13 @@ class Exporting(Setup):
             inputs=own,
             constants=numbers,
             outputs=outputs,
-            builders=_builders(now, places, checked, bool(held)),
+            builders=_builders(problem, places, checked, bool(held)),
             events=EventData(
                 tuple(event.name for event in checked),
                 tuple(int(event.direction) for event in checked),
                 tuple(bool(event.terminal) for event in checked),
                 tuple(bool(event.terminal or event.reset) for event in checked),
-                event_redirects(now.driven.assembly, checked, definition.states),
+                event_redirects(problem.driven.assembly, checked, definition.states),
             ),
             start=start,
             stop=float(times[-1]) if len(times) > 1 else start + 1.0,
@@ -291,8 +291,8 @@ class Exporting(Setup):
         """Return the model of a live page; `options` are those of `_exportable`."""
         from pydy.viz.live import LiveSystem
 
-        now = self._now()
-        definition, plan = now.definition, now.plan
+        problem = self._now()
+        definition, plan = problem.definition, problem.plan
         equations = definition.equations
         constrained = bool(equations.holonomic or equations.velocity)
         if constraints == "auto":
@@ -306,7 +306,7 @@ class Exporting(Setup):
                 formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
         dependents: tuple[list[int], list[int]] = ([], [])
         if constraints is not None:
-            dependents = _dependents(now)
+            dependents = _dependents(problem)
         return LiveSystem(
             model=exported,
             states=definition.states,

@@ -31,13 +31,13 @@ from pydy.solvers.outcome import EVENTS_ACCUMULATE, TERMINATED
 _KINDS = {"x": "states", "r": "specifieds", "p": "constants"}
 
 
-def _plan(now: Problem, part: Part | None) -> SpecifiedsPlan:
+def _plan(problem: Problem, part: Part | None) -> SpecifiedsPlan:
     """Return the plan of the specifieds, with numbers for those in the layer's arguments."""
     if part is None:
-        return now.plan
-    places = now.definition.places["specifieds"]
+        return problem.plan
+    places = problem.definition.places["specifieds"]
     zeros = dict.fromkeys((places.symbols[k] for k in part.places), 0.0)
-    return now.plan.updated(SpecifiedsPlan(zeros, places, argument="r"))
+    return problem.plan.updated(SpecifiedsPlan(zeros, places, argument="r"))
 
 
 def _rows(base: np.ndarray, part: Part | None, given: Any, m: int) -> np.ndarray:
@@ -58,11 +58,11 @@ def _runs(rows: np.ndarray) -> Iterator[slice]:
 class _Values:
     """A block of the equations as a function of x, t, r and p."""
 
-    def __init__(self, now: Problem, block: str, parts: tuple[Part, ...]) -> None:
-        self.now, self.block, self.parts = now, block, parts
+    def __init__(self, problem: Problem, block: str, parts: tuple[Part, ...]) -> None:
+        self.now, self.block, self.parts = problem, block, parts
         self._of = {part.group: part for part in parts}
-        self._plan = _plan(now, self._of.get("r"))
-        self._model = driven(now.model, now.definition, self._plan)
+        self._plan = _plan(problem, self._of.get("r"))
+        self._model = driven(problem.model, problem.definition, self._plan)
         self._check_unknowns()
         self._kernel = self._model.compiled(block)
         self.shape: tuple[int, ...] = (len(self._kernel.program.outputs),)
@@ -93,23 +93,23 @@ class _Values:
             return np.empty((*lead, len(kernel.program.outputs)))
         flat = [one.reshape(-1, one.shape[-1]) for one in given]
         own = {part.group: one for part, one in zip(self.parts, flat, strict=True)}
-        m, now, of = len(flat[0]), self.now, self._of
-        x = _rows(now.x, of.get("x"), own.get("x"), m)
-        t = np.ascontiguousarray(own["t"][:, 0]) if "t" in own else np.full(m, now.t)
+        m, problem, of = len(flat[0]), self.now, self._of
+        x = _rows(problem.x, of.get("x"), own.get("x"), m)
+        t = np.ascontiguousarray(own["t"][:, 0]) if "t" in own else np.full(m, problem.t)
         self._plan.check_times(t, "t")
         r = _rows(self._plan.rows(x, t), of.get("r"), own.get("r"), m)
         if more is not None:
             r = np.hstack([r, more.reshape(m, -1)])
-        p = _rows(now.p, of.get("p"), own.get("p"), m)
+        p = _rows(problem.p, of.get("p"), own.get("p"), m)
         found = [self._model.evaluate(kernel, t[k], x[k], r[k], p[k.start]) for k in _runs(p)]
         whole = found[0] if len(found) == 1 else np.concatenate(found)
         return whole.reshape(*lead, -1)
 
     def _at(self, kernel: Kernel, given: Given, more: np.ndarray | None) -> np.ndarray:
         """Do the same at one state, where the time of a call counts."""
-        now, plan = self.now, self._plan
-        own = {"x": now.x, "p": now.p}
-        t = now.t
+        problem, plan = self.now, self._plan
+        own = {"x": problem.x, "p": problem.p}
+        t = problem.t
         for part, one in zip(self.parts, given, strict=True):
             group = part.group
             if group == "t":
@@ -202,22 +202,22 @@ class _Motion:
     """The states of a simulation, or the last of them, as a function of x, r and p."""
 
     def __init__(
-        self, system: Any, now: Problem, final: bool, parts: tuple[Part, ...], contacts: Any,
+        self, system: Any, problem: Problem, final: bool, parts: tuple[Part, ...], contacts: Any,
         options: Any,
     ) -> None:  # fmt: skip
         self.parts, self._final, self._options = parts, final, options
-        self._times = now.checked_times(now.times)
-        definition = now.definition
+        self._times = problem.checked_times(problem.times)
+        definition = problem.definition
         n = len(definition.states)
         self.shape: tuple[int, ...] = (n,) if final else (len(self._times), n)
         self._twin = system = copy(system)  # what is set on it does not reach the user's
         self._contacts = contacts and contacts.of(system)
         system._searching = True
         system.ode_solver = native_solver(system.ode_solver)
-        system.initial_conditions = dict(zip(definition.states, now.x.tolist(), strict=True))
-        system.constants = now.constants
+        system.initial_conditions = dict(zip(definition.states, problem.x.tolist(), strict=True))
+        system.constants = problem.constants
         system.times = self._times
-        plan = now.plan
+        plan = problem.plan
         given = [s for s in plan.symbols if s in plan.given and s not in plan.expressions]
         numbers = dict(zip(plan.symbols, plan.values.tolist(), strict=True))
         self._samples: dict[Any, SampledInput] = {}
@@ -226,12 +226,12 @@ class _Motion:
             for j, k in enumerate(columns):
                 kept[plan.symbols[k]] = self._samples[plan.symbols[k]] = samples.of([j])
         own = next((part for part in parts if part.group == "r"), None)
-        for columns, function, _ in _plan(now, own).functions:  # of what `r` does not give
+        for columns, function, _ in _plan(problem, own).functions:  # of what `r` does not give
             names = tuple(plan.symbols[k] for k in columns)
             kept = {s: v for s, v in kept.items() if s not in names} | {names: function}
         system.specifieds = kept
         self._dependent = [] if system._dependent is None else [*system._dependent]
-        following = [definition.states[k] for k in now.dependent]
+        following = [definition.states[k] for k in problem.dependent]
         self._entries: list[list[Any]] = []  # the symbols of each part
         self._by: list[list[Any]] = []  # those to differentiate by
         for part in parts:
@@ -475,19 +475,19 @@ class _Frozen:
         return made
 
     def _make(self, kind: str, parts: tuple[Part, ...]) -> Function:
-        now = self._now
-        if kind == "outputs" and not now.definition.outputs_symbols:
+        problem = self._now
+        if kind == "outputs" and not problem.definition.outputs_symbols:
             raise ValueError("The system has no outputs to evaluate. Set `system.outputs`.")
         if kind in ("ode", "outputs"):
-            return _Values(now, {"ode": "rates", "outputs": "outputs"}[kind], parts)
-        if len(now.times) < 2:
+            return _Values(problem, {"ode": "rates", "outputs": "outputs"}[kind], parts)
+        if len(problem.times) < 2:
             raise ValueError(
                 f"`times` must have at least two values before `{kind}` can be called, got "
-                f"{len(now.times)}. Set `system.times`, and make the layer after that."
+                f"{len(problem.times)}. Set `system.times`, and make the layer after that."
             )
-        refuse_descending(now.times, f"`{kind}` integrates forward only")
+        refuse_descending(problem.times, f"`{kind}` integrates forward only")
         final = kind == "final"
-        return _Motion(self._system, now, final, parts, self._contacts, self._options)
+        return _Motion(self._system, problem, final, parts, self._contacts, self._options)
 
 
 class Layers(Setup):

@@ -18,11 +18,11 @@ class Pictures(Simulation, Exporting):
 
     def _motion(self, times: Any, states: Any) -> Trajectory:
         """Return a trajectory of checked arrays, and the model that moves the scene."""
-        now = self._now()
-        kinds = now.definition.symbols_by_kind
+        problem = self._now()
+        kinds = problem.definition.symbols_by_kind
         symbols = {k: v for k, v in kinds.items() if k not in ("output", "constraint", "force")}
-        along = now.specifieds(times, states)
-        return Trajectory(times, states, symbols, specifieds=along, constants=now.constants)
+        along = problem.specifieds(times, states)
+        return Trajectory(times, states, symbols, specifieds=along, constants=problem.constants)
 
     def scene(
         self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any

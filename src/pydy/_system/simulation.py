@@ -66,16 +66,16 @@ class Simulation(Setup):
             The root finder did not converge; its result is set nevertheless. Or a value that you
             gave had to change.
         """
-        now, own = self._now(), self._definition.places["states"]
+        problem, own = self._now(), self._definition.places["states"]
         # A new dictionary: the old one may be the caller's own. Its keys may be names.
         conditions, latest = dict(self._initial_conditions), self._dependent or {}
         keys = {own.symbols[own.find(key, "initial_conditions")]: key for key in conditions}
         given: dict[Any, float] = {}
         if dep_vars is None:
-            given = given_values(now, keys, latest)
-            dep_vars = default_dependents(now, given)
+            given = given_values(problem, keys, latest)
+            dep_vars = default_dependents(problem, given)
         places = check_dependents(self._definition, dep_vars)
-        x = solve_dependents(now, places, given, flag(use_jac, "`use_jac`"), root_kwargs)
+        x = solve_dependents(problem, places, given, flag(use_jac, "`use_jac`"), root_kwargs)
         solved = {own.symbols[k]: float(x[k]) for part in places for k in part}
         self._initial_conditions = conditions | {keys.get(s, s): v for s, v in solved.items()}
         self._dependent = solved
@@ -89,12 +89,12 @@ class Simulation(Setup):
             return self._now(given.get("events"))
         with progress_of(True, " parts", desc="preparation", leave=False) as told:
             told(0, part="equations")
-            now = self._now(given.get("events"))
+            problem = self._now(given.get("events"))
             told(1)
             told(0, part="machine code")
-            rates_function(now.driven, now.plan)
+            rates_function(problem.driven, problem.plan)
             told(1)
-        return now
+        return problem
 
     @overload
     def integrate(
@@ -149,11 +149,13 @@ class Simulation(Setup):
         """
         solver = self.ode_solver
         shown = solver_kwargs.get("progress") is True
-        now = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
+        problem = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
-        return integrate_states(now, self._times, solver=solver, checked=not full, **solver_kwargs)
+        return integrate_states(
+            problem, self._times, solver=solver, checked=not full, **solver_kwargs
+        )
 
     def simulate(
         self,
@@ -216,17 +218,17 @@ class Simulation(Setup):
         if isinstance(solver_kwargs.get("events"), Iterator):
             solver_kwargs["events"] = [*solver_kwargs["events"]]
         shown = solver_kwargs.get("progress") is True
-        now = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
+        problem = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
         wanted, control = None, False
         if control_sensitivities is not False:
             control = flag(control_sensitivities, "`control_sensitivities`")
         if sensitivities is not None:
             wanted = SensitivityRequest(sensitivities, control)
         trajectory = simulate(
-            now, self._times, solver=self.ode_solver, sensitivities=wanted, **solver_kwargs
+            problem, self._times, solver=self.ode_solver, sensitivities=wanted, **solver_kwargs
         ).trajectory
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
-            warn_of_outputs(trajectory, now)
+            warn_of_outputs(trajectory, problem)
         if wanted is not None and not self._searching:
-            warn_of_jumps(now, lambda: trajectory, wanted.sensitive)
+            warn_of_jumps(problem, lambda: trajectory, wanted.sensitive)
         return trajectory

@@ -129,32 +129,32 @@ def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
 
 
 def evaluate_block(
-    now: Problem, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
+    problem: Problem, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
 ) -> np.ndarray:
     """Evaluate a block of the equations, or its Jacobian by `wrt`, as `variables` returns it."""
     if block in ("rates", "outputs"):
-        warn_of_missing_derivatives(now)
+        warn_of_missing_derivatives(problem)
 
     def kernel(model: CompiledModel) -> Kernel:
         return model.compiled(block) if wrt is None else model.compiled_jacobian(block, wrt)
 
-    names = partial(now.definition.row_names, block)
+    names = partial(problem.definition.row_names, block)
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
     look = None
-    if wrt is None and any(blocks) and any(now.definition.equations.left_out):
+    if wrt is None and any(blocks) and any(problem.definition.equations.left_out):
         look = partial(warn_of_left_out, blocks=blocks)
-    return Sweep(kernel, names, wrt or (), look=look).at(now, *given)
+    return Sweep(kernel, names, wrt or (), look=look).at(problem, *given)
 
 
 def evaluate_product(
-    now: Problem, kind: str, of: Any, wrt: Any, v: Any, given: tuple[Any, Any, Any, Any]
+    problem: Problem, kind: str, of: Any, wrt: Any, v: Any, given: tuple[Any, Any, Any, Any]
 ) -> np.ndarray:
     """Evaluate a product with derivatives, of one of `pydy._graph.products.KINDS`."""
-    definition = now.definition
+    definition = problem.definition
     groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
     target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
     if target.block in ("", "rates", "outputs"):
-        warn_of_missing_derivatives(now)
+        warn_of_missing_derivatives(problem)
     by = variables(definition, wrt)
     vectors, count, squeeze = None, 1, False
     if kind not in ("gradient", "jacobian"):
@@ -176,7 +176,7 @@ def evaluate_product(
         slopes = [f"the derivative by {groups[group][place]}" for group, place in by]
         return [target.names[0], *slopes] if kind == "gradient" else slopes
 
-    out = Sweep(kernel, names, by, vectors).at(now, *given)
+    out = Sweep(kernel, names, by, vectors).at(problem, *given)
     return out[..., 0] if squeeze else out
 
 
@@ -213,14 +213,16 @@ class Sweep:
     look: Callable[[At], None] | None = None  # at the states first
     solve: bool = False  # whether implicit coordinates are solved for, although x is given
 
-    def at(self, now: Problem, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+    def at(self, problem: Problem, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
         """Evaluate it at a user's x, t, r and p."""
-        model, definition = now.model, now.definition
+        model, definition = problem.model, problem.definition
         n = len(definition.states)
-        wide, instants, single = samples(now.x_with(x), t, lambda: now.x, now.times, n + self.more)
+        wide, instants, single = samples(
+            problem.x_with(x), t, lambda: problem.x, problem.times, n + self.more
+        )
         states = wide[:, :n]
         if r is None or callable(r) or isinstance(r, Mapping):
-            plan = now.plan_with(r)
+            plan = problem.plan_with(r)
             plan.check_times(instants, "times" if t is None else "t")
             rows = plan.rows
             perturbed = any(group == "r" for group, _ in self.by)
@@ -231,7 +233,7 @@ class Sweep:
             def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
                 return numbers
 
-        at = At(definition, model, instants, states, rows(states, instants), now.p_with(p))
+        at = At(definition, model, instants, states, rows(states, instants), problem.p_with(p))
         at = at.with_unknowns(None if self.solve else x, rows)
         if at.x is not states:
             wide = np.hstack([at.x, wide[:, n:]])
@@ -240,7 +242,7 @@ class Sweep:
         made, vectors = self.kernel(model), self.vectors
         try:
             if definition.assumptions:
-                now.check_states(at, x is not None, r)
+                problem.check_states(at, x is not None, r)
             out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
         except SingularMatrixError as error:
             k = int((at.x == error.state).all(axis=1).argmax())
@@ -346,9 +348,9 @@ class Evaluation(Setup):
         >>> system.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
         array([5., 2.])
         """
-        now = self._now(constants=p)
-        names = partial(now.definition.row_names, "energy")
-        values = Sweep(now.energies.kernel, names).at(now, x, t, r, p)
+        problem = self._now(constants=p)
+        names = partial(problem.definition.row_names, "energy")
+        values = Sweep(problem.energies.kernel, names).at(problem, x, t, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(

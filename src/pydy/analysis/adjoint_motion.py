@@ -385,10 +385,10 @@ class MotionSegment:
             projected=ready.enforced,
         )
 
-    def passed(self, now: Problem) -> Any:
+    def passed(self, problem: Problem) -> Any:
         """Return the motion as a Trajectory at the solver's own steps."""
         states = np.vstack([self.before, self.last])[:, : self.n]
-        return now.trajectory(np.append(self.starts, self.end), states, events=self.records)
+        return problem.trajectory(np.append(self.starts, self.end), states, events=self.records)
 
     def gradient(self, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Go back to the beginning; return the derivatives by parameters and by the first state.
@@ -589,7 +589,7 @@ class MotionSegment:
 
 
 def integrate_forward(
-    now: Problem,
+    problem: Problem,
     solver: Solver,
     ready: PreparedIntegration,
     times: np.ndarray,
@@ -597,14 +597,14 @@ def integrate_forward(
     guide: np.ndarray | None = None,
 ) -> MotionSegment:
     """Return a motion from the initial conditions, or say why it could not go on."""
-    n = len(now.definition.states)
+    n = len(problem.definition.states)
     try:
-        found = MotionSegment(task, solver, now.x, times, ready.options, guide)
+        found = MotionSegment(task, solver, problem.x, times, ready.options, guide)
     except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
         if not isinstance(error, SingularMatrixError):
             error.states, error.state = error.states[:, :n], error.state[:n]
         if not isinstance(error, IntegrationInterrupted):
-            explain_failure(error, now, ready, not ready.enforced)
+            explain_failure(error, problem, ready, not ready.enforced)
         raise
-    judge_motion(found.motion(now, solver, ready))
+    judge_motion(found.motion(problem, solver, ready))
     return found

@@ -57,13 +57,13 @@ class EquilibriumResidual:
 
     def __init__(
         self,
-        now: Problem,
+        problem: Problem,
         unknowns: Iterable[Any] | None,
         given: Mapping[Any, Any] | None,
         moving: Iterable[Any],
         varied: Sequence[Any] = (),
     ) -> None:
-        definition = self.definition = now.definition
+        definition = self.definition = problem.definition
         equations = definition.equations
         states = definition.places["states"]
         q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
@@ -71,7 +71,7 @@ class EquilibriumResidual:
         if any(place >= q for place in steady):
             names = [str(states.symbols[k]) for k in steady if k >= q]
             raise ValueError(f"`moving` must hold coordinates, got {some(names)}.")
-        self.x, self.p = now.x.copy(), now.p.copy()
+        self.x, self.p = problem.x.copy(), problem.p.copy()
         places = self._take(check_mapping("given", given))
         if unknowns is None:
             held = {*places, *(located(definition, key, "over") for key in varied)}
@@ -87,20 +87,24 @@ class EquilibriumResidual:
         self.rows = [k for k in range(n) if k not in steady]
         by_specified, self.columns = wanted.of("specifieds")
         own = {definition.specifieds[k]: k for k in self.columns}
-        self.plan = now.plan.updated(
+        self.plan = problem.plan.updated(
             SpecifiedsPlan(
-                {s: now.value("specifieds", k) for s, k in own.items()}
+                {s: problem.value("specifieds", k) for s, k in own.items()}
                 | {s: v for s, v in self.given.items() if s in definition.specifieds},
                 definition.places["specifieds"],
                 argument="given",
             )
         )
         self.made = driven(
-            now.model, definition, self.plan,
+            problem.model, definition, self.plan,
             perturbed=bool(own or self.plan.functions),
         )  # fmt: skip
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
-        self.t, self.within, self.told = now.t, float(np.ptp(np.append(now.times, now.t))), False
+        self.t, self.within, self.told = (
+            problem.t,
+            float(np.ptp(np.append(problem.times, problem.t))),
+            False,
+        )
         self.start = np.empty(len(wanted.symbols))
         self.start[wanted.of("states")[0]] = self.x[wanted.of("states")[1]]
         self.start[wanted.of("constants")[0]] = self.p[wanted.of("constants")[1]]

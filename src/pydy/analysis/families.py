@@ -45,11 +45,11 @@ def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
     return definition.places[kind].symbols[place], values
 
 
-def check_swept(now: Problem, parameter: Any, values: np.ndarray) -> None:
+def check_swept(problem: Problem, parameter: Any, values: np.ndarray) -> None:
     """Warn of values of a parameter that contradict its assumptions."""
-    kind, _ = located(now.definition, parameter, "over")
+    kind, _ = located(problem.definition, parameter, "over")
     for value in (values.min(), values.max()):
-        now.check_values(kind, {parameter: float(value)}, "`over` for ")
+        problem.check_values(kind, {parameter: float(value)}, "`over` for ")
 
 
 class Family:
@@ -57,13 +57,13 @@ class Family:
 
     def __init__(
         self,
-        now: Problem,
+        problem: Problem,
         parameter: Any,
         unknowns: Iterable[Any] | None,
         given: Mapping[Any, Any] | None,
         moving: Iterable[Any],
     ) -> None:
-        self.residual = EquilibriumResidual(now, unknowns, given, moving, [parameter])
+        self.residual = EquilibriumResidual(problem, unknowns, given, moving, [parameter])
         self.names = self.residual.wanted.names
 
     def equilibria(

@@ -177,6 +177,8 @@ class Contacts:
         A Problem with `modes` begins in these, projected on what they hold; otherwise the modes
         follow from the state.
         """
+        if len(times):
+            problem = problem.replace(times=times, t=float(times[0]))
         run = self._run(problem, times, solver, events, **options)
         if sensitivities is not None:
             wanted, controlled = sensitivities.parameters, sensitivities.controlled
