@@ -130,7 +130,8 @@ class _Partial(_Pickled):
     def trajectory(self) -> Any:
         """The results so far with names, outputs and energies, as a Trajectory.
 
-        None where a solver was called by itself, and after pickling.
+        None where a solver was called by itself, where contacts failed before they moved, and for
+        copies of the error.
         """
         return None if self.motion is None else self.motion.trajectory
 

@@ -414,8 +414,14 @@ def test_contacts_that_exclude_each_other_are_named():
     t = me.dynamicsymbols._t
     press = Unilateral(1 - t - y, name="press")
     system.times = [0.0, 2.0]
-    with pytest.raises(ContactError, match=r"Jamming: .*At t = 1\.0"):
+    system.times = [0.0, 0.5, 2.0]
+    with pytest.raises(ContactError, match=r"Jamming: .*At t = 1\.0") as caught:
         Contacts(system, [floor, press]).simulate()
+    trajectory = caught.value.trajectory
+    assert trajectory.times.tolist() == [0.0, 0.5]
+    assert trajectory.modes[-1][2]["press"] == "open"
+    with pytest.raises(ValueError, match="failed where this motion ends"):
+        trajectory.continue_to(3.0)
 
 
 def over_a_bump(unit, height, gap=None):

@@ -1,5 +1,6 @@
 """Integrations and evaluations that go wrong say so, and why."""
 
+import copy
 import warnings
 
 import numpy as np
@@ -298,3 +299,31 @@ def test_numbers_out_of_the_range_of_step_control_are_told_with_the_remedy(solve
         system.integrate()
     states = system.integrate(rtol=1e-9, atol=1e290)
     np.testing.assert_allclose(states[:, 0] / 1e300, np.cos(system.times), atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("solver", "options"),
+    [("dop853", {"max_steps": 5}), ("radau", {"max_steps": 8}), ("odeint", {"mxstep": 100})],
+)
+def test_the_motion_so_far_has_names_and_energies(solver, options):
+    system = multi_mass_spring_damper()
+    system.constants = {"c0": 0.0}
+    position, _ = system.states
+    system.initial_conditions, system.times = {position: 1.0}, np.linspace(0.0, 20.0, num=81)
+    system.ode_solver = solver
+    if solver == "odeint":  # which takes steps between two times: these have to be far apart
+        system.times = np.array([0.0, 0.5, 1.0, 2e3])
+    calls = [lambda: system.simulate(**options), lambda: system.integrate(**options)]
+    if solver == "dop853":
+        calls.append(lambda: system.simulate(sensitivities=["k0"], **options))
+        calls.append(lambda: system.adjoint_gradient("constants", final=position, **options))
+    for call in calls:
+        with pytest.raises(IntegrationError) as caught:
+            call()
+        trajectory = caught.value.trajectory
+        assert 1 < len(trajectory.times) < len(system.times)
+        np.testing.assert_allclose(trajectory[position], np.cos(trajectory.times), atol=1e-6)
+        np.testing.assert_allclose(trajectory.energy[:, 2], 0.5, atol=1e-6)
+        with pytest.raises(ValueError, match="failed where this motion ends"):
+            trajectory.continue_to(3e3)
+        assert copy.deepcopy(caught.value).trajectory is None

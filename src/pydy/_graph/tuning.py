@@ -66,16 +66,17 @@ MOST_INTERVALS = 2**20
 # Of the whole time: in shorter intervals a zero without a change of sign is as good as none. Two
 # zeros of a parabola that are nearer than 2⁻²⁶ may be lost in rounding anyway.
 SHORTEST_INTERVAL = 2.0**-32
-# Changes of sign between which bounds have excluded no other zeros, as in an expression in which
-# the same term cancels.
+# If the intervals are used up, changes of sign in those that are left. A few are zeros of an
+# expression whose bounds stay wide, since the same term cancels in it; more are too many zeros.
 FEW_CHANGES = 64
 # Times at which signs are computed where no bounds are known.
 SIGN_SAMPLES = 2**14
 # Times that rounding may decide about: at least so much of the whole time, and two roundings of a
-# time; they are widened by factors of 4, to 4⁻¹⁰ of it at most.
+# time; they are widened by factors of 4, to 2⁻³⁰ of it at most.
 LEAST_WINDOW = 2.0**-60
 WIDENINGS = 16
 # What switches at an end may do so beyond it, by rounding: of the largest of the times.
 BEYOND_ENDS = 2.0**-48
-# Results of searches that are stored for other runs with the same numbers.
+# Results of searches that are stored for other runs with the same numbers; ensembles ask for each
+# sample once.
 STORED_SEARCHES = 8

@@ -209,7 +209,7 @@ def call_solver(
         if sensitivities is not None:
             sensitivities.cut(error)
         if not isinstance(error, SingularMatrixError):
-            error.motion = _so_far(problem, ready, solver, options, error)
+            error.motion = motion_so_far(problem, ready, solver, options, error)
         if isinstance(error, IntegrationInterrupted):
             raise
         explain_failure(error, problem, ready, isinstance(solver, Solver) and not ready.enforced)
@@ -388,7 +388,7 @@ def readable_motion(
     return None
 
 
-def _so_far(
+def motion_so_far(
     problem: Problem,
     ready: PreparedIntegration,
     solver: SolverFunction,

@@ -194,7 +194,7 @@ class Hybrid(Protocol):
         """Return the Motion from a Problem's state on, in its modes if it has any."""
 
 
-_REPLACED = frozenset(("t", "x", "p", "plan", "times", "contradicted", "hybrid", "modes"))
+_REPLACED = frozenset(("t", "x", "p", "times", "contradicted", "modes"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,7 +222,7 @@ class Problem:
     modes: tuple[str, ...] | None = None  # of `hybrid`; None where they follow from the state
 
     def replace(self, **numbers: Any) -> Problem:
-        """Return the same with other numbers: `t`, `x`, `p`, `plan`, `times`, `modes` and others.
+        """Return the same with another `t`, `x`, `p`, `times`, `contradicted` or `modes`.
 
         Nothing is compiled or checked again. States that follow from others stay as they are: see
         `consistent`.
@@ -231,8 +231,6 @@ class Problem:
             raise TypeError(f"a Problem has no {', '.join(sorted(unknown))} to replace")
         other = object.__new__(Problem)
         other.__dict__.update(self.__dict__)
-        if "plan" in numbers:
-            other.__dict__.pop("driven", None)
         other.__dict__.update(numbers)
         return other
 

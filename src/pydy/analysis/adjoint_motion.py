@@ -25,7 +25,7 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy._simulation.discontinuities import node_of
-from pydy._simulation.integration import explain_failure
+from pydy._simulation.integration import explain_failure, motion_so_far
 from pydy._simulation.judges import judge_motion
 from pydy._simulation.motion import Motion, Segment
 from pydy._simulation.parameters import Parameter, by_samples, marker
@@ -603,6 +603,7 @@ def integrate_forward(
     except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
         if not isinstance(error, SingularMatrixError):
             error.states, error.state = error.states[:, :n], error.state[:n]
+            error.motion = motion_so_far(problem, ready, solver, ready.options, error)
         if not isinstance(error, IntegrationInterrupted):
             explain_failure(error, problem, ready, not ready.enforced)
         raise

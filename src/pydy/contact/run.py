@@ -356,7 +356,8 @@ class Run:
         self.state = state
         try:
             self._go_through(state)
-        except IntegrationInterrupted:
+        except (ContactError, IntegrationInterrupted) as error:
+            error.motion = self.partial()
             raise
         except KeyboardInterrupt:
             raise IntegrationInterrupted(
@@ -755,7 +756,7 @@ class Run:
         if not self.segments:
             return None
         self.reached = self.times <= self.segments[-1].end
-        return self.result()
+        return replace(self.result(), refusal="The simulation failed where this motion ends.")
 
     def result(self) -> Motion:
         """Return the segments as one motion."""

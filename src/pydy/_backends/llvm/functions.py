@@ -10,6 +10,7 @@ import _thread
 import ctypes
 import sys
 import threading
+import time
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any, cast
@@ -124,7 +125,7 @@ class CompleteCode:
         try:
             kernel: Callable[..., int] = _KERNEL(self.link().addresses["kernel"])
         except KeyboardInterrupt:  # ctypes would lose it: it comes again after this call
-            threading.Timer(0.01, _thread.interrupt_main).start()
+            threading.Thread(target=_interrupt_after, daemon=True).start()
             return -1
         except Exception as error:  # noqa: BLE001  # whatever it is, ctypes would lose it
             # ctypes would go on with the status 0 and what lay in the results. No state is right.
@@ -146,6 +147,19 @@ class CompleteCode:
                     functions.use(code)
                 self._code = code
             return self._code
+
+
+def _interrupt_after() -> None:
+    """Interrupt the main thread once it has left `CompleteCode._call`, however long that takes."""
+    main = threading.main_thread().ident
+    while True:
+        frame = sys._current_frames().get(main or 0)
+        while frame is not None and frame.f_code is not CompleteCode._call.__code__:
+            frame = frame.f_back
+        if frame is None:
+            break
+        time.sleep(0.001)
+    _thread.interrupt_main()
 
 
 _COMPLETE: WeakValueDictionary[str, CompleteCode] = WeakValueDictionary()
