@@ -53,6 +53,15 @@ def pytest_configure(config):
 
 
 @pytest.hookimpl(wrapper=True)
+def pytest_collection(session):
+    """Look for no garbage while tests are collected; what modules hold is never looked at again."""
+    gc.disable()
+    yield
+    gc.freeze()
+    gc.enable()
+
+
+@pytest.hookimpl(wrapper=True)
 def pytest_collect_file(file_path):
     """Look for doctests in `src` only: the 250 files of `tests` have none."""
     collectors = yield

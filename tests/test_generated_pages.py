@@ -6,16 +6,16 @@ import re
 import sys
 from pathlib import Path
 
-import matplotlib
-import matplotlib.image
 import numpy as np
 import pytest
 
 from gallery import EXAMPLES
+from optional import optional
 from pydy import __version__
 from pydy.models import n_link_pendulum_on_cart
 from pydy.viz import Scene
 
+matplotlib, image = optional("matplotlib"), optional("matplotlib.image")
 ROOT = Path(__file__).parents[1]
 
 
@@ -125,7 +125,7 @@ def test_what_a_cell_animates_is_shown_below_it(generated, tmp_path, monkeypatch
     assert "<title>Second</title>" in second
     assert len(second) > len(first) + 10_000  # it simulates
     # The index of the gallery shows the first.
-    picture = matplotlib.image.imread(tmp_path / "animations" / "carts.png")
+    picture = image.imread(tmp_path / "animations" / "carts.png")
     assert picture.shape[:2] == (280, 400)
     assert (np.ptp(picture[:, :, :3], axis=2) > 0.3).sum() > 100  # coloured bodies
     assert not picture[[0, 0, -1, -1], [0, -1, 0, -1], 3].any()  # before any paper

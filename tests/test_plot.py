@@ -8,6 +8,7 @@ import sympy as sm
 
 import zoo
 from cases import system_of
+from optional import optional
 from pydy._names import label_parts, latex_of
 from pydy.models import multi_mass_spring_damper
 from pydy.plot import (
@@ -23,7 +24,7 @@ from pydy.plot import (
 )
 from pydy.trajectory import Trajectory
 
-plt = pytest.importorskip("matplotlib.pyplot")
+plt = optional("matplotlib.pyplot")
 
 TIMES = np.linspace(0.0, 1.0, 21)
 

@@ -1,6 +1,5 @@
 """The reference in docs/ has every public module; Sphinx takes the names from their `__all__`."""
 
-import ast
 import re
 from pathlib import Path
 
@@ -11,10 +10,7 @@ ROOT = Path(__file__).parents[1]
 
 def shows_names(path):
     """Whether a file says what it shows."""
-    return any(
-        isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
-        for node in ast.parse(path.read_text(encoding="utf-8")).body
-    )
+    return "\n__all__ = " in path.read_text(encoding="utf-8")
 
 
 def public_modules():

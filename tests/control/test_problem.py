@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import sympy as sm
@@ -14,6 +13,7 @@ import sympy.physics.mechanics as me
 
 import optima
 from optima import TF, T
+from optional import optional
 from pydy import System
 from pydy.control import OptimalControl, ipopt
 from pydy.control.ipopt import Iteration
@@ -29,6 +29,8 @@ from pydy.mechanics import Definition
 from pydy.models import n_link_pendulum_on_cart
 from pydy.solvers import dop853
 from zoo import inertial_frame
+
+plt = optional("matplotlib.pyplot")
 
 
 @pytest.fixture

@@ -8,9 +8,10 @@ import time
 import pytest
 
 from ensemble_cases import identical, same_bits
+from optional import optional
 
-dask = pytest.importorskip("dask")
-pytest.importorskip("zarr")
+dask = optional("dask")
+optional("zarr")
 
 # Processes that end while their sockets are open tell so.
 pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning")

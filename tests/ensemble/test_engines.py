@@ -10,13 +10,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import xarray as xr
 
 from ensemble_cases import constant, identical, pendulum, random_values, same_bits
+from optional import optional
 from pydy.ensemble import store as stores
 
-dask = pytest.importorskip("dask")
-pytest.importorskip("zarr")
+xr = optional("xarray")
+
+dask = optional("dask")
+optional("zarr")
 
 
 @pytest.mark.parametrize("chunks", [1, 7, 64, 1000, "auto", {"sample": 30}])

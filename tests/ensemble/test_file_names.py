@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
-import xarray as xr
 
 from ensemble_cases import identical
+from optional import optional
 from pydy.ensemble.store import file_names
 from pydy.system import System
+
+xr = optional("xarray")
 
 NAMES = [
     "q",

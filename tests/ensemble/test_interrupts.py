@@ -13,12 +13,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import xarray as xr
 
 from ensemble_cases import constant, pendulum
+from optional import optional
 from pydy.ensemble import store
 from pydy.errors import EnsembleInterrupted
 from pydy.models import multi_mass_spring_damper
+
+xr = optional("xarray")
 
 PATIENCE = 120.0  # seconds on a busy machine, where 0.1 are meant
 

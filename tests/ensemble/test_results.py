@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sm
-import xarray as xr
 
 from ensemble_cases import constant, pendulum, random_values, same_bits
+from optional import optional
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
+
+xr = optional("xarray")
 
 
 @pytest.fixture

@@ -2,12 +2,14 @@
 
 import ast
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
 from gallery import EXAMPLES, SMALLER, cells, smaller
+from optional import optional
 from pydy.viz import Scene
+
+plt = optional("matplotlib.pyplot")
 
 
 @pytest.fixture
@@ -15,7 +17,7 @@ def no_window(monkeypatch):
     """Figures are drawn in memory; none is there before, and none is left over."""
     plt.close("all")
     plt.switch_backend("agg")
-    monkeypatch.setattr(plt, "show", lambda: None)
+    monkeypatch.setattr("matplotlib.pyplot.show", lambda: None)
     yield
     plt.close("all")
 

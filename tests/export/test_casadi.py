@@ -7,11 +7,12 @@ import sympy.physics.mechanics as me
 
 from _mechanics.test_nearly_singular import truss
 from exported_models import ball, hostile, pendulum
+from optional import optional
 from pydy import System
 from pydy.mechanics import Definition
 from zoo import inertial_frame
 
-casadi = pytest.importorskip("casadi")
+casadi = optional("casadi")
 
 
 def module(system, folder, **options):

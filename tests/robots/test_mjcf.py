@@ -3,12 +3,17 @@
 import numpy as np
 import pytest
 
+from optional import optional
 from pydy.errors import RobotFileError
 from pydy.robots import read
 
-mujoco = pytest.importorskip("mujoco")
+mujoco = optional("mujoco")
 
-OFF = mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_EQUALITY
+
+def off():
+    """Flags of MuJoCo that leave out contacts and equalities."""
+    return mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_EQUALITY
+
 
 BRANCHED = """<mujoco>
 <compiler angle="radian"/>
@@ -65,7 +70,7 @@ def state(rng, model, data):
 def test_accelerations_are_those_of_mujoco(tmp_path, parameters):
     path = written(tmp_path, BRANCHED)
     model = mujoco.MjModel.from_xml_path(str(path))
-    model.opt.disableflags |= OFF
+    model.opt.disableflags |= off()
     data = mujoco.MjData(model)
     robot = read(path, parameters=parameters)
     assert robot.left_out == ("the look of a geom of the kind 'ellipsoid'", "contacts")
@@ -98,7 +103,7 @@ ROTORS = """<mujoco>
 def test_armatures_have_no_part_in_gravity(tmp_path):
     path = written(tmp_path, ROTORS)
     model = mujoco.MjModel.from_xml_path(str(path))
-    model.opt.disableflags |= OFF
+    model.opt.disableflags |= off()
     data, robot, rng = mujoco.MjData(model), read(path), np.random.default_rng(2)
     system = robot.system()
     coordinates, speeds = order_of(robot, model)
@@ -157,7 +162,7 @@ def test_ties_are_constraints(tmp_path, kind):
     # The multipliers of the rows, with MuJoCo's mass matrix and forces.
     path = written(tmp_path, LOOPS.format(TIES[kind]))
     model = mujoco.MjModel.from_xml_path(str(path))
-    model.opt.disableflags |= OFF
+    model.opt.disableflags |= off()
     data = mujoco.MjData(model)
     robot = read(path)
     system = robot.system()

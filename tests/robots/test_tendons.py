@@ -3,12 +3,18 @@
 import numpy as np
 import pytest
 
+from optional import optional
 from pydy.errors import RobotFileError
 from pydy.robots import read
 
-mujoco = pytest.importorskip("mujoco")
+mujoco = optional("mujoco")
 
-OFF = mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_EQUALITY
+
+def off():
+    """Flags of MuJoCo that leave out contacts and equalities."""
+    return mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_EQUALITY
+
+
 COEFFICIENTS = {
     "both": {"a": 0.5, "c": -1.5},
     "one": {"b": 1.0},
@@ -53,7 +59,7 @@ def written(tmp_path, both="", one="", three="", equality="", motor=""):
 def moving(path):
     """MuJoCo's model in motion, away from its start, with an input of 0.7."""
     model = mujoco.MjModel.from_xml_path(str(path))
-    model.opt.disableflags |= OFF
+    model.opt.disableflags |= off()
     data = mujoco.MjData(model)
     data.qpos[:] = model.qpos0
     data.qpos += [0.4, -0.3, 0.2, 0.5]

@@ -1,11 +1,11 @@
 """Pictures straight from a System."""
 
 import numpy as np
-import pytest
 
+from optional import optional
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
-plt = pytest.importorskip("matplotlib.pyplot")
+plt = optional("matplotlib.pyplot")
 
 
 def test_a_system_simulates_and_plots():

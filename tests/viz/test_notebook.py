@@ -1,10 +1,10 @@
 """A scene in a notebook, run by a kernel."""
 
-import pytest
+from optional import optional
 
-nbclient = pytest.importorskip("nbclient")
-nbformat = pytest.importorskip("nbformat")
-pytest.importorskip("ipykernel")
+nbclient = optional("nbclient")
+nbformat = optional("nbformat")
+optional("ipykernel")
 
 CELLS = [
     """
