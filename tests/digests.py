@@ -68,7 +68,7 @@ def said_of(name, system):
             system.ode_solver = solver
             for option in (None, "project") if system.constraints else (None,):
                 yield solver, option, digest(system.integrate(constraints=option))
-    for key, kernel in system._now().model._kernels.items():
+    for key, kernel in system._now().model.code._kernels.items():
         yield "Program", str(key), kernel.program.digest
 
 

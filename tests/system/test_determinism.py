@@ -51,7 +51,8 @@ def test_what_was_tried_before_changes_no_program():
             system.integrate()
         system.specifieds = model.specifieds
         system.integrate(events=[Event(sum(terms) - 0.1)])
-        return {str(k): kernel.program.digest for k, kernel in system._now().model._kernels.items()}
+        kernels = system._now().model.code._kernels
+        return {str(k): kernel.program.digest for k, kernel in kernels.items()}
 
     assert digests(2, 1) == digests()
 

@@ -493,7 +493,7 @@ def test_only_own_switches_of_what_residuals_give_beside_constraints_are_looked_
     """Pivots that reduce the constraints were, at thousands of states: 17 s for a pendulum."""
     now = swung()._now()
     jumps = Discontinuities(len(now.definition.equations.coordinates))
-    assert jumps(now.driven.assembly.fork())["switches"] == []
+    assert jumps(now.code.assembly.fork())["switches"] == []
     kinked = swung(Implicit({D: D + C * D**3 - sm.Abs(V)}))
     with pytest.warns(PyDyUserWarning, match="the rate of D.* jumps by"):
         kinked.simulate(sensitivities=[C])

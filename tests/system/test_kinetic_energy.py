@@ -108,7 +108,7 @@ def test_the_hessian_holds_specifieds_that_are_expressions():
     system = system_of(model, specifieds={rate: 0.3 * u, y: 0.1, rate.diff(zoo.T): 0.0})
     x, t = model.sample()
     now = system._now()
-    kernel = now.driven.compiled("kinetic_hessian")
+    kernel = now.code.compiled("kinetic_hessian")
     p = np.array([system.constants[s] for s in system.constants_symbols])
     out, _ = kernel.evaluate(np.array([t]), x[None], np.zeros((1, 3)), p)
     m, n = sm.symbols("m l")

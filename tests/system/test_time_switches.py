@@ -206,7 +206,7 @@ def test_more_switches_than_steps_can_end_at_are_told_of_unless_steps_are_short(
 def test_a_model_without_such_a_load_knows_at_once():
     for load in (sm.sin(7 * t), sm.Abs(v), sm.sign(v) * t):
         system = free_mass(-load)
-        kernel = system._now().model.compiled("rates")
+        kernel = system._now().model.code.compiled("rates")
         assert kernel.time_switches(frozenset()) is None
 
 

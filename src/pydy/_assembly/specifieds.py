@@ -36,7 +36,7 @@ class _Formula:
     order: int = 0  # how often `source` is differentiated; an expression never is
 
 
-def driven(
+def with_compiled_inputs(
     model: CompiledModel,
     definition: Definition,
     plan: Plan,
@@ -88,7 +88,7 @@ def differentiated(
 
 
 def check_expressions(definition: Definition, plan: Plan) -> None:
-    """Raise the errors of `driven` without building equations."""
+    """Raise the errors of `with_compiled_inputs` without building equations."""
     formulas = _formulas(definition, plan)
     if formulas:
         _resolve(Graph(), definition, formulas, None, False)

@@ -451,7 +451,7 @@ def part_of(
         return PARTS[name]
     if name == "slopes":
         return slopes
-    made = problem.energies, problem.driven.layout
+    made = problem.model.energies, problem.code.layout
     return EnergyPart(*made) if name == "energy" else Moving(*made)
 
 
@@ -528,9 +528,9 @@ def drift_programs(problem: Problem, model: CompiledModel, plan: SpecifiedsPlan)
     """Return the parts as Programs, kept from the latest ensemble of a model."""
     slopes = slopes_of(problem.definition, plan)
     energies, by, found = model.latest.get("kept", (None, None, None))
-    if energies is not problem.energies or by != slopes:
+    if energies is not problem.model.energies or by != slopes:
         found = DriftPrograms(problem, model, slopes)
-        model.latest["kept"] = problem.energies, slopes, found
+        model.latest["kept"] = problem.model.energies, slopes, found
     made: DriftPrograms = found
     return made
 

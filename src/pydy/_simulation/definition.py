@@ -65,7 +65,7 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
     return Given(expressions, tuple(keys), ordered)
 
 
-class Definer:
+class DefinitionBuilder:
     """Makes the Definition from the user's settings, and keeps it until they change."""
 
     latest: Definition  # that was sound

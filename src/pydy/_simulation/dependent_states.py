@@ -78,7 +78,7 @@ def default_dependents(problem: Problem, given: Iterable[Any]) -> list[Any]:
     ):
         kept = set(given) - (set() if block == "velocity" else _guessed(definition))
         if not kept.isdisjoint(own):
-            gradient = _at(problem, problem.driven.compiled_jacobian(block, "x"), problem.x)
+            gradient = _at(problem, problem.code.compiled_jacobian(block, "x"), problem.x)
             places = [definition.states.index(s) for s in symbols]
             matrix = gradient.reshape(len(own), -1)[:, places]
             free = [k for k, symbol in enumerate(symbols) if symbol not in kept]
@@ -160,7 +160,7 @@ def _solve_coordinates(
     root_kwargs: dict[str, Any],
 ) -> bool:
     """Solve the holonomic constraints for `coordinates` in place; return whether they are met."""
-    model, definition, value = problem.driven, problem.definition, partial(_at, problem)
+    model, definition, value = problem.code, problem.definition, partial(_at, problem)
     bounded, size = model.compiled_bounded("holonomic"), len(coordinates)
 
     def placed(z: np.ndarray) -> np.ndarray:
@@ -210,7 +210,7 @@ def _solve_coordinates(
 
 def _solve_speeds(problem: Problem, speeds: list[int], x: np.ndarray) -> None:
     """Solve the velocity constraints for `speeds` in place."""
-    model, definition, value = problem.driven, problem.definition, partial(_at, problem)
+    model, definition, value = problem.code, problem.definition, partial(_at, problem)
     kernel = model.compiled_jacobian("velocity", "x")
     slopes = value(kernel, x).reshape(len(speeds), len(x))
     matrix = slopes[:, speeds]

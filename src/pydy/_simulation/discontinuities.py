@@ -226,7 +226,7 @@ def warn_of_impulses(problem: Problem, times: np.ndarray) -> None:
     parts = ImpulsiveInputs(problem.definition, problem.plan)
     if not _switches(problem.at(times[:1], problem.x[None]), parts):
         return
-    assembly = problem.driven.assembly.fork()
+    assembly = problem.code.assembly.fork()
     names = parts.nodes(assembly)
     beyond = differentiated(assembly, problem.definition, problem.plan)
 
@@ -270,7 +270,7 @@ def _acts(problem: Problem, places: Sequence[int], t: float) -> bool:
         [problem.x, *problem.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(problem.x)))]
     )
     times = np.full(len(x), t)
-    at = replace(problem.at(times, x), model=problem.model, r=problem.specifieds(times, x))
+    at = replace(problem.at(times, x), model=problem.model.code, r=problem.specifieds(times, x))
     found = at.values(_Slopes(tuple(places)))
     return not is_zero(found["slopes"], found["bounds"]).all()
 

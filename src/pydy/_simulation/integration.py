@@ -189,9 +189,9 @@ def call_solver(
                 "`args` are the specifieds and constants, which a System hands to its "
                 "`ode_solver`: set `specifieds` and `constants`."
             )
-        f, x0 = rates_function(ready.model, problem.plan), problem.x
+        f, x0 = rates_function(ready.code, problem.plan), problem.x
         if sensitivities is not None:
-            f, x0, options = sensitivities.augment(problem, ready.model, times, solver, options)
+            f, x0, options = sensitivities.augment(problem, ready.code, times, solver, options)
         args = problem.plan.values.copy() if problem.plan.constant else problem.plan, problem.p
         if isinstance(solver, SolveIvp) or is_odeint(solver):
             return _call_scipy(
@@ -228,7 +228,7 @@ def _call_native(
     """Call a native solver, with the latest call's memory if it is free."""
     full, plan = given.get("full_output", False), problem.plan
     if sensitivities is not None:
-        f, x0, options = sensitivities.augment(problem, ready.model, times, solver, options)
+        f, x0, options = sensitivities.augment(problem, ready.code, times, solver, options)
         args = plan.values.copy() if plan.constant else plan, problem.p
         states, info = solver(f, x0, times, args=args, **{**options, "full_output": True})
         return SolverResult((states, info) if full else states, states, info, options)
@@ -238,7 +238,7 @@ def _call_native(
         if known is not ready.options and not prepared.retune(solver, ready.options):
             prepared = None
     if prepared is None or not prepared.renumber(problem.p, plan.values, times):
-        f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
+        f, r = rates_function(ready.code, plan), plan.values if plan.constant else plan
         prepared = solver.prepare(f, problem.x, times, (r, problem.p), **options)
         prepared.on_many_steps = partial(_warn_of_many_steps, ready)
     ready.problem = problem
@@ -435,7 +435,7 @@ def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, fr
                 text = text.removesuffix(remedy)
             error.args = (f"{text.rstrip()} {stuck}",)
             return
-    explain(error, lambda t, x: replace(problem.at(t, x), model=ready.model))
+    explain(error, lambda t, x: replace(problem.at(t, x), model=ready.code))
     if ready.constrained and free and isinstance(error, IntegrationError):
         info: Any = error.info
         check_resets(info["events"], problem.at)
@@ -443,7 +443,7 @@ def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, fr
 
 def _stuck_at(problem: Problem, ready: PreparedIntegration, t: float, x: np.ndarray) -> str | None:
     """Describe the jump at which a motion stays, if it does; see `stuck_at`."""
-    at = replace(problem.at(np.array([t]), np.array([x])), model=ready.model)
+    at = replace(problem.at(np.array([t]), np.array([x])), model=ready.code)
     return stuck_at(at, ready.span)
 
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from copy import copy
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.baumgarte import stabilised
-from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import driven
 from pydy._checks import choice, positive
 from pydy._simulation.events_and_constraints import (
     check_events,
@@ -18,6 +17,7 @@ from pydy._simulation.events_and_constraints import (
     compile_events,
     with_residuals_held,
 )
+from pydy._simulation.model import Model
 from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import SolveIvp, is_odeint, odeint_options
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -38,30 +38,28 @@ class PreparedIntegration:
 
     def __init__(
         self,
-        definition: Definition,
-        model: CompiledModel,
+        model: Model,
         plan: SpecifiedsPlan,
         solver: Any,
         given: dict[str, Any],
     ) -> None:
         self._plan, self._solver, self._given = plan, solver, dict(given)
         self._events = identified(given.get("events"))
-        self.constrained = definition.equations.constrained
+        self.constrained = model.definition.equations.constrained
         # whether the motion is brought back onto the constraints
         self.enforced = given.get("constraints") is not None
         self.never_jumps = False  # whether inputs and loads are known not to jump by time alone
         self.span = 0.0  # of the times of the latest call
         self.start_judged = False  # whether impulses of the inputs were looked for
-        self.model, self.options = self._prepared(definition, model)
+        self.code, self.options = self._prepared(model)
         self.read: Options | None = None  # as the solver has read them
         self.problem: Problem | None = None  # of the latest call
         # What the latest call has reserved, with its options, if no other call has it.
         self.free: list[tuple[Prepared, dict[str, Any]]] = []
 
-    def _prepared(
-        self, definition: Definition, model: CompiledModel
-    ) -> tuple[CompiledModel, dict[str, Any]]:
-        """Return the model with options that change the equations compiled in, and the others."""
+    def _prepared(self, model: Model) -> tuple[CompiledModel, dict[str, Any]]:
+        """Return the code with options that change the equations compiled in, and the others."""
+        definition = model.definition
         options, equations = dict(self._given), definition.equations
         if is_odeint(self._solver):
             options = named_for_odeint(options)
@@ -83,7 +81,8 @@ class PreparedIntegration:
             )
         if constraints == "baumgarte":
             gain = positive(gain, "`gain`", finite=True)
-            model = model.changed(("baumgarte", gain), lambda own: stabilised(own, gain))
+            stable = model.code.changed(("baumgarte", gain), lambda own: stabilised(own, gain))
+            model = replace(model, code=stable)
         projected = constraints == "project"
         if events is not None and self._looks_itself(events):
             options["events"], events = events, None
@@ -93,12 +92,12 @@ class PreparedIntegration:
                 f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another "
                 "one of pydy.solvers."
             )
-        model = driven(model, definition, self._plan)
+        code = model.with_compiled_inputs(self._plan)
         if projected:
-            options["constraints"] = compile_constraints(model, definition)
+            options["constraints"] = compile_constraints(code, definition)
         if checked := check_events(events, definition.places["states"]):
-            options["events"] = compile_events(model, definition, checked)
-        return model, options
+            options["events"] = compile_events(code, definition, checked)
+        return code, options
 
     def _looks_itself(self, events: Any) -> bool:
         """Return whether the solver has events of its own: a user's, and solve_ivp's functions."""
@@ -166,7 +165,7 @@ def prepare(
     It is `alone` without sensitivities. Where assumptions of symbols are judged, a solver stores
     its steps, unless the user chose.
     """
-    latest = problem.model.latest
+    latest = problem.model.code.latest
     if len(times) < 2:
         raise ValueError(
             "`times` must have at least two values before integrate() can be called, got "
@@ -184,7 +183,7 @@ def prepare(
     if ready is not None and not ready.is_compatible(plan, solver, given):
         ready = latest["simulation"] = ready.retuned(plan, solver, given)
     if ready is None:
-        ready = PreparedIntegration(problem.definition, problem.model, plan, solver, given)
+        ready = PreparedIntegration(problem.model, plan, solver, given)
         if is_odeint(solver):
             check_option_names("odeint", odeint_options(), ready.options)
         latest["simulation"] = ready

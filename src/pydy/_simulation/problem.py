@@ -13,7 +13,6 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.assumptions import Assumptions, errors_of
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import driven
 from pydy._checks import Places, describe, real_array, vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
@@ -23,7 +22,7 @@ from pydy._kernel import Kernel
 from pydy._names import name_of
 from pydy._rank import ROUNDED
 from pydy._simulation.definition import check_times
-from pydy._simulation.energy import EnergyModel
+from pydy._simulation.model import Model
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import jumps_of
 from pydy.solvers.constraints import satisfied
@@ -205,14 +204,12 @@ class Problem:
     compiled when it is first needed.
     """
 
-    definition: Definition
-    model: CompiledModel  # takes all specifieds as inputs
+    definition: Definition  # the model's
+    model: Model
     # 'constants', 'specifieds' and 'initial_conditions' as the user gave them, each checked when
     # it is first needed
     user: dict[str, dict[Any, Any]]
     times: np.ndarray  # the System's, which are the default of evaluations
-    energies: EnergyModel
-    already_warned: set[Any]  # derivatives of specifieds that the user has been warned of
     # Names of symbols whose values contradict their assumptions, as the user knows; None where
     # numbers are only tried.
     contradicted: set[str] | None = None
@@ -294,36 +291,36 @@ class Problem:
             return True
         if self.hybrid is not None and self.hybrid.depends_on_time:
             return True
-        assembly = self.driven.assembly
+        assembly = self.code.assembly
         return "t" in assembly.graph.inputs_of(assembly.rates)
 
     @cached_property
     def plan(self) -> SpecifiedsPlan:
         """How r is computed: by the latest plan, where at most numbers differ from its own."""
-        given, latest = self.user["specifieds"], self.model.latest
+        given, latest = self.user["specifieds"], self.model.code.latest
+        already_warned = self.model.already_warned
         warned, known = latest.get("plan", (None, None))
         plan: SpecifiedsPlan | None = None
-        if warned is self.already_warned:
+        if warned is already_warned:
             plan = known.again(given)
         if plan is None:
-            plan = checked_plan(self.definition, given, self.already_warned, self.contradicted)
-            _warn_of_activations(self.definition, plan, self.already_warned)
+            plan = checked_plan(self.definition, given, already_warned, self.contradicted)
+            _warn_of_activations(self.definition, plan, already_warned)
         elif plan is not known and self.definition.assumes_motions:
             check_specifieds(self.definition, plan, self.contradicted)
-        latest["plan"] = self.already_warned, plan
+        latest["plan"] = already_warned, plan
         return plan
 
     @cached_property
-    def driven(self) -> CompiledModel:
-        """The model with the expressions for specifieds compiled in."""
-        if not self.plan.expressions:
-            return self.model
-        return driven(self.model, self.definition, self.plan)
+    def code(self) -> CompiledModel:
+        """The model's code with the expressions for specifieds compiled in."""
+        plan, model = self.plan, self.model
+        return model.with_compiled_inputs(plan) if plan.expressions else model.code
 
     def at(self, t: np.ndarray, x: np.ndarray) -> At:
         """Return the model with these numbers at m times and states."""
         x = np.ascontiguousarray(x)
-        return At(self.definition, self.driven, t, x, self.plan.rows(x, t), self.p)
+        return At(self.definition, self.code, t, x, self.plan.rows(x, t), self.p)
 
     def value(self, kind: str, place: int) -> float:
         """Return the number of a state, constant or specified at the initial time."""
@@ -333,9 +330,9 @@ class Problem:
 
     def checked_times(self, times: np.ndarray) -> np.ndarray:
         """Return a copy of times, whose array may have been edited in place."""
-        known = self.model.latest.get("times")
+        known = self.model.code.latest.get("times")
         if known is None or known.shape != times.shape or known.tobytes() != times.tobytes():
-            self.model.latest["times"] = known = check_times(times)
+            self.model.code.latest["times"] = known = check_times(times)
         return known.copy()
 
     # -- values for one call ----------------------------------------------------------------------
@@ -369,15 +366,15 @@ class Problem:
         places = self.definition.places["specifieds"]
         if callable(r):
             return SpecifiedsPlan({places.symbols: r}, places, argument="r")
-        own = SpecifiedsPlan(r, places, argument="r")
+        own, already_warned = SpecifiedsPlan(r, places, argument="r"), self.model.already_warned
         check_specifieds(self.definition, own, self.contradicted, "r")
         body, plan = self.definition.equations.multibody, None
         if body and body.activations:  # what has no value may have one in this call
             given = self.user["specifieds"]
-            plan = checked_plan(self.definition, given, self.already_warned, self.contradicted)
+            plan = checked_plan(self.definition, given, already_warned, self.contradicted)
         plan = (plan or self.plan).updated(own)
-        _warn_of_activations(self.definition, plan, self.already_warned)
-        return _warned_of(self.definition, plan, self.already_warned)
+        _warn_of_activations(self.definition, plan, already_warned)
+        return _warned_of(self.definition, plan, already_warned)
 
     # -- assumptions on values --------------------------------------------------------------------
 
@@ -453,12 +450,12 @@ class Problem:
         if not self.plan.expressions:
             rows = self.plan.rows(np.ascontiguousarray(states), times)
             return np.array(np.broadcast_to(rows, (len(times), len(symbols))))
-        kernel = self.driven.compiled_expressions("the specifieds", (len(symbols),), symbols)
+        kernel = self.code.compiled_expressions("the specifieds", (len(symbols),), symbols)
         return self.at(times, states).evaluate(kernel)
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self.at(times, states).evaluate(self.driven.compiled("rates"))
+        return self.at(times, states).evaluate(self.code.compiled("rates"))
 
     def rates(self) -> np.ndarray:
         """Return the derivatives of the states at its own state, shape (n,)."""
@@ -469,11 +466,11 @@ class Problem:
         """Return the outputs, shape (m, o)."""
         if not self.definition.outputs_symbols:
             return np.empty((len(times), 0))
-        return self.at(times, states).evaluate(self.driven.compiled("outputs"))
+        return self.at(times, states).evaluate(self.code.compiled("outputs"))
 
     def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return kinetic, potential and total energy, shape (m, 3)."""
-        return self.at(times, states).evaluate(self.energies.kernel(self.driven))
+        return self.at(times, states).evaluate(self.model.energies.kernel(self.code))
 
     def jumps(self) -> np.ndarray:
         """Return the times at which sampled inputs jump."""
@@ -483,9 +480,9 @@ class Problem:
         """Return states at some times with their names, outputs and specifieds."""
         if self.definition.assumes_motions:
             self.check_motion(times, states)
-        columns = self.model.latest.get("columns")
+        columns = self.model.code.latest.get("columns")
         if columns is None:
-            columns = self.model.latest["columns"] = Columns(self.definition.symbols_by_kind)
+            columns = self.model.code.latest["columns"] = Columns(self.definition.symbols_by_kind)
         return Trajectory(
             times,
             states,

@@ -207,7 +207,7 @@ def point_at(problem: Problem, times: np.ndarray, states: np.ndarray) -> Point:
     """Return the states (m, n) of a System at its numbers."""
     x = np.ascontiguousarray(states)
     r = np.broadcast_to(problem.plan.rows(x, times), (len(x), len(problem.plan.symbols)))
-    return Point(problem.definition, problem.driven, times, x, r, problem.p, problem.plan)
+    return Point(problem.definition, problem.code, times, x, r, problem.p, problem.plan)
 
 
 def energetic_motions(

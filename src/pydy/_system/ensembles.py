@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.specifieds import driven
 from pydy._checks import (
     Places,
     check_mapping,
@@ -136,9 +135,9 @@ class _Names:
         """Return those of a model, made once."""
         key = "names beside sensitivities" if sensitive else "names"
         more = (SENSITIVITY, QUANTITY, PARAMETER) if sensitive else ()
-        names: _Names | None = problem.model.latest.get(key)
+        names: _Names | None = problem.model.code.latest.get(key)
         if names is None:
-            names = problem.model.latest[key] = _Names(problem.definition, more)
+            names = problem.model.code.latest[key] = _Names(problem.definition, more)
         return names
 
     def name(self, key: Any) -> str:
@@ -536,9 +535,9 @@ class Ensembles(Setup):
         given: dict[str, Any] = {**solver_kwargs}
         if definition.equations.implicit is not None:
             given = with_residuals_held(definition, solver, given)
-        kept, moved = None, problem.model
+        kept, moved = None, problem.model.code
         if definition.equations.constrained or sensitivities is not None:
-            moved = driven(moved, definition, plan)
+            moved = problem.model.with_compiled_inputs(plan)
 
         def at(t: np.ndarray, x: np.ndarray) -> At:
             return At(definition, moved, t, x, plan.rows(x, t), problem.p)
@@ -552,12 +551,12 @@ class Ensembles(Setup):
             left_out, every = any(equations.left_out), equations.beyond_projection
             names_of = ConstraintNames(equations) if "events" in given else ()
             kept = Kept(drift_programs(problem, moved, plan), left_out, every, mended, names_of)
-        ready: PreparedIntegration | None = problem.model.latest.get("ensemble")
+        ready: PreparedIntegration | None = problem.model.code.latest.get("ensemble")
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None
         if ready is None or not ready.is_compatible(plan, solver, given):
-            ready = PreparedIntegration(definition, problem.model, plan, solver, given)
-        integrated, options, beside = ready.model, ready.options, None
+            ready = PreparedIntegration(problem.model, plan, solver, given)
+        integrated, options, beside = ready.code, ready.options, None
         if sensitivities is not None and motions is None:
             sensitive = AugmentedSystem.of(problem, integrated, plan, sensitivities)
             looked_at = sensitive.controlled(control)
@@ -569,7 +568,7 @@ class Ensembles(Setup):
         if read is None or beside is not None:
             read = _read(definition, solver, options)
         if beside is None:
-            ready.read, problem.model.latest["ensemble"] = read, ready
+            ready.read, problem.model.code.latest["ensemble"] = read, ready
         model = Model(
             rates=integrated.program("rates"),
             outputs=integrated.program("outputs") if definition.outputs_symbols else None,

@@ -112,10 +112,10 @@ def _names(symbols: Sequence[Any]) -> list[str]:
 
 def _held(problem: Problem) -> dict[str, Any]:
     """Return the sizes that projection works with."""
-    equations, assembly = problem.definition.equations, problem.driven.assembly
+    equations, assembly = problem.definition.equations, problem.code.assembly
     if not (assembly.holonomic or assembly.velocity):
         raise ValueError("`constraints='project'` holds constraints, but the system has none.")
-    every = with_all(problem.driven, problem.definition).assembly
+    every = with_all(problem.code, problem.definition).assembly
     return {
         "holonomic": len(every.holonomic),
         "velocity": len(every.velocity),
@@ -134,7 +134,7 @@ def _builders(
     """Return what makes the Programs of a model with specifieds at some places as inputs."""
     from pydy.export.model import PARTS, with_inputs
 
-    assembly = problem.driven.assembly
+    assembly = problem.code.assembly
     n, found = len(problem.definition.states), dict[str, Callable[[], Program]]()
 
     def store(part: str, what: str, make: Any, assembly: Assembly = assembly) -> None:
@@ -153,7 +153,7 @@ def _builders(
         store(part, f"exported {part}", methodcaller("program", part))
     if projected:
         what = f"projection {assembly.following}" if any(assembly.following) else "projection"
-        every = with_all(problem.driven, problem.definition).assembly
+        every = with_all(problem.code, problem.definition).assembly
         store("projection", what, projection_program, every)
     if events:
         expressions = tuple(event.expression for event in events)
@@ -279,7 +279,7 @@ class Exporting(Setup):
                 tuple(int(event.direction) for event in checked),
                 tuple(bool(event.terminal) for event in checked),
                 tuple(bool(event.terminal or event.reset) for event in checked),
-                event_redirects(problem.driven.assembly, checked, definition.states),
+                event_redirects(problem.code.assembly, checked, definition.states),
             ),
             start=start,
             stop=float(times[-1]) if len(times) > 1 else start + 1.0,

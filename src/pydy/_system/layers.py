@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.specifieds import driven
 from pydy._checks import Places, describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._forks import Lock
@@ -62,7 +61,7 @@ class _Values:
         self.now, self.block, self.parts = problem, block, parts
         self._of = {part.group: part for part in parts}
         self._plan = _plan(problem, self._of.get("r"))
-        self._model = driven(problem.model, problem.definition, self._plan)
+        self._model = problem.model.with_compiled_inputs(self._plan)
         self._check_unknowns()
         self._kernel = self._model.compiled(block)
         self.shape: tuple[int, ...] = (len(self._kernel.program.outputs),)

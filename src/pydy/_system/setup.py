@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
 from copy import copy
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
@@ -12,23 +12,28 @@ import scipy
 import sympy as sm
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
+from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import check_expressions
-from pydy._assembly.system import assemble_system
 from pydy._checks import Keyed, check_mapping, choice, flag, instance, merged, names_meant, shown
 from pydy._errors import warn_user
-from pydy._graph.passes import rewriting
 from pydy._html import html_table
-from pydy._mechanics.extract import extract, method_of, symbolic_matrices
+from pydy._mechanics.extract import extract, method_of
 from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, some, unique_names
-from pydy._simulation.definition import Definer, SymbolSet, base_symbols, check_forces, check_times
+from pydy._simulation.definition import (
+    DefinitionBuilder,
+    SymbolSet,
+    base_symbols,
+    check_forces,
+    check_times,
+)
 from pydy._simulation.energy import EnergyModel, check_potential
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.model import Model, compile_definition
 from pydy._simulation.problem import Problem, checked_plan, read_numbers
 from pydy._simulation.scipy_solvers import resolve_ode_solver
 from pydy.codegen.ode_function_generators import make_function
-from pydy.codegen.right_hand_side import RightHandSide, make_backend
+from pydy.codegen.right_hand_side import RightHandSide
 from pydy.solvers.events import Event
 
 if TYPE_CHECKING:
@@ -43,16 +48,16 @@ _REFUSED = {
 
 @dataclass(frozen=True, eq=False)
 class Generated:
-    """The function generated for a definition, with its model."""
+    """The function generated for a definition, with its code."""
 
     definition: Definition
-    model: CompiledModel
+    code: CompiledModel
     arguments: Mapping[str, Any]  # how the function reads r and p, and in which order
     _functions: dict[bool, Any] = field(default_factory=dict)
 
     def function(self, *, any_layout: bool) -> Any:
         """Return the function that users call; made once for each way to take arrays."""
-        side = RightHandSide(self.model, any_layout=any_layout, **self.arguments)
+        side = RightHandSide(self.code, any_layout=any_layout, **self.arguments)
         if side.refuse_strided not in self._functions:
             self._functions[side.refuse_strided] = make_function(side)
         return self._functions[side.refuse_strided]
@@ -78,28 +83,11 @@ def checked_options(options: dict[str, Any]) -> dict[str, Any]:
 
 
 def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]) -> Generated:
-    """Return a definition's model, by options of `generate_ode_function`, not compiled yet."""
-    options = dict(options)
-    solver = resolve_solver(options.pop("linear_sys_solver", None))
-    equations = definition.equations
-    if isinstance(solver, str):
-        solved = solve_symbolically(*symbolic_matrices(equations, eom_method), solver)
-        equations = replace(
-            equations,
-            formed=None,
-            mass_matrix=sm.eye(len(solved)),
-            forcing=tuple(solved),
-            positive_definite=True,
-        )
-        solver = None
-    off = frozenset() if flag(options.get("cse", True), "`cse`") else rewriting()
-    arguments = {k: options.pop(k) for k in _ARGUMENTS if k in options}
-    backend = make_backend(options.pop("generator", "llvm"), options)
-    layout, external = definition.layout, solver is not None
-    given = definition.groups, definition.auxiliaries, layout.specifieds, layout.constants
-    assembly = assemble_system(equations, *given, external=external, off=off)
-    model = CompiledModel(layout, assembly, backend, solver, definition)
-    return Generated(definition, model, arguments)
+    """Return a definition's code, by options of `generate_ode_function`, not compiled yet."""
+    arguments = {k: options[k] for k in _ARGUMENTS if k in options}
+    others = {k: v for k, v in options.items() if k not in _ARGUMENTS}
+    code = compile_definition(definition, eom_method, others)
+    return Generated(definition, code, arguments)
 
 
 _NAMES_OF_METHODS = dict.fromkeys(
@@ -144,7 +132,7 @@ class Setup:
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)
         base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
-        self._define = Definer(self._equations, base, self._energies)
+        self._define = DefinitionBuilder(self._equations, base, self._energies)
         self._options: dict[str, Any] = {}
         self._generated: list[Generated] = []  # the latest first
         self._constants: dict[Any, Any] = {}
@@ -168,7 +156,7 @@ class Setup:
 
     def __copy__(self) -> Self:
         twin = object.__new__(type(self))
-        kinds = (dict, list, set, np.ndarray, Definer)  # what may change in place
+        kinds = (dict, list, set, np.ndarray, DefinitionBuilder)  # what may change in place
         vars(twin).update(
             (k, copy(v) if isinstance(v, kinds) else v) for k, v in vars(self).items()
         )
@@ -261,11 +249,9 @@ class Setup:
         solved = None if self._dependent is None else tuple(self._dependent)
         return Problem(
             made.definition,
-            made.model,
+            Model(made.definition, made.code, self._energies, self._told),
             user,
             self._times,
-            self._energies,
-            self._told,
             None if self._searching else self._contradicted,
             solved,
             contacts,
@@ -306,7 +292,7 @@ class Setup:
         >>> sum(system.model.compiled('rates').program.operation_count['run'].values())
         5
         """
-        return self._compiled().model
+        return self._compiled().code
 
     @property
     def eom_method(self) -> Any:

@@ -92,7 +92,7 @@ class Simulation(Setup):
             problem = self._now(given.get("events"))
             told(1)
             told(0, part="machine code")
-            rates_function(problem.driven, problem.plan)
+            rates_function(problem.code, problem.plan)
             told(1)
         return problem
 

@@ -13,7 +13,6 @@ import sympy as sm
 from pydy._assembly.assembly import Assembly, every_input
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import driven
 from pydy._checks import flag, listed, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._graph.node import Graph
@@ -215,7 +214,7 @@ class Sweep:
 
     def at(self, problem: Problem, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
         """Evaluate it at a user's x, t, r and p."""
-        model, definition = problem.model, problem.definition
+        code, definition = problem.model.code, problem.definition
         n = len(definition.states)
         wide, instants, single = samples(
             problem.x_with(x), t, lambda: problem.x, problem.times, n + self.more
@@ -226,20 +225,20 @@ class Sweep:
             plan.check_times(instants, "times" if t is None else "t")
             rows = plan.rows
             perturbed = any(group == "r" for group, _ in self.by)
-            model = driven(model, definition, plan, perturbed=perturbed)
+            code = problem.model.with_compiled_inputs(plan, perturbed=perturbed)
         else:
             numbers = specified_rows(r, instants, len(definition.specifieds))
 
             def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
                 return numbers
 
-        at = At(definition, model, instants, states, rows(states, instants), problem.p_with(p))
+        at = At(definition, code, instants, states, rows(states, instants), problem.p_with(p))
         at = at.with_unknowns(None if self.solve else x, rows)
         if at.x is not states:
             wide = np.hstack([at.x, wide[:, n:]])
         if self.look is not None:
             self.look(at)
-        made, vectors = self.kernel(model), self.vectors
+        made, vectors = self.kernel(code), self.vectors
         try:
             if definition.assumptions:
                 problem.check_states(at, x is not None, r)
@@ -350,7 +349,7 @@ class Evaluation(Setup):
         """
         problem = self._now(constants=p)
         names = partial(problem.definition.row_names, "energy")
-        values = Sweep(problem.energies.kernel, names).at(problem, x, t, r, p)
+        values = Sweep(problem.model.energies.kernel, names).at(problem, x, t, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(

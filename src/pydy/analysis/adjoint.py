@@ -138,7 +138,7 @@ def there_and_back(
     refuse_descending(times, "`adjoint_gradient` integrates forward, then back")
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)
-    sensitive = AugmentedSystem.of(problem, ready.model, problem.plan, wrt, "wrt")
+    sensitive = AugmentedSystem.of(problem, ready.code, problem.plan, wrt, "wrt")
     beginning = sensitive.start(problem.x, float(times[0]))
     n = len(problem.definition.states)
     run = integrate_forward(problem, solver, ready, times, Task(sensitive, final, integral))

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.specifieds import driven
 from pydy._checks import check_mapping, describe, limits, listed, number, refuse_twice
 from pydy._errors import EquilibriumError, warn_user
 from pydy._graph.interpret import run
@@ -95,10 +94,9 @@ class EquilibriumResidual:
                 argument="given",
             )
         )
-        self.made = driven(
-            problem.model, definition, self.plan,
-            perturbed=bool(own or self.plan.functions),
-        )  # fmt: skip
+        self.made = problem.model.with_compiled_inputs(
+            self.plan, perturbed=bool(own or self.plan.functions)
+        )
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
         self.t, self.within, self.told = (
             problem.t,

@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.assumptions import errors_of
-from pydy._assembly.specifieds import driven
 from pydy._checks import Places, choice, listed, real_array
 from pydy._errors import warn_user
 from pydy._names import some, unique_names
@@ -255,7 +254,7 @@ def linearize(
         r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
         plan, p, at = problem.plan_with(r or None), problem.p_with(c), at.state
     x, t, single = samples(problem.x_with(at, "at"), t, lambda: problem.x, problem.times, n, "at")
-    made = driven(problem.model, definition, plan, perturbed=True)
+    made = problem.model.with_compiled_inputs(plan, perturbed=True)
     if chosen:  # those of a search for an equilibrium may be roundings of zero
         problem.check_columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
     point = Point(definition, made, t, x, plan.rows(x, t), p, plan)

@@ -38,7 +38,7 @@ class Noted(Transitions):
     """
 
     def __init__(self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, now: Problem) -> None:
-        sensitive = AugmentedSystem.of(now, now.model, now.plan, wrt, "wrt")
+        sensitive = AugmentedSystem.of(now, now.model.code, now.plan, wrt, "wrt")
         self.start = sensitive.start(now.x, float(now.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
         self.together = False
@@ -66,7 +66,7 @@ class Noted(Transitions):
         parameters = tuple(
             replace(p, place=places[p.kind].symbols.index(p.symbol)) for p in self._parameters
         )
-        sensitive = AugmentedSystem(definition, ready.model, now.plan, parameters, now.p, "wrt")
+        sensitive = AugmentedSystem(definition, ready.code, now.plan, parameters, now.p, "wrt")
         guide = given.copy() if mode.turns else None
         if guide is not None and STARTING in mode.modes:  # what begins to slide has no speed
             guide[:, self._first : len(guide)] = 0.0

@@ -159,7 +159,9 @@ class Contacts:
 
     def _compiled(self, problem: Problem) -> Compiled:
         if self._kept is None or self._kept.definition != problem.definition:
-            self._kept = Compiled(self.system, problem, self.contacts, self.hypothesis)
+            own = self.system
+            outputs = own._define.users(own._outputs, own._forces)
+            self._kept = Compiled(problem, outputs, self.contacts, self.hypothesis)
         return self._kept
 
     def integrate(
@@ -297,7 +299,8 @@ class Contacts:
         p = run.numbers(now.t, now.x)
         every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
         held = tuple(independent(p.square, every))
-        system: System = copy(kept.mode(tuple(found), held, every)[1])
+        mode = kept.mode(tuple(found), held, every)[0]
+        system = System(mode.equations, **kept.settings(mode))
         system._contradicted = None  # the user knows of these numbers
         system._implied = dict.fromkeys(kept.rows.hidden, 0.0)
         system.constants = dict(now.constants)
@@ -419,7 +422,7 @@ class Motions:
         self.columns: tuple[str, ...] = ()
         wanted, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
         if wanted is not None:
-            made = AugmentedSystem.of(now, now.model, now.plan, wanted)
+            made = AugmentedSystem.of(now, now.model.code, now.plan, wanted)
             wanted = [p.symbol for p in made.parameters]
             self.columns = column_names({p.symbol: p.count for p in made.parameters})
         self._wanted = wanted

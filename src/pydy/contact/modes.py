@@ -17,6 +17,7 @@ from pydy._mechanics.components import dot
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract
 from pydy._names import name_of
+from pydy._simulation.model import Model
 from pydy._simulation.problem import Problem
 from pydy.contact.conditions import Contact
 from pydy.contact.decide import (
@@ -32,7 +33,6 @@ from pydy.contact.decide import (
 from pydy.contact.rows import ContactRows
 from pydy.contact.tuning import TURNED
 from pydy.solvers.events import Event, Turn
-from pydy.system import System
 from pydy.trajectory import Columns
 
 _WATCHED = {
@@ -100,7 +100,7 @@ class Mode:
         self, rows: ContactRows, modes: tuple[str, ...], held: Sequence[int], every: Sequence[int]
     ) -> None:
         self.rows, self.modes = rows, modes
-        self.places: dict[Any, int] = {}  # of the outputs of its System
+        self.places: dict[Any, int] = {}  # of the outputs of its Model
         self.columns: list[int] = []  # those of the trajectory among them
         base, formed = rows.equations, rows.formed
         g = self.graph = formed.graph.copy()
@@ -341,7 +341,11 @@ class Compiled:
     """The compiled parts of a definition: rows of the contacts, and modes as they occur."""
 
     def __init__(
-        self, system: System, now: Problem, contacts: tuple[Contact, ...], hypothesis: str
+        self,
+        now: Problem,
+        user_outputs: dict[Any, Any],
+        contacts: tuple[Contact, ...],
+        hypothesis: str,
     ) -> None:
         self.hypothesis = hypothesis  # of restitution
         self.definition, self.contacts = now.definition, contacts
@@ -355,9 +359,8 @@ class Compiled:
         self.stated = list(self.symbols.values())
         self.named = Columns({**kinds, "output": (*kinds["output"], *self.stated)})
         self.constants = (*self.definition.constants, *self.rows.hidden)
-        self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, System]] = {}
-        self._users = system._define.users(system._outputs, system._forces)
-        self._system = system
+        self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, Model]] = {}
+        self._user_outputs, self._specifieds = user_outputs, now.user["specifieds"]
         self._lock = _forks.Lock()
 
     def __reduce__(self) -> tuple[Any, ...]:  # another process compiles its own
@@ -379,23 +382,26 @@ class Compiled:
             found += [f"{c.name} {what}" for what in _FRICTION] if c.stick is not None else []
         return tuple(found)
 
-    def mode(self, modes: tuple[str, ...], held: tuple[int, ...], every: Any) -> Any:
-        """Return a Mode and its System, which is everyone's."""
+    def mode(self, modes: tuple[str, ...], held: tuple[int, ...], every: Any) -> tuple[Mode, Model]:
+        """Return a Mode and its Model, which is everyone's."""
         key = modes, held
         known = self.modes.get(key)
         if known is None:
             made = Mode(self.rows, modes, held, every)
-            system = System(
-                made.equations,
-                outputs={**self._users, **made.outputs},
-                specifieds=dict(self._system._specifieds),
-                constants_symbols=self.constants,
-                specifieds_symbols=self.definition.specifieds,
-            )
-            made.columns = self._columns(made, system._now().definition)
+            model = Model.of(made.equations, **self.settings(made))
+            made.columns = self._columns(made, model.definition)
             with self._lock:
-                known = self.modes.setdefault(key, (made, system))
+                known = self.modes.setdefault(key, (made, model))
         return known
+
+    def settings(self, made: Mode) -> dict[str, Any]:
+        """Return what a Model or a System of a Mode's equations is made of, beside these."""
+        return {
+            "outputs": {**self._user_outputs, **made.outputs},
+            "specifieds": dict(self._specifieds),
+            "constants_symbols": self.constants,
+            "specifieds_symbols": self.definition.specifieds,
+        }
 
     def _columns(self, made: Mode, definition: Any) -> list[int]:
         """Return which outputs of a mode are the trajectory's; note where all of them are."""

@@ -431,7 +431,7 @@ class Run:
             if self.carried is not None:
                 settled = self.numbers(state.t, state.x)
                 self.carried.project(self.values(state.t, state.x), settled, held)
-        mode, system = self.kept.mode(solution.modes, held, every)
+        mode, model = self.kept.mode(solution.modes, held, every)
         events, kinds = mode.events
         events = [*events, *self.user_events]
         kinds = [("turns", i) if what == "closes" and i in state.rising else (what, i)
@@ -440,17 +440,17 @@ class Run:
         self.states[self.times == state.t] = state.x
         if self.carried is None and not later.any():
             return True, []
-        now = replace(
-            system._now(events),
-            user={
+        now = Problem(
+            model.definition,
+            replace(model, already_warned=self.now.model.already_warned),
+            {
                 "constants": {**self._numbers_of, **self.references(p, state, solution)},
                 "specifieds": self.now.user["specifieds"],
                 "initial_conditions": dict(
                     zip(self.now.definition.states, state.x.tolist(), strict=True)
                 ),
             },
-            times=np.concatenate([[state.t], self.times[later]]),
-            already_warned=self.now.already_warned,  # of specifieds
+            np.concatenate([[state.t], self.times[later]]),
             contradicted=None,  # assumptions are judged along the whole motion
         )
         options = {**self.options, "events": events}

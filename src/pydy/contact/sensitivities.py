@@ -252,7 +252,7 @@ class HybridSensitivities(Transitions):
     """
 
     def __init__(self, wanted: Any, controlled: bool, rows: ContactRows, now: Problem) -> None:
-        self.sensitive = sensitive = AugmentedSystem.of(now, now.model, now.plan, wanted)
+        self.sensitive = sensitive = AugmentedSystem.of(now, now.model.code, now.plan, wanted)
         parameters = sensitive.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]

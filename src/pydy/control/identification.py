@@ -48,7 +48,6 @@ from typing import Any
 import numpy as np
 import scipy.sparse
 
-from pydy._assembly.specifieds import driven
 from pydy._errors import IntegrationError, warn_user
 from pydy._rank import HALF, or_one
 from pydy._simulation.constraint_drift import contradiction, rates
@@ -143,7 +142,7 @@ class Identification:
         numbers["constraints"] = constraints
         for other, made in zip(self.experiments, self.problems, strict=False):
             # Equal equations and kinds of inputs share their machine code.
-            same = other.now.driven is now.driven and made.measured == e.measured
+            same = other.now.code is now.code and made.measured == e.measured
             if same and [*map(_places, made.signals)] == [*map(_places, plan.sampled)]:
                 return replace(made, **numbers)
         return TranscribedProblem(
@@ -164,8 +163,8 @@ class Identification:
 
     def _moved(self, k: int) -> Moved:
         now, disturbed = self.experiments[k].now, self._disturbed(self.experiments[k])
-        model = driven(now.model, now.definition, now.plan, perturbed=disturbed)
-        return Moved(model.compiled("rates"), now.plan)
+        code = now.model.with_compiled_inputs(now.plan, perturbed=disturbed)
+        return Moved(code.compiled("rates"), now.plan)
 
     def meshes(self, given: Any) -> list[np.ndarray]:
         """Return the mesh of each experiment: a point a sample or two, if none is given."""

@@ -30,7 +30,6 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.model import stored
-from pydy._assembly.specifieds import driven
 from pydy._backends.llvm.native import LLVMBackend, sweep_by_columns
 from pydy._forks import cached_property
 from pydy._graph.adjoint import adjoints
@@ -81,10 +80,10 @@ class Equations:
         Specifieds that are expressions may be `disturbed`: what stands in their places in r is
         added to them.
         """
-        definition, model = now.definition, now.driven
+        definition, code = now.definition, now.code
         if disturbed:
-            model = driven(now.model, definition, now.plan, perturbed=True)
-        assembly, equations = model.assembly.fork(), definition.equations
+            code = now.model.with_compiled_inputs(now.plan, perturbed=True)
+        assembly, equations = code.assembly.fork(), definition.equations
         graph, rates = assembly.graph, assembly.rates
         nq, nu = len(equations.coordinates), len(equations.speeds)
         slopes = [graph.input("d", k) for k in range(len(rates))]
@@ -94,7 +93,7 @@ class Equations:
             **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
             **dict(zip(equations.speed_rates, slopes[nq:], strict=False)),
         }
-        made = model.latest.setdefault("points", {})
+        made = code.latest.setdefault("points", {})
         own = cls(graph, [], [], [], atoms, assembly.given, made)
         x = [graph.input("x", k) for k in range(nq + nu)]
         places, motion = [assembly.holonomic[k] for k in equations.places_held], assembly.velocity

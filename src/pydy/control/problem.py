@@ -662,7 +662,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 f"`bounds[{self._symbol}]` a positive lower limit.",
                 None,
             )
-        moved = Moved(now.driven.compiled("rates"), now.plan)
+        moved = Moved(now.code.compiled("rates"), now.plan)
         limits = {s: self._bounds_at(s) for s in self._free}
         refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
         if solution.solved:
@@ -679,7 +679,7 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     def _carried(self, found: OptimalTrajectory, tolerance: float) -> np.ndarray:
         """Return by which intervals a simulation misses the nodes; see `carried_errors`."""
-        moved = Moved(self._now.driven.compiled("rates"), self._now.plan)
+        moved = Moved(self._now.code.compiled("rates"), self._now.plan)
         made, z = found._transcription, found.solution.z
         return carried_errors(moved, made, z, found._sizes, tolerance)
 
