@@ -121,8 +121,8 @@ class Fitting(Setup):
         array([4. , 0.2])
         """
         twin = copy(self)
-        twin._searching = True
-        moving = None if self._checked_contacts(contacts) is None else contacts.of(twin)
+        twin._contradicted = None  # its numbers are only tried
+        self._checked_contacts(contacts)
 
         def settings(events: Any, constants: Mapping[Any, Any]) -> Problem:
             return self._now(events, constants, contacts)
@@ -131,10 +131,10 @@ class Fitting(Setup):
             if outputs:
                 twin.outputs = {**self.outputs, **outputs}
             twin.constants, twin.specifieds = constants, specifieds
-            return twin._now(events, contacts=moving)
+            return twin._now(events, contacts=contacts)
 
         return fit(
-            Model(settings, tried, self.ode_solver, moving),
+            Model(settings, tried, self.ode_solver, contacts),
             parameters,
             trials,
             bounds=bounds,

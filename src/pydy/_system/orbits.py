@@ -84,7 +84,7 @@ class Orbits(Setup):
             instance(until, Event, "`until`", "a pydy.solvers.Event")
         further = solver_kwargs.get("events", ())
         events = [*([] if until is None else [until]), *listed("events", further, "events")]
-        problem = self._now(events or None, contacts=contacts)
+        problem = self._now(events or None, contacts=self._checked_contacts(contacts))
         return find_periodic_orbit(
             problem,
             period,

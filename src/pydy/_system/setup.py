@@ -229,7 +229,7 @@ class Setup:
         Those of events are constants, and so are `further` symbols.
         """
         more = constants if isinstance(constants, Mapping) else {}
-        if contacts is not None and self._checked_contacts(contacts):
+        if contacts is not None:
             if not contacts.given.keys() <= self._constants.keys():
                 contacts.refuse_lost({**self._constants, **more})
             own = [events] if isinstance(events, Event) else events

@@ -159,9 +159,7 @@ class Contacts:
 
     def _compiled(self, problem: Problem) -> Compiled:
         if self._kept is None or self._kept.definition != problem.definition:
-            own = self.system
-            outputs = own._define.users(own._outputs, own._forces)
-            self._kept = Compiled(problem, outputs, self.contacts, self.hypothesis)
+            self._kept = Compiled(problem, self.contacts, self.hypothesis)
         return self._kept
 
     def integrate(
@@ -300,7 +298,10 @@ class Contacts:
         every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
         held = tuple(independent(p.square, every))
         mode = kept.mode(tuple(found), held, every)[0]
-        system = System(mode.equations, **kept.settings(mode))
+        define, outputs = self.system._define, self.system._outputs
+        users = define.users(outputs, self.system._forces)
+        settings = {**kept.settings(mode), "outputs": {**users, **mode.outputs}}
+        system = System(mode.equations, **settings)
         system._contradicted = None  # the user knows of these numbers
         system._implied = dict.fromkeys(kept.rows.hidden, 0.0)
         system.constants = dict(now.constants)
@@ -414,11 +415,10 @@ class Motions:
         columns: Sequence[int],
         options: Mapping[str, Any],
     ) -> None:
-        system, self.options = copy(contacts.system), {**options}
-        self.contacts = contacts.of(system)
-        self.contacts.given = {}  # samples may bring them
-        system.ode_solver = solver
-        system.specifieds = {**system.specifieds, **specifieds}
+        self.contacts, self.solver, self.options = contacts, solver, {**options}
+        user = {**now.user, "specifieds": {**now.user["specifieds"], **specifieds}}
+        # The ensemble judges all samples.
+        self._problem = replace(now, user=user, contradicted=None, hybrid=None)
         self.columns: tuple[str, ...] = ()
         wanted, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
         if wanted is not None:
@@ -428,7 +428,7 @@ class Motions:
         self._wanted = wanted
         events = self.options.pop("events", None)
         self._given = check_events(events, now.definition.places["states"])
-        definition, kept = now.definition, self.contacts._problem(self._given)[1]
+        definition, kept = now.definition, contacts._compiled(now)
         self.outputs = kept.outputs
         self.events = (*kept.transitions, *(event.name for event in self._given))
         self._states, self._constants = definition.states, definition.constants
@@ -443,7 +443,7 @@ class Motions:
         ]
         held = self.options.get("constraints")
         about = self.contacts.hypothesis, events, held, self.columns, self._control
-        return *about, self.contacts._problem(self._given)[1].rows.identity
+        return *about, self.contacts._compiled(self._problem).rows.identity
 
     def __call__(
         self,
@@ -454,18 +454,14 @@ class Motions:
         stopped: Callable[[], bool],
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states, outputs, and how the motion ended."""
-        if self.contacts._kept is None:  # in another process
-            self.contacts._problem(self._given)
-        system = copy(self.contacts.system)
-        system._contradicted = None  # the ensemble judges all samples
-        contacts = self.contacts.of(system)
-        system.initial_conditions = dict(zip(self._states, x.tolist(), strict=True))
-        system.constants = dict(zip(self._constants, p.tolist(), strict=True))
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
-        system.specifieds = {**system.specifieds, **varied}
-        system.times = times
-        problem = contacts._problem(self._given)[0]
-        run = contacts._run(problem, times, system.ode_solver, self._given, **self.options)
+        user = {
+            "constants": dict(zip(self._constants, p.tolist(), strict=True)),
+            "specifieds": {**self._problem.user["specifieds"], **varied},
+            "initial_conditions": dict(zip(self._states, x.tolist(), strict=True)),
+        }
+        problem = replace(self._problem, user=user, times=times)
+        run = self.contacts._run(problem, times, self.solver, self._given, **self.options)
         if self._wanted is not None:
             run.carried = HybridSensitivities(self._wanted, self._control, run.rows, problem)
         run.stopped = stopped

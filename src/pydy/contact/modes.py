@@ -343,7 +343,6 @@ class Compiled:
     def __init__(
         self,
         now: Problem,
-        user_outputs: dict[Any, Any],
         contacts: tuple[Contact, ...],
         hypothesis: str,
     ) -> None:
@@ -360,7 +359,7 @@ class Compiled:
         self.named = Columns({**kinds, "output": (*kinds["output"], *self.stated)})
         self.constants = (*self.definition.constants, *self.rows.hidden)
         self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, Model]] = {}
-        self._user_outputs, self._specifieds = user_outputs, now.user["specifieds"]
+        self._specifieds = now.user["specifieds"]
         self._lock = _forks.Lock()
 
     def __reduce__(self) -> tuple[Any, ...]:  # another process compiles its own
@@ -396,8 +395,13 @@ class Compiled:
 
     def settings(self, made: Mode) -> dict[str, Any]:
         """Return what a Model or a System of a Mode's equations is made of, beside these."""
+        definition = self.definition
+        groups = {g.names: g.expressions for g in definition.groups}
+        for symbols in ([(s,) for s in definition.residuals], [definition.forces]):
+            for names in symbols:
+                groups.pop(names, None)
         return {
-            "outputs": {**self._user_outputs, **made.outputs},
+            "outputs": {**groups, **made.outputs},
             "specifieds": dict(self._specifieds),
             "constants_symbols": self.constants,
             "specifieds_symbols": self.definition.specifieds,
