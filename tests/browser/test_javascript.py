@@ -10,6 +10,7 @@ import sympy.physics.mechanics as me
 
 import departures
 from exported_models import TIMES, ball, pendulum, pulled_by_error_functions, spring_of
+from pydy._simulation.exporting import exported_model
 from pydy.examples import whipple_bicycle
 from pydy.export.javascript import javascript_module
 from pydy.mechanics import Definition, Implicit
@@ -293,7 +294,7 @@ def test_a_start_far_from_the_constraints_is_refused_as_in_python(tmp_path, load
         holonomic_constraints=[x**2 + y**2 - 1],
     )  # fmt: skip
     system = System(definition, initial_conditions={x: 1.0})
-    module = javascript_module(system._exportable(constraints="project"), ["a pendulum"])
+    module = javascript_module(exported_model(system._now(), constraints="project"), ["a pendulum"])
     (tmp_path / "pendulum.js").write_text(module, encoding="utf-8")
     page = loaded(tmp_path / "pendulum.js")
     for given, said in {

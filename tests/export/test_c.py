@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from exported_models import ball, hostile, pendulum, spring_of
+from pydy._simulation.exporting import exported_model
 from pydy.export import Variable, write
 from pydy.export.c import c_string
 from pydy.export.model import identifiers
@@ -176,7 +177,7 @@ def test_no_constant_is_called_like_a_keyword_or_a_macro_of_any_header(tmp_path,
     assert {"NULL", "EOF", "linux", "unix", "M_PI", "stdin", "B50"} <= macros
     names = sorted({*macros, *KEYWORDS, "I", "NX", "m", "K1", "length"})
     # A System with as many constants would take minutes.
-    model = spring_of("k")._exportable(name="spring")
+    model = exported_model(spring_of("k")._now(), name="spring")
     constants = tuple(map(Variable, names, identifiers(names)))
     exported = write(replace(model, constants=constants), tmp_path / "spring.c")
     assert set(names) - exported.names.keys() == {"m", "K1", "length"}

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
+from operator import attrgetter
 from typing import Any, Protocol, Self
 
 import numpy as np
@@ -498,7 +500,8 @@ class Problem:
         """Return a scene that shows the bodies, or some visuals; see `System.scene`."""
         from pydy._simulation.scene import make_scene
 
-        return make_scene(self, self.definition, self.constants, visuals, options)
+        assembly = partial(attrgetter("model.code.assembly"), self)
+        return make_scene(self.definition, self.constants, assembly, visuals, options)
 
 
 def checked_plan(

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
-from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -26,17 +24,18 @@ from pydy.viz.scene import Scene
 
 
 def make_scene(
-    source: Any,
     definition: Definition,
     constants: Mapping[Any, float],
+    assembly: Callable[[], Assembly],
     visuals: Sequence[Any],
     options: dict[str, Any],
+    moving: tuple[Any, ...] = (),
 ) -> Scene:
-    """Return a scene of a System or Problem, with defaults from the bodies and loads."""
-    assembly = partial(attrgetter("model.assembly"), source)  # made where u' is shown
-    moving: tuple[Any, ...] = ()
-    if hasattr(source, "_live_system"):
-        moving = partial(attrgetter("_times"), source), source._motion, source._live_system
+    """Return a scene with defaults from the bodies and loads.
+
+    The `assembly` is made where u' is shown; what is `moving` is what a `pydy.viz.motion.Model`
+    takes after the definitions.
+    """
     equations = definition.equations
     options = dict(options)
     given = (options.pop(k, None) for k in ("reference_frame", "origin"))

@@ -30,13 +30,15 @@ from pydy._mechanics.inverse import (
     rotation,
     weights,
 )
+from pydy._mechanics.reactions import named
 from pydy._mechanics.reader import Multibody, checked_vector, distances, places
 from pydy._names import name_of
 from pydy._simulation.constraint_drift import first_violation
+from pydy._simulation.evaluation import variables
+from pydy._simulation.function import Function
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy._simulation.problem import At, Problem
 from pydy._system.setup import Setup
-from pydy._system.values import Sweep, variables
 
 
 def _states(
@@ -232,12 +234,6 @@ def bodies_of(equations: Equations) -> Multibody:
     return body
 
 
-def named(items: Sequence[Any], key: Any) -> Any:
-    """Return the one of some bodies or joints that has a name; other keys as they are."""
-    found = [item for item in items if isinstance(key, str) and name_of(item) == key]
-    return found[0] if len(found) == 1 else key
-
-
 def without_bodies(equations: Equations) -> bool:
     """Return whether only the method's own equations are known, without velocity constraints."""
     return equations.formed is None and not equations.velocity
@@ -348,14 +344,15 @@ class Dynamics(Setup):
         def look(state: At) -> None:
             _warn_of_rest(state, kernel(state.model).program, left)
 
-        out = Sweep(
+        out = Function(
+            problem,
             kernel,
             lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
             by,
             more=at[2].shape[-1],
             look=look if equations.constrained else None,
             solve=all({*places} <= {*left[0]} for _, places in equations.residual_blocks),
-        ).at(problem, x, t, r, p)
+        )(t, x, r, p)
         return out.reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
 
     def inverse_dynamics(

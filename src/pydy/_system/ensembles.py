@@ -481,7 +481,8 @@ class Ensembles(Setup):
         control = flag(control_sensitivities, "`control_sensitivities`")
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
-        contacts = self._checked_contacts(contacts)
+        if contacts is not None:
+            self._checked_contacts(contacts)
         problem = self._now(solver_kwargs.get("events"), constants, contacts)
         definition = problem.definition
         varied, common = _split_specifieds(specifieds)

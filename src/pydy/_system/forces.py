@@ -1,139 +1,13 @@
-"""Constraint forces as a user asks for them: by name, for bodies, at a point."""
+"""Constraint forces of a System, and reactions of its joints."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
-import sympy as sm
-from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
-from sympy.physics.mechanics.joint import Joint
-
-from pydy._checks import describe, instance, listed, shown, text
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.forces import ConstraintForces
-from pydy._mechanics.reader import read_loads
-from pydy._names import name_of
+from pydy._mechanics.reactions import Multipliers, Reaction, multipliers, reaction
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy._system.dynamics import named
 from pydy._system.setup import Setup
-
-
-class Multipliers(dict[Any, Any]):
-    """Multipliers of the constraints by symbol; a name is taken too."""
-
-    def __missing__(self, key: Any) -> Any:
-        for symbol, expression in self.items():
-            if symbol.name == key:
-                return expression
-        names = describe(list(self)) if self else "none"
-        raise KeyError(f"`constraint_forces` has no multiplier {key!r}; it has {names}.")
-
-
-@dataclass(frozen=True, eq=False)
-class Reaction:
-    """The force and torque by which a joint holds some bodies.
-
-    Attributes
-    ----------
-    force : Vector
-    torque : Vector
-        About the point of the cut.
-    frame : ReferenceFrame
-        The axes in which both were formed.
-    """
-
-    force: Any
-    torque: Any
-    frame: Any
-
-    def outputs(self, name: str) -> dict[Any, Any]:
-        """Return the components as a dictionary for `System.outputs`.
-
-        Parameters
-        ----------
-        name : str
-            The outputs are called ``name_Fx``, ``name_Fy``, ``name_Fz``, ``name_Tx``, ``name_Ty``
-            and ``name_Tz``.
-        """
-        text(name, "`name`", empty=False)
-        found = {}
-        for part, vector in (("F", self.force), ("T", self.torque)):
-            for axis, value in zip("xyz", vector.to_matrix(self.frame), strict=True):
-                found[sm.Symbol(f"{name}_{part}{axis}")] = value
-        return found
-
-
-def _forces(equations: Equations, *, bodies: bool) -> ConstraintForces:
-    forces = equations.constraint_forces
-    if bodies and forces is not None and forces.body.lagrangian is not None:
-        raise ValueError(
-            "Reactions follow from the bodies and the loads on each of them, but a Lagrangian does "
-            "not tell which bodies its potential energy acts on. Give a `pydy.mechanics.Definition`"
-            " or a KanesMethod with `bodies` and all loads, gravity included. The multipliers of a "
-            "LagrangesMethod's constraints are in `constraint_forces`."
-        )
-    if forces is None or (bodies and not forces.body.bodies):
-        raise ValueError(
-            "Constraint forces follow from bodies and loads, but `eom_method` holds no bodies: "
-            "construct a KanesMethod with `bodies=` and `forcelist=`, or call its "
-            "`kanes_equations(bodies, loads)`."
-        )
-    return forces
-
-
-def _joints(equations: Equations) -> tuple[Any, ...]:
-    return equations.mechanism.joints if equations.mechanism is not None else ()
-
-
-def _beyond(equations: Equations, forces: ConstraintForces, joint: Any) -> list[Any]:
-    """Return the bodies beyond a joint: its child, and those that further joints attach to it."""
-    joints = _joints(equations)
-    if not any(joint is other for other in joints):
-        raise ValueError(
-            f"The joint {joint.name} is not one of the joints of `eom_method`: "
-            f"{describe([other.name for other in joints])}. Give all bodies beyond it instead."
-        )
-    points = [joint.child.masscenter]
-    for point in points:
-        for other in joints:
-            ends = [other.parent.masscenter, other.child.masscenter]
-            if other is not joint and point in ends:
-                points += [end for end in ends if end not in points]
-    return [body for body in forces.body.bodies if body.masscenter in points]
-
-
-def _several(bodies: Any) -> list[Any]:
-    if isinstance(bodies, (str, RigidBody, Particle)):
-        return [bodies]
-    if not isinstance(bodies, Iterable):
-        raise TypeError(
-            "`bodies` must be a RigidBody or Particle, its name, or a list of them, got "
-            f"{shown(bodies)}."
-        )
-    return listed("bodies", bodies)
-
-
-def _member(forces: ConstraintForces, item: Any) -> Any:
-    bodies = forces.body.bodies
-    found = named(bodies, item)
-    if isinstance(item, (Point, ReferenceFrame)) or any(found is body for body in bodies):
-        return found
-    raise ValueError(
-        f"`bodies` has {shown(item)}, which is not one of the system's bodies: "
-        f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name; or a joint alone."
-    )
-
-
-def _check_way(item: Any, point: Any) -> None:
-    try:
-        item.pos_from(point)
-    except ValueError:
-        raise ValueError(
-            f"`point` is {point}, but the position of {item} from there is not known. Use "
-            f"`{point}.set_pos(...)`, from a point that is located from the bodies."
-        ) from None
 
 
 class Forces(Setup):
@@ -184,9 +58,7 @@ class Forces(Setup):
         """
         if self._equations.forgotten:
             warn_of_missing_derivatives(self._now())
-        if not self._equations.velocity:
-            return Multipliers()
-        return Multipliers(_forces(self._equations, bodies=False).multipliers(self._forces))
+        return multipliers(self._equations, self._forces)
 
     def reaction(
         self, bodies: Any, point: Any = None, *, frame: Any = None, loads: Iterable[Any] = ()
@@ -245,32 +117,7 @@ class Forces(Setup):
         >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2] + 0.0
         array([ 0., 30.])
         """
-        equations = self._equations
-        forces = _forces(equations, bodies=True)
-        if isinstance(bodies, str) and bodies not in map(name_of, forces.body.bodies):
-            bodies = named(_joints(equations), bodies)
-        if isinstance(bodies, Joint):
-            point = bodies.child_point if point is None else point
-            bodies = _beyond(equations, forces, bodies)
-        members = [_member(forces, item) for item in _several(bodies)]
-        own = forces.body.bodies
-        if not any(item in own for item in members):
-            raise ValueError(
-                f"`bodies` must hold one body of the system or more: {describe(list(own))}."
-            )
-        instance(point, Point, "`point`")
-        if frame is None:
-            frame = forces.body.frame
-        instance(frame, ReferenceFrame, "`frame`")
-        more = read_loads(listed("loads", loads, "loads"))
-        for where, _ in more:
-            if isinstance(where, Point):
-                _check_way(where, point)
-        for item in members:
-            if not isinstance(item, ReferenceFrame):
-                _check_way(item if isinstance(item, Point) else item.masscenter, point)
-        name = f"reaction_{point}"
-        found = forces.reaction(members, point, frame, more, name, self._forces)
-        if equations.forgotten:
+        found = reaction(self._equations, self._forces, bodies, point, frame, loads)
+        if self._equations.forgotten:
             warn_of_missing_derivatives(self._now())
-        return Reaction(*found, frame)
+        return found

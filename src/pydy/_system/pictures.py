@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from functools import partial
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
+from pydy._simulation.exporting import live_system
 from pydy._simulation.problem import read_numbers
-from pydy._system.exporting import Exporting
 from pydy._system.simulation import Simulation
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from pydy.viz.live import LiveSystem
     from pydy.viz.scene import Scene
 
 
-class Pictures(Simulation, Exporting):
+class Pictures(Simulation):
     """Scenes, plots and animations."""
 
     def _motion(self, times: Any, states: Any) -> Trajectory:
@@ -23,6 +26,10 @@ class Pictures(Simulation, Exporting):
         symbols = {k: v for k, v in kinds.items() if k not in ("output", "constraint", "force")}
         along = problem.specifieds(times, states)
         return Trajectory(times, states, symbols, specifieds=along, constants=problem.constants)
+
+    def _live_system(self, *, events: Any = None, **options: Any) -> LiveSystem:
+        """Return what a page that simulates needs."""
+        return live_system(self._now(events), events=events, **options)
 
     def scene(
         self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
@@ -72,7 +79,9 @@ class Pictures(Simulation, Exporting):
         constants = read_numbers(definition, "constants", self._constants, None)
         given = {"reference_frame": reference_frame, "origin": origin, **options}
         numbers = dict(zip(definition.constants, constants.tolist(), strict=True))
-        return make_scene(self, definition, numbers, visuals, given)
+        assembly = partial(attrgetter("model.assembly"), self)
+        moving = partial(attrgetter("_times"), self), self._motion, self._live_system
+        return make_scene(definition, numbers, assembly, visuals, given, moving)
 
     def _moved(self, contacts: Any, method: str) -> Trajectory:
         """Simulate with contacts or without; refuse to leave out those that were made."""

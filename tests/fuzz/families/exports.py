@@ -9,6 +9,7 @@ from typing import Any
 from fuzz.kinds import choice, nothing, real, text
 from fuzz.table import empty_or_none, flags, number, target
 from fuzz.world import world
+from pydy._simulation.exporting import exported_model
 from pydy.export.writing import check_options, write
 from pydy.robots import read
 from pydy.viz import Live, Slider
@@ -77,7 +78,7 @@ def _(v):
 
 @target("write.path", nothing("paths", "texts"))
 def _(v):
-    return write(world().o.system._exportable(name="model", events=None, inputs=()), v)
+    return write(exported_model(world().o.system._now(), name="model"), v)
 
 
 # -- pages that simulate --------------------------------------------------------------------------
