@@ -1,359 +1,39 @@
-"""Inverse dynamics, the terms of the equations of motion, and frames: what robots are driven by."""
+"""Inverse dynamics, terms of the equations of motion, and frames of a System."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import prod
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
-from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
-from pydy._checks import Places, describe, merged, one_or_more, real_array, shown
-from pydy._errors import SingularMatrixError, warn_user
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.products import derivative_program
-from pydy._graph.program import Program
-from pydy._graph.rewrite import substitute
-from pydy._graph.simplify import simplify
-from pydy._kernel import Kernel
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.inverse import (
-    Known,
+from pydy._simulation.dynamics import (
+    Quantity,
+    evaluate,
+    frame_jacobian,
+    frame_position,
+    frame_rotation,
+    gravity,
     inverse_dynamics,
     mass_matrix,
-    partial_velocities,
-    position,
-    rotation,
-    weights,
+    required_forces,
 )
-from pydy._mechanics.reactions import named
-from pydy._mechanics.reader import Multibody, checked_vector, distances, places
-from pydy._names import name_of
-from pydy._simulation.constraint_drift import first_violation
-from pydy._simulation.evaluation import variables
-from pydy._simulation.function import Function
-from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy._simulation.problem import At, Problem
 from pydy._system.setup import Setup
-
-
-def _states(
-    problem: Problem, q: Any, v: Any, a: np.ndarray, t: Any
-) -> tuple[np.ndarray, Any, tuple[Iterable[int], Iterable[int]]]:
-    """Return the user's x, then a, and times, at one moment or at m, and the places left out."""
-    equations, n = problem.definition.equations, len(problem.definition.states)
-    nq, nu = len(equations.coordinates), len(equations.speeds)
-    of_q, left_q = _columns("q", q, equations.coordinates, lambda: problem.x[:nq])
-    of_v, left_v = _columns("v", v, equations.speeds, lambda: problem.x[nq : nq + nu])
-    instants = np.array(problem.t) if t is None else real_array(t, "`t`")
-    if instants.ndim > 1:
-        raise ValueError(f"`t` must be a number or have the shape (m,), got {instants.shape}.")
-    auxiliary = (problem.x[nq + nu :],) if n > nq + nu else ()
-    parts = of_q, of_v, *auxiliary, a
-    rows = {len(part) for part in (*parts, instants[..., None]) if part.ndim > 1}
-    if not rows:
-        return np.concatenate(parts), instants, (left_q, left_v)
-    if len(rows) > 1:
-        given = {"q": of_q, "v": of_v, "a": a, "t": instants[..., None]}
-        counts = {name: len(part) for name, part in given.items() if part.ndim > 1}
-        found = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
-        raise ValueError(f"All must have as many rows, or be one for all: {found}.")
-    m = rows.pop()
-    return _beside(parts, m), np.full(m, instants), (left_q, left_v)
-
-
-def _beside(parts: Sequence[np.ndarray], m: int) -> np.ndarray:
-    """Return m rows side by side; NumPy takes a row as one item in half the time of its numbers."""
-    parts = [part for part in parts if part.shape[-1]]
-    kinds = [(f"{k}", f"V{8 * part.shape[-1]}") for k, part in enumerate(parts)]
-    rows = np.empty(m, kinds)
-    for (name, kind), part in zip(kinds, parts, strict=True):
-        rows[name] = part.view(kind)[..., 0]
-    return rows.view(float).reshape(m, rows.itemsize // 8)
-
-
-def _columns(
-    argument: str, value: Any, symbols: Sequence[Any], default: Callable[[], np.ndarray]
-) -> tuple[np.ndarray, Iterable[int]]:
-    """Return numbers for all symbols, (n,) or (m, n), and the positions of default ones."""
-    n = len(symbols)
-    if value is None:
-        return default(), range(n)
-    if not isinstance(value, np.ndarray):
-        kind = "coordinates" if argument == "q" else "speeds"
-        places = Places(symbols, f"{kind} of the system")
-        if isinstance(value, Mapping):
-            value = merged(value)
-            found = places.read(argument, value, default())
-            return found, {*range(n)}.difference(places.columns(value, argument).tolist())
-        places.check_order(value, argument)
-    array = real_array(value, f"`{argument}`")
-    if array.ndim not in (1, 2) or array.shape[-1] != n:
-        raise ValueError(f"`{argument}` must have the shape ({n},) or (m, {n}), got {array.shape}.")
-    return array, ()
-
-
-def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
-    """Return accelerations and their speeds: all of them, or the independent ones."""
-    n = len(equations.speeds)
-    independent = equations.independent_columns
-    free = len(independent)
-    if value is None:
-        return np.zeros(free), independent
-    if not isinstance(value, np.ndarray) and isinstance(value, Mapping):
-        speeds = Places(equations.speeds, "speeds of the system")
-        found: np.ndarray = speeds.read("a", value, 0.0)
-        named = sorted(speeds.find(key, "a") for key in value)
-        if all(k in independent for k in named):
-            return found[list(independent)], independent
-        if len(named) not in (free, n):
-            raise ValueError(
-                f"`a` must have the accelerations of {free} of the {n} speeds, which those of the "
-                f"others follow from by the constraints, or of all {n}, got {len(named)}: "
-                f"{describe([equations.speeds[k] for k in named])}. Of independent speeds alone, "
-                f"{describe([equations.speeds[k] for k in independent])}, those that are not given "
-                "are zero."
-            )
-        return found[named], named
-    array = real_array(value, "`a`")
-    if array.ndim not in (1, 2) or array.shape[-1] not in (n, free):
-        several = f" or, for the independent speeds alone, ({free},) or (m, {free})"
-        raise ValueError(
-            f"`a` must have the shape ({n},) or (m, {n}){several if free < n else ''}, got "
-            f"{array.shape}."
-        )
-    return array, range(n) if array.shape[-1] == n else independent
-
-
-def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
-    """Return the accelerations of all speeds, none of which may be missing; None means zeros."""
-    n = len(equations.speeds)
-    array = np.zeros(n) if value is None else _accelerations(value, equations)[0]
-    if array.shape[-1] != n:
-        raise ValueError(f"`a` must have the accelerations of all {n} speeds, got {array.shape}.")
-    return array
-
-
-class Quantity(NamedTuple):
-    """A quantity to evaluate."""
-
-    name: str
-    key: tuple[Any, ...]  # with the name it says what the expressions are
-    shape: tuple[int, ...]
-    expressions: Callable[[Known], Any]  # gives them, or the name of a block of the Assembly
-    rows: Iterable[str] = ()  # for messages; read once, if at all; by default entries
-    accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
-
-    def by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
-        """Return the inputs that the user's `wrt` means."""
-        equations = definition.equations
-        nq, nu = len(equations.coordinates), len(equations.speeds)
-        own = {
-            "coordinates": [("x", k) for k in range(nq)],
-            "speeds": [("x", nq + k) for k in range(nu)],
-        }
-        if self.accelerations:
-            n = len(definition.states)
-            own["accelerations"] = [("x", n + k) for k in range(len(self.accelerations))]
-        found: list[tuple[str, int]] = []
-        for entry in one_or_more("wrt", wrt):
-            named = isinstance(entry, str) and entry in own
-            found += own[entry] if named else variables(definition, entry)
-        if not found:
-            raise ValueError("`wrt` must name at least one variable.")
-        return tuple(found)
-
-    def program(
-        self,
-        definition: Definition,
-        model: CompiledModel,
-        by: tuple[tuple[str, int], ...],
-        silent: Mapping[Any, float],
-    ) -> Program:
-        """Return the Program of the values, or of their derivatives."""
-        equations, assembly = definition.equations, model.assembly.fork()
-        g, (n, s, c) = assembly.graph, assembly.sizes
-        atoms, count = dict(assembly.atoms), len(self.accelerations)
-        atoms.update(dict.fromkeys(equations.speed_rates, g.zero))
-        for k, place in enumerate(self.accelerations):
-            atoms[equations.speed_rates[place]] = g.input("x", n + k)
-        found = self.expressions(Known(atoms, definition.forces, silent))
-        if isinstance(found, str):
-            nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], found)
-        else:
-            read = SymPyReader(g, atoms, f"the {self.name}")
-            nodes = substitute(g, found.read(read), assembly.given)
-        sizes = n + count, s, c
-        if not by:
-            return assembly.lowered({self.name: nodes}, sizes=sizes)
-        nodes = simplify(g, nodes)
-        return derivative_program(g, nodes, by, "jacobian", sizes)
-
-
-def _warn_of_rest(at: At, program: Program, left: tuple[Iterable[int], Iterable[int]]) -> None:
-    """Warn where states that a user gave in part, and the Program reads, break the constraints."""
-    read = {args[1] for op, args in zip(program.ops, program.args, strict=True)
-            if op == "input" and args[0] == "x"}  # fmt: skip
-    first = len(at.definition.equations.coordinates)
-    q, v = read.intersection(left[0]), read.intersection(first + k for k in left[1])
-    moving = any(first <= k < first + len(at.definition.equations.speeds) for k in read)
-    if (q or v) and (found := first_violation(at, (bool(q), moving))):
-        states = describe([at.definition.states[k] for k in sorted(q | v)])
-        warn_user(
-            f"The state does not satisfy the constraints, with the initial conditions for what `q` "
-            f"and `v` do not give: {states}. {found[1]} Give these too, or set consistent initial "
-            "conditions: `system.set_dependent_initial_conditions()`."
-        )
-
-
-def _of_method(assembly: Assembly, rates: Sequence[int], what: str) -> list[int]:
-    """Return M, or M u' − F, of equations that a method derived, without constraints."""
-    if what == "matrix":
-        return assembly.mass_matrix
-    g, n = assembly.graph, len(rates)
-    rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
-    return [
-        g.sum([*((g.mul(m, a), 1.0) for m, a in zip(row, rates, strict=True)), (f, -1.0)])
-        for row, f in zip(rows, assembly.forcing, strict=True)
-    ]
-
-
-def bodies_of(equations: Equations) -> Multibody:
-    body = equations.multibody
-    if body is None:
-        raise ValueError(
-            "This follows from bodies and loads, but `eom_method` holds no bodies: construct a "
-            "KanesMethod with `bodies=` and `forcelist=`, or call its `kanes_equations(bodies, "
-            "loads)`."
-        )
-    body.check_unchanged()
-    return body
-
-
-def without_bodies(equations: Equations) -> bool:
-    """Return whether only the method's own equations are known, without velocity constraints."""
-    return equations.formed is None and not equations.velocity
-
-
-def _required(
-    equations: Equations, given: Sequence[int], at: tuple[int, ...] | None, *, zero: bool = False
-) -> Quantity:
-    """Return the forces for accelerations of some speeds; others follow or are `zero`."""
-    n = len(equations.speeds)
-    speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
-    bound = () if zero or len(given) == n else tuple(k for k in range(n) if k not in given)
-
-    def expressions(known: Known) -> Any:
-        if without_bodies(equations):
-            return "forces"
-        return inverse_dynamics(bodies_of(equations), known, at, bound=bound)
-
-    rows = (f"the force at {speed}" for speed in speeds)
-    name = "bias forces" if zero else "inverse dynamics"
-    return Quantity(name, (at, bound), (len(speeds),), expressions, rows, given)
-
-
-def _places_of(equations: Equations, at: Any) -> tuple[int, ...] | None:
-    """Return which speeds a user's `at` means."""
-    if at is None:
-        return None
-    speeds, held = equations.speeds, len(equations.velocity)
-    free = len(speeds) - held
-    if isinstance(at, str) and at == "independent":
-        return equations.independent_columns
-    known = Places(speeds, "speeds of the system")
-    found = tuple(known.find(one, "at") for one in one_or_more("at", at))
-    if len({*found}) != len(found) or len(found) != free:
-        raise ValueError(
-            f"`at` must be 'independent' or {free} different speeds, as many as {held} constraints "
-            f"leave free of {len(speeds)}, got {describe([speeds[k] for k in found])}."
-        )
-    return found
-
-
-# -- places ----------------------------------------------------------------------------------------
-
-
-def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]:
-    """Return the frame and the point that a user means; either may be None."""
-    bodies, known = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
-    if isinstance(where, str) and where in known:
-        return (*known[where],)
-    body = named(bodies, where)
-    if isinstance(body, RigidBody):
-        return body.frame, body.masscenter
-    if isinstance(body, Particle):
-        return None, body.masscenter
-    if isinstance(where, Point):
-        return None, where
-    if isinstance(where, ReferenceFrame):
-        return where, None
-    if isinstance(where, tuple) and len(where) == 2:
-        frame, point = where
-        if isinstance(frame, ReferenceFrame) and isinstance(point, Point):
-            return frame, point
-    names = dict.fromkeys([*known, *(str(name_of(body)) for body in bodies)])
-    raise ValueError(
-        "`where` must be a body, Point, ReferenceFrame, or pair of a ReferenceFrame and a Point, "
-        f"or a name: {describe(list(names))}; got {shown(where)}."
-    )
-
-
-def _origin(body: Multibody, point: Any) -> Any:
-    """Return the point that positions are measured from."""
-    from pydy.viz.defaults import find_origin  # with the rest of viz and SciPy's rotations
-
-    origin = find_origin(body.frame, [b.masscenter for b in body.bodies])
-    if origin is None:
-        raise ValueError(
-            f"No point at rest in `{body.frame}` is connected with the bodies, so that positions "
-            f"have no origin. Say `O.set_vel({body.frame}, 0)` of one."
-        )
-    if point not in distances(origin, places):
-        raise ValueError(
-            f"`where` is the point {point}, whose place beside {origin} is not known. Locate it "
-            f"with `{point}.set_pos(...)` from a point of the bodies."
-        )
-    return origin
 
 
 class Dynamics(Setup):
     """Inverse dynamics, terms of the equations of motion, and how frames move."""
 
-    def _evaluated(
-        self, made: Quantity, at: tuple[Any, Any, Any, Any], r: Any, p: Any, wrt: Any
-    ) -> np.ndarray:
-        """Evaluate at the user's q, v, a and t."""
-        problem = self._now(constants=p)
-        warn_of_missing_derivatives(problem)
-        # Values of constants that the motion does not depend on.
-        definition, silent = problem.definition, getattr(self._eom_method, "values", {})
-        equations = definition.equations
-        x, t, left = _states(problem, *at)
-        by = () if wrt is None else made.by(definition, wrt)
-        size = prod(made.shape)
-        key = made.name, made.key, tuple(made.accelerations), by
+    def _evaluated(self, made: Quantity, q: Any, t: Any, r: Any, p: Any, wrt: Any) -> np.ndarray:
+        """Evaluate what depends on no speeds."""
+        at = q, None, np.zeros(0), t
+        return evaluate(self._now(constants=p), made, at, r, p, wrt, self._values)
 
-        def kernel(model: CompiledModel) -> Kernel:
-            return model.compiled_by(key, lambda: made.program(definition, model, by, silent))
-
-        def look(state: At) -> None:
-            _warn_of_rest(state, kernel(state.model).program, left)
-
-        out = Function(
-            problem,
-            kernel,
-            lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
-            by,
-            more=at[2].shape[-1],
-            look=look if equations.constrained else None,
-            solve=all({*places} <= {*left[0]} for _, places in equations.residual_blocks),
-        )(t, x, r, p)
-        return out.reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
+    @property
+    def _values(self) -> Mapping[Any, float]:
+        """The method's values of constants that the motion does not depend on."""
+        values: Mapping[Any, float] = getattr(self._eom_method, "values", {})
+        return values
 
     def inverse_dynamics(
         self,
@@ -425,20 +105,8 @@ class Dynamics(Setup):
         >>> system.inverse_dynamics([1.0], [0.0], system.evaluate_ode([1.0, 0.0])[1:])
         array([0.])
         """
-        equations = self._equations
-        rates, given = _accelerations(a, equations)
-        speeds = _places_of(equations, at)
-        made = _required(equations, given, speeds)
-        try:
-            return self._evaluated(made, (q, v, rates, t), r, p, wrt)
-        except SingularMatrixError as error:
-            raise SingularMatrixError(
-                f"`at` and `a` leave what the constraints do open at t = {error.time!r}: there "
-                "they have no full rank in the other speeds. Give other speeds as `at`, and the "
-                "accelerations of all speeds.",
-                error.time,
-                error.state,
-            ) from None
+        problem = self._now(constants=p)
+        return inverse_dynamics(problem, (q, v, a, t), at, r, p, wrt, self._values)
 
     def mass_matrix(
         self, q: Any = None, t: Any = None, *, r: Any = None, p: Any = None, wrt: Any = None
@@ -464,14 +132,7 @@ class Dynamics(Setup):
         array([[ 2., -1.],
                [-1.,  1.]])
         """
-        equations = self._equations
-        n = len(equations.speeds)
-
-        def expressions(known: Known) -> Any:
-            return mass_matrix(bodies_of(equations), known) if equations.velocity else "matrix"
-
-        made = Quantity("mass matrix", (), (n, n), expressions)
-        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+        return self._evaluated(mass_matrix(self._equations), q, t, r, p, wrt)
 
     def bias(
         self,
@@ -503,9 +164,8 @@ class Dynamics(Setup):
         >>> multi_mass_spring_damper().bias([1.0], [2.0])  # k0*x0 + c0*v0
         array([3.])
         """
-        equations = self._equations
-        made = _required(equations, (), None, zero=True)
-        return self._evaluated(made, (q, v, np.zeros(0), t), r, p, wrt)
+        made, at = required_forces(self._equations, (), None, zero=True), (q, v, np.zeros(0), t)
+        return evaluate(self._now(constants=p), made, at, r, p, wrt, self._values)
 
     def gravity(
         self,
@@ -547,25 +207,7 @@ class Dynamics(Setup):
         >>> system.gravity({'q1': 0.5}).round(6)
         array([0.      , 4.794255])
         """
-        equations = self._equations
-        if acceleration is not None:
-            checked_vector(acceleration, "`acceleration`")
-        body = bodies_of(equations)
-
-        def expressions(known: Known) -> Any:
-            found = weights(body, known, acceleration)
-            if found is None:
-                raise ValueError(
-                    "The loads at the mass centres do not tell which way gravity pulls: no "
-                    "acceleration times the mass is among them for all bodies. Give it: "
-                    f"`acceleration=-g*{body.frame}.z`."
-                )
-            return found
-
-        fall = () if acceleration is None else tuple((*m, f) for m, f in acceleration.args)
-        rows = (f"the weight at {speed}" for speed in equations.speeds)
-        made = Quantity("gravity", fall, (len(equations.speeds),), expressions, rows)
-        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+        return self._evaluated(gravity(self._equations, acceleration), q, t, r, p, wrt)
 
     def frame_position(
         self,
@@ -601,17 +243,8 @@ class Dynamics(Setup):
         >>> system.frame_position(body, [2.0])
         array([2., 0., 0.])
         """
-        body = bodies_of(self._equations)
-        _, point = _place(self._equations, self._eom_method, where)
-        if point is None:
-            raise ValueError(f"`where` must have a point, got the frame {where}.")
-        origin = _origin(body, point)
-
-        rows = (f"the {axis} of {point}" for axis in "xyz")
-        made = Quantity(
-            "position", (point,), (3,), lambda known: position(body, known, point, origin), rows
-        )
-        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+        made = frame_position(self._equations, self._eom_method, where)
+        return self._evaluated(made, q, t, r, p, wrt)
 
     def frame_rotation(
         self,
@@ -636,13 +269,8 @@ class Dynamics(Setup):
         -------
         ndarray, shape (3, 3) or (m, 3, 3)
         """
-        body = bodies_of(self._equations)
-        frame, _ = _place(self._equations, self._eom_method, where)
-        if frame is None:
-            raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
-
-        made = Quantity("rotation", (frame,), (3, 3), lambda known: rotation(body, known, frame))
-        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+        made = frame_rotation(self._equations, self._eom_method, where)
+        return self._evaluated(made, q, t, r, p, wrt)
 
     def frame_jacobian(
         self,
@@ -681,16 +309,5 @@ class Dynamics(Setup):
                [0., 0.],
                [0., 0.]])
         """
-        body = bodies_of(self._equations)
-        frame, point = _place(self._equations, self._eom_method, where)
-        if point is not None:
-            _origin(body, point)
-        n = len(self._equations.speeds)
-        count = 3 * ((point is not None) + (frame is not None))
-        made = Quantity(
-            "frame Jacobian",
-            (point, frame),
-            (count, n),
-            lambda known: partial_velocities(body, known, point, frame),
-        )
-        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+        made = frame_jacobian(self._equations, self._eom_method, where)
+        return self._evaluated(made, q, t, r, p, wrt)

@@ -1,55 +1,19 @@
-"""Inertial parameters: what forces are linear in, and what a motion tells of them."""
+"""Inertial parameters of a System: what forces are linear in, and what a motion tells of them."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from sympy.physics.mechanics import RigidBody
 
-from pydy._mechanics.inverse import Known, parameters, regressor
-from pydy._mechanics.reader import Multibody
-from pydy._names import unique_names
-from pydy._rank import ROUNDED, equilibrated, independent_columns
-from pydy._system.dynamics import Dynamics, Quantity, all_accelerations, bodies_of
-
-_COMPONENTS = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz")
-_POWERS = np.array([0, 1, 1, 1, 2, 2, 2, 2, 2, 2])  # of length, in their units
-
-
-def _parameter_names(body: Multibody) -> list[str]:
-    return [
-        f"{component} of {name}"
-        for name, item in zip(unique_names(body.bodies), body.bodies, strict=True)
-        for component in (_COMPONENTS if isinstance(item, RigidBody) else _COMPONENTS[:1])
-    ]
-
-
-def _per_length(columns: np.ndarray, powers: np.ndarray) -> float:
-    """Return how much larger entries are of parameters with one more power of length."""
-    sizes = [np.abs(columns[:, powers == k]).max(axis=1, initial=0.0) for k in range(3)]
-    found = []
-    for i, j in ((0, 1), (1, 2), (0, 2)):
-        both = (sizes[i] > 0.0) & (sizes[j] > 0.0)
-        found.append((sizes[j][both] / sizes[i][both]) ** (1.0 / (j - i)))
-    ratios = np.concatenate(found)
-    return float(np.median(ratios)) if len(ratios) else 1.0
-
-
-class BaseParameters(NamedTuple):
-    """Combinations of inertial parameters that forces depend on; no other can be identified.
-
-    Attributes
-    ----------
-    places : list of int
-        Columns of the regressor that are independent.
-    matrix : ndarray, shape (b, k)
-        The base parameters are ``matrix @ parameters``, and the forces
-        ``regressor[..., places] @ (matrix @ parameters)``.
-    """
-
-    places: list[int]
-    matrix: np.ndarray
+from pydy._simulation.dynamics import all_accelerations, evaluate
+from pydy._simulation.inertial import (
+    BaseParameters,
+    base_parameters,
+    inertial_parameters,
+    regressor,
+)
+from pydy._system.dynamics import Dynamics
 
 
 class InertialParameters(Dynamics):
@@ -71,13 +35,9 @@ class InertialParameters(Dynamics):
             the inertia about that point in the axes of the body (kg m²). A Particle has its mass
             alone.
         """
-        body = bodies_of(self._equations)
-        names = _parameter_names(body)
-        made = Quantity(
-            "inertial parameters", (), (len(names),), lambda known: parameters(body, known), names
-        )
-        values = self._evaluated(made, (None, None, np.zeros(0), None), None, p, None)
-        return dict(zip(names, values.tolist(), strict=True))
+        made = inertial_parameters(self._equations)
+        values = self._evaluated(made, None, None, None, p, None)
+        return dict(zip(made.rows, values.tolist(), strict=True))
 
     def regressor(
         self,
@@ -119,21 +79,8 @@ class InertialParameters(Dynamics):
         >>> system.inertial_parameters()
         {'m of Pa0': 1.0, 'm of Pa1': 1.0}
         """
-        equations, body = self._equations, bodies_of(self._equations)
-        n, names = len(equations.speeds), _parameter_names(body)
-        rates = all_accelerations(a, equations)
-
-        def expressions(known: Known) -> Any:
-            found = regressor(body, known)
-            if found is None:
-                raise ValueError(
-                    "The loads at the mass centres do not tell which way gravity pulls, which the "
-                    "forces are linear in the masses with: write it as `-m*g*N.z` at each."
-                )
-            return found
-
-        made = Quantity("regressor", (), (n, len(names)), expressions, (), range(n))
-        return self._evaluated(made, (q, v, rates, t), r, p, None)
+        made, at = regressor(self._equations), (q, v, all_accelerations(a, self._equations), t)
+        return evaluate(self._now(constants=p), made, at, r, p, None, self._values)
 
     def base_parameters(
         self, q: Any, v: Any, a: Any, t: Any = None, *, r: Any = None, p: Any = None
@@ -159,21 +106,4 @@ class InertialParameters(Dynamics):
         >>> system.base_parameters(q, v, a).places
         [0, 1]
         """
-        columns = self.regressor(q, v, a, t, r=r, p=p)
-        columns = columns.reshape(-1, columns.shape[-1])
-        if not (finite := np.isfinite(columns).all(axis=1)).all():
-            sample = int(np.argmin(finite)) // len(self._equations.speeds)
-            raise ValueError(
-                "The regressor must be finite for all samples; it is not for "
-                f"{len(finite) - int(finite.sum())} of its rows, the first of them of sample "
-                f"{sample}. Leave out samples whose `q`, `v` or `a` is NaN or infinite."
-            )
-        powers = np.concatenate([_POWERS[: 10 if isinstance(item, RigidBody) else 1]
-                                 for item in bodies_of(self._equations).bodies])  # fmt: skip
-        lengths = _per_length(columns, powers) ** powers
-        scaled, _, units = equilibrated(columns / lengths, exact=True)
-        units = units / lengths
-        places = sorted(independent_columns(scaled))
-        matrix = np.linalg.lstsq(scaled[:, places], scaled, rcond=None)[0]
-        matrix[np.abs(matrix) <= ROUNDED] = 0.0
-        return BaseParameters(places, matrix * units[0, places, None] / units)
+        return base_parameters(self._equations, self.regressor(q, v, a, t, r=r, p=p))
