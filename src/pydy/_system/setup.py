@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from copy import copy
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
@@ -14,12 +13,12 @@ import sympy as sm
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import check_expressions
-from pydy._checks import Keyed, check_mapping, choice, flag, instance, merged, names_meant, shown
+from pydy._checks import Keyed, check_mapping, choice, instance, merged, names_meant, shown
 from pydy._errors import warn_user
 from pydy._html import html_table
 from pydy._mechanics.extract import extract, method_of
 from pydy._mechanics.implicit import Implicit
-from pydy._names import name_of, some, unique_names
+from pydy._names import name_of, some
 from pydy._simulation.definition import (
     DefinitionBuilder,
     SymbolSet,
@@ -28,67 +27,16 @@ from pydy._simulation.definition import (
     check_times,
 )
 from pydy._simulation.energy import EnergyModel, check_potential
+from pydy._simulation.generated import Generated, checked_options, generate
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy._simulation.model import Model, compile_definition
+from pydy._simulation.model import Model
 from pydy._simulation.problem import Problem, checked_plan, read_numbers
 from pydy._simulation.scipy_solvers import resolve_ode_solver
-from pydy.codegen.ode_function_generators import make_function
-from pydy.codegen.right_hand_side import RightHandSide
+from pydy._simulation.summary import shortened, summary
 from pydy.solvers.events import Event
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
-
-_ARGUMENTS = ("constants_arg_type", "specifieds_arg_type", "time_first")
-_REFUSED = {
-    "right_hand_side", "coordinates", "speeds", "constants", "mass_matrix",
-    "coordinate_derivatives", "outputs",
-}  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class Generated:
-    """The function generated for a definition, with its code."""
-
-    definition: Definition
-    code: CompiledModel
-    arguments: Mapping[str, Any]  # how the function reads r and p, and in which order
-    _functions: dict[bool, Any] = field(default_factory=dict)
-
-    def function(self, *, any_layout: bool) -> Any:
-        """Return the function that users call; made once for each way to take arrays."""
-        side = RightHandSide(self.code, any_layout=any_layout, **self.arguments)
-        if side.refuse_strided not in self._functions:
-            self._functions[side.refuse_strided] = make_function(side)
-        return self._functions[side.refuse_strided]
-
-
-def checked_options(options: dict[str, Any]) -> dict[str, Any]:
-    """Check the options of `System.generate_ode_function`; those set by the System are refused."""
-    if "specifieds" in options:
-        warn_user(
-            "`specifieds` is ignored by System.generate_ode_function: the System takes care of "
-            "them. Set `system.specifieds` for their values."
-        )
-        options = {k: v for k, v in options.items() if k != "specifieds"}
-    refused = sorted(_REFUSED & set(options))
-    if refused:
-        raise TypeError(
-            f"generate_ode_function() got `{refused[0]}`, which the System takes from its own "
-            "equations. Options are linear_sys_solver, constants_arg_type, "
-            "specifieds_arg_type, time_first, generator and those of the generator."
-        )
-    flag(options.get("time_first", False), "`time_first`")
-    return options
-
-
-def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]) -> Generated:
-    """Return a definition's code, by options of `generate_ode_function`, not compiled yet."""
-    arguments = {k: options[k] for k in _ARGUMENTS if k in options}
-    others = {k: v for k, v in options.items() if k not in _ARGUMENTS}
-    code = compile_definition(definition, eom_method, others)
-    return Generated(definition, code, arguments)
-
 
 _NAMES_OF_METHODS = dict.fromkeys(
     (
@@ -173,28 +121,14 @@ class Setup:
     def _facts(self) -> list[tuple[str, str]]:
         """Return the lines of a summary: titles and texts."""
         # The last definition that was sound: to print a System never fails.
-        definition, solver = self._define.latest, self.ode_solver
-        constants = merged({**self._implied, **self._constants})
-        equations, t = definition.equations, self._times
-        inside = {n for s in definition.constants for n in (s, name_of(s))}
-        of_events = self._define.of_events
-        more = {name_of(s): s for s in (*of_events, *constants) if s not in inside}
-        method = type(self._eom_method).__name__
-        lines = [
-            ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
-             f"{len(equations.speeds)} speeds"),
-            ("states", _values(definition.states, merged(self._initial_conditions), "0.0")),
-            ("constants", _values(definition.constants, constants, "1.0")),
-            ("elsewhere", _values([*more.values()], constants, "1.0")),
-            ("specifieds", _values(definition.specifieds, _flat(self._specifieds), "0.0")),
-            ("constraints", _counts(equations)),
-            ("outputs", some([name_of(s) for s in definition.outputs_symbols])),
-            ("times", f"{t[0]:g} to {t[-1]:g}, {len(t)} of them" if len(t) else "none"),
-            ("solver", str(getattr(solver, "name", getattr(solver, "__name__", solver)))),
-        ]  # fmt: skip
-        if any(" = (" in text for _, text in lines):
-            lines.append(("", "(in parentheses: defaults)"))
-        return [(title, text) for title, text in lines if text]
+        values = {
+            "initial_conditions": self._initial_conditions,
+            "constants": {**self._implied, **self._constants},
+            "specifieds": self._specifieds,
+        }
+        method, of_events = type(self._eom_method).__name__, self._define.of_events
+        definition = self._define.latest
+        return summary(definition, method, self.ode_solver, self._times, values, of_events)
 
     @property
     def _definition(self) -> Definition:
@@ -523,7 +457,7 @@ class Setup:
             and key not in known
         }
         if dropped:
-            lost = some([f"{name_of(key)} = {_short(value)}" for key, value in dropped.items()])
+            lost = some([f"{name_of(key)} = {shortened(value)}" for key, value in dropped.items()])
             warn_user(
                 f"`{argument}` was assigned without {lost}: an assignment replaces all values, and "
                 f"what is not in it is {default} again. To change some and leave the others, write "
@@ -650,49 +584,3 @@ class Setup:
         function = made.function(any_layout=self._ode_solver is not None)
         self._options, self._generated = kwargs, [made]
         return function
-
-
-def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
-    """Return the value of each specified, given in either format."""
-    if isinstance(specifieds.get("symbols"), (tuple, list)):
-        specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
-    given: dict[Any, Any] = {}
-    for key, value in merged(specifieds).items():
-        several = isinstance(key, tuple)
-        if several and isinstance(value, (list, tuple, np.ndarray)) and len(value) == len(key):
-            given.update(zip(key, value, strict=True))
-        else:
-            given.update(dict.fromkeys(key if several else (key,), value))
-    return given
-
-
-def _values(symbols: Sequence[Any], given: Mapping[Any, Any], default: str) -> str:
-    """Return names with values; defaults stand in parentheses."""
-
-    def value_of(symbol: Any) -> Any:
-        return given.get(symbol, given.get(name_of(symbol), given.get(str(symbol))))
-
-    texts = []
-    for symbol, name in zip(symbols, unique_names(symbols), strict=True):
-        value = value_of(symbol)
-        text = f"({default})" if value is None else _short(value)
-        if value is None and isinstance(symbol, sm.Derivative):
-            motion = value_of(symbol.expr)
-            if getattr(motion, "free_symbols", None):
-                text = f"(from the expression for {name_of(symbol.expr)})"
-        texts.append(f"{name} = {text}")
-    return some(texts)
-
-
-def _short(value: Any) -> str:
-    if callable(value) and not hasattr(value, "free_symbols"):
-        return f"{getattr(value, '__name__', type(value).__name__)}(x, t)"
-    if isinstance(value, (int, float, np.number)):
-        return f"{float(value):g}"
-    text = str(value).replace("\n", " ")
-    return text if len(text) <= 40 else text[:37] + "..."
-
-
-def _counts(equations: Any) -> str:
-    counts = {kind: len(getattr(equations, kind)) for kind in ("holonomic", "nonholonomic")}
-    return ", ".join(f"{number} {kind}" for kind, number in counts.items() if number)

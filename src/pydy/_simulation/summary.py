@@ -1,0 +1,93 @@
+"""What a System says of itself where it is printed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly.definition import Definition
+from pydy._checks import merged
+from pydy._names import name_of, some, unique_names
+
+
+def summary(
+    definition: Definition,
+    method: str,
+    solver: Any,
+    times: np.ndarray,
+    values: Mapping[str, Mapping[Any, Any]],
+    of_events: Iterable[Any],
+) -> list[tuple[str, str]]:
+    """Return the lines of a summary, titles and texts, of what the user set.
+
+    The `values` are those of the initial conditions, constants and specifieds; constants may be
+    those of events too.
+    """
+    constants = merged(values["constants"])
+    equations, t = definition.equations, times
+    inside = {n for s in definition.constants for n in (s, name_of(s))}
+    more = {name_of(s): s for s in (*of_events, *constants) if s not in inside}
+    lines = [
+        ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
+         f"{len(equations.speeds)} speeds"),
+        ("states", _values(definition.states, merged(values["initial_conditions"]), "0.0")),
+        ("constants", _values(definition.constants, constants, "1.0")),
+        ("elsewhere", _values([*more.values()], constants, "1.0")),
+        ("specifieds", _values(definition.specifieds, _flat(values["specifieds"]), "0.0")),
+        ("constraints", _counts(equations)),
+        ("outputs", some([name_of(s) for s in definition.outputs_symbols])),
+        ("times", f"{t[0]:g} to {t[-1]:g}, {len(t)} of them" if len(t) else "none"),
+        ("solver", str(getattr(solver, "name", getattr(solver, "__name__", solver)))),
+    ]  # fmt: skip
+    if any(" = (" in text for _, text in lines):
+        lines.append(("", "(in parentheses: defaults)"))
+    return [(title, text) for title, text in lines if text]
+
+
+def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
+    """Return the value of each specified, given in either format."""
+    if isinstance(specifieds.get("symbols"), (tuple, list)):
+        specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
+    given: dict[Any, Any] = {}
+    for key, value in merged(specifieds).items():
+        several = isinstance(key, tuple)
+        if several and isinstance(value, (list, tuple, np.ndarray)) and len(value) == len(key):
+            given.update(zip(key, value, strict=True))
+        else:
+            given.update(dict.fromkeys(key if several else (key,), value))
+    return given
+
+
+def _values(symbols: Sequence[Any], given: Mapping[Any, Any], default: str) -> str:
+    """Return names with values; defaults stand in parentheses."""
+
+    def value_of(symbol: Any) -> Any:
+        return given.get(symbol, given.get(name_of(symbol), given.get(str(symbol))))
+
+    texts = []
+    for symbol, name in zip(symbols, unique_names(symbols), strict=True):
+        value = value_of(symbol)
+        text = f"({default})" if value is None else shortened(value)
+        if value is None and isinstance(symbol, sm.Derivative):
+            motion = value_of(symbol.expr)
+            if getattr(motion, "free_symbols", None):
+                text = f"(from the expression for {name_of(symbol.expr)})"
+        texts.append(f"{name} = {text}")
+    return some(texts)
+
+
+def shortened(value: Any) -> str:
+    if callable(value) and not hasattr(value, "free_symbols"):
+        return f"{getattr(value, '__name__', type(value).__name__)}(x, t)"
+    if isinstance(value, (int, float, np.number)):
+        return f"{float(value):g}"
+    text = str(value).replace("\n", " ")
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def _counts(equations: Any) -> str:
+    counts = {kind: len(getattr(equations, kind)) for kind in ("holonomic", "nonholonomic")}
+    return ", ".join(f"{number} {kind}" for kind, number in counts.items() if number)
