@@ -9,7 +9,7 @@ from typing import Any
 from pydy._simulation.problem import Problem
 from pydy._system.setup import Setup
 from pydy.analysis.fits.fit import fit
-from pydy.analysis.fits.problem import Model
+from pydy.analysis.fits.problem import FittedSystem
 from pydy.analysis.fits.result import FitResult
 from pydy.analysis.fits.trial import Trial
 
@@ -134,7 +134,7 @@ class Fitting(Setup):
             return twin._now(events, contacts=contacts)
 
         return fit(
-            Model(settings, tried, self.ode_solver, contacts),
+            FittedSystem(settings, tried, self.ode_solver, contacts),
             parameters,
             trials,
             bounds=bounds,

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import choice, flag, listed, shown, whole
-from pydy.analysis.fits.problem import FitProblem, Model
+from pydy.analysis.fits.problem import FitProblem, FittedSystem
 from pydy.analysis.fits.result import FitResult, result_of
 from pydy.analysis.fits.shooting import Shooting
 from pydy.analysis.fits.trial import Trial
 
 
 def fit(
-    model: Model,
+    model: FittedSystem,
     parameters: Any,
     trials: Any,
     *,

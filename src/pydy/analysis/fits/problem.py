@@ -33,7 +33,7 @@ Numbers = dict[Any, Any]
 
 
 @dataclass(frozen=True, eq=False)
-class Model:
+class FittedSystem:
     """A System as a fit takes it."""
 
     # The Problem of the System, with the constants that events and the keys of a dictionary bring.
@@ -47,7 +47,7 @@ class Model:
 class FitProblem:
     """The parameters, the samples, and what is known beside them."""
 
-    def __init__(self, model: Model, parameters: Any, trials: Sequence[Any], events: Any) -> None:
+    def __init__(self, model: FittedSystem, parameters: Any, trials: Sequence[Any], events: Any) -> None:
         self.model, self._events = model, events
         keys = one_or_more("parameters", parameters, hashable=True)
         constants: Numbers = dict.fromkeys(keys)
