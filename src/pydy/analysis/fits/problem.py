@@ -47,7 +47,9 @@ class FittedSystem:
 class FitProblem:
     """The parameters, the samples, and what is known beside them."""
 
-    def __init__(self, model: FittedSystem, parameters: Any, trials: Sequence[Any], events: Any) -> None:
+    def __init__(
+        self, model: FittedSystem, parameters: Any, trials: Sequence[Any], events: Any
+    ) -> None:
         self.model, self._events = model, events
         keys = one_or_more("parameters", parameters, hashable=True)
         constants: Numbers = dict.fromkeys(keys)
