@@ -85,7 +85,8 @@ def test_every_option_of_steps_is_read_by_ensembles():
     lacking = [n for n in StepOptions.__annotations__ if not re.search(rf"\.{n}\b", text)]
     assert not lacking, (
         f"ensembles ignore the options {lacking}: read them in src/pydy/solvers/run/lanes.py, or "
-        "refuse them in `_read` of src/pydy/_system/ensembles.py and keep them out of `StepOptions`"
+        "refuse them in `_read` of src/pydy/ensemble/integration.py and keep them out of "
+        "`StepOptions`"
     )
 
 

@@ -143,8 +143,8 @@ def construct():
         (integrate, 30, 14),
         (simulate, 104, 28),
         (with_contacts, 144, 33),
-        (ensemble, 92, 24),
-        (stiff_ensemble, 97, 24),
+        (ensemble, 97, 27),
+        (stiff_ensemble, 102, 27),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from operator import attrgetter
@@ -193,6 +193,19 @@ class Hybrid(Protocol):
 
     def integrate(self, problem: Problem, times: np.ndarray, **options: Any) -> Any:
         """Return the Motion from a Problem's state on, in its modes if it has any."""
+
+    def motions(
+        self,
+        problem: Problem,
+        solver: Any,
+        specifieds: Mapping[Any, Any],
+        columns: Sequence[int],
+        options: Mapping[str, Any],
+    ) -> Any:
+        """Return the motions of the samples of an ensemble; see `pydy.ensemble.model.Motions`.
+
+        The `specifieds` are those of all samples, `columns` the places of those that vary.
+        """
 
 
 _REPLACED = frozenset(("t", "x", "p", "times", "contradicted", "modes"))

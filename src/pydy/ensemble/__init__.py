@@ -1,5 +1,6 @@
 """Many trajectories of one model: the implementation of `System.integrate_ensemble`.
 
-This package is independent of System: a `Model` of Programs, names and options, `Samples` of
-numbers, and an engine that runs them in blocks, in threads or as Dask tasks.
+`integration` makes a `Model` of Programs, names and options, and `Samples` of numbers, from a
+Problem and what varies; an engine runs them in blocks, in threads or as Dask tasks. Workers need
+these alone, without SymPy.
 """

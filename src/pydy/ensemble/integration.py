@@ -1,0 +1,264 @@
+"""Integrate a Problem with many different numbers; see `System.integrate_ensemble`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._checks import flag, shown, whole
+from pydy._dataset import SENSITIVITY
+from pydy._names import column_names
+from pydy._simulation.constraint_drift import check_samples, drift_programs
+from pydy._simulation.definition import check_times, refuse_descending
+from pydy._simulation.discontinuities import watched
+from pydy._simulation.events_and_constraints import ConstraintNames, with_residuals_held
+from pydy._simulation.preparation import PreparedIntegration
+from pydy._simulation.problem import At, Problem, check_specifieds
+from pydy._simulation.sensitivities import AugmentedSystem, changed_by, program_of_event
+from pydy._version import __version__
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.ensemble.engine import Ensemble
+from pydy.ensemble.model import EnsembleSensitivities, Kept, Model
+from pydy.ensemble.names import ResultNames
+from pydy.ensemble.samples import PARAMETER, QUANTITY
+from pydy.ensemble.variations import read_samples, split_specifieds
+from pydy.ensemble.work import Work, read_reductions
+from pydy.solvers.options import Options, read_options
+from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers.tuning import LANES
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+_ABOUT_MODES = frozenset(("events", "constraints", "gain"))
+
+
+def integrate_ensemble(
+    problem: Problem,
+    *,
+    initial_conditions: Mapping[Any, Any] | None = None,
+    constants: Mapping[Any, Any] | None = None,
+    specifieds: Mapping[Any, Any] | None = None,
+    times: ArrayLike | None = None,
+    solver: Any,
+    product: bool = False,
+    sensitivities: Any = None,
+    control_sensitivities: Any = False,
+    reduce: Any = None,
+    chunks: Any = None,
+    store: Any = None,
+    resume: bool | str = False,
+    workers: int | None = None,
+    progress: bool = False,
+    units: Mapping[Any, str] | None = None,
+    options: dict[str, Any],
+) -> Any:
+    """Integrate a Problem with many different numbers; see `System.integrate_ensemble`.
+
+    What is not varied is as in the Problem. The symbols of `events` are constants of it already.
+    """
+    product, progress = flag(product, "`product`"), flag(progress, "`progress`")
+    control = flag(control_sensitivities, "`control_sensitivities`")
+    if not (isinstance(resume, str) and resume):
+        resume = flag(resume, "`resume`, unless it is a name for functions,")
+    varied, common = split_specifieds(specifieds)
+    plan = _plan_of(problem, varied, common)
+    times = _checked_times(problem, plan, times)
+    solver = _native(solver)
+    workers = None if workers is None else whole(workers, "`workers`")
+    definition, motions = problem.definition, None
+    if problem.hybrid is not None:
+        columns = definition.places["specifieds"].columns(varied, "specifieds").tolist()
+        wanted = {"sensitivities": sensitivities, "control_sensitivities": control}
+        motions = problem.hybrid.motions(problem, solver, common, columns, {**options, **wanted})
+        more = (SENSITIVITY, QUANTITY, PARAMETER) if motions.columns else ()
+        names = ResultNames(definition, more, motions.outputs)
+    else:
+        names = ResultNames.latest(problem, sensitivities is not None)
+    samples = read_samples(problem, plan, names, product, initial_conditions, constants, varied)
+    if definition.equations.implicit is not None:
+        options = with_residuals_held(definition, solver, options)
+    constraints, code = None, problem.model.code
+    if definition.equations.constrained or sensitivities is not None:
+        code = problem.model.with_compiled_inputs(plan)
+
+    def at(t: np.ndarray, x: np.ndarray) -> At:
+        return At(definition, code, t, x, plan.rows(x, t), problem.p)
+
+    if definition.equations.constrained:
+        mended = options.get("constraints") is not None
+        check_samples(at, float(times[0]), (samples.x, samples.r, samples.p), samples.shape, mended)
+        if motions is None:
+            constraints = _constraint_checks(problem, code, plan, options)
+    if motions is not None:  # it has the events, and satisfies the constraints
+        options = {k: v for k, v in options.items() if k not in _ABOUT_MODES}
+    ready: PreparedIntegration | None = problem.model.code.latest.get("ensemble")
+    if ready is None or not ready.is_compatible(plan, solver, options):
+        ready = PreparedIntegration(problem.model, plan, solver, options)
+    compiled, derivatives = ready.options, None
+    if sensitivities is not None and motions is None:
+        augmented = AugmentedSystem.of(problem, ready.code, plan, sensitivities)
+        controlled = augmented.controlled(control)
+        compiled = augmented.stepped(solver, compiled, problem.x, times, controlled)
+        derivatives = ensemble_sensitivities(
+            at(times[:1], problem.x[None]), augmented, compiled, control
+        )
+        if "events" in compiled:  # workers need no SymPy
+            compiled = {**compiled, "events": replace(compiled["events"], sources=())}
+    read = ready.read
+    if read is None or derivatives is not None:
+        read = _read(definition, solver, compiled)
+    if derivatives is None:
+        ready.read, problem.model.code.latest["ensemble"] = read, ready
+    source = motions or derivatives
+    model = Model(
+        rates=ready.code.program("rates"),
+        outputs=ready.code.program("outputs") if definition.outputs_symbols else None,
+        states=names.states,
+        output_names=names.outputs,
+        method=solver.name,
+        options=read,
+        times=times,
+        sampled=plan.sampled,
+        functions=tuple((columns, function) for columns, function, _ in plan.functions),
+        jacobian=ready.code.jacobian_in_parts("rates", "x") if solver.name == "radau" else None,
+        sensitivities=derivatives,
+        kept=constraints,
+        motions=motions,
+        columns=source.columns if source else (),
+    )
+    work = Work(
+        model,
+        read_reductions(reduce, model, names.name),
+        names.attributes if units is None else names.described(units),
+        assumed=definition.assumptions.get("states"),
+        contradicted=problem.contradicted,
+    )
+    ensemble = Ensemble(work, samples, chunks, _attributes(model), workers, progress)
+    if store is not None:
+        return ensemble.into(store, resume)
+    if resume:
+        raise ValueError("`resume=True` needs `store`, the Zarr store to resume.")
+    return ensemble.run() if chunks is None else ensemble.lazy()
+
+
+def _plan_of(problem: Problem, varied: Iterable[Any], common: Mapping[Any, Any]) -> SpecifiedsPlan:
+    """Return how r is computed, with the specifieds of all samples; the varied ones are zero."""
+    plan = problem.plan
+    for values in filter(None, (common, dict.fromkeys(varied, 0.0))):
+        places = problem.definition.places["specifieds"]
+        update = SpecifiedsPlan(values, places, argument="specifieds")
+        if values is common:
+            check_specifieds(problem.definition, update, problem.contradicted)
+        plan = plan.updated(update)
+    return plan
+
+
+def _checked_times(problem: Problem, plan: SpecifiedsPlan, times: Any) -> np.ndarray:
+    """Return the times, by default those of the Problem."""
+    checked = problem.checked_times(problem.times) if times is None else check_times(times)
+    if checked.size and checked[-1] < checked[0]:
+        refuse_descending(checked, "ensembles integrate forward only")
+    if len(checked) < 2:
+        raise ValueError(
+            f"`times` must have at least two values, got {len(checked)}. Pass `times` or set "
+            "`system.times`."
+        )
+    plan.check_times(checked, "times")
+    return checked
+
+
+def _native(solver: Any) -> Solver:
+    """Return a native solver, by itself or by name."""
+    native = SOLVERS.get(solver) if isinstance(solver, str) else solver
+    if not isinstance(native, Solver) or native.name not in SOLVERS:
+        raise ValueError(
+            f"`ode_solver` must be a native solver, one of {', '.join(map(repr, SOLVERS))}, got "
+            f"{shown(solver)}. For another one, integrate in a loop."
+        )
+    return native
+
+
+def _constraint_checks(
+    problem: Problem, code: CompiledModel, plan: SpecifiedsPlan, options: Mapping[str, Any]
+) -> Kept:
+    """Return the checks of whether motions satisfy the constraints and conserve energy."""
+    equations = problem.definition.equations
+    return Kept(
+        drift_programs(problem, code, plan),
+        any(equations.left_out),
+        equations.beyond_projection,
+        options.get("constraints") is not None,
+        ConstraintNames(equations) if "events" in options else (),
+    )
+
+
+def _read(definition: Definition, solver: Solver, options: Mapping[str, Any]) -> Options:
+    """Return the options of a solver, of which some are compiled."""
+    numbers = {k: v for k, v in options.items() if k not in ("events", "constraints")}
+    read = vars(read_options(solver.name, solver.adaptive, numbers))
+    compiled = {k: v for k, v in options.items() if k not in numbers}
+    result = Options(**{**read, **compiled, "full_output": True})
+    n, least = len(definition.states), 10.0 * np.finfo(float).eps
+    for name in ("rtol", "atol"):
+        if np.shape(getattr(result, name)) not in ((), (n,)):
+            raise ValueError(
+                f"`{name}` must be a number or have the shape ({n},), got "
+                f"{np.shape(getattr(result, name))}."
+            )
+    if result.step is None and (np.maximum(result.rtol, result.atol) < least).any():
+        raise ValueError(
+            f"`rtol` or `atol` must be at least {least:.1e}, ten times the rounding unit, got "
+            f"rtol = {result.rtol} and atol = {result.atol}."
+        )
+    return result
+
+
+def _attributes(model: Model) -> dict[str, Any]:
+    """Return the attributes of the Dataset: how its numbers were computed."""
+    return {
+        "ode_solver": model.method,
+        "lanes": LANES if model.in_lanes else 1,
+        "rtol": np.asarray(model.options.rtol).tolist(),
+        "atol": np.asarray(model.options.atol).tolist(),
+        "pydy_version": __version__,
+    }
+
+
+def ensemble_sensitivities(
+    at: At, sensitive: AugmentedSystem, options: Mapping[str, Any], control: bool
+) -> EnsembleSensitivities:
+    """Return the sensitivities of an ensemble as Programs and numbers."""
+    watch = watched(at, sensitive)
+    if watch is not None:
+        assembly = at.model.assembly.fork()
+        watch = replace(watch, nodes=assembly.lowered(watch.nodes(assembly), as_is=True))
+    model, definition = sensitive.model, sensitive.definition
+    tied, wanted = sensitive.tied, sensitive.columns.wanted
+    events = options.get("events")
+    return EnsembleSensitivities(
+        columns=column_names({p.symbol: p.count for p in sensitive.parameters}),
+        rates=sensitive.tangent(),
+        outputs=sensitive.written_out("outputs") if definition.outputs_symbols else None,
+        start=sensitive.independent(),
+        dependent=sensitive.dependent,
+        gradients=tuple(model.jacobian_program(block, "x") for block in tied),
+        unknowns=tuple(sensitive.unknowns),
+        residuals=sensitive.tangent("holonomic", "velocity") if tied else None,
+        held=sensitive.whole.tangent("holonomic", "velocity") if tied else None,
+        unsolved=sensitive.unsolved(),
+        sampled=tuple(sensitive.weights()),
+        sized=sensitive.sized(options),
+        controlled=sensitive.controlled(control),
+        sources=sensitive.columns.sources,
+        jumps=tuple(
+            (program_of_event(model, event, wanted), changed_by(event, definition.states))
+            for event in (() if events is None else events.sources)
+        ),
+        watched=watch,
+    )

@@ -1,0 +1,87 @@
+"""What quantities are called in the results of an ensemble."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from pydy._assembly.definition import Definition
+from pydy._checks import Places, check_mapping, refuse_twice, text
+from pydy._dataset import SENSITIVITY
+from pydy._names import latex_of, name_of, some, unique_names
+from pydy._simulation.problem import Problem
+from pydy.ensemble.samples import PARAMETER, QUANTITY
+from pydy.ensemble.work import COUNTS
+
+
+class ResultNames:
+    """The names of a definition's states, outputs and constants in results.
+
+    A result holds some names beside states, outputs and `COUNTS`: `more`.
+    """
+
+    def __init__(
+        self, definition: Definition, more: Iterable[str], outputs: Iterable[Any] | None = None
+    ) -> None:
+        equations, n = definition.equations, len(definition.states)
+        outputs = definition.outputs_symbols if outputs is None else outputs
+        variables = (*definition.states, *outputs)
+        self._places = Places(variables, "states and outputs of the system")
+        names = unique_names(variables)
+        self._name_of = dict(zip(variables, names, strict=True))
+        self.states, self.outputs = names[:n], names[n:]
+        self.taken = {*names}  # that variables of the result have
+        for name in ("time", "occurrence", *COUNTS, *more):
+            if name in self.taken:
+                raise ValueError(
+                    f"The result of an ensemble has a variable or dimension `{name}` of its own, "
+                    "but that is the name of a state or output too. Rename that."
+                )
+            self.taken.add(name)
+        # The names of coordinates; of a constant, also their attributes.
+        self.labels = {s: f"initial_{self._name_of[s]}" for s in definition.states}
+        self.labels |= {s: f"{v} (state)" for s, v in self.labels.items() if v in self.taken}
+        others = (*definition.constants, *definition.specifieds)
+        for s, name in zip(others, unique_names(others), strict=True):
+            self.labels[s] = f"{name} (constant)" if name in self.taken else name
+        self.constants = tuple(
+            (self.labels[s], {"role": "constant", "latex": latex_of(s)})
+            for s in definition.constants
+        )
+        roles = {**dict.fromkeys(equations.coordinates, "coordinate")}
+        roles |= dict.fromkeys(equations.speeds, "speed")
+        roles |= dict.fromkeys(definition.auxiliaries, "auxiliary")
+        self.attributes = {
+            name: {"role": roles.get(s, "output"), "latex": latex_of(s)}
+            for s, name in self._name_of.items()
+        }
+
+    @staticmethod
+    def latest(problem: Problem, sensitive: bool) -> ResultNames:
+        """Return those of a model, made once."""
+        key = "names beside sensitivities" if sensitive else "names"
+        more = (SENSITIVITY, QUANTITY, PARAMETER) if sensitive else ()
+        names: ResultNames | None = problem.model.code.latest.get(key)
+        if names is None:
+            names = problem.model.code.latest[key] = ResultNames(problem.definition, more)
+        return names
+
+    def name(self, key: Any) -> str:
+        """Return the name of a state or output, of which it may be the symbol."""
+        symbol = self._places.meaning(key, "reduce")
+        return self._name_of[symbol] if symbol in self._name_of else name_of(key)
+
+    def described(self, units: Mapping[Any, str]) -> dict[str, dict[str, Any]]:
+        """Return the attributes of variables, with their units."""
+        result = {name: dict(attributes) for name, attributes in self.attributes.items()}
+        units = check_mapping("units", units)
+        names = [self.name(key) for key in units]
+        refuse_twice(names, "units")
+        for name, (key, unit) in zip(names, units.items(), strict=True):
+            if name not in result:
+                raise ValueError(
+                    f"`units` has the key `{key}`, which is neither a state nor an output: "
+                    f"{some(result)}."
+                )
+            result[name]["units"] = text(unit, f"`units[{key}]`")
+        return result
