@@ -8,10 +8,10 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from layers.libraries import Jax, Torch
-from pydy._system.layers import _Frozen
 from pydy.contact import Contacts
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
+from pydy.layers import motions
 from pydy.layers.layer import Part
 from pydy.mechanics import Definition, Implicit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -149,9 +149,9 @@ def test_the_gradient_along_the_motion_is_that_of_the_sensitivities(library):
 def test_many_samples_are_one_ensemble(library, monkeypatch):
     system, calls = pendulum(), []
     layer = library.layer(system, **TIGHT)
-    ensemble = System.integrate_ensemble
+    ensemble = motions.integrate_ensemble
     monkeypatch.setattr(
-        System, "integrate_ensemble", lambda *a, **k: calls.append(k) or ensemble(*a, **k)
+        motions, "integrate_ensemble", lambda *a, **k: calls.append(k) or ensemble(*a, **k)
     )
     masses = np.array([0.5, 0.7, 0.9])
 
@@ -328,6 +328,25 @@ def test_an_input_that_was_a_function_may_be_given(library):
     close(layer.final(r=library.array([2.0, 3.0])), expected[-1], 1e-6)
 
 
+def test_a_number_replaces_an_expression_with_constants_of_its_own(library):
+    system, stiffness = pendulum(), sm.Symbol("stiffness")
+    (force,) = system.specifieds_symbols
+    system.specifieds = {force: -stiffness * system.coordinates[0]}
+    system.constants["stiffness"] = 3.0
+    layer = library.layer(system, **TIGHT)
+    p = {"stiffness": library.array(2.0)}  # an argument still, without an effect
+    states = [np.asarray(layer.simulate(r={"F": 0.5}, p=p)),
+              np.asarray(layer.simulate(r=library.array([0.5])))]  # fmt: skip
+    sum_of_last = library.grad(lambda p: layer.final(r={"F": 0.5}, p={"stiffness": p}).sum(),
+                               library.array(2.0))  # fmt: skip
+    assert sum_of_last == 0.0
+    del system.constants["stiffness"]
+    system.specifieds = {force: 0.5}
+    expected = system.simulate(**TIGHT).states
+    for found in states:
+        close(found, expected, 1e-9)
+
+
 def test_bad_arguments_are_named(library):
     system = pendulum()
     layer = library.layer(system)
@@ -450,6 +469,10 @@ def test_what_residuals_give_is_no_longer_that_of_before(library):
             layer.ode(**given)
     close(layer.ode(p={"k": two}), [0.0, 0.0, -2.0])  # z = 1 depends on x and c
     close(layer.ode(library.array([8.0, 2.0, 0.0]), p={"c": two})[2], -2.0)
+    several = {"c": library.array([1.1, 1.155, 1.21])}
+    before = np.asarray(layer.final(p=several))
+    layer.final(p={"c": library.array(1.1)})  # leaves no unknowns that another call begins with
+    assert (np.asarray(layer.final(p=several)) == before).all()
 
 
 def test_the_way_back_tells_of_jumps_that_derivatives_miss():
@@ -459,7 +482,8 @@ def test_the_way_back_tells_of_jumps_that_derivatives_miss():
     loads = [(point, -force * sm.sign(x) * frame.x)]
     definition = Definition(frame, [x], bodies=[me.Particle("b", point, 1)], loads=loads)
     system = System(definition, {force: 1.0}, initial_conditions={x: 1.0}, times=[0.0, 2.0])
-    function = _Frozen(system, None, {}).function("final", (Part("p", (0,), (1,), False),))
+    functions = system._layer_functions(None, {})
+    function = functions.function("final", (Part("p", (0,), (1,), False),))
     with pytest.warns(PyDyUserWarning, match="the load on .* jumps by 2,"):
         function.backward((0,), (np.ones(1),), np.ones(2))
 
@@ -488,6 +512,21 @@ def test_motions_with_contacts_and_their_derivatives(library):
     close(library.grad(from_above, library.array(1.0)), by_height, 1e-8)
     above, below = (float(from_above(library.array(h))) for h in (1.0 + 1e-4, 1.0 - 1e-4))
     close(by_height, (above - below) / 2e-4, 1e-6)
+
+
+def test_a_layer_with_contacts_is_of_the_system_as_it_was(library):
+    system, floor = ball(restitution=e)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 0.7, num=8)
+    contacts = Contacts(system, [floor], {e: 0.8})
+    layer = library.layer(system, contacts=contacts, **TIGHT)
+    before = contacts.simulate(**TIGHT).states
+    system.outputs = {"twice": 2 * y}
+    system.constants[e] = 0.5
+    system.initial_conditions = {y: 2.0}
+    close(layer.simulate(), before, 0.0)
+    several = layer.simulate(p={"e": library.array([0.8, 0.8])})
+    close(several, [before, before], 0.0)
+    assert contacts.simulate(**TIGHT)["twice"][0] == 4.0
 
 
 def test_contacts_of_a_layer_are_those_of_its_system(library):

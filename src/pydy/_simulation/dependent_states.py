@@ -6,6 +6,7 @@ Their derivatives with respect to parameters are computed in `dependence`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -276,6 +277,19 @@ def solve_dependents(
     if met:
         _warn_of_changes(problem.definition, given, x)
     return x
+
+
+def with_dependents(problem: Problem, symbols: Sequence[Any]) -> Problem:
+    """Return a Problem in which the initial conditions of some symbols follow from the others.
+
+    Its dictionary of initial conditions has symbols for keys.
+    """
+    states = problem.definition.states
+    places = check_dependents(problem.definition, symbols)
+    x = solve_dependents(problem, places, {}, False, {})
+    solved = {states[k]: float(x[k]) for part in places for k in part}
+    initial = {**problem.user["initial_conditions"], **solved}
+    return replace(problem, user={**problem.user, "initial_conditions": initial})
 
 
 def consistent(problem: Problem) -> Problem:

@@ -53,9 +53,6 @@ _NAMES_OF_METHODS = dict.fromkeys(
 class Setup:
     """The state of a System, checked when set and when used: it may be edited in place."""
 
-    # Whether numbers are tried, as in a fit, whose outputs and assumptions need not be sound.
-    _searching = False
-
     @names_meant("System", _NAMES_OF_METHODS)
     def __init__(
         self,
@@ -91,7 +88,7 @@ class Setup:
         self._dependent: dict[Any, float] | None = None  # initial conditions solved for last
         self._told: set[Any] = set()  # derivatives of specifieds that were warned of
         # Symbols of which the user knows that values contradict their assumptions; None where
-        # that is not judged.
+        # that is not judged, as in a fit, which only tries numbers.
         self._contradicted: set[str] | None = set()
         self._outputs: dict[Any, Any] = {}
         self._forces: list[Any] = []
@@ -186,15 +183,13 @@ class Setup:
             Model(made.definition, made.code, self._energies, self._told),
             user,
             self._times,
-            None if self._searching else self._contradicted,
+            self._contradicted,
             solved,
             contacts,
         )
 
     def _told_again(self, definition: Definition, what: str) -> set[str] | None:
         """Forget that values of a kind contradict assumptions; return what remains told."""
-        if self._searching:
-            return None
         if self._contradicted and (assumed := definition.assumptions.get(what)) is not None:
             self._contradicted -= {assumed.names[k] for k in assumed.columns}
         return self._contradicted
@@ -446,7 +441,7 @@ class Setup:
         self, argument: str, before: Mapping[Any, Any], values: Mapping[Any, Any], default: float
     ) -> None:
         """Warn of values that an assignment sets back to the default; an empty one says so."""
-        if self._contradicted is None or self._searching or before is values:
+        if self._contradicted is None or before is values:
             return
         known = Keyed({**values})
         dropped = {

@@ -227,8 +227,8 @@ class Simulation(Setup):
         trajectory = simulate(
             problem, self._times, solver=self.ode_solver, sensitivities=wanted, **solver_kwargs
         ).trajectory
-        if not (self._searching or np.isfinite(trajectory.outputs).all()):
+        if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, problem)
-        if wanted is not None and not self._searching:
+        if wanted is not None:
             warn_of_jumps(problem, lambda: trajectory, wanted.sensitive)
         return trajectory

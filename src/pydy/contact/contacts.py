@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from copy import copy
 from dataclasses import replace
 from typing import Any, cast
 
@@ -243,9 +242,9 @@ class Contacts:
             **solver_kwargs,
         )
         trajectory = cast(ContactTrajectory, motion.trajectory)
-        if not (self.system._searching or np.isfinite(trajectory.outputs).all()):
+        if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, problem)
-        if wanted is not None and not self.system._searching:
+        if wanted is not None:
             warn_of_jumps(problem, lambda: trajectory, wanted.sensitive)
         return trajectory
 
@@ -330,12 +329,6 @@ class Contacts:
                 "`Contacts`: a dictionary that is assigned replaces all values. Give it one, or "
                 "change others by `system.constants.update(...)`."
             )
-
-    def of(self, system: System) -> Contacts:
-        """Return the same for a copy of the System, which may have other values."""
-        twin = copy(self)
-        twin.system = system
-        return twin
 
     def motions(self, *given: Any) -> Motions:
         """Return how the samples of an ensemble move, for `System.integrate_ensemble`."""

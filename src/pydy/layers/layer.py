@@ -15,6 +15,9 @@ import numpy as np
 
 from pydy._checks import describe, merged
 
+KINDS = {"x": "states", "r": "specifieds", "p": "constants"}
+"""The kinds of symbols that the arrays of arguments hold."""
+
 
 @dataclass(frozen=True)
 class Part:

@@ -18,7 +18,6 @@ from sympy.physics.mechanics import (
 
 from fuzz.kinds import Kind, RefusedError, choice, nothing, real
 from fuzz.table import empty_or_none, expression, flags, key, mapping, target
-from pydy._system.layers import _Frozen
 from pydy.analysis import Trial
 from pydy.contact import (
     Clearance,
@@ -371,4 +370,4 @@ for _method in ("as_jax", "as_torch"):
     # What both hand to their libraries.
     @target(f"{_method}.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
     def _(v):
-        return _Frozen(_system(), v, {}).start()
+        return _system()._layer_functions(v, {}).start()

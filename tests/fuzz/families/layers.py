@@ -12,7 +12,6 @@ from fuzz.kinds import array
 from fuzz.table import hashable, key, target
 from fuzz.world import driven, world
 from pydy._checks import real_array
-from pydy._system.layers import _Frozen
 from pydy.layers import Layer
 
 
@@ -36,7 +35,7 @@ class _NumPyArrays:
 @cache
 def _layer() -> Layer:
     system = driven(world().o, ode_solver="dop853", outputs={"twice": 2 * world().o.x})
-    return Layer(_Frozen(system, None, {}), _NumPyArrays(), "NumPy")
+    return Layer(system._layer_functions(None, {}), _NumPyArrays(), "NumPy")
 
 
 _shapes = ((2,), (None, 2), (None, None, 2))

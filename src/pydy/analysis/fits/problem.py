@@ -24,7 +24,7 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import unique_names
-from pydy._simulation.dependent_states import check_dependents, solve_dependents
+from pydy._simulation.dependent_states import with_dependents
 from pydy._simulation.problem import Problem
 from pydy._simulation.states import located
 from pydy.analysis.fits.samples import Samples, checked_trial
@@ -160,10 +160,7 @@ class FitProblem:
         user = {"constants": constants, "specifieds": specifieds, "initial_conditions": initial}
         now = replace(self._problems[k], user=user, times=times)
         if self.dependents:
-            places = check_dependents(now.definition, self.dependents)
-            x = solve_dependents(now, places, {}, False, {})
-            solved = {self.states[i]: float(x[i]) for part in places for i in part}
-            now = replace(now, user={**user, "initial_conditions": {**initial, **solved}})
+            now = with_dependents(now, self.dependents)
         return now, symbols, columns
 
     # -- what is known of the parameters ----------------------------------------------------------

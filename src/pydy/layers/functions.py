@@ -1,0 +1,69 @@
+"""The functions of a Problem that a Layer hands to its library."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import Places
+from pydy._simulation.definition import refuse_descending
+from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
+from pydy._simulation.problem import Problem
+from pydy.layers.layer import KINDS, Function, Part
+from pydy.layers.motions import MotionFunction
+from pydy.layers.values import BlockFunction
+from pydy.solvers.solver import Solver
+
+_BLOCKS = {"ode": "rates", "outputs": "outputs"}
+
+
+class Functions:
+    """The functions of a Problem: equations, and motions by a solver with its options."""
+
+    def __init__(self, problem: Problem, solver: Solver, options: dict[str, Any]) -> None:
+        warn_of_missing_derivatives(problem)
+        self.problem, self._solver, self._options = problem, solver, options
+        self._functions: dict[Any, Function] = {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_functions": {}}  # which hold locks, and are made again
+
+    def places(self, group: str) -> Places:
+        """Return the symbols of x, r or p."""
+        places: Places = self.problem.definition.places[KINDS[group]]
+        return places
+
+    def counts(self, kind: str, group: str, places: tuple[int, ...]) -> tuple[int, ...]:
+        """Return how many numbers each entry is; those of a motion's sampled input are several."""
+        numbers = dict.fromkeys(places, 1)
+        if group == "r" and kind in ("simulate", "final"):
+            for columns, samples in self.problem.plan.sampled:
+                numbers |= {k: len(samples.times) for k in columns.tolist() if k in numbers}
+        return tuple(numbers[k] for k in places)
+
+    def start(self) -> np.ndarray:
+        """Return the initial state."""
+        x: np.ndarray = self.problem.x
+        return x
+
+    def function(self, kind: str, parts: tuple[Part, ...]) -> Function:
+        """Return the function of a Layer's method, made once."""
+        function = self._functions.get((kind, parts))
+        if function is None:
+            function = self._functions[kind, parts] = self._make(kind, parts)
+        return function
+
+    def _make(self, kind: str, parts: tuple[Part, ...]) -> Function:
+        problem = self.problem
+        if kind == "outputs" and not problem.definition.outputs_symbols:
+            raise ValueError("The system has no outputs to evaluate. Set `system.outputs`.")
+        if kind in _BLOCKS:
+            return BlockFunction(problem, _BLOCKS[kind], parts)
+        if len(problem.times) < 2:
+            raise ValueError(
+                f"`times` must have at least two values before `{kind}` can be called, got "
+                f"{len(problem.times)}. Set `system.times`, and make the layer after that."
+            )
+        refuse_descending(problem.times, f"`{kind}` integrates forward only")
+        return MotionFunction(problem, self._solver, kind == "final", parts, self._options)

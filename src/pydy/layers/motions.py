@@ -1,0 +1,305 @@
+"""The states of a simulation, with products of their Jacobian and vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import flag
+from pydy._errors import IntegrationError, SingularMatrixError
+from pydy._forks import Lock
+from pydy._names import unique_names
+from pydy._simulation.dependent_states import with_dependents
+from pydy._simulation.integration import simulate
+from pydy._simulation.motion import Motion
+from pydy._simulation.problem import Problem
+from pydy._simulation.sensitivities import SensitivityRequest
+from pydy.analysis.adjoint import explicit_solver, there_and_back
+from pydy.ensemble.integration import integrate_ensemble
+from pydy.inputs import SampledInput
+from pydy.layers.layer import KINDS, Given, Part
+from pydy.layers.values import plan_without
+from pydy.solvers.outcome import EVENTS_ACCUMULATE, TERMINATED
+from pydy.solvers.solver import Solver
+
+_ARGUMENTS = {"x": "initial_conditions", "r": "specifieds", "p": "constants"}
+
+
+class MotionFunction:
+    """The states of a motion, or the last of them, of x, r and p: see `layer.Function`."""
+
+    def __init__(
+        self,
+        problem: Problem,
+        solver: Solver,
+        final: bool,
+        parts: tuple[Part, ...],
+        options: dict[str, Any],
+    ) -> None:
+        self.parts, self._solver, self._final, self._options = parts, solver, final, options
+        definition, states = problem.definition, problem.definition.states
+        times = problem.checked_times(problem.times)
+        self.shape: tuple[int, ...] = (len(states),) if final else (len(times), len(states))
+        user = {
+            "initial_conditions": problem.initial_conditions,
+            "specifieds": _one_by_one(problem, parts),
+            "constants": problem.constants,
+        }
+        self._problem = replace(problem, user=user, times=times, contradicted=None)
+        self._solved_for = problem.solved_for or ()
+        following = [states[k] for k in problem.dependent]
+        self._symbols: list[tuple[Any, ...]] = []  # of each part
+        self._by: list[list[Any]] = []  # those to differentiate by
+        for part in parts:
+            places = definition.places[KINDS[part.group]]
+            symbols = tuple(places.symbols[k] for k in part.places)
+            self._symbols.append(symbols)
+            if part.group == "x" and part.whole:
+                self._solved_for = ()  # as they are given
+                self._by.append([s for s in symbols if s not in following])
+            else:
+                self._by.append([*symbols])
+        self._names = unique_names(states)
+        self._lock = Lock()  # calls in several threads share what a model has prepared
+
+    # -- samples ----------------------------------------------------------------------------------
+
+    def _at(self, row: list[np.ndarray]) -> Problem:
+        """Return the Problem of one sample."""
+        user = dict(self._problem.user)
+        for part, symbols, values in zip(self.parts, self._symbols, row, strict=True):
+            argument = _ARGUMENTS[part.group]
+            whole = part.group == "r" and part.whole
+            before = {} if whole else user[argument]
+            pieces = np.split(values, np.cumsum(part.counts)[:-1])
+            new: dict[Any, Any] = {}
+            for symbol, piece in zip(symbols, pieces, strict=True):
+                samples = before.get(symbol)
+                if isinstance(samples, SampledInput):
+                    new[symbol] = SampledInput(samples.times, piece, samples.interpolation)
+                else:
+                    new[symbol] = float(piece[0])
+            user[argument] = {**before, **new}
+        problem = replace(self._problem, user=user)
+        return with_dependents(problem, self._solved_for) if self._solved_for else problem
+
+    def _flat(self, given: Given) -> list[np.ndarray]:
+        return [array.reshape(-1, array.shape[-1]) for array in given]
+
+    def _together(self, m: int) -> bool:
+        """Return whether samples are integrated side by side."""
+        sampled = any(count > 1 for part in self.parts for count in part.counts)
+        whole = any(part.group == "r" and part.whole for part in self.parts)
+        return m > 1 and not (sampled or whole or self._solved_for)
+
+    def _ensemble(self, flat: list[np.ndarray], sensitivities: Any = None) -> Any:
+        """Integrate all samples as an ensemble."""
+        varied: dict[str, dict[Any, Any]] = {}
+        for part, symbols, values in zip(self.parts, self._symbols, flat, strict=True):
+            columns = np.ascontiguousarray(values.T)
+            varied[_ARGUMENTS[part.group]] = dict(zip(symbols, columns, strict=True))
+        options = dict(self._options)
+        return integrate_ensemble(
+            self._problem,
+            initial_conditions=varied.get("initial_conditions"),
+            specifieds=varied.get("specifieds"),
+            constants=varied.get("constants"),
+            solver=self._solver,
+            sensitivities=sensitivities,
+            control_sensitivities=options.pop("control_sensitivities", False),
+            progress=options.pop("progress", False),
+            options=options,
+        )
+
+    def _motion(self, row: list[np.ndarray], by: list[Any] | None = None) -> Motion:
+        """Integrate one sample, with the derivatives by some parameters if there are any."""
+        problem, options = self._at(row), dict(self._options)
+        controlled = flag(options.pop("control_sensitivities", False), "`control_sensitivities`")
+        if problem.hybrid is None:
+            options = {"dense_output": False, **options}
+        request = None if by is None else SensitivityRequest(by, controlled)
+        return simulate(
+            problem, problem.times, solver=self._solver, sensitivities=request, **options
+        )
+
+    def _or_nan(self, lead: tuple[int, ...], function: Callable[..., Any], *sample: Any) -> Any:
+        """Return a function of one sample; NaN where that fails and is one of several."""
+        try:
+            return function(*sample)
+        except (IntegrationError, SingularMatrixError):
+            if not lead:
+                raise
+            return np.nan
+
+    def _late(self, results: Any) -> np.ndarray:
+        """Return which times of an ensemble's samples are after their last event, (m, times)."""
+        ended = np.isin(results["status"].values, (TERMINATED, EVENTS_ACCUMULATE))
+        after = self._problem.times > results["end_time"].values[:, None]
+        late: np.ndarray = ended[:, None] & after
+        return late
+
+    # -- values -----------------------------------------------------------------------------------
+
+    def value(self, *given: np.ndarray) -> np.ndarray:
+        """Return the states."""
+        flat, lead = self._flat(given), given[0].shape[:-1]
+        m = len(flat[0])
+        with self._lock:
+            if self._together(m):
+                results = self._ensemble(flat)
+                states = np.stack([results[name].values for name in self._names], axis=-1)
+                values = states[:, -1].copy() if self._final else states
+                rest = np.flatnonzero(self._late(results)[:, -1] & self._final).tolist()
+            else:
+                values, rest = np.empty((m, *self.shape)), [*range(m)]
+            for k in rest:
+                values[k] = self._or_nan(lead, self._states, [array[k] for array in flat])
+        return values.reshape(*lead, *self.shape)
+
+    def _states(self, row: list[np.ndarray]) -> np.ndarray:
+        """Return the states of one sample, or the last of them."""
+        motion = self._motion(row)
+        states, missing = motion.states, len(self._problem.times) - len(motion.times)
+        if self._final:
+            last: np.ndarray = motion.events[-1].after if missing else states[-1]
+            return last
+        return np.pad(states, ((0, missing), (0, 0)), constant_values=np.nan)
+
+    # -- derivatives ------------------------------------------------------------------------------
+
+    def forward(self, wanted: tuple[int, ...], given: Given, along: Given) -> np.ndarray:
+        """Return the derivatives along directions of the wanted arguments."""
+        by, places = self._columns(wanted)
+        lead = given[0].shape[:-1]
+        distinct, back = _distinct(self._flat(given))
+        with self._lock:
+            slopes = self._jacobian(by, distinct, lead, sum(map(len, places)))
+        slopes = slopes[:, -1] if self._final else slopes
+        directions = [d.reshape(-1, d.shape[-1])[:, k] for d, k in zip(along, places, strict=True)]
+        product = np.einsum("m...k,mk->m...", slopes[back], np.concatenate(directions, axis=-1))
+        result: np.ndarray = product
+        return result.reshape(*lead, *self.shape)
+
+    def backward(self, wanted: tuple[int, ...], given: Given, weights: np.ndarray) -> Given:
+        """Return the derivatives of the weighted sum of the states by the wanted arguments."""
+        by, places = self._columns(wanted)
+        flat, lead = self._flat(given), given[0].shape[:-1]
+        weights = weights.reshape(len(flat[0]), *self.shape)
+        with self._lock:
+            if self._final and self._problem.hybrid is None:
+                slopes = np.empty((len(weights), sum(map(len, places))))
+                for k, w in enumerate(weights):
+                    slopes[k] = self._or_nan(lead, self._adjoint, by, [a[k] for a in flat], w)
+            else:
+                distinct, back = _distinct(flat)
+                states = self._jacobian(by, distinct, lead, sum(map(len, places)))[back]
+                if self._final:
+                    states, weights = states[:, -1:], weights[:, None]
+                slopes = np.einsum("mtnk,mtn->mk", states, weights)
+        ends = np.cumsum([len(k) for k in places])[:-1]
+        result = []
+        for k, entries, columns in zip(wanted, places, np.split(slopes, ends, axis=1), strict=True):
+            table = np.zeros((len(flat[0]), self.parts[k].size))
+            table[:, entries] = columns
+            result.append(table.reshape(given[k].shape))
+        return tuple(result)
+
+    def _columns(self, wanted: tuple[int, ...]) -> tuple[list[Any], list[np.ndarray]]:
+        """Return the parameters to differentiate by, and their columns in each argument."""
+        by: list[Any] = []
+        places = []
+        for k in wanted:
+            starts = np.cumsum([0, *self.parts[k].counts])
+            by += self._by[k]
+            columns = [
+                np.arange(starts[j], starts[j + 1])
+                for j, symbol in enumerate(self._symbols[k])
+                if symbol in self._by[k]
+            ]
+            places.append(np.concatenate(columns) if columns else np.zeros(0, dtype=int))
+        return by, places
+
+    def _jacobian(
+        self, by: list[Any], flat: list[np.ndarray], lead: tuple[int, ...], columns: int
+    ) -> np.ndarray:
+        """Return the sensitivities of the states, (m, times, n, k)."""
+        m, n, steps = len(flat[0]), len(self._names), len(self._problem.times)
+        if not by:
+            return np.zeros((m, steps, n, 0))
+        if self._together(m):
+            results = self._ensemble(flat, sensitivities=by)
+            table = results["sensitivity"].sel(quantity=list(self._names))
+            slopes = table.transpose("sample", "time", "quantity", "parameter").values
+            late = self._late(results)
+            self._check_reached(late[:, -1].any())
+            return np.where(late[:, :, None, None], 0.0, slopes)
+
+        def slopes_of(row: list[np.ndarray]) -> np.ndarray:
+            slopes = self._motion(row, by).sensitivities
+            assert slopes is not None
+            missing = steps - len(slopes)
+            self._check_reached(missing > 0)
+            return np.pad(slopes, ((0, missing), (0, 0), (0, 0)))
+
+        result = np.empty((m, steps, n, columns))
+        for k in range(m):
+            result[k] = self._or_nan(lead, slopes_of, [array[k] for array in flat])
+        return result
+
+    def _check_reached(self, missed: Any) -> None:
+        if missed and self._final:
+            remedy = "Use reverse derivatives: jax.grad or jax.vjp, backward() of PyTorch."
+            if self._problem.hybrid is not None:
+                remedy = "With `contacts`, events that are not terminal have derivatives."
+            raise ValueError(
+                "`final` goes forward to times that are given, but a terminal event ended the "
+                f"motion. {remedy}"
+            )
+
+    def _adjoint(self, by: list[Any], row: list[np.ndarray], weights: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the weighted sum of the last state."""
+        if not by:
+            return np.zeros(0)
+        problem = self._at(row)
+        _, _, slopes, _ = there_and_back(
+            problem,
+            problem.times,
+            by,
+            final=None,
+            integral=None,
+            solver=explicit_solver(self._solver),
+            options=dict(self._options),
+            weights=weights,
+        )
+        result: np.ndarray = slopes
+        return result
+
+
+def _one_by_one(problem: Problem, parts: tuple[Part, ...]) -> dict[Any, Any]:
+    """Return the specifieds by single symbols, so that each may be replaced.
+
+    Those of a Python function stay together, unless an argument replaces some of them.
+    """
+    plan = problem.plan
+    numbers = dict(zip(plan.symbols, plan.values.tolist(), strict=True))
+    specifieds: dict[Any, Any] = {s: numbers[s] for s in plan.symbols if s in plan.given}
+    specifieds |= plan.expressions
+    for columns, samples in plan.sampled:
+        for j, k in enumerate(columns):
+            specifieds[plan.symbols[k]] = samples.of([j])
+    replaced = next((part for part in parts if part.group == "r"), None)
+    for columns, function, _ in plan_without(problem, replaced).functions:
+        symbols = tuple(plan.symbols[k] for k in columns)
+        specifieds = {s: v for s, v in specifieds.items() if s not in symbols}
+        specifieds[symbols] = function
+    return specifieds
+
+
+def _distinct(flat: list[np.ndarray]) -> tuple[list[np.ndarray], np.ndarray]:
+    """Return the samples without repetitions, and which of them each sample is."""
+    table = np.concatenate(flat, axis=1)
+    _, first, back = np.unique(table, axis=0, return_index=True, return_inverse=True)
+    return [array[first] for array in flat], back.reshape(-1)
