@@ -17,7 +17,7 @@ def chosen(name: str) -> tuple[list[str], list[str]]:
     ("file", "first"),
     [
         ("_graph/solve/lu.py", "_graph/"),
-        ("_system/orbits.py", "system/test_orbits.py"),
+        ("analysis/orbits.py", "system/test_orbits.py"),
         ("contact/laws.py", "contact/test_laws.py"),
         ("trajectory.py", "test_trajectory.py"),
         ("_cache_folder.py", "test_cache_folder.py"),

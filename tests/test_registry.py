@@ -54,7 +54,7 @@ def test_every_solver_is_in_the_reference_and_in_the_page_on_solvers():
         "docs/reference/solvers.md": "pydy.solvers.{}",
         "README.md": "'{}'",
         "src/pydy/solvers/__init__.py": "`{}`",
-        "src/pydy/_system/ensembles.py": "'{}'",
+        "src/pydy/system.py": "'{}'",
     }
     lacking = [
         f"{page}: {pattern.format(name)}"

@@ -46,20 +46,21 @@ def mirrors(file: Path) -> Iterator[Path]:
     of ensembles.
     """
     *rooms, name = file.relative_to(SOURCE).with_suffix("").parts
-    rooms = ["system" if room == "_system" else room for room in rooms]
     name = name.strip("_") or "init"
     for depth in range(len(rooms), -1, -1):
         yield from TESTS.joinpath(*rooms[:depth]).glob(f"test_{name}.py")
     for depth in range(len(rooms), 0, -1):
         yield from TESTS.joinpath(*rooms[:depth]).glob(f"test_{rooms[depth - 1].strip('_')}.py")
     if sum(source.stem.strip("_") == name for source in sources()) == 1:
-        yield from (test for test in test_files() if test.stem == f"test_{name}")
+        named = [test for test in test_files() if test.stem == f"test_{name}"]
+        # Analyses are tested as users call them.
+        yield from sorted(named, key=lambda test: test.parent.name != "system")
 
 
 def room_of(file: Path) -> Path:
     """Return the folder of tests that mirrors the room of a file."""
     room = file.relative_to(SOURCE).parts[0].removesuffix(".py")
-    return TESTS / ("system" if room in ("_system", "system") else room)
+    return TESTS / room
 
 
 @cache

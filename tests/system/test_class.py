@@ -1,4 +1,4 @@
-"""System is a sum of themes, and users see one class."""
+"""What System is as a class: its errors, pickles and attributes."""
 
 import inspect
 import pickle

@@ -1,1 +1,0 @@
-"""The parts of `pydy.system.System`: checks, definition, evaluation, dependent states."""
