@@ -426,7 +426,7 @@ def test_files_without_labels_are_read_as_they_were_written(tmp_path):
             "parameter": ((), 4.0, role),
         },
     )
-    write_netcdf(dataset, tmp_path / "old.nc", None, [])
+    write_netcdf(dataset, tmp_path / "old.nc", None, [], {})
     loaded = Trajectory.load(tmp_path / "old.nc")
     assert loaded.constants == {"q": 3.0, "parameter": 4.0}
     np.testing.assert_array_equal(loaded["q"], [1.0, 2.0])

@@ -135,6 +135,7 @@ def write_netcdf(
     path: str | os.PathLike[str],
     statistics: dict[str, Any] | None,
     events: Sequence[dict[str, Any]],
+    facts: Mapping[str, Any],
 ) -> None:
     """Write a Dataset to a NetCDF 3 file, which SciPy alone can read and write."""
     path = file_of(_checked(path), "`path`")
@@ -156,6 +157,7 @@ def write_netcdf(
     dataset = dataset.rename({n: p for n, p in plain.items() if n != p})
     dataset.attrs["pydy_statistics"] = json.dumps(statistics, default=_plain)
     dataset.attrs["pydy_events"] = json.dumps(list(events), default=_plain)
+    dataset.attrs["pydy_facts"] = json.dumps(dict(facts), default=_plain)
     dataset.attrs[_CHECKSUM] = _checksum(dataset)
     with replacing(path) as (place,):
         dataset.to_netcdf(place, engine="scipy", format="NETCDF3_64BIT")
@@ -185,6 +187,13 @@ def _arrays(value: Any) -> Any:
     return np.array(value) if isinstance(value, list) else value
 
 
+def _tuples(value: Any) -> Any:
+    """Return a list as a tuple, also those in it and those of a dictionary."""
+    if isinstance(value, dict):
+        return {name: _tuples(part) for name, part in value.items()}
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
 def _checked(path: Any) -> str:
     """Return a path as a string; xarray takes None for "return the bytes"."""
     try:
@@ -198,8 +207,8 @@ def _checked(path: Any) -> str:
 
 def read_netcdf(
     xarray: Any, path: str | os.PathLike[str], record: Callable[..., Any]
-) -> tuple[Parts, dict[str, Any] | None, list[Any]]:
-    """Return the Parts, statistics and events of a file of `write_netcdf`.
+) -> tuple[Parts, dict[str, Any] | None, list[Any], dict[str, Any]]:
+    """Return the Parts, statistics, events and facts of a file of `write_netcdf`.
 
     `record` makes an event of its attributes.
     """
@@ -217,10 +226,14 @@ def read_netcdf(
                 record(**{k: _arrays(v) for k, v in event.items()})
                 for event in json.loads(dataset.attrs["pydy_events"])
             ]
+            facts = {  # older files have none
+                name: [_tuples(row) for row in rows]
+                for name, rows in json.loads(dataset.attrs.get("pydy_facts", "{}")).items()
+            }
             parts = from_dataset(dataset)
             if not sound:
                 raise ValueError("its content is not what its checksum tells")
-            return parts, statistics, events
+            return parts, statistics, events, facts
     except OSError:
         raise  # no such file, no permission
     except Exception as error:  # SciPy, xarray and json raise of all kinds

@@ -403,6 +403,14 @@ class Continued:
 
     times: np.ndarray
     _leg: Leg | None = None
+    # Attributes that describe the whole motion, such as modes of contacts: they are the same at
+    # other times, and in files (as JSON).
+    _facts: Mapping[str, Any] = {}
+
+    def _describe(self, facts: Mapping[str, Any]) -> None:
+        """Set the attributes that describe the whole motion."""
+        self._facts = facts
+        vars(self).update(facts)
 
     def continue_to(self, t: Any) -> Any:
         """Simulate on from where this motion ended, and return the motion from there on.

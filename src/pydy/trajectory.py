@@ -352,10 +352,8 @@ class Trajectory(Continued):
             raise TypeError(
                 f"`sensitivity_model` must be what a System passes, got {shown(sensitivity_model)}."
             )
-        self._model = model
-        self._dense = dense
-        self._sensitivity_model = sensitivity_model
-        self._sensitivities = sensitivities
+        self._model, self._dense = model, dense
+        self._sensitivity_model, self._sensitivities = sensitivity_model, sensitivities
         self._known_sensitivity: Sensitivity | None = None
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
@@ -586,7 +584,7 @@ class Trajectory(Continued):
             own = (None, None) if self._sides is None else self._sides[1:]
             tables = zip((self.outputs, self.specifieds), own, strict=True)
             outputs, specifieds = (straight(self, times, *pair) for pair in tables)
-        return Trajectory(
+        found = Trajectory(
             times,
             states,
             self._columns.kinds,
@@ -600,6 +598,8 @@ class Trajectory(Continued):
             sensitivities=None if known is None or values is None else (known.counts, values),
             sensitivity_model=self._sensitivity_model,
         )
+        found._describe(self._facts)
+        return found
 
     # -- pictures ---------------------------------------------------------------------------------
 
@@ -748,7 +748,7 @@ class Trajectory(Continued):
             sides = Sides.of(self)._asdict()
             for k, event in enumerate(events):
                 event["beside"] = {name: t[2 * k : 2 * k + 2] for name, t in sides.items()}
-        write_netcdf(dataset, path, self.statistics, events)
+        write_netcdf(dataset, path, self.statistics, events, self._facts)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Trajectory:
@@ -776,8 +776,8 @@ class Trajectory(Continued):
             sides.append(beside)
             return EventRecord(**attributes)
 
-        parts, statistics, events = read_netcdf(xarray, path, record)
-        loaded = Trajectory(  # modes, costates and the like are not in the file
+        parts, statistics, events, facts = read_netcdf(xarray, path, record)
+        loaded = Trajectory(  # multipliers, costates and the like are not in the file
             parts.times,
             parts.table(*STATES),
             {kind: tuple(parts.columns.get(kind, ())) for kind in KINDS},
@@ -796,4 +796,5 @@ class Trajectory(Continued):
         if "energy" in parts.columns:
             loaded._energy = parts.table("energy")
         loaded._sides = Sides.joined(sides)
+        loaded._describe(facts)
         return loaded

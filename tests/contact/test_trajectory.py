@@ -70,6 +70,21 @@ def test_a_file_is_loaded_as_a_trajectory(tmp_path):
     np.testing.assert_allclose(loaded.at(TIMES).states, motion.at(TIMES).states, atol=1e-9)
 
 
+def test_modes_and_impacts_are_those_of_the_motion_in_files_copies_and_at_other_times(tmp_path):
+    motion = bounces()
+    fall = np.sqrt(2.0 / 9.81)
+    assert motion.modes[0][2] == {"floor": "open"}
+    assert motion.impacts[0][0] == pytest.approx(fall, rel=1e-6)
+    motion.at(TIMES).save(tmp_path / "motion.nc")
+    loaded = Trajectory.load(tmp_path / "motion.nc")
+    loaded.save(tmp_path / "again.nc")
+    again = Trajectory.load(tmp_path / "again.nc")
+    several = [motion.at(TIMES).at(TIMES[::-1]), loaded, loaded.at(TIMES), again]
+    for other in [*several, *(pickle.loads(pickle.dumps(one)) for one in (motion, loaded))]:
+        assert other.modes == motion.modes
+        assert other.impacts == motion.impacts
+
+
 @pytest.mark.parametrize("name", ["floor_gap", "floor_normal", "floor_margin"])
 def test_outputs_of_the_user_and_of_contacts_have_different_names(name):
     system, floor = ball()

@@ -136,17 +136,12 @@ class ContactTrajectory(Trajectory):
             for parts in [list(group)]
         ]
         self.impacts = [(time, impulses) for time, impulses, _ in impacts]
+        self._describe({"modes": self.modes, "impacts": self.impacts})
         self._lost = [(time, work) for time, _, work in impacts]
 
     def __getstate__(self) -> dict[str, Any]:
         whole = super().__getstate__()
         return {**whole, "contact_work": self.contact_work}  # it needs continuous extensions
-
-    def at(self, times: Any) -> Trajectory:
-        """Return the trajectory at other times, as `Trajectory.at` does; it keeps the modes."""
-        found = super().at(times)
-        vars(found).update(modes=self.modes, impacts=self.impacts)
-        return found
 
     @cached_property
     def contact_work(self) -> np.ndarray:
