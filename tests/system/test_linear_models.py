@@ -169,8 +169,16 @@ def test_python_control_takes_the_model_with_its_names():
 def test_prescribed_motions_of_constraints_are_no_inputs():
     system = system_of(zoo.lifted())
     system.set_dependent_initial_conditions()
-    with pytest.raises(ValueError, match="constraints depend on an input"):
+    with pytest.raises(ValueError, match="holonomic constraint 0") as refused:
         system.linearize()
+    told = str(refused.value)
+    # The line's equation and its rate: both have s, or its rate.
+    assert "The holonomic constraint 0: -slope*x(t)*sin(t) - s(t) + y(t) depends on" in told
+    assert "`s`, which is an input because all are by default. It prescribes a motion" in told
+    assert told.endswith("`inputs=['Derivative(s(t), (t, 2))']`.")
+    assert system.linearize(inputs=["Derivative(s(t), (t, 2))"]).B.shape[1] == 1
+    with pytest.raises(ValueError, match=r"velocity constraint 0: .*is one of `inputs`"):
+        system.linearize(inputs=[me.dynamicsymbols("s", 1)])
     assert system.linearize(inputs=[]).B.shape[1] == 0
 
 

@@ -17,13 +17,15 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.assumptions import errors_of
+from pydy._assembly.definition import Definition
 from pydy._checks import Places, choice, listed, real_array
 from pydy._errors import warn_user
-from pydy._names import some, unique_names
+from pydy._names import few, some, unique_names
 from pydy._optional import require
 from pydy._rank import ROUNDED
 from pydy._simulation.constraint_drift import first_violation
 from pydy._simulation.discontinuities import warn_of_kinks
+from pydy._simulation.events_and_constraints import constraint_names
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy._simulation.problem import At, Problem, samples
 from pydy._simulation.states import Point
@@ -274,17 +276,15 @@ def linearize(
         """Return total derivatives by inputs, also those through an Implicit's unknowns."""
         return by_input + slopes(block)[:, :, unknowns] @ through if through.size else by_input
 
+    moved = []  # which constraints (rows) depend on which inputs
     for block in blocks if columns else ():
         by_block = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
         left = followed(block, by_block)
         if block == "holonomic":
             left[:, definition.equations.following[0]] = 0.0
-        if left.any():
-            raise ValueError(
-                f"The {block} constraints depend on an input of the linear model: the states "
-                "then do not follow from independent ones alone. Leave prescribed motions out "
-                "of `inputs`."
-            )
+        moved.append(left.any(axis=0))
+    if any(rows.any() for rows in moved):
+        _refuse_prescribed(definition, np.concatenate(moved), columns, inputs is None)
     with np.errstate(all="ignore"):  # what is not finite is told
         B = followed("rates", by_input[:, :, columns])[:, free]
     C, D, titles = _outputs(problem, outputs, point, T, columns, through)
@@ -298,6 +298,27 @@ def linearize(
         tuple(np.array(unique_names(definition.specifieds))[columns].tolist()),
         titles, rates,
     )  # fmt: skip
+
+
+def _refuse_prescribed(
+    definition: Definition, moved: np.ndarray, columns: list[int], every: bool
+) -> None:
+    """Refuse inputs that prescribe motions, and name the others.
+
+    `moved` says which constraints (rows) depend on which of the inputs, the `columns`. They are
+    `every` specified if the user named none.
+    """
+    row = int(moved.any(axis=1).argmax())
+    titles = [unique_names(definition.specifieds)[column] for column in columns]
+    names = few([f"`{title}`" for title, is_one in zip(titles, moved[row], strict=True) if is_one])
+    used = set(np.flatnonzero(moved.any(axis=0)))
+    free = [title for k, title in enumerate(titles) if k not in used]
+    raise ValueError(
+        f"The {constraint_names(definition.equations)[row]} depends on the specified {names}, "
+        f"which {'is an input because all are by default' if every else 'is one of `inputs`'}. It "
+        "prescribes a motion: the states then do not follow from independent ones alone. The "
+        f"linear model has inputs that no constraint depends on: `inputs={free}`."
+    )
 
 
 def _which(k: int, m: int) -> str:
