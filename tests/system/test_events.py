@@ -826,3 +826,57 @@ def test_linear_events_are_seen_however_far_they_were(solver, level, unit):
     expected = expected[expected < 40.0]
     assert len(found) == len(expected)
     close(found, expected, 1e-5 if level > 0.9999 else 1e-7)
+
+
+# -- noncontributing forces ------------------------------------------------------------------------
+
+Q, U, TENSION, OUTWARD = me.dynamicsymbols("q u S u_r")
+LENGTH = sm.Symbol("l")
+
+
+def swinging(**options):
+    """A pendulum that is thrown upwards, with the tension of its rope as an output."""
+    frame, pivot = me.ReferenceFrame("N"), me.Point("O")
+    rope = frame.orientnew("R", "Axis", (Q, frame.z))
+    rope.set_ang_vel(frame, U * frame.z)
+    pivot.set_vel(frame, 0)
+    bob = pivot.locatenew("B", -LENGTH * rope.y)
+    bob.set_vel(frame, LENGTH * U * rope.x - OUTWARD * rope.y)
+    kane = me.KanesMethod(frame, [Q], [U], [Q.diff(T) - U], u_auxiliary=[OUTWARD])
+    loads = [(bob, -M * G * frame.y + TENSION * rope.y)]
+    kane.kanes_equations([me.Particle("bob", bob, M)], loads)
+    defaults = {
+        "constants": {M: 1.3, G: 9.81, LENGTH: 0.7}, "initial_conditions": {U: 6.5},
+        "times": np.linspace(0.0, 0.6, num=11), "ode_solver": "dop853",
+    }  # fmt: skip
+    return System(kane, **{**defaults, **options})
+
+
+def test_an_event_of_a_noncontributing_force_is_where_the_force_is():
+    # m l u² + m g cos q = 0 with l u² = l u0² - 2 g (1 - cos q)
+    slack = np.arccos((2.0 - 0.7 * 6.5**2 / 9.81) / 3.0)
+    system = swinging(noncontributing_forces=[TENSION])
+    event = Event(TENSION, direction=-1, terminal=True, name="slack")
+    options = {"rtol": 1e-11, "atol": 1e-11}
+    motion = system.simulate(events=[event], sensitivities=["g"], **options)
+    close(motion.events[-1].before[0], slack, 1e-9)
+    # The angle is a function of g, which moves the time and the motion up to it.
+    last = motion.events[-1]
+    moved = float(last.sensitivity_before[0, 0] + last.before[1] * last.time_sensitivity[0])
+    close(moved, -(0.7 * 6.5**2 / 9.81**2) / 3.0 / np.sin(slack), 1e-7)
+
+
+def test_lanes_have_the_events_of_noncontributing_forces():
+    system = swinging(noncontributing_forces=[TENSION])
+    events = [Event(TENSION, direction=-1, reset={U: -U}, name="slack")]
+    ends = system.integrate_ensemble(constants={"l": [0.7, 0.65]}, events=events, reduce="final")
+    for k, length in enumerate((0.7, 0.65)):
+        system.constants[LENGTH] = length
+        motion = system.simulate(events=events)
+        assert len(motion.events) == 1
+        np.testing.assert_array_equal(ends["q"][k], motion["q"][-1])
+
+
+def test_an_event_of_a_force_that_is_not_computed_says_how_to_compute_it():
+    with pytest.raises(ValueError, match=r"`S\(t\)`, a non.*Name it in `noncontributing_forces`"):
+        swinging().simulate(events=[Event(TENSION)])

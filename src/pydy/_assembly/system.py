@@ -233,6 +233,15 @@ def assemble_system(
         }
 
     blocks = depending(solved)
+    # What events and the like may hold. A user's solver finds u' from M and F, which what is read
+    # later cannot wait for.
+    if not external:
+        known.update(zip(equations.speed_rates, solved, strict=True))
+        outputs = iter(blocks["outputs"])
+        for group in groups:
+            found = {name: next(outputs) for name in group.names}
+            if group.expressions == equations.auxiliary_equations:
+                known.update(found)  # the noncontributing forces
     ready = None
     if formed is not None and formed.simplified is not None and not off:
         # What residuals with speeds give moves with u' too, and is not simplified yet.
@@ -248,8 +257,7 @@ def assemble_system(
         nonholonomic=nonholonomic,
         mass_matrix=matrix,
         forcing=forcing,
-        # A user's solver finds u' from M and F, which what is read later cannot wait for.
-        atoms=known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
+        atoms=known,
         speeds=[atoms[s] for s in u],
         equations=equations,
         open=depending(accelerations) if external else {},

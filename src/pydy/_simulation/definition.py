@@ -215,8 +215,16 @@ class DefinitionBuilder:
         symbols = (*definition.states, *definition.specifieds, *definition.outputs_symbols)
         taken = {*map(name_of, (definition.equations.time, *symbols))}
         every = find_symbols(part for part in parts if isinstance(part, sm.Basic))
+        forces = {*definition.forces}
+        equations = definition.equations
+        unnamed = {*find_symbols(equations.auxiliary_equations)} - {*symbols, *equations.symbols}
         for s in every:
-            if s in definition.outputs_symbols:
+            if s in unnamed and isinstance(s, AppliedUndef):
+                raise ValueError(
+                    f"`events` hold `{s}`, a noncontributing force that is not computed. Name it "
+                    "in `noncontributing_forces`."
+                )
+            if s in definition.outputs_symbols and s not in forces:
                 raise ValueError(
                     f"`events` hold `{s}`, the name of an output. Write the output's expression "
                     "instead."
