@@ -1,5 +1,7 @@
 """Sensitivities of trajectories, against closed forms and integrations at other numbers."""
 
+import re
+
 import mpmath
 import numpy as np
 import pytest
@@ -457,6 +459,27 @@ def test_an_event_that_grazes_is_named():
     with pytest.raises(IntegrationError, match=r"`touch`, which the motion only grazes: by 1e-06"):
         system.simulate(sensitivities=["g"], events=[touch], **loose)
     assert system.simulate(events=[touch], **loose).events
+
+
+@pytest.mark.parametrize(
+    ("size", "name", "tolerances"),
+    [(1e-9, "atol", {"atol": 1e-6, "rtol": 1e-6}), (1e7, "rtol", {"atol": 1e-6, "rtol": 0.2})],
+)
+def test_an_event_that_seems_to_graze_names_the_tolerance_to_lower(size, name, tolerances):
+    """A ball that rises by a size, and 0.9 of that height."""
+    system, _ = bouncing_ball()
+    system.constants["g"] = 2.0 * size
+    system.initial_conditions = {"q": 0.0, "u": 2.0 * size}
+    system.times = [0.0, 1.0]
+    touch = Event(system.coordinates[0] - 0.9 * size, terminal=True, name="touch")
+    with pytest.raises(IntegrationError, match="only grazes") as refused:
+        system.simulate(sensitivities=["g"], events=[touch], **tolerances)
+    change = re.search(r"lower `(.*)` from (.*) to less than (.*)\. Otherwise", str(refused.value))
+    assert change[1] == name
+    assert float(change[2]) == tolerances[name]
+    tolerances[name] = 0.99 * float(change[3])
+    (moved,) = system.simulate(sensitivities=["g"], events=[touch], **tolerances).events
+    assert moved.time == pytest.approx(1.0 - np.sqrt(0.1), abs=1e-3)  # t − t² / 2 = 0.45
 
 
 def test_events_with_sensitivities_are_saved(tmp_path):

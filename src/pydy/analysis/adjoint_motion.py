@@ -37,7 +37,7 @@ from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import forcing_time, jumped_to
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, OUTCOMES, TERMINATED
-from pydy.solvers.sensitivities import CompiledSensitivities
+from pydy.solvers.sensitivities import CompiledSensitivities, resolved
 from pydy.solvers.solver import Solver
 from pydy.trajectory import EventRecord
 
@@ -545,9 +545,9 @@ class MotionSegment:
             rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
             tolerances = self.options.atol, self.options.rtol
             atol, rtol = (np.broadcast_to(one, len(self.last))[:n] for one in tolerances)
-            error = float(np.abs(part["crossing"][:n]) @ (atol + rtol * np.abs(x)))
-            value = jumped_to(call, events, record.index, x, t, error)
             depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
+            error, lower = resolved(depth, part["crossing"][:n], x, rtol, atol)
+            value = jumped_to(call, events, record.index, x, t, error)
             if value is None and depth > error:
                 time = -part["crossing"] / rate
             elif untimed:
@@ -555,15 +555,17 @@ class MotionSegment:
             elif value is not None:
                 self._refuse(EVENT_JUMPS, record, value=value)
             else:  # it only grazes: its time has no derivative
-                self._refuse(EVENT_GRAZES, record, depth=depth)
+                self._refuse(EVENT_GRAZES, record, depth=depth, explained=error, lower=lower)
         return part, changed, time
 
-    def _refuse(self, code: int, record: EventRecord, **details: float) -> NoReturn:
+    def _refuse(self, code: int, record: EventRecord, **details: Any) -> NoReturn:
         outcome = OUTCOMES[code]
-        text = outcome.text.format(event=record.name, **details)
+        text, remedy = (
+            part.format(event=record.name, **details) for part in (outcome.text, outcome.remedy)
+        )
         k = int(np.searchsorted(self.times, record.time))
         raise IntegrationError(
-            f"The motion {text} at t = {record.time!r}. {outcome.remedy}",
+            f"The motion {text} at t = {record.time!r}. {remedy}",
             self.times[:k], self.states[:k, : self.n], record.time, record.before, self.info,
         )  # fmt: skip
 

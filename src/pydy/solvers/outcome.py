@@ -111,9 +111,11 @@ OUTCOMES = {
     ),
     EVENT_GRAZES: Outcome(
         "event_grazes",
-        "met the event `{event}`, which the motion only grazes: by {depth:.2g} beyond zero,",
+        "met the event `{event}`, which the motion only grazes: by {depth:.2g} beyond zero, where "
+        "its tolerances explain {explained:.2g},",
         "The time of such an event, and the motion after it, have no derivatives with respect to "
-        "the parameters. Omit the event, start elsewhere, or simulate without `sensitivities`.",
+        "the parameters. {lower} the event, start elsewhere, or simulate without "
+        "`sensitivities`.",
     ),
     DEPENDENTS_NOT_GIVEN: Outcome(
         "dependents_not_given",

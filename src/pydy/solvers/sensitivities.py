@@ -32,6 +32,36 @@ class Jump(NamedTuple):
     after: np.ndarray  # (n, k): derivatives of the states after it, at a fixed time
     depth: float  # how far the motion goes beyond zero, at most: ġ² / 2|g̈|
     error: float  # what the tolerances of the integration make of the expression that is zero
+    lower: str  # which of them to lower for a motion that is to go beyond zero: see `resolved`
+
+
+def resolved(
+    depth: float, slopes: np.ndarray, x: np.ndarray, rtol: np.ndarray, atol: np.ndarray
+) -> tuple[float, str]:
+    """Return what the tolerances make of an event's expression, and the start of a remedy.
+
+    The expression has these `slopes` by the states x, and the motion goes by `depth` beyond zero.
+    The remedy names the tolerances to lower, unless none would resolve that depth.
+    """
+    by_atol = float(np.abs(slopes) @ atol)
+    by_rtol = float(np.abs(slopes) @ (rtol * np.abs(x)))
+    error = by_atol + by_rtol
+    if not 0.0 < depth <= error:
+        return error, "Omit"
+    # One is enough if the share of the other one is small.
+    several = {"atol": (atol, by_atol, by_rtol), "rtol": (rtol, by_rtol, by_atol)}
+    wanted = {
+        name: (values, (depth - other) / share)
+        for name, (values, share, other) in several.items()
+        if other < depth / 2.0
+    } or {name: (values, depth / error) for name, (values, *_) in several.items()}
+    if "rtol" in wanted and np.max(rtol) * wanted["rtol"][1] < ROUNDING:
+        return error, "Omit"
+    changes = [
+        f"`{name}` from {np.max(values):.2g} to less than {np.max(values) * factor:.2g}"
+        for name, (values, factor) in wanted.items()
+    ]
+    return error, f"If it is to cross there, lower {' and '.join(changes)}. Otherwise omit"
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,14 +130,14 @@ class CompiledSensitivities:
         if forced:
             moment, depth = np.zeros(self.columns), np.inf
         rtol, atol = tolerances
-        error = float(np.abs(part["crossing"][:n]) @ (atol + rtol * np.abs(whole[:n])))
+        error, lower = resolved(depth, part["crossing"][:n], whole[:n], rtol, atol)
         if not changed:
-            return Jump(moment, table, depth, error)
+            return Jump(moment, table, depth, error, lower)
         moved = table.copy()
         moved[[*changed]] = self._along(part["after"], table, r)
         rates = call.evaluate(call.kernel, np.concatenate([after, moved.ravel()]), t)[:n]
         jump = moved + np.outer(part["after_rates"] - rates, moment)
-        return Jump(moment, jump, depth, error)
+        return Jump(moment, jump, depth, error, lower)
 
     def _along(self, rows: np.ndarray, table: np.ndarray, r: np.ndarray) -> np.ndarray:
         """Apply the chain rule: derivatives by parameters from those by states and other inputs."""

@@ -645,7 +645,10 @@ class Integration(Workspace):
             if acting and value is not None:
                 self._stop(EVENT_JUMPS, event=wanted.names[event], value=value)
             if acting:
-                self._stop(EVENT_GRAZES, event=wanted.names[event], depth=jump.depth)
+                self._stop(
+                    EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
+                    lower=jump.lower,
+                )  # fmt: skip
             jump = jump._replace(time=np.full(beside.columns, np.nan))
         table = beside.table(before).copy()
         moved = jump.after if acting else table
