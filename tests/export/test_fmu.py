@@ -31,6 +31,7 @@ from exported_models import TIMES, ball, hostile, pendulum, spring_of
 from pydy import System
 from pydy.errors import GeneratorError
 from pydy.export.fmu import compiler
+from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from zoo import inertial_frame
@@ -118,6 +119,25 @@ def test_constants_states_and_inputs_can_be_set(units, fmi, kind):
 
 @pytest.mark.parametrize("fmi", VERSIONS)
 @pytest.mark.parametrize("kind", KINDS)
+def test_without_a_tolerance_inputs_that_vary_and_jump_are_integrated(units, fmi, kind):
+    """FMPy passes the tolerance of the unit to CVODE, which gave up at such inputs with 1e-10."""
+    assert read_model_description(units["pendulum", fmi]).defaultExperiment.tolerance == "1e-6"
+    # Held between the communication points, as FMPy does it: steps of a sine, in steps of 0.05 s.
+    held = 3.0 * np.sin(4.0 * TIMES)
+    rows = np.rec.fromarrays([TIMES, held], names=["time", "F"])
+    system = pendulum()
+    system.specifieds = {"F": SampledInput(TIMES, held, "previous")}
+    exact = system.integrate(rtol=1e-12, atol=1e-12)
+    found = simulated(
+        units["pendulum", fmi], kind, ["q0", "q1"], input=rows, relative_tolerance=None
+    )
+    # CVODE goes over the jumps with its history of smooth steps: that costs two digits in a second.
+    least = 1e-4 if kind == "CoSimulation" else 2e-2
+    assert found[:20] == pytest.approx(exact[:20, :2], abs=least)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
 def test_events_reset_states(units, fmi, kind):
     system, bounce = ball()
     expected = system.integrate(rtol=1e-12, atol=1e-12, events=bounce)
@@ -156,7 +176,8 @@ def test_a_reset_may_take_the_state_back_before_its_own_surface(tmp_path, hasty)
     expected = system.integrate(rtol=1e-12, atol=1e-12, events=lifted)
     path = system.export(tmp_path / "lifted.fmu", events=lifted).path
     found = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=system.times[-1],
-                         output_interval=TIMES[1], output=["y", "v"])  # fmt: skip
+                         output_interval=TIMES[1], output=["y", "v"],
+                         relative_tolerance=1e-10)  # fmt: skip
     assert expected[-1, 1] > -1.1
     np.testing.assert_allclose(found["v"], expected[:, 1], atol=1e-8)
 
@@ -409,14 +430,14 @@ def test_a_model_may_have_any_name(tmp_path, hasty, name, fmi):
     fmpy.extract(path, tmp_path / "unpacked")
     result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=1.0, output=["x"])
     # All stiffnesses are 1: 1 + 2 + ... + 8 = 36.
-    assert result["x"][-1] == pytest.approx(np.cos(6.0), abs=1e-7)
+    assert result["x"][-1] == pytest.approx(np.cos(6.0), abs=1e-5)
 
 
 @pytest.mark.parametrize("name", ["all", "config", "fmu_core", "fmi", "fmi2"])
 def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, hasty, name):
     path = spring_of("k").export(tmp_path / f"{name}.fmu").path
     result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=1.0, output=["x"])
-    assert result["x"][-1] == pytest.approx(np.cos(1.0), abs=1e-7)
+    assert result["x"][-1] == pytest.approx(np.cos(1.0), abs=1e-5)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="the signal is for a process of POSIX")

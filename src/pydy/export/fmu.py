@@ -104,6 +104,7 @@ def _config(model: Model, fmi: str) -> Iterator[str]:
     yield f"#define FMI {fmi[0]}"
     yield f"#define START_TIME {c_literal(model.start)}"
     yield f"#define STOP_TIME {c_literal(model.stop)}"
+    yield f"#define TOLERANCE {_TOLERANCE}"
     sizes = {
         "NX": len(model.states),
         "NU": len(model.inputs),
@@ -280,6 +281,12 @@ _WORDS = {
 }
 
 
+# The tolerance where an importer's user names none: importers pass it to their own solver in Model
+# Exchange. 1e-6 is the default `experiment(Tolerance)` in OpenModelica. At 1e-10 CVODE gave up at
+# inputs that jump, where FMPy does not restart it.
+_TOLERANCE = "1e-6"
+
+
 def model_description(model: Model, fmi: str, token: str) -> str:
     """Return modelDescription.xml."""
     words, new = _WORDS[fmi], fmi == "3.0"
@@ -299,7 +306,7 @@ def model_description(model: Model, fmi: str, token: str) -> str:
         f"<fmiModelDescription{_attributes(**head)}>",
         f"  <ModelExchange{_attributes(**abilities)}>{words.files}</ModelExchange>",
         f"  <CoSimulation{_attributes(**abilities, **steps)}>{words.files}</CoSimulation>",
-        f"  <DefaultExperiment{_attributes(**span, tolerance='1e-10')}/>",
+        f"  <DefaultExperiment{_attributes(**span, tolerance=_TOLERANCE)}/>",
         "  <ModelVariables>",
     ]
     if new:

@@ -51,7 +51,7 @@ static void model_reset(Model *m)
     memcpy(m->u, MODEL(inputs), NU * sizeof(double));
     memcpy(m->p, &MODEL(defaults), NP * sizeof(double));
     m->t = START_TIME;
-    m->rtol = 1e-10;
+    m->rtol = TOLERANCE;
     m->starting = 1;
 }
 
