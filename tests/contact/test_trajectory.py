@@ -15,7 +15,7 @@ from pydy.errors import ContactError
 from pydy.mechanics import Definition
 from pydy.trajectory import Trajectory
 from pydy.viz import Arrow, Scene, Visual
-from touching import N, O, ball, billiard_ball, m, vy, y
+from touching import N, O, ball, billiard_ball, block, m, mu, vx, vy, y
 
 TIMES = np.linspace(0.0, 0.9, 40)
 
@@ -53,6 +53,19 @@ def test_the_work_of_contacts_is_known_after_more_steps_than_are_kept(monkeypatc
     monkeypatch.setattr("pydy.solvers.run.workspace.STEPS_MEMORY", 0)
     again = pickle.loads(pickle.dumps(billiard_ball().simulate(max_step=1e-4)))
     assert again.contact_work == pytest.approx(motion.contact_work, abs=1e-9)
+
+
+def test_the_work_of_contacts_is_that_in_the_relative_motion():
+    """A block that is laid on a belt: the belt does twice the work that the block gains."""
+    system, _ = block()
+    floor, speed = Unilateral(y, name="belt"), 1.5
+    system.times, system.initial_conditions = np.linspace(0.0, 1.0, 11), {y: 0.0}
+    contacts = Contacts(system, [floor, Stick(vx - speed, on=floor, mu=mu)], {mu: 0.2})
+    motion = contacts.simulate(rtol=1e-12, atol=1e-12)
+    sliding = speed - np.minimum(0.2 * 9.81 * motion.times, speed)
+    close(motion["v_x"], speed - sliding, 1e-10)
+    close(motion.contact_work, (sliding**2 - speed**2) / 2.0, 1e-10)
+    assert motion.energy[-1, 2] - motion.energy[0, 2] == pytest.approx(speed**2 / 2.0)
 
 
 def test_a_copied_motion_has_the_same_extension():

@@ -145,11 +145,18 @@ class ContactTrajectory(Trajectory):
 
     @cached_property
     def contact_work(self) -> np.ndarray:
-        """Work that friction and impacts have done since the first time, shape (m,).
+        """Work of friction and impacts in the relative motion since the first time, shape (m,).
 
-        It is what the total energy has changed by where nothing else does work. That of friction is
-        the integral of its power over the solver's steps, by Gauss's rule with 8 points. Without
-        the steps, which are kept up to 128 MB, the states are interpolated between `times`.
+        It is that of each force and impulse along the velocity of one surface relative to the
+        other, so it is never positive: minus the energy that became heat. Between surfaces of the
+        system, or on a surface at rest, it is what the total energy has changed by where nothing
+        else does work. On a surface that moves as prescribed, such as a belt, what drives the
+        surface does work too, which may be positive: a block that a belt carries along gains energy
+        while its `contact_work` becomes negative.
+
+        That of friction is the integral of its power over the solver's steps, by Gauss's rule with
+        8 points. Without the steps, which are kept up to 128 MB, the states are interpolated
+        between `times`.
         """
         own = {f"{name}_power" for name in self._names}
         powers = [k for k, symbol in enumerate(self.outputs_symbols) if str(symbol) in own]
