@@ -86,6 +86,16 @@ def test_each_unit_has_an_axis_of_its_own():
     assert len(above.figure.axes) == 4  # also one for what has no unit
 
 
+def test_the_axes_of_selected_quantities_are_labelled_with_their_names():
+    trajectory = simulated("fourbar")
+    units = {"q1": "rad", "q3": "rad", "u2": "1/s", "u1": "m/s"}
+    ax = plot_quantities(trajectory, ["q1", "q3", "u2", "u1"], units=units)
+    found = [one.get_ylabel() for one in ax.figure.axes]
+    assert found == ["$q_{1}$, $q_{3}$ (rad)", "$u_{2}$ (1/s)", "$u_{1}$ (m/s)"]
+    assert trajectory.plot(["u1", "q1"]).get_ylabel() == "$u_{1}$, $q_{1}$"
+    assert trajectory.plot(["u1", "q1", "q2", "q3"]).get_ylabel() == "values"
+
+
 @pytest.mark.parametrize("layout", ["constrained", None])
 def test_numbers_and_labels_of_further_axes_do_not_overlap(layout):
     system = multi_mass_spring_damper(2)

@@ -41,6 +41,7 @@ __all__ = [
 
 
 SMOOTH = 400  # parts of a curve that look like one
+NAMES = 3  # how many quantities the label of an axis names
 Units = Mapping[Any, str] | None
 
 
@@ -325,7 +326,7 @@ def plot_quantities(
 
     The parameters are those of `plot_coordinates`.
     """
-    return _plot(result, (), "value", names, ax, units, time_unit)
+    return _draw(ax, curves_of(result, (), "values", names, units), "", time_unit)
 
 
 def plot_sensitivities(
@@ -561,10 +562,11 @@ def _plot(
 
 
 def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str, title: str = "") -> Any:
+    """Draw curves over time; an axis is labelled `what`, or with the names of its curves."""
     ax = axes_of(ax)
     time_label = with_unit("time", text(time_unit, "`time_unit`"))
     shared = list(dict.fromkeys(c.unit for c in curves))
-    axes = _axes_of_units(ax, shared, what)
+    axes = _axes_of_units(ax, curves, what)
     quantities = list(dict.fromkeys(c.name for c in curves))
     colours: dict[str, Any] = {}
     lines = []
@@ -614,19 +616,28 @@ def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str, title: st
     return ax
 
 
-def _axes_of_units(ax: Any, units: Sequence[str], what: str) -> dict[str, Any]:
+def _axes_of_units(ax: Any, curves: Sequence[Curve], what: str) -> dict[str, Any]:
     """Return the Axes of each unit; further ones share the time and have a scale at the right.
 
     Quantities without a unit are drawn on the axis of a single one: their labels show none.
     """
+    units = list(dict.fromkeys(c.unit for c in curves))
     if len({*units} - {""}) < 2:
-        ax.set_ylabel(with_unit(what, units[0] if len(units) == 1 else ""))
+        label = what or _names_at_an_axis(curves)
+        ax.set_ylabel(with_unit(label, units[0] if len(units) == 1 else ""))
         return dict.fromkeys(units, ax)
     axes = {}
     for k, unit in enumerate(units):
         axes[unit] = ax.twinx() if k else ax
-        axes[unit].set_ylabel(with_unit(what, unit))
+        label = what or _names_at_an_axis([c for c in curves if c.unit == unit])
+        axes[unit].set_ylabel(with_unit(label, unit))
     return axes
+
+
+def _names_at_an_axis(curves: Sequence[Curve]) -> str:
+    """Return the names of the quantities at an axis; more than fit beside it are in the legend."""
+    names = list(dict.fromkeys(typeset(c.name, c.latex) for c in curves))
+    return ", ".join(names) if len(names) <= NAMES else "values"
 
 
 def _place_beside_each_other(ax: Any, axes: Sequence[Any]) -> None:

@@ -1044,6 +1044,7 @@ def test_controls_errors_and_sparsity_are_plotted():
     )
     (ax,) = found.plot_controls()
     assert (ax.get_ylabel(), len(ax.lines)) == ("F", 4)  # itself, its bounds, the nodes
+    assert ax.get_xlabel() == found.plot_error().get_xlabel() == "time"  # in the model's unit
     assert found.plot_controls(ax) is ax
     with pytest.raises(ValueError, match="`axes` must be 1, one for each of F, got 2"):
         found.plot_controls([ax, ax])

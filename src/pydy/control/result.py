@@ -264,7 +264,7 @@ class OptimalTrajectory(Trajectory):
                     ax.plot(at, limit, "--", color="0.5", linewidth=0.8)
             ax.plot(self.mesh, np.zeros_like(self.mesh), "|", color="0.6",
                     transform=ax.get_xaxis_transform())  # fmt: skip
-            ax.set_xlabel("time (s)")
+            ax.set_xlabel("time")
             ax.set_ylabel(typeset(name, ""))
         return axes
 
@@ -274,7 +274,7 @@ class OptimalTrajectory(Trajectory):
         ax.stairs(self.error, self.mesh, baseline=None)
         if (self.error > 0.0).any():
             ax.set_yscale("log")
-        ax.set_xlabel("time (s)")
+        ax.set_xlabel("time")
         ax.set_ylabel("error of the interval")
         return ax
 
