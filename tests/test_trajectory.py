@@ -567,6 +567,20 @@ def test_parts_of_another_kind_are_refused_at_once(name):
         Trajectory([0, 1], [[1], [2]], {"speed": ["u"]}, **{name: 5})
 
 
+def test_a_trajectory_in_place_of_its_times_is_named_once():
+    system = multi_mass_spring_damper()
+    system.times, system.ode_solver = [0.0, 1.0], "dop853"
+    trajectory = system.simulate()
+    told = (
+        r"got the Trajectory of x0, v0 at 2 times from 0\.0 to 1\.0\. Pass its attribute `times`\."
+    )
+    with pytest.raises(TypeError, match=told):
+        system.times = trajectory
+    system.times = trajectory.times
+    with pytest.raises(TypeError, match=r"pydy\.solvers\.Event, got the Trajectory of x0"):
+        system.simulate(events=[trajectory])
+
+
 def test_simulate_needs_times():
     with pytest.raises(ValueError, match="at least two values"):
         multi_mass_spring_damper().simulate()

@@ -102,6 +102,13 @@ def shown(value: Any) -> str:
     return text if len(text) <= 200 else f"{text[:200]} …"
 
 
+def typed(value: Any) -> str:
+    """Return a value with its type for a message: "the str 'q1'"; the type stands in it once."""
+    kind, content = type(value).__name__, shown(value)
+    first = content.partition("(")[0].partition(" ")[0]
+    return f"the {content}" if first == kind else f"the {kind} {content}"
+
+
 def _shaped(value: Any) -> str:
     """Describe an array or a table."""
     kind = "an array" if type(value) is np.ndarray else f"a {type(value).__name__}"

@@ -27,7 +27,7 @@ from sympy.physics.mechanics import (
     WrappingPathway,
 )
 
-from pydy._checks import shown
+from pydy._checks import shown, typed
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
@@ -174,7 +174,7 @@ def checked_vector(value: Any, what: str) -> Any:
     if not isinstance(value, Vector):
         raise TypeError(
             f"{what} must be a Vector, such as {shown(value)}*N.x with the axis of a frame N, got "
-            f"the {type(value).__name__} {shown(value)}."
+            f"{typed(value)}."
         )
     if not all(isinstance(part, sm.MatrixBase) for part, _ in value.args):
         # SymPy makes this of a vector that is multiplied by NaN, and cannot print it.

@@ -24,6 +24,7 @@ from pydy._checks import (
     real_array,
     resolved,
     shown,
+    typed,
 )
 from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
@@ -338,10 +339,8 @@ def check_times(times: Any) -> np.ndarray:
         return np.empty(0)
     array = np.array(real_array(times, "`times`")) if hasattr(times, "__len__") else np.empty(())
     if array.ndim == 0:
-        raise TypeError(
-            f"`times` must be a sequence of time values, got the {type(times).__name__} "
-            f"{shown(times)}."
-        )
+        remedy = " Pass its attribute `times`." if hasattr(times, "times") else ""
+        raise TypeError(f"`times` must be a sequence of time values, got {typed(times)}.{remedy}")
     monotonic(array, "`times`")
     return array
 

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._checks import Places, describe, shown
+from pydy._checks import Places, describe, typed
 from pydy._graph.derivative import dense_jacobian, directional, jacobian, jacobian_rows
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
@@ -47,8 +47,7 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
     for event in events:
         if not isinstance(event, Event):
             raise TypeError(
-                "`events` must hold objects of pydy.solvers.Event, got "
-                f"{type(event).__name__}: {shown(event)}."
+                f"`events` must hold objects of pydy.solvers.Event, got {typed(event)}."
             )
         reset = {}
         for key, after in event.reset.items():

@@ -17,7 +17,7 @@ from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.system import Form, assemble_form
 from pydy._backends.registry import resolve
-from pydy._checks import describe, flag, listed, resolved, shown
+from pydy._checks import describe, flag, listed, resolved, shown, typed
 from pydy._graph.passes import rewriting
 from pydy._mechanics.symbols import find_symbols
 from pydy.codegen.arguments import checked_expression
@@ -208,7 +208,7 @@ def _column(argument: str, value: Any) -> list[Any]:
             raise ValueError(f"`{argument}` must be a column, got the shape {value.shape}.")
         return list(value)
     if isinstance(value, (set, frozenset)):
-        raise TypeError(f"`{argument}` must be in order, got the {type(value).__name__} {value}.")
+        raise TypeError(f"`{argument}` must be in order, got {typed(value)}.")
     entries = listed(argument, value, "expressions, or a column matrix")
     # Rows of a column are taken too.
     rows = [e[0] if isinstance(e, np.ndarray) and e.shape == (1,) else e for e in entries]
@@ -223,8 +223,8 @@ def _explicit(argument: str, value: Any) -> Any:
         return value.as_explicit()
     except (ValueError, TypeError, NotImplementedError) as error:
         raise ValueError(
-            f"`{argument}` must be a matrix of expressions, got the {type(value).__name__} "
-            f"{shown(value)}, whose entries are not known: {error}"
+            f"`{argument}` must be a matrix of expressions, got {typed(value)}, "
+            f"whose entries are not known: {error}"
         ) from error
 
 

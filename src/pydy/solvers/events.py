@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, shown, text
+from pydy._checks import flag, text, typed
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.tuning import CLOSE, ROUNDING, ROUNDINGS
 
@@ -116,10 +116,7 @@ def _check_expression(value: Any, what: str) -> None:
     if not (number or (scalar and not isinstance(value, type))) or any(
         getattr(value, name, False) for name in others
     ):
-        raise TypeError(
-            f"{what} must be a SymPy expression or a number, got the {type(value).__name__} "
-            f"{shown(value)}."
-        )
+        raise TypeError(f"{what} must be a SymPy expression or a number, got {typed(value)}.")
 
 
 def identified(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:

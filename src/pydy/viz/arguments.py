@@ -24,6 +24,7 @@ from pydy._checks import (
     refuse_twice,
     shown,
     text,
+    typed,
 )
 from pydy._interpolation import detailed, filled
 from pydy._mechanics.symbols import find_symbols, sort_symbols
@@ -46,8 +47,8 @@ def as_visual(thing: Any) -> Visual:
         else ""
     )
     raise TypeError(
-        "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got the "
-        f"{type(thing).__name__} {shown(thing)}.{remedy}"
+        "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got "
+        f"{typed(thing)}.{remedy}"
     )
 
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pydy._checks import shown
+from pydy._checks import typed
 from pydy._files import replacing
 from pydy._optional import bar_of, require
 from pydy.viz.animation import Animation, Framing, Item, Look, frame, frame_still
@@ -234,8 +234,8 @@ def draw(animation: Animation, look: Look, t: float, axes: Any = None, still: bo
         axes = _whole(Figure(figsize=(7, 5)))
     elif not hasattr(axes, "add_collection3d"):
         raise TypeError(
-            "`axes` must be three-dimensional, made with subplot(projection='3d'), got the "
-            f"{type(axes).__name__} {shown(axes)}."
+            "`axes` must be three-dimensional, made with subplot(projection='3d'), got "
+            f"{typed(axes)}."
         )
     seen = frame_still(animation, look, t) if still else frame(animation, look)
     _Drawing(animation, animation.at(t), seen, axes, look.title).draw(0)

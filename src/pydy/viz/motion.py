@@ -24,7 +24,7 @@ from pydy._checks import (
     number,
     real_array,
     refuse_twice,
-    shown,
+    typed,
 )
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
@@ -308,8 +308,7 @@ def motion_of_trajectory(
     missing = [a for a in ("times", "states", "state_symbols") if not hasattr(trajectory, a)]
     if missing:
         raise TypeError(
-            "`animate` takes a Trajectory, or times and states, got the "
-            f"{type(trajectory).__name__} {shown(trajectory)}."
+            f"`animate` takes a Trajectory, or times and states, got {typed(trajectory)}."
         )
     symbols = tuple(trajectory.state_symbols)
     # A trajectory from a file has names in the place of symbols.
