@@ -291,3 +291,63 @@ def test_values_of_a_sweep_are_told():
     system = System(definition(spring_at_rest_length_one))
     with pytest.warns(PyDyUserWarning, match="`over` for `k` is -1, .* negative"):
         system.eigenvalues({"k": [-1.0, 2.0]})
+
+
+# -- orientations ----------------------------------------------------------------------------------
+
+
+def turning(**options):
+    """A symmetric body that turns freely, oriented by a quaternion that no constraint holds."""
+    q, u, t = me.dynamicsymbols("e0:4"), me.dynamicsymbols("w1:4"), me.dynamicsymbols._t
+    frame, centre = me.ReferenceFrame("N"), me.Point("C")
+    body = frame.orientnew("B", "Quaternion", q)
+    body.set_ang_vel(frame, sum((w * axis for w, axis in zip(u, body, strict=True)), 0 * frame.x))
+    centre.set_vel(frame, 0)
+    x, y, z = u
+    rates = [-q[1] * x - q[2] * y - q[3] * z, q[0] * x + q[2] * z - q[3] * y,
+             q[0] * y + q[3] * x - q[1] * z, q[0] * z + q[1] * y - q[2] * x]  # fmt: skip
+    solid = me.RigidBody("solid", centre, body, 1, (me.inertia(body, 1, 1, 1), centre))
+    return System(
+        Definition(
+            frame, q, u, bodies=[solid],
+            kinematic_equations=[2 * e.diff(t) - rate for e, rate in zip(q, rates, strict=True)],
+        ),
+        times=[0.0, 1.0], ode_solver="dop853", **options,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("start", "message"),
+    [
+        ({}, r"e0 = 0, e1 = 0, e2 = 0, e3 = 0 orient no frame.* by 1\..* Set e0 = 1 for a frame"),
+        ({"e1": 2.0}, r"e0 = 0, e1 = 2, .* by 15\..* Scale them to unit length"),
+    ],
+)
+def test_a_quaternion_that_is_not_of_unit_length_is_a_warning(start, message):
+    system = turning(initial_conditions={"w1": 0.6, **start})
+    with pytest.warns(PyDyUserWarning, match=message):
+        system.simulate()
+    with pytest.warns(PyDyUserWarning, match=message):
+        system.integrate()
+
+
+def test_a_matrix_of_small_angles_is_no_quaternion():
+    q, u = me.dynamicsymbols("a1:4"), me.dynamicsymbols("w1:4")
+    frame, centre = me.ReferenceFrame("N"), me.Point("C")
+    body = frame.orientnew(
+        "B", "DCM", sm.Matrix([[1, q[2], -q[1]], [-q[2], 1, q[0]], [q[1], -q[0], 1]])
+    )
+    body.set_ang_vel(frame, sum((w * axis for w, axis in zip(u, body, strict=True)), 0 * frame.x))
+    centre.set_vel(frame, 0)
+    solid = me.RigidBody("solid", centre, body, 1, (me.inertia(body, 1, 1, 1), centre))
+    rates = [angle.diff(TIME) - w for angle, w in zip(q, u, strict=True)]
+    linear = Definition(frame, q, u, bodies=[solid], kinematic_equations=rates)
+    system = System(linear, times=[0.0, 1.0], initial_conditions={"a1": 0.1, "w1": 0.2})
+    np.testing.assert_allclose(system.simulate()["a1"], [0.1, 0.3], rtol=1e-6)
+
+
+def test_a_unit_quaternion_is_none():
+    system = turning(initial_conditions={"w1": 0.6, "e0": 0.7071, "e1": 0.7071})
+    final = system.simulate(rtol=1e-10, atol=1e-10).states[-1]  # warnings are errors
+    angle = np.pi / 4 + 0.3
+    np.testing.assert_allclose(final[:2], [np.cos(angle), np.sin(angle)], atol=1e-4)

@@ -105,7 +105,7 @@ class Assembly:
         if mechanism is None or not mechanism.bodies:
             return []
         energy = mechanism.energy
-        node = self._reader("the kinetic energy", [energy])(energy)
+        node = self.reader("the kinetic energy", [energy])(energy)
         cells = flat(hessian(self.graph, node, self.speeds)[1])
         return substitute(self.graph, cells, self.given)
 
@@ -116,10 +116,11 @@ class Assembly:
     def read(self, expressions: Iterable[Any], what: str, *, sizes: bool = False) -> list[int]:
         """Return expressions as nodes; with `sizes`, symbols that the equations lack are zero."""
         expressions = [*expressions]
-        reader = self._reader(what, expressions if sizes else ())
+        reader = self.reader(what, expressions if sizes else ())
         return substitute(self.graph, reader.all(expressions), self.given)
 
-    def _reader(self, what: str, sized: Sequence[Any] = ()) -> SymPyReader:
+    def reader(self, what: str, sized: Sequence[Any] = ()) -> SymPyReader:
+        """Return a reader into this graph; symbols of `sized` that the equations lack are zero."""
         absent = (s for s in (find_symbols(sized) if sized else ()) if s not in self.atoms)
         more = dict.fromkeys(absent, self.graph.zero)
         return SymPyReader(self.graph, {**self.atoms, **more} if more else self.atoms, what)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pydy._simulation.assumptions import check_assumptions
+from pydy._simulation.assumptions import check_assumptions, check_orientations, orientations
 from pydy._simulation.constraint_drift import check_drift, check_resets, check_start
 from pydy._simulation.discontinuities import warn_of_impulses, warn_of_pulses
 from pydy._simulation.motion import Motion
@@ -14,9 +14,17 @@ from pydy.solvers.solver import Solver
 
 
 def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration) -> None:
-    """Warn of a start off the constraints, and once of inputs whose derivatives are impulses."""
+    """Warn of a start off the constraints, and once of inputs whose derivatives are impulses.
+
+    Without constraints that say so, warn also of one where a frame's orientation is no rotation.
+    """
+    at_start, off = (times[:1], problem.x[None]), False
     if ready.constrained:
-        check_start(problem.at(times[:1], problem.x[None]), mended=ready.enforced)
+        off = check_start(problem.at(*at_start), mended=ready.enforced)
+    if ready.oriented is None:
+        ready.oriented = orientations(problem.definition.equations)
+    if ready.oriented and not off:
+        check_orientations(problem.at(*at_start), ready.oriented)
     if not ready.start_judged and (problem.plan.expressions or ready.constrained):
         warn_of_impulses(problem, times)
     ready.start_judged = True

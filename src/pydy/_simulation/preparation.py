@@ -51,6 +51,7 @@ class PreparedIntegration:
         self.never_jumps = False  # whether inputs and loads are known not to jump by time alone
         self.span = 0.0  # of the times of the latest call
         self.start_judged = False  # whether impulses of the inputs were looked for
+        self.oriented: tuple[Any, ...] | None = None  # see `assumptions.orientations`
         self.code, self.options = self._prepared(model)
         self.read: Options | None = None  # as the solver has read them
         self.problem: Problem | None = None  # of the latest call
