@@ -455,6 +455,27 @@ def test_a_motion_of_which_the_equations_hold_derivatives_alone_has_a_place():
     close(system.frame_position(bob), [4.0, 0.0, 0.0])
 
 
+def test_what_holds_no_specified_calls_no_function_of_one():
+    system, numbers = n_link_pendulum_on_cart(1), n_link_pendulum_on_cart(1)
+    numbers.specifieds = {"F": 3.0}
+
+    def force(x, t):
+        raise RuntimeError("called")
+
+    system.specifieds = {"F": force}
+    for find in (
+        lambda one: one.mass_matrix(),
+        lambda one: one.mass_matrix(wrt=["q1", "F"]),
+        lambda one: one.gravity(),
+        lambda one: one.frame_position(one.eom_method.bodies[1]),
+        lambda one: one.frame_jacobian(one.eom_method.bodies[1]),
+        lambda one: one.regressor(),
+    ):
+        np.testing.assert_array_equal(find(system), find(numbers))
+    with pytest.raises(RuntimeError, match="called"):
+        system.bias()  # which the force is part of
+
+
 def test_vectors_that_are_none_are_named():
     system = n_link_pendulum_on_cart(1)
     frame, point = system._equations.mechanism.frame, system.eom_method.bodies[1].masscenter

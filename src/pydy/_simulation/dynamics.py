@@ -351,6 +351,7 @@ def evaluate(
         by,
         more=at[2].shape[-1],
         look=look if equations.constrained else None,
+        skips_unread_inputs=True,
         solve=all({*places} <= {*left[0]} for _, places in equations.residual_blocks),
     )
     return f(t, x, r, p).reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))

@@ -11,6 +11,7 @@ import numpy as np
 from pydy._assembly.model import CompiledModel
 from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
+from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._simulation.diagnostics import explain, warn_not_finite
 from pydy._simulation.problem import At, Problem, samples
@@ -56,6 +57,8 @@ class Function:
     more: int = 0  # further columns of x, after the states
     look: Callable[[At], None] | None = None  # at the states first
     solve: bool = False  # whether implicit coordinates are solved for, although x is given
+    # Whether the user's functions of specifieds are called only where the Kernel reads specifieds.
+    skips_unread_inputs: bool = False
 
     def __call__(self, t: Any = None, x: Any = None, r: Any = None, p: Any = None) -> np.ndarray:
         """Evaluate it."""
@@ -69,14 +72,16 @@ class Function:
         if r is None or callable(r) or isinstance(r, Mapping):
             plan = problem.plan_with(r)
             plan.check_times(instants, "times" if t is None else "t")
-            rows = plan.rows
+            numbers: np.ndarray | None = None
             perturbed = any(group == "r" for group, _ in self.by)
             code = problem.model.with_compiled_inputs(plan, perturbed=perturbed)
+            if self.skips_unread_inputs and plan.changing and not self._reads_inputs(code):
+                numbers = np.zeros((1, len(definition.specifieds)))
         else:
             numbers = specified_rows(r, instants, len(definition.specifieds))
 
-            def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
-                return numbers
+        def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
+            return plan.rows(x, t) if numbers is None else numbers
 
         at = At(definition, code, instants, states, rows(states, instants), problem.p_with(p))
         at = at.with_unknowns(None if self.solve else x, rows)
@@ -97,3 +102,20 @@ class Function:
         if not np.isfinite(out).all():
             warn_not_finite(out, at, self.names())
         return out[0] if single else out
+
+    def _reads_inputs(self, code: CompiledModel) -> bool:
+        """Return whether the values, or what is judged with them, may depend on specifieds."""
+        definition = self.problem.definition
+        program, equations = self.kernel(code).program, definition.equations
+        if equations.implicit is not None or "specifieds" in definition.assumptions:
+            return True
+        if not isinstance(program, Program) or any(
+            op == "input" and args[0] == "r"
+            for op, args in zip(program.ops, program.args, strict=True)
+        ):
+            return True
+        if self.look is None:
+            return False
+        assembly = code.assembly.fork()
+        rows = [row for part in assembly.with_left_out() for row in part]
+        return "r" in assembly.graph.inputs_of(rows)
