@@ -263,6 +263,22 @@ def test_an_integral_through_events_that_a_parameter_moves():
     np.testing.assert_allclose(found.values, expected, rtol=1e-9)
 
 
+@pytest.mark.parametrize("integrated", [False, True])
+def test_a_motion_that_ends_roundings_after_an_event(integrated):
+    """Where a step of few roundings finds the event again, this is undone."""
+    system, (y, v), (g, e, _) = ball()
+    bounce = Event(y, direction=-1, reset={v: -e * v}, name="bounce")
+    system.times = [0.0, 4.0]
+    first = system.simulate(events=bounce).events[0].time
+    terms = {"final": y, "integral": y} if integrated else {"final": y}
+    for k in range(-16, 17):
+        end = first + k * np.spacing(first)
+        system.times = [0.0, end]
+        found = system.adjoint_gradient([g], events=bounce, **terms)
+        assert found.time == end
+        assert found.value == pytest.approx(10.0 / 3.0 if integrated else 0.0, abs=1e-6)
+
+
 def test_the_time_and_speed_at_which_a_terminal_event_ends():
     system, (y, v), (g, e, _) = ball()
     ground = Event(y, direction=-1, terminal=True, reset={v: -e * v}, name="ground")

@@ -533,7 +533,7 @@ class Integration(Workspace):
         if (
             self.code != EVENTS_ACCUMULATE
             or last - t > rest
-            or self.options.sensitivities is not None
+            or (self.options.sensitivities is not None and self.options.recorded is None)
         ):
             return
         self._empty_log()
@@ -541,11 +541,10 @@ class Integration(Workspace):
         same = [r for r in self.records if r.index == event and r.time >= t - rest]
         if len(same) != 2 or len(self.records) < 2 or self.records[-2] is not same[0]:
             return
-        x = self.records.pop().before
-        self.memory.x[: self.n] = x
+        self.memory.x[: self.states] = self.records.pop().before
         self.progress.state[at.TIME] = last
         self._take_sides({event})
-        self._rows[self.progress.counts[at.NEXT] : self._number] = x
+        self._rows[self.progress.counts[at.NEXT] : self._number] = self.memory.x[: self.n]
         self.progress.counts[at.NEXT] = self._number
         self._end(FINISHED)
 
