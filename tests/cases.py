@@ -9,6 +9,7 @@ from scipy.integrate import odeint, solve_ivp
 
 import zoo
 from oracle import oracle
+from pydy.mechanics import Definition
 from pydy.system import System
 
 __all__ = [
@@ -20,6 +21,7 @@ __all__ = [
     "close",
     "given",
     "system_of",
+    "uncoupled",
     "wide",
 ]
 
@@ -160,3 +162,23 @@ def check_arguments(rhs, r, p, time_first):
     }[p]
     first = (t, x) if time_first else (x, t)
     close(rhs(*first, ways_of_r(x, t, time_first)[r], values), expected)
+
+
+def uncoupled(solver, ratio, damping=0.0, end=20.0, load=0):
+    """Two oscillators: the first moves, the second is at rest, and that many times as fast.
+
+    The second is also pushed by a constant P, which is zero, times the `load`.
+    """
+    x, u, y, v = me.dynamicsymbols("x u y v")
+    c, K, P = sm.symbols("c K P")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("point", x * frame.x + y * frame.y)
+    force = -x * frame.x - (K * y + c * v - P * load) * frame.y
+    bodies, loads = [me.Particle("body", point, 1)], [(point, force)]
+    system = System(Definition(frame, [x, y], [u, v], bodies=bodies, loads=loads))
+    system.constants, system.ode_solver = {K: ratio**2, c: damping}, solver
+    if load != 0:
+        system.constants[P] = 0.0
+    system.initial_conditions, system.times = {x: 1.0}, np.linspace(0.0, end, 5)
+    return system

@@ -2255,7 +2255,8 @@ class System:
         -----
         PyDyUserWarning
             As in `integrate`; or a load, another rate or the integrand jumps along the motion: the
-            derivatives do not include the jump.
+            derivatives do not include the jump. Or the steps are those of the states' errors alone,
+            as derivatives could not be integrated with the motion.
 
         Examples
         --------

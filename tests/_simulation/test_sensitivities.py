@@ -12,7 +12,7 @@ from scipy.linalg import expm
 
 import zoo
 from ball import bouncing_ball
-from cases import system_of
+from cases import system_of, uncoupled
 from circle import on_a_circle
 from pydy import System
 from pydy.errors import IntegrationError, IntegrationInterrupted, PyDyUserWarning
@@ -822,21 +822,6 @@ def test_what_grows_or_swings_beside_a_rest_is_resolved(solver, sign, function, 
     with pytest.raises(ValueError, match="`rtol` must"):
         system.simulate(sensitivities=[X], rtol="a")
     system.simulate(sensitivities=[X], rtol=0.0)
-
-
-def uncoupled(solver, ratio, damping=0.0):
-    """Two oscillators: the first moves, the second is at rest, and that many times as fast."""
-    x, u, y, v = me.dynamicsymbols("x u y v")
-    c = sm.Symbol("c")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    point = origin.locatenew("P", x * frame.x + y * frame.y)
-    load = -x * frame.x - (K * y + c * v) * frame.y
-    bodies, loads = [me.Particle("P", point, 1)], [(point, load)]
-    system = System(Definition(frame, [x, y], [u, v], bodies=bodies, loads=loads))
-    system.constants, system.ode_solver = {K: ratio**2, c: damping}, solver
-    system.initial_conditions, system.times = {x: 1.0}, np.linspace(0.0, 20.0, 5)
-    return system
 
 
 @pytest.mark.parametrize("solver", ADAPTIVE_NAMES)

@@ -8,16 +8,18 @@ import sympy.physics.mechanics as me
 from scipy.linalg import expm
 
 import zoo
-from cases import system_of
+from cases import system_of, uncoupled
 from pydy import System
 from pydy._interrupts import Interrupts
-from pydy.errors import IntegrationError, IntegrationInterrupted
+from pydy.contact import Contacts, Unilateral
+from pydy.errors import IntegrationError, IntegrationInterrupted, PyDyUserWarning
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.run import workspace
 from pydy.solvers.run.backward import DiscreteAdjoint
-from registry import EXPLICIT_NAMES, step_options
+from registry import ADAPTIVE_NAMES, EXPLICIT_NAMES, step_options
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
@@ -353,6 +355,142 @@ def test_a_closed_loop(holding):
     expression = sum(w * s for w, s in zip(weights, system.states, strict=True))
     found = system.adjoint_gradient(wrt, final=expression, **holding, **TIGHT)
     agree(found.values, forward(system, wrt, weights, **holding, **TIGHT))
+
+
+# -- what the motion does not excite --------------------------------------------------------------
+
+CONTROLLED = [name for name in EXPLICIT_NAMES if name in ADAPTIVE_NAMES]
+LOOSE, RATIO = {"rtol": 1e-8, "atol": 1e-8}, 50.0
+
+
+def allowed(found, rtol=1e-8):
+    """Return the error of a fast direction, in units of its size.
+
+    Each step may add a thousand tolerances, as a root mean square of four components.
+    """
+    bound = 2.0 * 1e3 * rtol * found.statistics["steps"]
+    assert bound < 0.1
+    return bound
+
+
+@pytest.mark.parametrize("solver", CONTROLLED)
+@pytest.mark.parametrize(
+    ("ratio", "damping"), [(5.0, 0.0), (10.0, 0.0), (RATIO, 0.0), (10.0, 0.2), (10.0, -0.2)]
+)
+def test_a_direction_that_the_motion_does_not_excite_is_resolved(solver, ratio, damping):
+    """No error of the states shows it: at ten times the motion's frequency 0.5 was 1e16."""
+    system = uncoupled(solver, ratio, damping)
+    y, v = system.states[1::2]
+    found = system.adjoint_gradient([y], final=y, integral=v, **LOOSE)
+    rate, decay = np.sqrt(ratio**2 - damping**2 / 4.0), damping / 2.0
+    phase, size = rate * 20.0, np.exp(-decay * 20.0)
+    of_y = size * (np.cos(phase) + decay / rate * np.sin(phase))
+    of_v = size * np.sin(phase) / rate
+    bound = allowed(found) * (1.0 + size)
+    # What is integrated is the speed: y once more, without its start.
+    assert found["y"] == pytest.approx(2.0 * of_y - 1.0, abs=2.0 * bound)
+    expected = [0.0, 2.0 * of_y - 1.0, 0.0, 2.0 * of_v]
+    np.testing.assert_allclose(found.by_state, expected, rtol=0, atol=2.0 * bound)
+
+
+@pytest.mark.parametrize("solver", CONTROLLED)
+def test_a_load_that_is_zero_on_what_does_not_move(solver):
+    system = uncoupled(solver, RATIO, load=sm.cos(7 * me.dynamicsymbols._t))
+    found = system.adjoint_gradient(["P"], final=system.states[1], **LOOSE)
+    expected = (np.cos(140.0) - np.cos(20.0 * RATIO)) / (RATIO**2 - 49.0)
+    assert found["P"] == pytest.approx(expected, abs=2.0 * allowed(found) / RATIO**2)
+
+
+def test_samples_of_a_load_that_are_zero_on_what_does_not_move():
+    """By Duhamel's integral of each hat function, in closed form."""
+    F, T = me.dynamicsymbols("F"), 6.0
+    system = uncoupled("dop853", RATIO, end=T, load=F)
+    system.constants["P"], times = 1.0, np.linspace(0.0, T, 7)
+    system.specifieds = {F: SampledInput(times, np.zeros(7))}
+    found = system.adjoint_gradient([F], final=system.states[1], **LOOSE)
+    s = sm.Symbol("s")
+
+    def piece(start, rising):
+        hat = (s - start) if rising else (start + 1 - s)
+        return float(sm.integrate(hat * sm.sin(RATIO * (T - s)) / RATIO, (s, start, start + 1)))
+
+    up, down = ([piece(k, rising) for k in range(6)] for rising in (True, False))
+    expected = np.add([0.0, *up], [*down, 0.0])
+    np.testing.assert_allclose(found["F"], expected, rtol=0, atol=2.0 * allowed(found) / RATIO**2)
+
+
+@pytest.mark.parametrize("terms", [{}, {"integral": 1}])
+def test_what_the_motion_does_not_excite_goes_on_through_events(terms):
+    """The first oscillator is thrown back where it passes zero; the other one stays at rest."""
+    system = uncoupled("dop853", RATIO)
+    x, y, u, _ = system.states
+    back = Event(x, direction=-1, reset={u: -u}, name="back")
+    found = system.adjoint_gradient([x, y], final=x + y, events=back, **terms, **LOOSE)
+    assert len(found.trajectory.events) == 6
+    assert found["y"] == pytest.approx(np.cos(20.0 * RATIO), abs=2.0 * allowed(found))
+    # Reflected, it is |cos t|.
+    assert found["x"] == pytest.approx(abs(np.cos(20.0)), abs=2.0 * allowed(found))
+    plain = system.simulate(events=back, **LOOSE)
+    assert found.trajectory.events[-1].time == pytest.approx(plain.events[-1].time, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    "holding", [{"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0}]
+)
+def test_what_constrained_motions_do_not_excite(holding):
+    """A point swings on a circle, as a pendulum; a spring holds it in the plane of the circle."""
+    x, y, z, u, v, w = me.dynamicsymbols("x y z u v w")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y + z * frame.z)
+    bodies = [me.Particle("bob", place, 1)]
+    loads = [(place, -frame.y - RATIO**2 * z * frame.z)]
+    definition = Definition(
+        frame,
+        [x, y, z],
+        [u, v, w],
+        bodies=bodies,
+        loads=loads,
+        holonomic_constraints=[x**2 + y**2 - 1],
+    )
+    system = System(definition, ode_solver="dop853", times=[0.0, 20.0])
+    system.initial_conditions = {x: 0.6, y: -0.8}
+    system.set_dependent_initial_conditions(dep_vars=[y, v])
+    found = system.adjoint_gradient([z, w], final=z, **holding, **LOOSE)
+    expected = [np.cos(20.0 * RATIO), np.sin(20.0 * RATIO) / RATIO]
+    np.testing.assert_allclose(found.values, expected, rtol=0, atol=2.0 * allowed(found))
+
+
+def test_what_motions_with_contacts_do_not_excite():
+    """The first oscillator bounces where it passes zero; the other one stays at rest."""
+    system = uncoupled("dop853", RATIO)
+    x, y = system.states[:2]
+    contacts = Contacts(system, [Unilateral(x, restitution=1.0, name="wall")])
+    found = system.adjoint_gradient([x, y], final=x + y, contacts=contacts, **LOOSE)
+    assert len(found.trajectory.events) == 6
+    assert found["y"] == pytest.approx(np.cos(20.0 * RATIO), abs=2.0 * allowed(found))
+    assert found["x"] == pytest.approx(abs(np.cos(20.0)), abs=2.0 * allowed(found))
+
+
+@pytest.mark.parametrize("solver", CONTROLLED)
+def test_ordinary_motions_have_their_steps(solver):
+    """Each of the masses moves in all modes."""
+    system = multi_mass_spring_damper(4, apply_gravity=True)
+    system.initial_conditions = {system.states[0]: 1.0}
+    system.times, system.ode_solver = np.linspace(0.0, 10.0, 5), solver
+    for tolerance in (1e-5, 1e-8, 1e-11):
+        own = {"rtol": tolerance, "atol": tolerance}
+        steps = system.simulate(**own).statistics["steps"]
+        found = system.adjoint_gradient("constants", final="x3", **own)
+        assert found.statistics["steps"] == pytest.approx(steps, rel=0.01)
+
+
+def test_steps_that_no_derivatives_bound_are_told():
+    system = uncoupled("dop853", RATIO)
+    y = system.states[1]
+    with pytest.warns(PyDyUserWarning, match="beside them `dop853` took 100 steps, `max_steps` at"):
+        found = system.adjoint_gradient([y], final=y, max_steps=100, **LOOSE)
+    assert found.statistics["steps"] == system.simulate(**LOOSE).statistics["steps"]
 
 
 # -- what goes wrong ------------------------------------------------------------------------------

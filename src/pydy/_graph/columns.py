@@ -13,7 +13,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pydy._graph.derivative import directional
+from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.passes.factor import factor_sums
+from pydy._graph.program import Program
 from pydy._graph.tangent import Along, Tangent, tangent
 
 
@@ -88,3 +92,33 @@ class Columns:
         table = np.array(rows, dtype=float).reshape(len(inputs), self.count)
         whole = (2 * n, s + self.weights, c + len(inputs))
         return tangent(graph, nodes, [part], (sizes, whole), self.count, table, values)
+
+
+@dataclass(frozen=True)
+class Direction:
+    """The state with one column after it, which is the derivative along one direction of all.
+
+    That has components of the initial conditions, the column at the start, and of the inputs `by`,
+    pairs (group, index): these components are further inputs at the end of r.
+    """
+
+    states: int  # number of states, n
+    by: tuple[tuple[str, int], ...]
+
+    def program(
+        self, graph: Graph, nodes: Sequence[int], sizes: tuple[int, int, int], values: str = ""
+    ) -> Program:
+        """Return the Program of the derivatives of simplified nodes along the direction.
+
+        With a name for the `values` of the nodes these come before their derivatives.
+        """
+        n, (_, s, c) = self.states, sizes
+        seeds = {graph.input("x", i): {0: graph.input("x", n + i)} for i in range(n)}
+        seeds.update(
+            (graph.input(*at), {0: graph.input("r", s + k)}) for k, at in enumerate(self.by)
+        )
+        cells = [row.get(0, graph.zero) for row in directional(graph, nodes, seeds)]
+        cells = cells if "factor" in graph.off else factor_sums(graph, cells)
+        column = ("column", (len(nodes), 1), cells)
+        before = [(values, (len(nodes),), list(nodes))] if values else []
+        return lower(graph, (2 * n, s + len(self.by), c), [*before, column])

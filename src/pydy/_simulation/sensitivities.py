@@ -157,12 +157,7 @@ class AugmentedSystem:
         these say in relative ones; all others have sizes of at least 1.
         """
         found = tuple(parameter.sized for parameter in self.parameters)
-        if np.shape(options.get("atol", 0.0)) != (self.columns.states,):
-            return found
-        rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
-        if not ((rtol > 0.0).all() and (atol > 0.0).all()):
-            return found
-        least = (atol / rtol).tolist()
+        least = least_sizes(options, self.columns.states).tolist()
         return tuple(s._replace(least=least[s.place]) if s.group == "x" else s for s in found)
 
     @property
@@ -349,6 +344,16 @@ class AugmentedSystem:
             f"the others, but the constraints cannot be solved {which}. Call "
             "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
         )
+
+
+def least_sizes(options: Mapping[str, Any], n: int) -> np.ndarray:
+    """Return the least sizes of n initial conditions; see `AugmentedSystem.sized`."""
+    if np.shape(options.get("atol", 0.0)) == (n,):
+        rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
+        if (rtol > 0.0).all() and (atol > 0.0).all():
+            found: np.ndarray = atol / rtol
+            return np.broadcast_to(found, n)
+    return np.ones(n)
 
 
 def changed_by(event: Event, states: Sequence[Any]) -> tuple[int, ...]:

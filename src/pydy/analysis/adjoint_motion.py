@@ -10,7 +10,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.model import CompiledModel
+from pydy._assembly.model import CompiledModel, stored_program
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
@@ -18,6 +18,7 @@ from pydy._errors import (
     warn_user,
 )
 from pydy._forks import cached_property
+from pydy._graph.columns import Direction
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
@@ -25,13 +26,14 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy._simulation.discontinuities import node_of
+from pydy._simulation.events_and_constraints import with_all
 from pydy._simulation.integration import explain_failure, motion_so_far
 from pydy._simulation.judges import judge_motion
 from pydy._simulation.motion import Motion, Segment
 from pydy._simulation.parameters import Parameter, by_samples, marker
 from pydy._simulation.preparation import PreparedIntegration
 from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import AugmentedSystem, compiled_event
+from pydy._simulation.sensitivities import AugmentedSystem, compiled_event, least_sizes
 from pydy.inputs import SampledInput
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import forcing_time, jumped_to
@@ -240,6 +242,40 @@ class Task:
         call = self.call_whole(beside.kernel())
         return call, beside.columns.together(whole, values), compiled
 
+    def bounded(
+        self, whole: np.ndarray, options: dict[str, Any]
+    ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
+        """Return the equations with one column of derivatives, and its options for the solver.
+
+        It is the derivative along a generic direction of all initial conditions and of what is
+        wanted, each in units of its size. Its errors bound the steps: what the motion does not
+        excite shows in it, and the gradient is made of the derivatives along such directions.
+        """
+        model, width = self.whole, len(whole)
+        direction = Direction(width, self.wanted)
+        call = self.call_whole(direction_kernel(model, direction))
+        states, others = self._sizes(whole, options)
+        parts = np.concatenate([states, others])
+        parts *= generic(len(parts))
+        column, weights = parts[:width], parts[width:]
+        column[self.sensitive.columns.states :] = 0.0  # integrals begin at zero
+        every = with_all(model, self.sensitive.definition)
+        beside = CompiledSensitivities(
+            width, _OF_NO_INPUT, np.ones(1), whole, False, _of_no_event,
+            lambda: direction_kernel(every, direction, "holonomic", "velocity"),
+        )  # fmt: skip
+        call = replace(call, r=np.concatenate([call.r, weights]))
+        return call, np.append(whole, column), beside
+
+    def _sizes(self, whole: np.ndarray, options: dict[str, Any]) -> tuple[np.ndarray, np.ndarray]:
+        """Return the sizes of the states and of what is wanted, as `scales_of` does."""
+        arrays = {"p": self.sensitive.p, "r": self.sensitive.plan.values}
+        others = np.abs([arrays[group][place] for group, place in self.wanted])
+        for k, parameter in enumerate(self.sampled, len(self._plain)):
+            others[k] = parameter.sized.size
+        others[others == 0.0] = 1.0
+        return np.maximum(np.abs(whole), least_sizes(options, len(whole))), others
+
     def turned(self) -> KernelCall:
         """Return the derivatives of Σ weight · rate; see `DiscreteAdjoint`."""
         model = self.whole
@@ -271,10 +307,51 @@ class Task:
         return self.call(model.compiled_by(key, make))
 
 
+_OF_NO_INPUT = np.array([[-1, -1]])
+
+
+def _of_no_event(event: int) -> NoReturn:
+    raise AssertionError("Derivatives that bound steps go on through events as they are.")
+
+
+def generic(count: int) -> np.ndarray:
+    """Return the components of a fixed direction, of sizes from 1/2 to 1 and of both signs.
+
+    Modes of symmetric systems are sums and differences of states: multiples of the golden section
+    are spread evenly, so that few of them are nearly the same.
+    """
+    parts = np.arange(1.0, count + 1.0) * 0.5 * (5.0**0.5 - 1.0) % 1.0
+    found: np.ndarray = np.where(parts < 0.5, 0.5 + parts, -parts)
+    return found
+
+
+def direction_kernel(model: CompiledModel, direction: Direction, *blocks: str) -> Kernel:
+    """Return the Kernel of the derivatives of blocks along a direction.
+
+    By default it is that of the derivatives of the states and of their column by time.
+    """
+    assembly = model.assembly
+
+    def make() -> Program:
+        if blocks:
+            graph = assembly.graph.copy()
+            nodes = [node for name in blocks for node in getattr(assembly, name)]
+            return direction.program(graph, simplify(graph, nodes), assembly.sizes)
+        graph, rates = assembly.simplified("rates")
+        return direction.program(graph, rates, assembly.sizes, "rates")
+
+    def stored() -> Program:
+        what = f"along one direction of {', '.join(blocks) or 'rates'} {direction}"
+        return stored_program(assembly, what, make)
+
+    return model.compiled_by(("along one direction", blocks, direction), stored)
+
+
 class MotionSegment:
     """A motion of the states and the integral, to the state `last`; its steps are noted.
 
-    Derivatives may `guide` its steps; see `Task.guided`.
+    Derivatives may `guide` its steps, see `Task.guided`; else they are `bounded`, or as the errors
+    of the states choose them.
     """
 
     def __init__(
@@ -285,11 +362,13 @@ class MotionSegment:
         times: np.ndarray,
         options: dict[str, Any],
         guide: np.ndarray | None = None,
+        bounded: bool = True,
     ) -> None:
         from pydy.solvers.run.backward import DiscreteAdjoint
         from pydy.solvers.run.integration import Integration
 
         n = len(x0)
+        self.unbounded: str | None = None  # what came of derivatives that should bound the steps
         self.rates = rates = task.call_whole(task.whole.compiled("rates"))
         more = rates.kernel.program.num_states - n
         for name in options.keys() & {"rtol", "atol"}:
@@ -300,6 +379,9 @@ class MotionSegment:
         whole, call = np.append(x0, np.zeros(more)), rates
         if guide is not None:
             call, whole, beside = task.guided(whole, guide, options)
+            options = {**options, "sensitivities": beside}
+        elif bounded and solver.adaptive:
+            call, whole, beside = task.bounded(whole, options)
             options = {**options, "sensitivities": beside}
         read: Any = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
         integration = Integration(solver.name, call, len(whole), times, (), read)
@@ -401,7 +483,14 @@ class MotionSegment:
     def back(self) -> np.ndarray:
         """Go back to the beginning; return the derivatives by the first state."""
         with progress_of(self.options.progress, " steps back", len(self.starts)) as self._told:
-            return self._all_back()
+            found = self._all_back()
+        if self.unbounded is not None:
+            warn_user(
+                "The steps of this gradient follow from the errors of the states alone. With "
+                f"derivatives beside them {self.unbounded}. If the gradient depends on a direction "
+                "that the motion does not excite, compare it with `simulate(sensitivities=...)`."
+            )
+        return found
 
     def through(
         self, matrix: np.ndarray, time: np.ndarray, earlier: MotionSegment | None = None
@@ -600,8 +689,20 @@ def integrate_forward(
 ) -> MotionSegment:
     """Return a motion from the initial conditions, or say why it could not go on."""
     n = len(problem.definition.states)
+    run = partial(MotionSegment, task, solver, problem.x, times, ready.options, guide)
+    failed: str | None = None
     try:
-        found = MotionSegment(task, solver, problem.x, times, ready.options, guide)
+        try:
+            found = run()
+        except (IntegrationError, SingularMatrixError) as error:
+            if guide is not None or not solver.adaptive:
+                raise
+            failed = "the mass matrix became singular"
+            if isinstance(error, IntegrationError):
+                failed = f"`{solver.name}` {error.info['status']} at t = {error.time:.6g}"
+        if failed is not None:  # derivatives may end where the motion does not
+            found = run(bounded=False)
+            found.unbounded = failed
     except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
         if not isinstance(error, SingularMatrixError):
             error.states, error.state = error.states[:, :n], error.state[:n]

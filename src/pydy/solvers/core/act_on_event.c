@@ -14,7 +14,8 @@ int64_t act_on_event(const Run *run)
     const Watch *w = &run->watch;
     const Problem *p = &run->problem;
     const double *times = run->progress.times.at, span = times[run->progress.times.size - 1] - times[0];
-    const int64_t number = w->words.at[EVENTS], n = p->words.at[STATES];
+    const int64_t number = w->words.at[EVENTS], width = p->words.at[STATES];
+    const int64_t n = p->words.at[CONTROLLED]; /* what only bounds the steps goes on as it is */
     const int64_t line = run->progress.counts.at[LOGGED];
     double *x = run->memory.x.at, *state = run->progress.state.at, *after = w->after.at;
     const double t = state[TIME];
@@ -63,8 +64,8 @@ int64_t act_on_event(const Run *run)
     w->log_times.at[line] = t;
     w->log_events.at[line] = event;
     for (int64_t i = 0; i < n; i++) {
-        w->log_states.at[line * n + i] = x[i];
-        w->log_after.at[line * n + i] = x[i] = row[i];
+        w->log_states.at[line * width + i] = x[i];
+        w->log_after.at[line * width + i] = x[i] = row[i];
     }
     run->progress.counts.at[LOGGED] = line + 1;
     if (run->method.shape.at[ESTIMATES] == 0)

@@ -1,4 +1,4 @@
-; sources cbbf9e0dc28d65bab2f427cd49a9b97b4fb4604a128fd7c8bc7d2217f1490782
+; sources 52e24d0a64bfe9c77fcc0b145c568d1c6d460e1c0849380e78110ac7185ce0e0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
@@ -20,430 +20,432 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %17 = load ptr, ptr %3, align 8
   %18 = getelementptr inbounds i8, ptr %17, i64 8
   %19 = load i64, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %0, i64 648
-  %21 = load ptr, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %21, i64 80
-  %23 = load i64, ptr %22, align 8
-  %24 = getelementptr inbounds i8, ptr %0, i64 360
-  %25 = load ptr, ptr %24, align 8
-  %26 = load ptr, ptr %4, align 8
-  %27 = getelementptr inbounds i8, ptr %0, i64 1224
-  %28 = load ptr, ptr %27, align 8
-  %29 = load double, ptr %26, align 8
-  %30 = getelementptr inbounds i8, ptr %0, i64 984
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds double, ptr %31, i64 %16
-  %33 = getelementptr inbounds i8, ptr %0, i64 1200
-  %34 = load ptr, ptr %33, align 8
-  %35 = getelementptr inbounds double, ptr %34, i64 %16
-  %36 = icmp sgt i64 %16, 0
-  br i1 %36, label %37, label %52
+  %20 = getelementptr inbounds i8, ptr %17, i64 24
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %0, i64 648
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr inbounds i8, ptr %23, i64 80
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %0, i64 360
+  %27 = load ptr, ptr %26, align 8
+  %28 = load ptr, ptr %4, align 8
+  %29 = getelementptr inbounds i8, ptr %0, i64 1224
+  %30 = load ptr, ptr %29, align 8
+  %31 = load double, ptr %28, align 8
+  %32 = getelementptr inbounds i8, ptr %0, i64 984
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr inbounds double, ptr %33, i64 %16
+  %35 = getelementptr inbounds i8, ptr %0, i64 1200
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr inbounds double, ptr %36, i64 %16
+  %38 = icmp sgt i64 %16, 0
+  br i1 %38, label %39, label %54
 
-37:                                               ; preds = %1
-  %38 = getelementptr inbounds i8, ptr %0, i64 960
-  %39 = load ptr, ptr %38, align 8
-  br label %40
+39:                                               ; preds = %1
+  %40 = getelementptr inbounds i8, ptr %0, i64 960
+  %41 = load ptr, ptr %40, align 8
+  br label %42
 
-40:                                               ; preds = %37, %48
-  %41 = phi i64 [ -1, %37 ], [ %49, %48 ]
-  %42 = phi i64 [ 0, %37 ], [ %50, %48 ]
-  %43 = getelementptr inbounds i64, ptr %39, i64 %42
-  %44 = load i64, ptr %43, align 8
-  %45 = icmp eq i64 %44, 0
-  br i1 %45, label %48, label %46
+42:                                               ; preds = %39, %50
+  %43 = phi i64 [ -1, %39 ], [ %51, %50 ]
+  %44 = phi i64 [ 0, %39 ], [ %52, %50 ]
+  %45 = getelementptr inbounds i64, ptr %41, i64 %44
+  %46 = load i64, ptr %45, align 8
+  %47 = icmp eq i64 %46, 0
+  br i1 %47, label %50, label %48
 
-46:                                               ; preds = %40
-  %47 = icmp sgt i64 %41, -1
-  br i1 %47, label %328, label %48
+48:                                               ; preds = %42
+  %49 = icmp sgt i64 %43, -1
+  br i1 %49, label %330, label %50
 
-48:                                               ; preds = %46, %40
-  %49 = phi i64 [ %41, %40 ], [ %42, %46 ]
-  %50 = add nuw nsw i64 %42, 1
-  %51 = icmp eq i64 %50, %16
-  br i1 %51, label %52, label %40, !llvm.loop !3
+50:                                               ; preds = %48, %42
+  %51 = phi i64 [ %43, %42 ], [ %44, %48 ]
+  %52 = add nuw nsw i64 %44, 1
+  %53 = icmp eq i64 %52, %16
+  br i1 %53, label %54, label %42, !llvm.loop !3
 
-52:                                               ; preds = %48, %1
-  %53 = phi i64 [ -1, %1 ], [ %49, %48 ]
-  %54 = icmp slt i64 %53, 0
-  br i1 %54, label %328, label %55
+54:                                               ; preds = %50, %1
+  %55 = phi i64 [ -1, %1 ], [ %51, %50 ]
+  %56 = icmp slt i64 %55, 0
+  br i1 %56, label %330, label %57
 
-55:                                               ; preds = %52
-  %56 = getelementptr inbounds i8, ptr %0, i64 864
-  %57 = load ptr, ptr %56, align 8
-  %58 = getelementptr inbounds i64, ptr %57, i64 %53
-  %59 = load i64, ptr %58, align 8
-  %60 = and i64 %59, 4
-  %61 = icmp eq i64 %60, 0
-  br i1 %61, label %328, label %62
+57:                                               ; preds = %54
+  %58 = getelementptr inbounds i8, ptr %0, i64 864
+  %59 = load ptr, ptr %58, align 8
+  %60 = getelementptr inbounds i64, ptr %59, i64 %55
+  %61 = load i64, ptr %60, align 8
+  %62 = and i64 %61, 4
+  %63 = icmp eq i64 %62, 0
+  br i1 %63, label %330, label %64
 
-62:                                               ; preds = %55
-  %63 = add nsw i64 %23, 1
-  %64 = add nsw i64 %63, %16
-  %65 = getelementptr inbounds i8, ptr %0, i64 1056
-  %66 = getelementptr inbounds i8, ptr %0, i64 1064
-  %67 = load i64, ptr %66, align 8
-  %68 = icmp sgt i64 %64, %67
-  br i1 %68, label %328, label %69
+64:                                               ; preds = %57
+  %65 = add nsw i64 %25, 1
+  %66 = add nsw i64 %65, %16
+  %67 = getelementptr inbounds i8, ptr %0, i64 1056
+  %68 = getelementptr inbounds i8, ptr %0, i64 1064
+  %69 = load i64, ptr %68, align 8
+  %70 = icmp sgt i64 %66, %69
+  br i1 %70, label %330, label %71
 
-69:                                               ; preds = %62
-  %70 = mul nsw i64 %53, %19
-  %71 = getelementptr inbounds double, ptr %28, i64 %70
-  %72 = getelementptr inbounds i8, ptr %0, i64 168
-  %73 = load ptr, ptr %72, align 8
-  store double %29, ptr %73, align 8
-  %74 = load ptr, ptr %3, align 8
-  %75 = getelementptr inbounds i8, ptr %74, i64 40
-  %76 = load i64, ptr %75, align 8
-  %77 = icmp eq i64 %76, 0
-  br i1 %77, label %79, label %78
+71:                                               ; preds = %64
+  %72 = mul nsw i64 %55, %21
+  %73 = getelementptr inbounds double, ptr %30, i64 %72
+  %74 = getelementptr inbounds i8, ptr %0, i64 168
+  %75 = load ptr, ptr %74, align 8
+  store double %31, ptr %75, align 8
+  %76 = load ptr, ptr %3, align 8
+  %77 = getelementptr inbounds i8, ptr %76, i64 40
+  %78 = load i64, ptr %77, align 8
+  %79 = icmp eq i64 %78, 0
+  br i1 %79, label %81, label %80
 
-78:                                               ; preds = %69
+80:                                               ; preds = %71
   tail call fastcc void @settle(ptr noundef nonnull %3) #3
-  br label %79
+  br label %81
 
-79:                                               ; preds = %78, %69
-  %80 = getelementptr inbounds i8, ptr %0, i64 248
-  %81 = load i64, ptr %80, align 8
-  %82 = icmp sgt i64 %81, 0
-  br i1 %82, label %83, label %84
+81:                                               ; preds = %80, %71
+  %82 = getelementptr inbounds i8, ptr %0, i64 248
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp sgt i64 %83, 0
+  br i1 %84, label %85, label %86
 
-83:                                               ; preds = %79
+85:                                               ; preds = %81
   tail call fastcc void @sample(ptr noundef nonnull %3) #3
-  br label %84
+  br label %86
 
-84:                                               ; preds = %79, %83
-  %85 = load ptr, ptr %2, align 8
-  %86 = getelementptr inbounds i8, ptr %85, i64 64
-  %87 = load i64, ptr %86, align 8
-  %88 = getelementptr inbounds i8, ptr %0, i64 168
-  %89 = load ptr, ptr %88, align 8
-  %90 = getelementptr inbounds i8, ptr %0, i64 192
+86:                                               ; preds = %81, %85
+  %87 = load ptr, ptr %2, align 8
+  %88 = getelementptr inbounds i8, ptr %87, i64 64
+  %89 = load i64, ptr %88, align 8
+  %90 = getelementptr inbounds i8, ptr %0, i64 168
   %91 = load ptr, ptr %90, align 8
-  %92 = getelementptr inbounds i8, ptr %0, i64 1176
+  %92 = getelementptr inbounds i8, ptr %0, i64 192
   %93 = load ptr, ptr %92, align 8
-  %94 = inttoptr i64 %87 to ptr
+  %94 = getelementptr inbounds i8, ptr %0, i64 1176
   %95 = load ptr, ptr %94, align 8
-  %96 = tail call i32 %95(ptr noundef %89, ptr noundef %25, ptr noundef %91, ptr noundef %93, ptr noundef %28) #4
-  %97 = icmp eq i32 %96, 0
-  br i1 %97, label %98, label %328
+  %96 = inttoptr i64 %89 to ptr
+  %97 = load ptr, ptr %96, align 8
+  %98 = tail call i32 %97(ptr noundef %91, ptr noundef %27, ptr noundef %93, ptr noundef %95, ptr noundef %30) #4
+  %99 = icmp eq i32 %98, 0
+  br i1 %99, label %100, label %330
 
-98:                                               ; preds = %84
-  %99 = load ptr, ptr %2, align 8
-  %100 = load i64, ptr %99, align 8
-  %101 = load ptr, ptr %88, align 8
-  %102 = load ptr, ptr %90, align 8
-  %103 = getelementptr inbounds i8, ptr %0, i64 792
-  %104 = load ptr, ptr %103, align 8
-  %105 = inttoptr i64 %100 to ptr
+100:                                              ; preds = %86
+  %101 = load ptr, ptr %2, align 8
+  %102 = load i64, ptr %101, align 8
+  %103 = load ptr, ptr %90, align 8
+  %104 = load ptr, ptr %92, align 8
+  %105 = getelementptr inbounds i8, ptr %0, i64 792
   %106 = load ptr, ptr %105, align 8
-  %107 = tail call i32 %106(ptr noundef %101, ptr noundef %25, ptr noundef %102, ptr noundef %104, ptr noundef %31) #4
-  %108 = icmp eq i32 %107, 0
-  br i1 %108, label %109, label %328
+  %107 = inttoptr i64 %102 to ptr
+  %108 = load ptr, ptr %107, align 8
+  %109 = tail call i32 %108(ptr noundef %103, ptr noundef %27, ptr noundef %104, ptr noundef %106, ptr noundef %33) #4
+  %110 = icmp eq i32 %109, 0
+  br i1 %110, label %111, label %330
 
-109:                                              ; preds = %98
-  %110 = load ptr, ptr %2, align 8
-  %111 = load i64, ptr %110, align 8
-  %112 = load ptr, ptr %88, align 8
-  %113 = load ptr, ptr %90, align 8
-  %114 = load ptr, ptr %103, align 8
-  %115 = inttoptr i64 %111 to ptr
-  %116 = load ptr, ptr %115, align 8
-  %117 = tail call i32 %116(ptr noundef %112, ptr noundef %71, ptr noundef %113, ptr noundef %114, ptr noundef %32) #4
-  %118 = icmp eq i32 %117, 0
-  br i1 %118, label %119, label %328
+111:                                              ; preds = %100
+  %112 = load ptr, ptr %2, align 8
+  %113 = load i64, ptr %112, align 8
+  %114 = load ptr, ptr %90, align 8
+  %115 = load ptr, ptr %92, align 8
+  %116 = load ptr, ptr %105, align 8
+  %117 = inttoptr i64 %113 to ptr
+  %118 = load ptr, ptr %117, align 8
+  %119 = tail call i32 %118(ptr noundef %114, ptr noundef %73, ptr noundef %115, ptr noundef %116, ptr noundef %34) #4
+  %120 = icmp eq i32 %119, 0
+  br i1 %120, label %121, label %330
 
-119:                                              ; preds = %109
-  %120 = load ptr, ptr %2, align 8
-  %121 = getelementptr inbounds i8, ptr %120, i64 56
-  %122 = load i64, ptr %121, align 8
-  %123 = load ptr, ptr %88, align 8
-  %124 = load ptr, ptr %90, align 8
-  %125 = getelementptr inbounds i8, ptr %0, i64 1152
-  %126 = load ptr, ptr %125, align 8
-  %127 = load ptr, ptr %33, align 8
-  %128 = inttoptr i64 %122 to ptr
-  %129 = load ptr, ptr %128, align 8
-  %130 = tail call i32 %129(ptr noundef %123, ptr noundef %71, ptr noundef %124, ptr noundef %126, ptr noundef %127) #4
-  %131 = icmp eq i32 %130, 0
-  br i1 %131, label %132, label %328
+121:                                              ; preds = %111
+  %122 = load ptr, ptr %2, align 8
+  %123 = getelementptr inbounds i8, ptr %122, i64 56
+  %124 = load i64, ptr %123, align 8
+  %125 = load ptr, ptr %90, align 8
+  %126 = load ptr, ptr %92, align 8
+  %127 = getelementptr inbounds i8, ptr %0, i64 1152
+  %128 = load ptr, ptr %127, align 8
+  %129 = load ptr, ptr %35, align 8
+  %130 = inttoptr i64 %124 to ptr
+  %131 = load ptr, ptr %130, align 8
+  %132 = tail call i32 %131(ptr noundef %125, ptr noundef %73, ptr noundef %126, ptr noundef %128, ptr noundef %129) #4
+  %133 = icmp eq i32 %132, 0
+  br i1 %133, label %134, label %330
 
-132:                                              ; preds = %119
-  %133 = icmp sgt i64 %19, 0
-  br i1 %133, label %143, label %137
+134:                                              ; preds = %121
+  %135 = icmp sgt i64 %21, 0
+  br i1 %135, label %145, label %139
 
-134:                                              ; preds = %143
-  %135 = add nuw nsw i64 %144, 1
-  %136 = icmp eq i64 %135, %19
-  br i1 %136, label %137, label %143, !llvm.loop !6
+136:                                              ; preds = %145
+  %137 = add nuw nsw i64 %146, 1
+  %138 = icmp eq i64 %137, %21
+  br i1 %138, label %139, label %145, !llvm.loop !6
 
-137:                                              ; preds = %134, %132
-  %138 = icmp sgt i64 %16, 0
-  br i1 %138, label %139, label %198
+139:                                              ; preds = %136, %134
+  %140 = icmp sgt i64 %16, 0
+  br i1 %140, label %141, label %200
 
-139:                                              ; preds = %137
-  %140 = getelementptr inbounds i8, ptr %0, i64 936
-  %141 = getelementptr inbounds i8, ptr %0, i64 840
-  %142 = getelementptr inbounds i8, ptr %0, i64 816
-  br label %149
+141:                                              ; preds = %139
+  %142 = getelementptr inbounds i8, ptr %0, i64 936
+  %143 = getelementptr inbounds i8, ptr %0, i64 840
+  %144 = getelementptr inbounds i8, ptr %0, i64 816
+  br label %151
 
-143:                                              ; preds = %132, %134
-  %144 = phi i64 [ %135, %134 ], [ 0, %132 ]
-  %145 = getelementptr inbounds double, ptr %71, i64 %144
-  %146 = load double, ptr %145, align 8
-  %147 = tail call double @llvm.fabs.f64(double %146)
-  %148 = fcmp ueq double %147, 0x7FF0000000000000
-  br i1 %148, label %328, label %134
+145:                                              ; preds = %134, %136
+  %146 = phi i64 [ %137, %136 ], [ 0, %134 ]
+  %147 = getelementptr inbounds double, ptr %73, i64 %146
+  %148 = load double, ptr %147, align 8
+  %149 = tail call double @llvm.fabs.f64(double %148)
+  %150 = fcmp ueq double %149, 0x7FF0000000000000
+  br i1 %150, label %330, label %136
 
-149:                                              ; preds = %139, %195
-  %150 = phi i64 [ 0, %139 ], [ %196, %195 ]
-  %151 = icmp eq i64 %150, %53
-  br i1 %151, label %195, label %152
+151:                                              ; preds = %141, %197
+  %152 = phi i64 [ 0, %141 ], [ %198, %197 ]
+  %153 = icmp eq i64 %152, %55
+  br i1 %153, label %197, label %154
 
-152:                                              ; preds = %149
-  %153 = load ptr, ptr %140, align 8
-  %154 = getelementptr inbounds i64, ptr %153, i64 %150
-  %155 = load i64, ptr %154, align 8
-  %156 = icmp eq i64 %155, 0
-  br i1 %156, label %161, label %157
+154:                                              ; preds = %151
+  %155 = load ptr, ptr %142, align 8
+  %156 = getelementptr inbounds i64, ptr %155, i64 %152
+  %157 = load i64, ptr %156, align 8
+  %158 = icmp eq i64 %157, 0
+  br i1 %158, label %163, label %159
 
-157:                                              ; preds = %152
-  %158 = getelementptr inbounds double, ptr %32, i64 %150
-  %159 = load double, ptr %158, align 8
-  %160 = fcmp uno double %159, 0.000000e+00
-  br i1 %160, label %328, label %161
+159:                                              ; preds = %154
+  %160 = getelementptr inbounds double, ptr %34, i64 %152
+  %161 = load double, ptr %160, align 8
+  %162 = fcmp uno double %161, 0.000000e+00
+  br i1 %162, label %330, label %163
 
-161:                                              ; preds = %157, %152
-  %162 = load ptr, ptr %141, align 8
-  %163 = getelementptr inbounds i64, ptr %162, i64 %150
-  %164 = load i64, ptr %163, align 8
-  %165 = icmp eq i64 %164, 1
-  br i1 %165, label %166, label %195
+163:                                              ; preds = %159, %154
+  %164 = load ptr, ptr %143, align 8
+  %165 = getelementptr inbounds i64, ptr %164, i64 %152
+  %166 = load i64, ptr %165, align 8
+  %167 = icmp eq i64 %166, 1
+  br i1 %167, label %168, label %197
 
-166:                                              ; preds = %161
-  %167 = getelementptr inbounds double, ptr %32, i64 %150
-  %168 = load double, ptr %167, align 8
-  %169 = getelementptr inbounds double, ptr %31, i64 %150
+168:                                              ; preds = %163
+  %169 = getelementptr inbounds double, ptr %34, i64 %152
   %170 = load double, ptr %169, align 8
-  %171 = fcmp oeq double %168, %170
-  br i1 %171, label %172, label %195
+  %171 = getelementptr inbounds double, ptr %33, i64 %152
+  %172 = load double, ptr %171, align 8
+  %173 = fcmp oeq double %170, %172
+  br i1 %173, label %174, label %197
 
-172:                                              ; preds = %166
-  %173 = getelementptr inbounds double, ptr %34, i64 %150
-  %174 = load double, ptr %173, align 8
-  %175 = load ptr, ptr %142, align 8
-  %176 = getelementptr inbounds i64, ptr %175, i64 %150
-  %177 = load i64, ptr %176, align 8
-  %178 = sitofp i64 %177 to double
-  %179 = fmul double %174, %178
-  %180 = fcmp oge double %179, 0.000000e+00
-  %181 = fcmp une double %174, 0.000000e+00
-  %182 = and i1 %181, %180
-  br i1 %182, label %183, label %195
+174:                                              ; preds = %168
+  %175 = getelementptr inbounds double, ptr %36, i64 %152
+  %176 = load double, ptr %175, align 8
+  %177 = load ptr, ptr %144, align 8
+  %178 = getelementptr inbounds i64, ptr %177, i64 %152
+  %179 = load i64, ptr %178, align 8
+  %180 = sitofp i64 %179 to double
+  %181 = fmul double %176, %180
+  %182 = fcmp oge double %181, 0.000000e+00
+  %183 = fcmp une double %176, 0.000000e+00
+  %184 = and i1 %183, %182
+  br i1 %184, label %185, label %197
 
-183:                                              ; preds = %172
-  %184 = fcmp oeq double %168, 0.000000e+00
-  br i1 %184, label %192, label %185
+185:                                              ; preds = %174
+  %186 = fcmp oeq double %170, 0.000000e+00
+  br i1 %186, label %194, label %187
 
-185:                                              ; preds = %183
-  %186 = getelementptr inbounds double, ptr %35, i64 %150
-  %187 = load double, ptr %186, align 8
-  %188 = tail call double @llvm.fabs.f64(double %168)
-  %189 = fmul double %187, 0x3CE0000000000000
-  %190 = fcmp ole double %188, %189
-  %191 = zext i1 %190 to i32
-  br label %192
+187:                                              ; preds = %185
+  %188 = getelementptr inbounds double, ptr %37, i64 %152
+  %189 = load double, ptr %188, align 8
+  %190 = tail call double @llvm.fabs.f64(double %170)
+  %191 = fmul double %189, 0x3CE0000000000000
+  %192 = fcmp ole double %190, %191
+  %193 = zext i1 %192 to i32
+  br label %194
 
-192:                                              ; preds = %183, %185
-  %193 = phi i32 [ 1, %183 ], [ %191, %185 ]
-  %194 = icmp eq i32 %193, 0
-  br i1 %194, label %195, label %328
+194:                                              ; preds = %185, %187
+  %195 = phi i32 [ 1, %185 ], [ %193, %187 ]
+  %196 = icmp eq i32 %195, 0
+  br i1 %196, label %197, label %330
 
-195:                                              ; preds = %161, %166, %172, %192, %149
-  %196 = add nuw nsw i64 %150, 1
-  %197 = icmp eq i64 %196, %16
-  br i1 %197, label %198, label %149, !llvm.loop !7
+197:                                              ; preds = %163, %168, %174, %194, %151
+  %198 = add nuw nsw i64 %152, 1
+  %199 = icmp eq i64 %198, %16
+  br i1 %199, label %200, label %151, !llvm.loop !7
 
-198:                                              ; preds = %195, %137
-  %199 = getelementptr inbounds double, ptr %32, i64 %53
-  %200 = load double, ptr %199, align 8
-  %201 = getelementptr inbounds double, ptr %31, i64 %53
+200:                                              ; preds = %197, %139
+  %201 = getelementptr inbounds double, ptr %34, i64 %55
   %202 = load double, ptr %201, align 8
-  %203 = fcmp oeq double %200, %202
-  %204 = fcmp oeq double %200, 0.000000e+00
-  %205 = or i1 %204, %203
-  br i1 %205, label %212, label %206
+  %203 = getelementptr inbounds double, ptr %33, i64 %55
+  %204 = load double, ptr %203, align 8
+  %205 = fcmp oeq double %202, %204
+  %206 = fcmp oeq double %202, 0.000000e+00
+  %207 = or i1 %206, %205
+  br i1 %207, label %214, label %208
 
-206:                                              ; preds = %198
-  %207 = getelementptr inbounds double, ptr %35, i64 %53
-  %208 = load double, ptr %207, align 8
-  %209 = tail call double @llvm.fabs.f64(double %200)
-  %210 = fmul double %208, 0x3CE0000000000000
-  %211 = fcmp ugt double %209, %210
-  br label %212
+208:                                              ; preds = %200
+  %209 = getelementptr inbounds double, ptr %37, i64 %55
+  %210 = load double, ptr %209, align 8
+  %211 = tail call double @llvm.fabs.f64(double %202)
+  %212 = fmul double %210, 0x3CE0000000000000
+  %213 = fcmp ugt double %211, %212
+  br label %214
 
-212:                                              ; preds = %206, %198
-  %213 = phi i1 [ false, %198 ], [ %211, %206 ]
-  br i1 %213, label %236, label %214
+214:                                              ; preds = %208, %200
+  %215 = phi i1 [ false, %200 ], [ %213, %208 ]
+  br i1 %215, label %238, label %216
 
-214:                                              ; preds = %212
-  %215 = getelementptr inbounds i8, ptr %0, i64 816
-  %216 = load ptr, ptr %215, align 8
-  %217 = getelementptr inbounds i64, ptr %216, i64 %53
-  %218 = load i64, ptr %217, align 8
-  %219 = icmp eq i64 %218, 0
-  br i1 %219, label %236, label %220
+216:                                              ; preds = %214
+  %217 = getelementptr inbounds i8, ptr %0, i64 816
+  %218 = load ptr, ptr %217, align 8
+  %219 = getelementptr inbounds i64, ptr %218, i64 %55
+  %220 = load i64, ptr %219, align 8
+  %221 = icmp eq i64 %220, 0
+  br i1 %221, label %238, label %222
 
-220:                                              ; preds = %214
-  %221 = load ptr, ptr %56, align 8
-  %222 = getelementptr inbounds i64, ptr %221, i64 %53
-  %223 = load i64, ptr %222, align 8
-  %224 = and i64 %223, 16
-  %225 = icmp eq i64 %224, 0
-  br i1 %225, label %236, label %226
+222:                                              ; preds = %216
+  %223 = load ptr, ptr %58, align 8
+  %224 = getelementptr inbounds i64, ptr %223, i64 %55
+  %225 = load i64, ptr %224, align 8
+  %226 = and i64 %225, 16
+  %227 = icmp eq i64 %226, 0
+  br i1 %227, label %238, label %228
 
-226:                                              ; preds = %220
-  %227 = getelementptr inbounds double, ptr %34, i64 %53
-  %228 = load double, ptr %227, align 8
-  %229 = getelementptr inbounds i8, ptr %0, i64 936
-  %230 = load ptr, ptr %229, align 8
-  %231 = getelementptr inbounds i64, ptr %230, i64 %53
-  %232 = load i64, ptr %231, align 8
-  %233 = sitofp i64 %232 to double
-  %234 = fmul double %228, %233
-  %235 = fcmp ogt double %234, 0.000000e+00
-  br i1 %235, label %236, label %328
+228:                                              ; preds = %222
+  %229 = getelementptr inbounds double, ptr %36, i64 %55
+  %230 = load double, ptr %229, align 8
+  %231 = getelementptr inbounds i8, ptr %0, i64 936
+  %232 = load ptr, ptr %231, align 8
+  %233 = getelementptr inbounds i64, ptr %232, i64 %55
+  %234 = load i64, ptr %233, align 8
+  %235 = sitofp i64 %234 to double
+  %236 = fmul double %230, %235
+  %237 = fcmp ogt double %236, 0.000000e+00
+  br i1 %237, label %238, label %330
 
-236:                                              ; preds = %226, %220, %214, %212
-  %237 = icmp sgt i64 %16, 0
-  br i1 %237, label %238, label %240
+238:                                              ; preds = %228, %222, %216, %214
+  %239 = icmp sgt i64 %16, 0
+  br i1 %239, label %240, label %242
 
-238:                                              ; preds = %236
-  %239 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %251
+240:                                              ; preds = %238
+  %241 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %253
 
-240:                                              ; preds = %251, %236
-  %241 = load ptr, ptr %65, align 8
-  %242 = getelementptr inbounds double, ptr %241, i64 %23
-  store double %29, ptr %242, align 8
-  %243 = getelementptr inbounds i8, ptr %0, i64 1080
-  %244 = load ptr, ptr %243, align 8
-  %245 = getelementptr inbounds i64, ptr %244, i64 %23
-  store i64 %53, ptr %245, align 8
-  %246 = icmp sgt i64 %19, 0
-  br i1 %246, label %247, label %273
+242:                                              ; preds = %253, %238
+  %243 = load ptr, ptr %67, align 8
+  %244 = getelementptr inbounds double, ptr %243, i64 %25
+  store double %31, ptr %244, align 8
+  %245 = getelementptr inbounds i8, ptr %0, i64 1080
+  %246 = load ptr, ptr %245, align 8
+  %247 = getelementptr inbounds i64, ptr %246, i64 %25
+  store i64 %55, ptr %247, align 8
+  %248 = icmp sgt i64 %21, 0
+  br i1 %248, label %249, label %275
 
-247:                                              ; preds = %240
-  %248 = getelementptr inbounds i8, ptr %0, i64 1104
-  %249 = mul nsw i64 %23, %19
-  %250 = getelementptr inbounds i8, ptr %0, i64 1128
-  br label %280
+249:                                              ; preds = %242
+  %250 = getelementptr inbounds i8, ptr %0, i64 1104
+  %251 = mul nsw i64 %25, %19
+  %252 = getelementptr inbounds i8, ptr %0, i64 1128
+  br label %282
 
-251:                                              ; preds = %238, %251
-  %252 = phi i64 [ 0, %238 ], [ %271, %251 ]
-  %253 = getelementptr inbounds double, ptr %32, i64 %252
-  %254 = load double, ptr %253, align 8
-  %255 = fcmp une double %254, 0.000000e+00
-  %256 = icmp ne i64 %252, %53
-  %257 = or i1 %213, %256
-  %258 = and i1 %255, %257
-  %259 = getelementptr inbounds double, ptr %34, i64 %252
-  %260 = select i1 %258, ptr %253, ptr %259
-  %261 = load double, ptr %260, align 8
-  %262 = tail call double @llvm.fabs.f64(double %261)
-  %263 = fcmp ueq double %262, 0x7FF0000000000000
-  %264 = fcmp ogt double %261, 0.000000e+00
-  %265 = fcmp olt double %261, 0.000000e+00
-  %266 = sext i1 %265 to i64
-  %267 = select i1 %264, i64 1, i64 %266
-  %268 = select i1 %263, i64 0, i64 %267
-  %269 = load ptr, ptr %239, align 8
-  %270 = getelementptr inbounds i64, ptr %269, i64 %252
-  store i64 %268, ptr %270, align 8
-  %271 = add nuw nsw i64 %252, 1
-  %272 = icmp eq i64 %271, %16
-  br i1 %272, label %240, label %251, !llvm.loop !8
+253:                                              ; preds = %240, %253
+  %254 = phi i64 [ 0, %240 ], [ %273, %253 ]
+  %255 = getelementptr inbounds double, ptr %34, i64 %254
+  %256 = load double, ptr %255, align 8
+  %257 = fcmp une double %256, 0.000000e+00
+  %258 = icmp ne i64 %254, %55
+  %259 = or i1 %215, %258
+  %260 = and i1 %257, %259
+  %261 = getelementptr inbounds double, ptr %36, i64 %254
+  %262 = select i1 %260, ptr %255, ptr %261
+  %263 = load double, ptr %262, align 8
+  %264 = tail call double @llvm.fabs.f64(double %263)
+  %265 = fcmp ueq double %264, 0x7FF0000000000000
+  %266 = fcmp ogt double %263, 0.000000e+00
+  %267 = fcmp olt double %263, 0.000000e+00
+  %268 = sext i1 %267 to i64
+  %269 = select i1 %266, i64 1, i64 %268
+  %270 = select i1 %265, i64 0, i64 %269
+  %271 = load ptr, ptr %241, align 8
+  %272 = getelementptr inbounds i64, ptr %271, i64 %254
+  store i64 %270, ptr %272, align 8
+  %273 = add nuw nsw i64 %254, 1
+  %274 = icmp eq i64 %273, %16
+  br i1 %274, label %242, label %253, !llvm.loop !8
 
-273:                                              ; preds = %280, %240
-  %274 = load ptr, ptr %20, align 8
-  %275 = getelementptr inbounds i8, ptr %274, i64 80
-  store i64 %63, ptr %275, align 8
-  %276 = load ptr, ptr %0, align 8
-  %277 = getelementptr inbounds i8, ptr %276, i64 8
-  %278 = load i64, ptr %277, align 8
-  %279 = icmp eq i64 %278, 0
-  br i1 %279, label %293, label %299
+275:                                              ; preds = %282, %242
+  %276 = load ptr, ptr %22, align 8
+  %277 = getelementptr inbounds i8, ptr %276, i64 80
+  store i64 %65, ptr %277, align 8
+  %278 = load ptr, ptr %0, align 8
+  %279 = getelementptr inbounds i8, ptr %278, i64 8
+  %280 = load i64, ptr %279, align 8
+  %281 = icmp eq i64 %280, 0
+  br i1 %281, label %295, label %301
 
-280:                                              ; preds = %247, %280
-  %281 = phi i64 [ 0, %247 ], [ %291, %280 ]
-  %282 = getelementptr inbounds double, ptr %25, i64 %281
-  %283 = load double, ptr %282, align 8
-  %284 = load ptr, ptr %248, align 8
-  %285 = add nsw i64 %281, %249
-  %286 = getelementptr inbounds double, ptr %284, i64 %285
-  store double %283, ptr %286, align 8
-  %287 = getelementptr inbounds double, ptr %71, i64 %281
-  %288 = load double, ptr %287, align 8
-  store double %288, ptr %282, align 8
-  %289 = load ptr, ptr %250, align 8
-  %290 = getelementptr inbounds double, ptr %289, i64 %285
-  store double %288, ptr %290, align 8
-  %291 = add nuw nsw i64 %281, 1
-  %292 = icmp eq i64 %291, %19
-  br i1 %292, label %273, label %280, !llvm.loop !9
+282:                                              ; preds = %249, %282
+  %283 = phi i64 [ 0, %249 ], [ %293, %282 ]
+  %284 = getelementptr inbounds double, ptr %27, i64 %283
+  %285 = load double, ptr %284, align 8
+  %286 = load ptr, ptr %250, align 8
+  %287 = add nsw i64 %283, %251
+  %288 = getelementptr inbounds double, ptr %286, i64 %287
+  store double %285, ptr %288, align 8
+  %289 = getelementptr inbounds double, ptr %73, i64 %283
+  %290 = load double, ptr %289, align 8
+  store double %290, ptr %284, align 8
+  %291 = load ptr, ptr %252, align 8
+  %292 = getelementptr inbounds double, ptr %291, i64 %287
+  store double %290, ptr %292, align 8
+  %293 = add nuw nsw i64 %283, 1
+  %294 = icmp eq i64 %293, %21
+  br i1 %294, label %275, label %282, !llvm.loop !9
 
-293:                                              ; preds = %273
-  %294 = getelementptr inbounds i8, ptr %0, i64 1272
-  %295 = load ptr, ptr %294, align 8
-  %296 = getelementptr inbounds i8, ptr %295, i64 8
-  %297 = load double, ptr %296, align 8
-  %298 = getelementptr inbounds i8, ptr %26, i64 8
-  store double %297, ptr %298, align 8
-  br label %299
+295:                                              ; preds = %275
+  %296 = getelementptr inbounds i8, ptr %0, i64 1272
+  %297 = load ptr, ptr %296, align 8
+  %298 = getelementptr inbounds i8, ptr %297, i64 8
+  %299 = load double, ptr %298, align 8
+  %300 = getelementptr inbounds i8, ptr %28, i64 8
+  store double %299, ptr %300, align 8
+  br label %301
 
-299:                                              ; preds = %293, %273
-  %300 = getelementptr inbounds i8, ptr %0, i64 1248
-  %301 = load ptr, ptr %300, align 8
-  %302 = mul i64 %53, 800
-  %303 = getelementptr inbounds i8, ptr %301, i64 %302
-  %304 = load double, ptr %303, align 8
-  %305 = fsub double %29, %304
-  %306 = tail call double @llvm.fabs.f64(double %29)
-  %307 = fcmp ogt double %306, %13
-  %308 = select i1 %307, double %306, double %13
-  %309 = fmul double %308, 0x3CF0000000000000
-  %310 = fcmp ugt double %305, %309
-  br i1 %310, label %311, label %318
+301:                                              ; preds = %295, %275
+  %302 = getelementptr inbounds i8, ptr %0, i64 1248
+  %303 = load ptr, ptr %302, align 8
+  %304 = mul i64 %55, 800
+  %305 = getelementptr inbounds i8, ptr %303, i64 %304
+  %306 = load double, ptr %305, align 8
+  %307 = fsub double %31, %306
+  %308 = tail call double @llvm.fabs.f64(double %31)
+  %309 = fcmp ogt double %308, %13
+  %310 = select i1 %309, double %308, double %13
+  %311 = fmul double %310, 0x3CF0000000000000
+  %312 = fcmp ugt double %307, %311
+  br i1 %312, label %313, label %320
 
-311:                                              ; preds = %299
-  %312 = getelementptr inbounds i8, ptr %303, i64 784
-  %313 = load double, ptr %312, align 8
-  %314 = fsub double %29, %313
-  %315 = fmul double %13, 1.000000e-09
-  %316 = fcmp olt double %314, %315
-  %317 = select i1 %316, i64 8, i64 1
-  br label %318
+313:                                              ; preds = %301
+  %314 = getelementptr inbounds i8, ptr %305, i64 784
+  %315 = load double, ptr %314, align 8
+  %316 = fsub double %31, %315
+  %317 = fmul double %13, 1.000000e-09
+  %318 = fcmp olt double %316, %317
+  %319 = select i1 %318, i64 8, i64 1
+  br label %320
 
-318:                                              ; preds = %311, %299
-  %319 = phi i64 [ 8, %299 ], [ %317, %311 ]
-  br label %321
+320:                                              ; preds = %313, %301
+  %321 = phi i64 [ 8, %301 ], [ %319, %313 ]
+  br label %323
 
-320:                                              ; preds = %321
-  store double %29, ptr %303, align 8
-  br label %328
+322:                                              ; preds = %323
+  store double %31, ptr %305, align 8
+  br label %330
 
-321:                                              ; preds = %318, %321
-  %322 = phi i64 [ 99, %318 ], [ %326, %321 ]
-  %323 = getelementptr double, ptr %303, i64 %322
-  %324 = getelementptr i8, ptr %323, i64 -8
-  %325 = load double, ptr %324, align 8
-  store double %325, ptr %323, align 8
-  %326 = add nsw i64 %322, -1
-  %327 = icmp ugt i64 %322, 1
-  br i1 %327, label %321, label %320, !llvm.loop !10
+323:                                              ; preds = %320, %323
+  %324 = phi i64 [ 99, %320 ], [ %328, %323 ]
+  %325 = getelementptr double, ptr %305, i64 %324
+  %326 = getelementptr i8, ptr %325, i64 -8
+  %327 = load double, ptr %326, align 8
+  store double %327, ptr %325, align 8
+  %328 = add nsw i64 %324, -1
+  %329 = icmp ugt i64 %324, 1
+  br i1 %329, label %323, label %322, !llvm.loop !10
 
-328:                                              ; preds = %46, %143, %157, %192, %119, %109, %98, %84, %226, %320, %52, %55, %62
-  %329 = phi i64 [ 0, %62 ], [ 0, %55 ], [ 0, %52 ], [ 0, %119 ], [ 0, %109 ], [ 0, %98 ], [ 0, %84 ], [ %319, %320 ], [ 0, %226 ], [ 0, %192 ], [ 0, %157 ], [ 0, %143 ], [ 0, %46 ]
-  ret i64 %329
+330:                                              ; preds = %48, %145, %159, %194, %121, %111, %100, %86, %228, %322, %54, %57, %64
+  %331 = phi i64 [ 0, %64 ], [ 0, %57 ], [ 0, %54 ], [ 0, %121 ], [ 0, %111 ], [ 0, %100 ], [ 0, %86 ], [ %321, %322 ], [ 0, %228 ], [ 0, %194 ], [ 0, %159 ], [ 0, %145 ], [ 0, %48 ]
+  ret i64 %331
 }
 
 declare double @llvm.fabs.f64(double) #1

@@ -450,8 +450,12 @@ class Workspace:
         it does with what stands beside the states.
         """
         call, resets, options = self.call, wanted.resets, self.options
-        beside = options.constraints is not None or options.sensitivities is not None
-        beside = beside or options.recorded not in (None, self.n)  # such as an integral
+        bounding = options.sensitivities if options.recorded is not None else None
+        width = self.n
+        if bounding is not None and not bounding.controlled:  # it goes on through events as it is
+            width = bounding.states
+        beside = options.constraints is not None or options.sensitivities is not bounding
+        beside = beside or options.recorded not in (None, width)  # such as an integral
         if beside or self.callbacks or call is None or call.sampled or resets is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
         if call.switched is not None:
