@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+import nouns
 import pytest
 
 ROOT = Path(__file__).parents[1]
@@ -379,6 +380,13 @@ def test_the_files_that_the_design_names_are_there():
     rooms = {room for layer in layers for room in layer.split(" : ")}
     assert len(rooms) > 30
     assert rooms - {"__main__"} <= named
+
+
+def test_the_diagram_of_nouns_is_made_from_the_code():
+    page = (ROOT / "docs/design.md").read_text()
+    shown = page[page.index("## Nouns") : page.index("## Example")]
+    lines = [line[4:] for line in shown.splitlines() if line.startswith("    ")]
+    assert lines == nouns.diagram().splitlines(), "run tools/nouns.py"
 
 
 def contracts() -> list[dict]:
