@@ -305,3 +305,30 @@ def test_triangles_that_face_away_are_not_drawn_and_are_not_missed(monkeypatch):
         counts.append(sum(len(c.get_facecolor()) for c in axes.collections))
     assert counts[1] < 0.7 * counts[0]
     assert (np.abs(pictures[0] - pictures[1]).max(axis=2) > 40).mean() < 2e-3
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+def test_a_disc_shows_a_radius_that_turns_with_it(axis, monkeypatch):
+    wheel = N.orientnew("wheel", "Axis", (q, getattr(N, axis)))
+    disc = Visual(Cylinder(0.05, 0.3, axis), wheel, O)
+    log = Visual(Cylinder(0.5, 0.3, axis), wheel, O)  # no wheel
+    scene = Scene(N, O, disc, log, up=getattr(N, axis))
+    times = np.array([0.0, 1.0])
+    scene.animate(times, 0.7 * times[:, None], symbols=[q])
+    drawn = []
+    monkeypatch.setattr("pydy.viz.figure._Drawing._surface", lambda _, *given: drawn.append(given))
+
+    def radius(t):
+        drawn.clear()
+        scene.to_matplotlib(t)
+        (_, corners, rgba, _), (_, _, others, _) = drawn
+        assert len(np.unique(others, axis=0)) == 1
+        dark = rgba[:, 0] < rgba[:, 0].max()
+        sectors = corners[dark].mean(axis=1)
+        assert np.sort(sectors[:, 2]) == pytest.approx([-0.025, 0.025])  # both ends
+        assert sectors[0, :2] == pytest.approx(sectors[1, :2])
+        return sectors[0, :2]
+
+    before, after = radius(0.0), radius(1.0)
+    angle = np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after)
+    assert angle == pytest.approx(0.7, abs=1e-9)

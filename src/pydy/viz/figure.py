@@ -15,7 +15,7 @@ from pydy._files import replacing
 from pydy._optional import bar_of, require
 from pydy.viz.animation import Animation, Framing, Item, Look, frame, frame_still
 from pydy.viz.shapes import Circle, Line, Mesh, Plane
-from pydy.viz.surfaces import Surface, surface
+from pydy.viz.surfaces import Surface, spoke, surface
 
 # -- An artist of Matplotlib that paints all triangles of a scene in one call ----------------------
 # Axes3D draws a triangle as a path with an edge, and sorts within each surface only. Here all
@@ -27,7 +27,7 @@ class Part(NamedTuple):
 
     vertices: np.ndarray  # (n, 3): in Matplotlib's axes
     faces: np.ndarray  # int, (k, 3): counter-clockwise from outside
-    rgba: np.ndarray  # (4,)
+    rgba: np.ndarray  # (4,), or (k, 4): of each triangle
     closed: bool  # whether what faces away from the viewer is never seen
 
 
@@ -89,7 +89,8 @@ def _joined(parts: Sequence[Part]) -> tuple[np.ndarray, np.ndarray, np.ndarray, 
     starts = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
     faces = np.concatenate([part.faces for part in parts])
     faces = faces + np.repeat(starts, counts)[:, None]
-    rgba = np.repeat([part.rgba for part in parts], counts, axis=0)
+    each = [np.broadcast_to(part.rgba, (k, 4)) for part, k in zip(parts, counts, strict=True)]
+    rgba = np.concatenate(each)
     closed = np.repeat([part.closed for part in parts], counts)
     return np.concatenate([part.vertices for part in parts]), faces, rgba, closed
 
@@ -218,6 +219,7 @@ def _painter(drawing: Any) -> tuple[Callable[[int], np.ndarray], tuple[int, int]
 _PICTURES = (".png", ".pdf", ".svg", ".jpg", ".jpeg")
 _FILMS = (".mp4", ".gif")
 _OPEN = (Circle, Mesh, Plane)  # both sides of these may be seen
+_SPOKE = 0.45  # brightness of a radius of a disc, which shows how it turns
 _GRAZING = 0.25  # of normals, by how much they may point away from the viewer
 
 
@@ -310,6 +312,7 @@ class _Drawing:
         self.shown = shown
         self.triangles = triangles
         self.solids: dict[int, Surface] = {}
+        self.spokes: dict[int, np.ndarray] = {}  # of those, the triangles to be darker
         self.seen = seen
         self.axes = axes
         self.title = title
@@ -353,10 +356,12 @@ class _Drawing:
                 continue
             vertices, faces = solid
             closed = shape.opacity == 1.0 and not isinstance(shape, _OPEN)
+            rgba = np.tile(np.append(_rgb(colour), shape.opacity), (len(faces), 1))
+            if number in self.spokes:
+                rgba[self.spokes[number], :3] *= _SPOKE
             if self.triangles is None:
-                self._surface((number, "surface"), vertices[faces], colour, shape.opacity, closed)
+                self._surface((number, "surface"), vertices[faces], rgba, closed)
             else:
-                rgba = np.append(_rgb(colour), shape.opacity)
                 parts.append(Part(vertices, faces, rgba, closed))
         if self.triangles is not None:
             self.triangles.set_parts(parts, self.light)
@@ -366,6 +371,7 @@ class _Drawing:
         if item.rigid:  # its triangles only turn and move
             if number not in self.solids:
                 self.solids[number] = surface(item.shape)
+                self.spokes[number] = spoke(item.shape, *self.solids[number])
             vertices, faces = self.solids[number]
             turn = (self.turn @ item.rotations[k]).T
             return vertices @ turn + self.turn @ item.positions[k], faces
@@ -386,8 +392,7 @@ class _Drawing:
         self,
         key: tuple[int, str],
         corners: np.ndarray,
-        colour: str,
-        opacity: float,
+        rgba: np.ndarray,
         closed: bool,
     ) -> None:
         from mpl_toolkits.mplot3d.art3d import Poly3DCollection
@@ -396,9 +401,9 @@ class _Drawing:
         if closed:
             # Half of a closed surface is behind the other half; less, for the perspective.
             seen = normal @ self.view > -_GRAZING
-            corners, normal = corners[seen], normal[seen]
+            corners, normal, rgba = corners[seen], normal[seen], rgba[seen]
         bright = 0.7 + 0.3 * normal @ self.light
-        rgba = np.column_stack([bright[:, None] * _rgb(colour), np.full(len(bright), opacity)])
+        rgba = np.column_stack([bright[:, None] * rgba[:, :3], rgba[:, 3]])
         if key not in self.artists:
             self.artists[key] = Poly3DCollection(
                 corners, facecolors=rgba, edgecolors=rgba, linewidths=0.3, clip_on=False

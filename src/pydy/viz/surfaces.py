@@ -81,6 +81,22 @@ def _(shape: shapes.Cylinder) -> Surface:
     return _turned([(0, h), (r, h), (r, -h), (0, -h)], shape.axis)
 
 
+def spoke(shape: shapes.Shape, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Return which triangles of a shape's surface show how it turns: a radius of a disc.
+
+    It is a sector of both ends of a Cylinder that is shorter than its radius, else none.
+    """
+    none = np.zeros(len(faces), dtype=bool)
+    if not isinstance(shape, shapes.Cylinder) or shape.length >= shape.radius:
+        return none
+    around = _along(vertices, shape.axis, "y")  # as in `_turned`
+    middle = around[faces].mean(axis=1)
+    ends = np.isclose(np.abs(middle[:, 1]), shape.length / 2, rtol=1e-6)
+    angle = np.arctan2(middle[:, 0], middle[:, 2])
+    found: np.ndarray = ends & (angle > 0.0) & (angle < 2 * np.pi / _AROUND)
+    return found
+
+
 @surface.register
 def _(shape: shapes.Cone) -> Surface:
     h, r = shape.length / 2, shape.radius
