@@ -332,3 +332,19 @@ def test_a_disc_shows_a_radius_that_turns_with_it(axis, monkeypatch):
     before, after = radius(0.0), radius(1.0)
     angle = np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after)
     assert angle == pytest.approx(0.7, abs=1e-9)
+
+
+def test_a_body_smaller_than_a_dot_is_marked_by_one():
+    """A ball of 0.1 m that flies over a kilometre, and one as large as the picture."""
+    times, ball = np.linspace(0.0, 10.0, num=11), O.locatenew("ball", (q - 500.0) * N.x)
+
+    def dots(radius):
+        scene = Scene(N, O, Visual(Sphere(radius), ball), follow=False)
+        scene.animate(times, 100.0 * times[:, None], symbols=[q])
+        lines = scene.to_matplotlib(7.0).lines
+        return [line for line in lines if line.get_marker() == "o" and line.get_visible()]
+
+    (dot,) = dots(0.05)
+    assert np.linalg.norm(np.array(dot.get_data_3d())) == pytest.approx(200.0)
+    assert dot.get_markersize() > 3.0
+    assert dots(50.0) == []

@@ -220,6 +220,7 @@ _PICTURES = (".png", ".pdf", ".svg", ".jpg", ".jpeg")
 _FILMS = (".mp4", ".gif")
 _OPEN = (Circle, Mesh, Plane)  # both sides of these may be seen
 _SPOKE = 0.45  # brightness of a radius of a disc, which shows how it turns
+_DOT = 5.0  # diameter of what marks a solid that would be smaller, in points
 _GRAZING = 0.25  # of normals, by how much they may point away from the viewer
 
 
@@ -355,6 +356,8 @@ class _Drawing:
             if solid is None:
                 continue
             vertices, faces = solid
+            if item.rigid and len(vertices):
+                self._mark(number, vertices, colour)
             closed = shape.opacity == 1.0 and not isinstance(shape, _OPEN)
             rgba = np.tile(np.append(_rgb(colour), shape.opacity), (len(faces), 1))
             if number in self.spokes:
@@ -380,6 +383,20 @@ class _Drawing:
             return None
         vertices, faces = triangles
         return vertices @ self.turn.T, faces
+
+    def _mark(self, number: int, vertices: np.ndarray, colour: str) -> None:
+        """Draw a dot of fixed size where a solid would be smaller than it."""
+        from mpl_toolkits.mplot3d.proj3d import proj_transform
+
+        low, high = vertices.min(axis=0), vertices.max(axis=0)
+        x, y, _ = proj_transform(*np.stack([low, high], axis=1), self.axes.get_proj())
+        ends = self.axes.transData.transform(np.stack([x, y], -1))
+        size = float(np.linalg.norm(ends[1] - ends[0])) * 72.0 / self.axes.figure.dpi
+        key = number, "mark"
+        if size < _DOT or key in self.artists:
+            middle = self.turn.T @ ((low + high) / 2)
+            self._line(key, middle[None], color=colour, marker="o", markersize=_DOT, ls="none")
+            self.artists[key].set_visible(size < _DOT)
 
     def _line(self, key: tuple[int, str], points: np.ndarray, **style: Any) -> None:
         columns = self.turn @ points.T
