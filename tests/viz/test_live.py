@@ -12,9 +12,11 @@ import zoo
 from cases import system_of
 from exported_models import TIMES, ball, hostile, pendulum
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
 from pydy.viz.arguments import unknowns_beside
+from pydy.viz.defaults import default_shape, inertial_lengths
 
 
 def page(system, live, *visuals, **options):
@@ -223,3 +225,41 @@ def test_what_a_slider_moves_is_no_part_of_a_rigid_body_at_any_size(length):
     scene = system.scene(*visuals, reference_frame=N, origin=O).animate(system.simulate())
     tracks = [v["track"] for v in data_of(scene.html(live={l: (length / 2, length)}))["visuals"]]
     assert tracks == [0, 1, 0]
+
+
+@pytest.mark.parametrize(
+    ("moments", "lengths"),
+    [
+        ((0.02, 0.02, 0.02), ["radius"]),  # a sphere
+        ((0.02, 0.02, 0.01), ["radius", "length"]),
+        ((0.02, 0.02, 0.039), ["radius", "length"]),  # a disc, not thinner than is seen
+        ((0.02, 0.01, 0.025), ["x", "y", "z"]),
+        ((0.0, 0.0, 0.025), ["radius", "length"]),  # of motion in a plane
+    ],
+)
+def test_default_shapes_follow_the_sliders_of_mass_and_inertia(moments, lengths):
+    a, w = me.dynamicsymbols("a w")
+    m, *inertias = sm.symbols("m I1:4")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    B = N.orientnew("B", "Axis", (a, N.z))
+    B.set_ang_vel(N, w * N.z)
+    O.set_vel(N, 0)
+    C = O.locatenew("C", 0.3 * B.x)
+    C.set_vel(N, 0.3 * w * B.y)
+    body = me.RigidBody("body", C, B, m, (me.inertia(B, *inertias), C))
+    numbers = {m: 2.0, **dict(zip(inertias, moments, strict=True))}
+    system = System(
+        Definition(N, [a], [w], bodies=[body], loads=[(C, -m * N.y)]), numbers,
+        constants_symbols=[*numbers], times=[0.0, 1.0], ode_solver="dop853",
+    )  # fmt: skip
+    scene = system.scene(Visual(None, body)).animate(system.simulate())
+    data = data_of(scene.html(live={m: (0.5, 8.0)}))
+    assert data["live"]["sizes"] == [[0, name] for name in lengths]
+    shape = default_shape(body, numbers, 0.3)
+    for change in ({m: 7.0}, {inertias[2]: 0.021}):
+        expected = default_shape(body, {**numbers, **change}, 0.3)
+        found = inertial_lengths(body, shape, numbers)
+        if type(expected) is type(shape):  # a sphere has three equal moments
+            for name, length in found.items():
+                value = float(length.xreplace({**numbers, **change}))
+                assert value == pytest.approx(getattr(expected, name), rel=1e-9)

@@ -98,6 +98,52 @@ def default_shape(
     return solid
 
 
+def inertial_lengths(body: Any, shape: Shape, numbers: Mapping[Any, float]) -> dict[str, Any]:
+    """Return the lengths of a body's default shape as expressions of mass and inertia.
+
+    Empty where the inertia holds more than constants, whose `numbers` these are, and where other
+    rules than the inertia gave the shape its size at these.
+    """
+    if not isinstance(body, RigidBody):
+        return {}
+    inertia, m = body.central_inertia.to_matrix(body.frame), sm.sympify(body.mass)
+    moments = [sm.sympify(inertia[k, k]) for k in range(3)]
+    if sm.Tuple(m, *moments).atoms(AppliedUndef):
+        return {}
+
+    def root(square: Any) -> Any:
+        return sm.sqrt(sm.Max(square, 0))
+
+    ix, iy, iz = moments
+    found: dict[str, Any] = {}
+    if isinstance(shape, Sphere):
+        found = {"radius": root(sm.Rational(5, 2) * ix / m)}
+    elif isinstance(shape, Cylinder):
+        own, across = moments["xyz".index(shape.axis)], moments["yzx".index(shape.axis)]
+        radius = root(2 * own / m)
+        length = root((12 * across - 6 * own) / m)
+        solid = sm.Max(length, 2 * _THINNEST * radius)
+        in_plane = {"radius": radius, "length": 2 * _THINNEST * radius}
+        found = {"radius": sm.Max(radius, _THINNEST * length / 2), "length": solid}
+        if not _are(found, shape, numbers):
+            found = in_plane
+    elif isinstance(shape, Box):
+        edges = [root(6 * s / m) for s in (iy + iz - ix, iz + ix - iy, ix + iy - iz)]
+        least = _THINNEST * sm.Max(*edges)
+        found = {axis: sm.Max(edge, least) for axis, edge in zip("xyz", edges, strict=True)}
+    return found if _are(found, shape, numbers) else {}
+
+
+def _are(lengths: Mapping[str, Any], shape: Shape, numbers: Mapping[Any, float]) -> bool:
+    """Return whether expressions are the lengths of a shape."""
+    known = {symbol: sm.Float(value) for symbol, value in numbers.items()}
+    try:
+        values = {name: float(e.xreplace(known)) for name, e in lengths.items()}
+    except TypeError:  # a symbol without a value, or a root of a negative number
+        return False
+    return all(abs(v - getattr(shape, n)) <= DIGITS * abs(v) for n, v in values.items())
+
+
 def _round_shape(moments: list[float], mass: float) -> Shape | None:
     """Return the sphere or cylinder of uniform density with these moments, or None for a box."""
     greatest = max(moments)

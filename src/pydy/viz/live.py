@@ -24,6 +24,7 @@ from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
 from pydy.viz.animation import Animation, Item, followed
 from pydy.viz.arguments import unknowns_beside
+from pydy.viz.defaults import inertial_lengths
 from pydy.viz.motion import Geometry, Motion, Names, pose_program
 from pydy.viz.shapes import Arrow, Line
 
@@ -241,6 +242,7 @@ class LivePage:
         visuals = [item.visual for item in self.items]
         geometry = self._geometry([v.frame for v in visuals], [v.point for v in visuals])
         p = np.array([by_name.get(name_of(s), 1.0) for s in system.constants])
+        self.numbers = dict(zip(system.constants, p.tolist(), strict=True))
         generic = Motion(self.names, motion.times, motion.states, motion.specifieds, p)
         count = len(system.constants)
         varied = [r["place"] for r in self.sliders if r["group"] == "p" and r["place"] < count]
@@ -274,7 +276,7 @@ class LivePage:
         geometry = self._geometry(turned, placed, vectors)
         # Apart from the poses: curves have a sample at each step, of which few are drawn.
         curves = Geometry(self.reference, self.origin, (), (), (), self.formulas)
-        sizes, places = _sizes(items, system, self.names.definitions)
+        sizes, places = _sizes(items, system, self.names.definitions, self.numbers)
         builders = {
             **system.model.builders,
             "poses": lambda: pose_program(geometry, self.names),
@@ -411,17 +413,26 @@ def _start(
 
 
 def _sizes(
-    items: Sequence[Item], system: LiveSystem, definitions: Mapping[Any, Any]
+    items: Sequence[Item],
+    system: LiveSystem,
+    definitions: Mapping[Any, Any],
+    numbers: Mapping[Any, float],
 ) -> tuple[Program, list[list[Any]]]:
-    """Return the Program of lengths that depend on constants, and their visuals."""
+    """Return the Program of lengths that depend on constants, and their visuals.
+
+    The constants have these `numbers` at the start.
+    """
     graph = Graph()
     atoms = input_nodes(graph, p=system.constants)
     reader = SymPyReader(graph, atoms, "the shapes")
     nodes, places = [], []
     for k, item in enumerate(items):
         shape = item.visual.shape
-        for attribute in () if shape is None else shape.lengths:
-            expression = getattr(shape, attribute)
+        if shape is None:  # a default one
+            lengths = inertial_lengths(item.visual.body, item.shape, numbers)
+        else:
+            lengths = {attribute: getattr(shape, attribute) for attribute in shape.lengths}
+        for attribute, expression in lengths.items():
             if isinstance(expression, sm.Expr) and expression.free_symbols:
                 given = {s: definitions[s] for s in expression.free_symbols if s not in atoms}
                 nodes += reader.all([expression.xreplace(given)])
