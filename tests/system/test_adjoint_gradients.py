@@ -493,6 +493,22 @@ def test_steps_that_no_derivatives_bound_are_told():
     assert found.statistics["steps"] == system.simulate(**LOOSE).statistics["steps"]
 
 
+def test_a_derivative_that_is_not_finite_matters_only_where_the_scalar_depends_on_it():
+    """A body stays where the root in its force has no derivative, beside an oscillator."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    force = -x * frame.x - sm.sqrt(sm.Abs(y)) * frame.y
+    bodies, loads = [me.Particle("body", place, 1)], [(place, force)]
+    system = System(Definition(frame, [x, y], [u, v], bodies=bodies, loads=loads))
+    system.initial_conditions, system.times = {x: 1.0}, [0.0, 3.0]
+    found = system.adjoint_gradient([x, u], final=x, **TIGHT)
+    np.testing.assert_allclose(found.values, [np.cos(3.0), np.sin(3.0)], rtol=1e-9)
+    with pytest.raises(ValueError, match="The derivatives of the equations are not finite between"):
+        system.adjoint_gradient([x, u], final=x + y, **TIGHT)
+
+
 # -- what goes wrong ------------------------------------------------------------------------------
 
 

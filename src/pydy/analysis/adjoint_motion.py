@@ -38,7 +38,7 @@ from pydy.inputs import SampledInput
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import forcing_time, jumped_to
 from pydy.solvers.options import read_options
-from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, OUTCOMES, TERMINATED
+from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, NOT_FINITE, OUTCOMES, TERMINATED
 from pydy.solvers.sensitivities import CompiledSensitivities, resolved
 from pydy.solvers.solver import Solver
 from pydy.trajectory import EventRecord
@@ -690,19 +690,23 @@ def integrate_forward(
     """Return a motion from the initial conditions, or say why it could not go on."""
     n = len(problem.definition.states)
     run = partial(MotionSegment, task, solver, problem.x, times, ready.options, guide)
-    failed: str | None = None
+    failed: Any = None
     try:
         try:
             found = run()
         except (IntegrationError, SingularMatrixError) as error:
             if guide is not None or not solver.adaptive:
                 raise
-            failed = "the mass matrix became singular"
-            if isinstance(error, IntegrationError):
-                failed = f"`{solver.name}` {error.info['status']} at t = {error.time:.6g}"
+            failed = error
         if failed is not None:  # derivatives may end where the motion does not
             found = run(bounded=False)
-            found.unbounded = failed
+            if isinstance(failed, SingularMatrixError):
+                found.unbounded = "the mass matrix became singular"
+            # One that is not finite stops the way back, too, if the scalar depends on it.
+            elif failed.info["code"] != NOT_FINITE:
+                found.unbounded = (
+                    f"`{solver.name}` {failed.info['status']} at t = {failed.time:.6g}"
+                )
     except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
         if not isinstance(error, SingularMatrixError):
             error.states, error.state = error.states[:, :n], error.state[:n]
