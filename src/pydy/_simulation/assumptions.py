@@ -22,6 +22,7 @@ from pydy._names import name_of, numbers_of
 from pydy._simulation.motion import EvaluationRecorder, Motion
 from pydy._simulation.problem import At
 from pydy._simulation.scipy_solvers import is_odeint
+from pydy._simulation.tuning import TYPED
 from pydy.solvers.options import Options
 
 
@@ -74,8 +75,6 @@ def _accepted(
 
 # -- Orientations at the start ---------------------------------------------------------------------
 
-# Numbers that are typed with four digits are of unit length to so much.
-_TYPED = 1e-3
 _UNITS = [[sm.Rational(n, 10) for n in numbers] for numbers in ((5, 5, 5, 5), (1, 7, 1, 7))]
 
 
@@ -116,7 +115,7 @@ def check_orientations(at: At, matrices: tuple[Any, ...]) -> None:
     rows = at.values(_Orientations(matrices))
     for k, matrix in enumerate(matrices):
         apart = float(np.abs(rows[str(k)]).max(initial=0.0))
-        if not apart > _TYPED:
+        if not apart > TYPED:
             continue
         held = find_symbols(matrix)
         places = [i for i, q in enumerate(at.definition.equations.coordinates) if q in held]

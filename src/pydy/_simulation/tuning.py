@@ -5,3 +5,6 @@ FIT = 1e-9
 
 TOGETHER = 1024
 """States that are evaluated together: their inputs fit in a cache."""
+
+TYPED = 1e-3
+"""How far from one the square of a quaternion may be: its numbers were typed with few digits."""

@@ -91,7 +91,7 @@ def spoke(shape: shapes.Shape, vertices: np.ndarray, faces: np.ndarray) -> np.nd
         return none
     around = _along(vertices, shape.axis, "y")  # as in `_turned`
     middle = around[faces].mean(axis=1)
-    ends = np.isclose(np.abs(middle[:, 1]), shape.length / 2, rtol=1e-6)
+    ends = np.abs(middle[:, 1]) > shape.length / 3  # triangles of the side are within a sixth
     angle = np.arctan2(middle[:, 0], middle[:, 2])
     found: np.ndarray = ends & (angle > 0.0) & (angle < 2 * np.pi / _AROUND)
     return found
