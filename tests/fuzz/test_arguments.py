@@ -58,4 +58,4 @@ def test_what_does_not_fit_is_named_and_what_fits_is_right(family, server):
     assert not wrong, f"{len(wrong)} of {len(results)}:\n" + "\n".join(
         f"{target} with {value}: {what}: {details}" for target, value, what, details, _ in wrong
     )
-    assert results
+    assert results or PARTS > 1  # of a small family a part may have none

@@ -52,6 +52,11 @@ class Motion:
 
     An analysis takes a Problem and integrates it to Motions; a judge takes a Motion and warns of
     it, or raises; a picture or a table shows its `trajectory`.
+
+    Outputs along it are ``motion.problem.outputs(motion.times, motion.states)``. Between the times
+    that were asked for, `dense` gives states at any time of the motion, with columns of
+    sensitivities behind them if there are any; `dense.starts` are the times at which steps begin.
+    What `proceed` integrates has the options of this motion.
     """
 
     problem: Problem  # with the state that was asked for at the start
