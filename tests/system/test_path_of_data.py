@@ -139,10 +139,10 @@ def construct():
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
     [
-        (construct, 655, 55),
-        (integrate, 30, 14),
-        (simulate, 104, 28),
-        (with_contacts, 144, 33),
+        (construct, 655, 51),
+        (integrate, 30, 13),
+        (simulate, 104, 27),
+        (with_contacts, 143, 34),
         (ensemble, 97, 27),
         (stiff_ensemble, 102, 27),
     ],
