@@ -54,10 +54,9 @@ def pytest_configure(config):
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection(session):
-    """Look for no garbage while tests are collected; what modules hold is never looked at again."""
+    """Look for no garbage while tests are collected."""
     gc.disable()
     yield
-    gc.freeze()
     gc.enable()
 
 
