@@ -1676,7 +1676,7 @@ class System:
         >>> system = n_link_pendulum_on_cart(1)
         >>> system.constants = {'g': 10.0}
         >>> system.gravity({'q1': 0.5}).round(6)
-        array([0.      , 4.794255])
+        array([ 0.      , -4.794255])
         """
         return self._evaluated(gravity(self._equations, acceleration), q, t, r, p, wrt)
 
@@ -1775,10 +1775,10 @@ class System:
         >>> from pydy.models import n_link_pendulum_on_cart
         >>> system = n_link_pendulum_on_cart(1)
         >>> cart, bob = system.eom_method.bodies
-        >>> system.frame_jacobian(bob, [0.0, 0.0])
-        array([[1., 1.],
-               [0., 0.],
-               [0., 0.]])
+        >>> system.frame_jacobian(bob, [0.0, 0.0]) + 0.0
+        array([[ 1., -1.],
+               [ 0.,  0.],
+               [ 0.,  0.]])
         """
         made = frame_jacobian(self._equations, self._eom_method, where)
         return self._evaluated(made, q, t, r, p, wrt)
@@ -2481,10 +2481,9 @@ class System:
         >>> import sympy.physics.mechanics as me
         >>> from pydy.models import n_link_pendulum_on_cart
         >>> system = n_link_pendulum_on_cart(1)
-        >>> F, = system.specifieds_symbols
-        >>> t = me.dynamicsymbols._t
+        >>> x, F, t = system.states[0], *system.specifieds_symbols, me.dynamicsymbols._t
         >>> rest = {s: 0.0 for s in system.states}
-        >>> found = system.optimize_trajectory(sm.Integral(F**2, t), 2.0, end={**rest, 'q0': 0.5})
+        >>> found = system.optimize_trajectory(sm.Integral(F**2, t), 2.0, end={**rest, x: 0.5})
         >>> found['q0'][-1].round(9), found.message
         (np.float64(0.5), 'solved')
         """
@@ -2845,8 +2844,8 @@ class System:
         >>> system = multi_mass_spring_damper()
         >>> system.initial_conditions = {'x0': 1.0}
         >>> system.times = [0.0, 0.5, 1.0]
-        >>> system.plot(['x0']).get_ylabel()
-        'value'
+        >>> system.plot(['x0']).get_xlabel()
+        'time'
         """
         return self._moved(contacts, "plot").plot(names, **options)
 

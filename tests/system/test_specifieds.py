@@ -316,7 +316,7 @@ def test_a_function_that_evaluates_its_own_system_is_one_short_error(deeper):
     system.times = np.linspace(0.0, 1.0, 3)
 
     def control(x, t):
-        return system.evaluate_ode(x, t)[0] if deeper else system.gravity(x[:2])[1]
+        return system.evaluate_ode(x, t)[0] if deeper else system.bias(x[:2], x[2:])[1]
 
     system.specifieds = {"F": control}
     with pytest.raises(

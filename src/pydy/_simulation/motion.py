@@ -53,9 +53,11 @@ class Motion:
     An analysis takes a Problem and integrates it to Motions; a judge takes a Motion and warns of
     it, or raises; a picture or a table shows its `trajectory`.
 
-    Outputs along it are ``motion.problem.outputs(motion.times, motion.states)``. Between the times
-    that were asked for, `dense` gives states at any time of the motion, with columns of
-    sensitivities behind them if there are any; `dense.starts` are the times at which steps begin.
+    `times`, `states` and `sensitivities` have the times that were asked for, up to a terminal
+    event; `end`, `end_state` and `end_sensitivities` are where the motion ends. Outputs along it
+    are ``motion.problem.outputs(motion.times, motion.states)``. Between those times, `dense` gives
+    states at any time of the motion, with columns of sensitivities behind them if there are any;
+    `dense.starts` are the times at which steps begin.
     What `proceed` integrates has the options of this motion.
     """
 
@@ -108,6 +110,17 @@ class Motion:
         if self.events and self.events[-1].time == self.end:
             return self.events[-1].after
         last: np.ndarray = self.states[-1]
+        return last
+
+    @property
+    def end_sensitivities(self) -> np.ndarray:
+        """The sensitivities (n, k) at the end, after an event that happens there."""
+        if self.events and self.events[-1].time == self.end:
+            after = self.events[-1].sensitivity_after
+            if after is not None:
+                return after
+        assert self.sensitivities is not None
+        last: np.ndarray = self.sensitivities[-1]
         return last
 
     @property

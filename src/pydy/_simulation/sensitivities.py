@@ -418,9 +418,13 @@ def compiled_event(
 
 @dataclass
 class SensitivityRequest:
-    """The sensitivities wanted of a simulation, with the model and options that give them."""
+    """The sensitivities wanted of a simulation: an argument of `integrate` and `simulate`.
 
-    parameters: Any  # as the user names them
+    `parameters` are symbols, names or groups such as ``'states'``, as `System.simulate` takes them.
+    Where derivatives are the result itself, as in orbits, they are `controlled`.
+    """
+
+    parameters: Any
     # whether the step control of a native solver looks at the sensitivities too
     controlled: bool = False
     given: np.ndarray | None = None  # those of the initial state, shape (n, k); else they follow

@@ -245,7 +245,7 @@ class _Search:
     def _for_a_time(self, problem: Problem, length: float) -> Flight:
         instant = self.t0 + length
         motion = self.integrated(problem, np.linspace(self.t0, instant, num=_ON_THE_WAY))
-        start, end, slopes = motion.states[0], motion.states[-1], _last_slopes(motion)
+        start, end, slopes = motion.states[0], motion.states[-1], motion.end_sensitivities
         advance = np.abs(end - start)[[self.rows[k] for k in self.advancing]]
         self.pushed[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
         return self._flight(motion, start, end, motion.rates(instant, end), slopes, instant)
@@ -269,7 +269,7 @@ class _Search:
         assert event.sensitivity_after is not None
         assert event.time_sensitivity is not None
         after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
-        slopes = after @ _last_slopes(first)[self.rows]
+        slopes = after @ first.end_sensitivities[self.rows]
         return self._flight(motion, first.states[0], event.after, rates, slopes, event.time)
 
     def _flight(
@@ -378,12 +378,6 @@ class _Search:
         if self.until is None and not self.autonomous:
             _check_period(motion, period)
         return motion
-
-
-def _last_slopes(motion: Motion) -> np.ndarray:
-    assert motion.sensitivities is not None
-    slopes: np.ndarray = motion.sensitivities[-1]
-    return slopes
 
 
 def _check_period(motion: Motion, period: float) -> None:
