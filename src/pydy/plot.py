@@ -41,7 +41,7 @@ __all__ = [
 
 
 SMOOTH = 400  # parts of a curve that look like one
-NAMES = 3  # how many quantities the label of an axis names
+NAMES = 3  # how many names fit beside an axis of Matplotlib's usual height; more are in the legend
 Units = Mapping[Any, str] | None
 
 

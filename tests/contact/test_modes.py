@@ -33,6 +33,23 @@ def test_a_linear_model_of_one_mode():
     assert abs(stands.evaluate_ode()).max() == 0.0
 
 
+def test_outputs_keep_the_names_that_the_user_gave():
+    system, feet = falling_body([(0.0, -1.0)], mu=mu)
+    system.constants[J], system.initial_conditions = 0.3, {y: 1.0, vx: 0.25}
+    height = sm.Symbol("height")
+    # One has the name of a state: it is `v_x_output` where names are labels.
+    system.outputs = {height: y - 1, ("twice", "thrice"): (2 * vx, 3 * vx), "v_x": 4 * vx}
+    contacts = Contacts(system, feet, {mu: 0.5})
+    free = contacts.in_modes({})
+    assert [*free.outputs][:3] == [*system.outputs][:3]
+    assert free.outputs[height] == y - 1
+    assert free.outputs_symbols[:4] == system.outputs_symbols[:4]
+    np.testing.assert_array_equal(free.evaluate_outputs()[:4], [0.0, 0.5, 0.75, 1.0])
+    system.times = np.linspace(0.0, 0.1, 3)
+    trajectory = contacts.simulate()
+    assert [*trajectory["v_x_output"]] == pytest.approx([*(4 * trajectory["v_x"])])
+
+
 def test_constants_that_are_replaced_leave_those_of_the_contacts_at_zero():
     system, feet = falling_body([(-1.0, -1.0), (1.0, -1.0)], mu=mu)
     system.constants[J], system.initial_conditions = 0.3, {y: 1.0}

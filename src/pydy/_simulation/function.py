@@ -107,9 +107,17 @@ class Function:
 
     def _reads_inputs(self, code: CompiledModel) -> bool:
         """Return whether the values, or what is judged with them, may depend on specifieds."""
+        # A property of the code: its Program and constraints are looked through once.
+        known = code.latest.setdefault("reads inputs", {})
+        key = self.kernel(code), self.look is None
+        if key not in known:
+            known[key] = self._look_for_inputs(code, key[0].program)
+        found: bool = known[key]
+        return found
+
+    def _look_for_inputs(self, code: CompiledModel, program: Any) -> bool:
         definition = self.problem.definition
-        program, equations = self.kernel(code).program, definition.equations
-        if equations.implicit is not None or "specifieds" in definition.assumptions:
+        if definition.equations.implicit is not None or "specifieds" in definition.assumptions:
             return True
         if not isinstance(program, Program) or any(
             op == "input" and args[0] == "r"

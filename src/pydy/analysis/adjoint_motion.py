@@ -39,7 +39,7 @@ from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import forcing_time, jumped_to
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, NOT_FINITE, OUTCOMES, TERMINATED
-from pydy.solvers.sensitivities import CompiledSensitivities, resolved
+from pydy.solvers.sensitivities import CompiledSensitivities, Sized, resolved, scales_of
 from pydy.solvers.solver import Solver
 from pydy.trajectory import EventRecord
 
@@ -254,27 +254,19 @@ class Task:
         model, width = self.whole, len(whole)
         direction = Direction(width, self.wanted)
         call = self.call_whole(direction_kernel(model, direction))
-        states, others = self._sizes(whole, options)
-        parts = np.concatenate([states, others])
-        parts *= generic(len(parts))
+        sized = [Sized("x", k, least=s) for k, s in enumerate(least_sizes(options, width).tolist())]
+        sized += [one.sized._replace(columns=1) for one in (*self._plain, *self.sampled)]
+        own = self.sensitive
+        parts = scales_of(sized, whole, own.plan.values, own.p, len(sized)) * generic(len(sized))
         column, weights = parts[:width], parts[width:]
-        column[self.sensitive.columns.states :] = 0.0  # integrals begin at zero
-        every = with_all(model, self.sensitive.definition)
+        column[own.columns.states :] = 0.0  # integrals begin at zero
+        every = with_all(model, own.definition)
         beside = CompiledSensitivities(
             width, _OF_NO_INPUT, np.ones(1), whole, False, _of_no_event,
             lambda: direction_kernel(every, direction, "holonomic", "velocity"),
         )  # fmt: skip
         call = replace(call, r=np.concatenate([call.r, weights]))
         return call, np.append(whole, column), beside
-
-    def _sizes(self, whole: np.ndarray, options: dict[str, Any]) -> tuple[np.ndarray, np.ndarray]:
-        """Return the sizes of the states and of what is wanted, as `scales_of` does."""
-        arrays = {"p": self.sensitive.p, "r": self.sensitive.plan.values}
-        others = np.abs([arrays[group][place] for group, place in self.wanted])
-        for k, parameter in enumerate(self.sampled, len(self._plain)):
-            others[k] = parameter.sized.size
-        others[others == 0.0] = 1.0
-        return np.maximum(np.abs(whole), least_sizes(options, len(whole))), others
 
     def turned(self) -> KernelCall:
         """Return the derivatives of Σ weight · rate; see `DiscreteAdjoint`."""

@@ -297,10 +297,7 @@ class Contacts:
         every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
         held = tuple(independent(p.square, every))
         mode = kept.mode(tuple(found), held, every)[0]
-        define, outputs = self.system._define, self.system._outputs
-        users = define.users(outputs, self.system._forces)
-        settings = {**kept.settings(mode), "outputs": {**users, **mode.outputs}}
-        system = System(mode.equations, **settings)
+        system = System(mode.equations, **kept.settings(mode))
         system._contradicted = None  # the user knows of these numbers
         system._implied = dict.fromkeys(kept.rows.hidden, 0.0)
         system.constants = dict(now.constants)

@@ -396,12 +396,17 @@ class Compiled:
     def settings(self, made: Mode) -> dict[str, Any]:
         """Return what a Model or a System of a Mode's equations is made of, beside these."""
         definition = self.definition
-        groups = {g.names: g.expressions for g in definition.groups}
-        for symbols in ([(s,) for s in definition.residuals], [definition.forces]):
-            for names in symbols:
-                groups.pop(names, None)
+        others, called = {*definition.residuals, *definition.forces}, dict(definition.labels)
+        users: dict[Any, Any] = {}
+        for group in definition.groups:
+            if others.isdisjoint(group.names):
+                names = tuple(called.get(name, name) for name in group.names)
+                several = len(names) > 1
+                users[names if several else names[0]] = (
+                    group.expressions if several else group.expressions[0]
+                )
         return {
-            "outputs": {**groups, **made.outputs},
+            "outputs": {**users, **made.outputs},
             "specifieds": dict(self._specifieds),
             "constants_symbols": self.constants,
             "specifieds_symbols": self.definition.specifieds,
