@@ -69,11 +69,24 @@ def pytest_collect_file(file_path):
     return [c for c in collectors if not isinstance(c, DoctestModule)]
 
 
+def _examples_of_hypothesis_by_its_seed_alone():
+    """Have Hypothesis take no constants from the modules that happen to be loaded.
+
+    Which those are depends on the tests that a worker was given: examples of a seed would differ.
+    """
+    if "hypothesis" in sys.modules:
+        from hypothesis.internal.conjecture import providers
+
+        providers._get_local_constants = lambda: providers._local_constants
+
+
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
     """Keep the cases that a run of all tests tries; where files or tests are named, all of theirs.
 
     What was collected is stored first: `test_parts.py` compares the table of slow tests with it.
     """
+    _examples_of_hypothesis_by_its_seed_alone()
     config.stash[parts.COLLECTED] = [item.nodeid for item in items]
     everything = any(Path(argument).resolve() == ROOT / "tests" for argument in config.args)
     if not everything and parts.WHOLE_FILES is None:

@@ -116,6 +116,8 @@ def definitions(name: str, before: str) -> SimpleNamespace:
         if before in cell:
             break
         first.append(cell)
+    # Plots are drawn below: the import would cost every collection of tests half a second.
+    source = "".join(first).replace("import matplotlib.pyplot as plt\n", "")
     names = {"__name__": name}
-    exec("".join(first), names)
+    exec(source, names)
     return SimpleNamespace(**names)

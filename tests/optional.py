@@ -19,6 +19,8 @@ class _Module:
         self._name = name
 
     def __getattr__(self, attribute: str) -> Any:
+        if attribute.startswith("_"):  # pytest asks each object of a test file for marks of its own
+            raise AttributeError(attribute)
         return getattr(import_module(self._name), attribute)
 
 

@@ -10,7 +10,6 @@ import warnings
 
 import numpy as np
 import pytest
-import zarr
 
 from ensemble_cases import identical, pendulum, random_values
 from optional import optional
@@ -21,6 +20,7 @@ from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 
 xr = optional("xarray")
+zarr = optional("zarr")
 
 
 @pytest.fixture
