@@ -1,4 +1,4 @@
-"""A run of all tests tries every quick case, and one of 24 parts of the slow ones.
+"""A run of all tests tries every quick case, and one of 36 parts of the slow ones.
 
 A test function is slow if its cases take 0.2 s of processor time together, or more. `slow.txt`,
 beside this file, lists these functions with their times; `make times` measures and writes it. The
@@ -6,7 +6,7 @@ cases of a slow function are dealt out to the parts, so that all parts take abou
 
 Environment variables choose what is tried:
 
-PYDY_PART : the number of the part (0 without it; larger numbers count modulo 24), or "all"
+PYDY_PART : the number of the part (0 without it; larger numbers count modulo 36), or "all"
 PYDY_FURTHER_PARTS : a number; try no quick cases, and this many parts after that one
 PYDY_RECORD_TIMES : anything; write the table when the run has ended
 PYDY_WHOLE_FILES : files, separated by spaces, of which all cases are tried (`make test-near`)
@@ -21,7 +21,7 @@ from pathlib import Path
 import pytest
 
 COLLECTED = pytest.StashKey[list[str]]()
-PARTS = 24
+PARTS = 36
 LIMIT = 0.2
 # Functions that draw a part of their inputs themselves: every run tries each of their cases.
 DRAWING = {"tests/fuzz/test_arguments.py::test_what_does_not_fit_is_named_and_what_fits_is_right"}

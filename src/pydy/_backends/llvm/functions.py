@@ -150,11 +150,15 @@ class CompleteCode:
 
 
 def _interrupt_after() -> None:
-    """Interrupt the main thread once it has left `CompleteCode._call`, however long that takes."""
+    """Interrupt the main thread once it runs nothing of this module, however long that takes.
+
+    `CompleteCode._call` is not all that ctypes calls: the function around it is left after it.
+    """
     main = threading.main_thread().ident
+    here = _interrupt_after.__code__.co_filename
     while True:
         frame = sys._current_frames().get(main or 0)
-        while frame is not None and frame.f_code is not CompleteCode._call.__code__:
+        while frame is not None and frame.f_code.co_filename != here:
             frame = frame.f_back
         if frame is None:
             break
