@@ -16,7 +16,7 @@ from harness.report import save, table
 from mpmath.libmp import from_float, mpf_cos_sin, mpf_sub, to_float
 
 from pydy._backends.llvm.native import LLVMBackend
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 
 LARGEST = 1e5

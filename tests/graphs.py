@@ -6,7 +6,7 @@ import sympy as sm
 from pydy._assembly.assembly import Assembly
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program, Tape

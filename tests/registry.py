@@ -14,8 +14,7 @@ from typing import Any
 from pydy import contact
 from pydy._backends import registry as back_ends
 from pydy._simulation import scipy_solvers
-from pydy.control import schemes
-from pydy.control import solvers as optimizers
+from pydy.control import schemes, solvers as optimizers
 from pydy.export import writing
 from pydy.solvers.options import Options
 from pydy.solvers.solver import SOLVERS as _BY_NAME

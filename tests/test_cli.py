@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pydy
+import pydy.examples
 from pydy.cli import main
 from pydy.examples import bicycle_ride
 
@@ -20,7 +21,7 @@ def demo(tmp_path_factory):
     rides = []
     honest = bicycle_ride.ride
     with pytest.MonkeyPatch.context() as patch, pytest.MonkeyPatch.context() as capture:
-        patch.setattr(bicycle_ride, "ride", lambda: rides.append(honest()) or rides[0])
+        patch.setattr(pydy.examples, "ride", lambda: rides.append(honest()) or rides[0])
         lines = []
         capture.setattr("builtins.print", lambda *a, **k: lines.append(" ".join(map(str, a))))
         code = main(["demo", "--output", str(output)])
@@ -32,7 +33,7 @@ def same_ride(demo, monkeypatch):
     """Let the demo find at once what it found before, but for what is given."""
 
     def change(**values):
-        monkeypatch.setattr(bicycle_ride, "ride", lambda: replace(demo[3], **values))
+        monkeypatch.setattr(pydy.examples, "ride", lambda: replace(demo[3], **values))
 
     change()
     return change
@@ -173,7 +174,7 @@ def test_a_broken_promise_fails_the_demo_with_a_message(same_ride, capsys, chang
 
 
 def test_an_output_that_is_a_file_is_refused_before_the_work(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(bicycle_ride, "ride", lambda: pytest.fail("the demo should not start"))
+    monkeypatch.setattr(pydy.examples, "ride", lambda: pytest.fail("the demo should not start"))
     (tmp_path / "file").write_text("")
     with pytest.raises(SystemExit) as stop:
         main(["demo", "--output", str(tmp_path / "file")])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import graphlib
+import importlib
 import os
 import re
 import subprocess
@@ -16,6 +17,7 @@ from typing import NamedTuple
 
 import nouns
 import pytest
+from doors import door_of, rooms
 
 ROOT = Path(__file__).parents[1]
 SRC = ROOT / "src"
@@ -104,6 +106,7 @@ def find_imports(node: ast.AST, package: str, *, at_load: bool) -> Iterator[Impo
             # `from package import name` meets either a module or something inside `package`.
             full = f"{base}.{alias.name}"
             target = full if full in MODULES or not within(base, ("pydy",)) else base
+            target = door_of(base).get(alias.name, target)
             yield Import(target, node.lineno, at_load)
     elif isinstance(node, ast.Call) and (name := dynamic_import(node)):
         yield Import(name, node.lineno, at_load)
@@ -143,6 +146,30 @@ def everywhere() -> Iterator[tuple[str, Import]]:
 
 def no_offences(offences: list[str]) -> None:
     assert not offences, "\n" + "\n".join(offences)
+
+
+@pytest.mark.parametrize("room", rooms())
+def test_a_door_lists_what_is_public_or_taken_by_other_rooms(room):
+    taken = {
+        alias.name
+        for module in MODULES
+        if not within(module, (room,))
+        for node in ast.walk(tree(module))
+        if isinstance(node, ast.ImportFrom) and node.module == room
+        for alias in node.names
+    }
+    public = (
+        set(importlib.import_module(room).__all__) if "__all__ = [" in door_source(room) else set()
+    )
+    submodules = {name for name in door_of(room) if f"{room}.{name}" in MODULES}
+    unused = set(door_of(room)) - taken - public - submodules
+    assert not unused, f"{room}/__init__.pyi: no other room takes {sorted(unused)}"
+    missing = public - set(door_of(room))
+    assert not missing, f"{room}/__init__.pyi lacks the public names {sorted(missing)}"
+
+
+def door_source(room: str) -> str:
+    return MODULES[room].read_text(encoding="utf-8")
 
 
 def test_the_contracts_of_imports_are_kept():

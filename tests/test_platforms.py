@@ -13,12 +13,12 @@ import pytest
 import solvers_ir
 from llvmlite import binding
 
+import pydy.examples
 from graphs import everything, solves
 from pydy import _cache_folder, cli
 from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.text import kernel_text
 from pydy._names import printable
-from pydy.examples import bicycle_ride
 
 ROOT = Path(__file__).parents[1]
 
@@ -156,9 +156,9 @@ def test_the_demo_tells_of_folders_that_a_console_cannot_spell(tmp_path, monkeyp
     for name in ("_print_model", "_print_ride", "_print_eigenvalues", "_print_seconds"):
         monkeypatch.setattr(cli, name, lambda ride: None)
     monkeypatch.setattr(cli, "_verdict", lambda ride: 0)
-    monkeypatch.setattr(bicycle_ride, "ride", lambda: None)
+    monkeypatch.setattr(pydy.examples, "ride", lambda: None)
     for name in ("draw", "animate", "simulate"):
-        monkeypatch.setattr(bicycle_ride, name, lambda ride, path: path.touch())
+        monkeypatch.setattr(pydy.examples, name, lambda ride, path: path.touch())
     console = io.TextIOWrapper(io.BytesIO(), encoding="cp1252")
     monkeypatch.setattr(sys, "stdout", console)
     assert cli.main(["demo", "--output", str(tmp_path / "张伟")]) == 0

@@ -1,6 +1,6 @@
 """Run the tests nearest to files of src, in under a minute for nine files of ten.
 
-    python tools/near.py src/pydy/_graph/lower.py      (or `make test-near FILE=…`)
+    python tools/near.py src/pydy/_graph/lowering.py      (or `make test-near FILE=…`)
 
 Nearest are, in this order: the test file that mirrors a file, the tests that import it, those that
 mirror the modules that use it, and the other tests of its room and of theirs. A module is used by
@@ -22,7 +22,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE, TESTS = ROOT / "src" / "pydy", ROOT / "tests"
-sys.path.insert(0, str(TESTS))
+sys.path[:0] = [str(TESTS), str(Path(__file__).parent)]
+
+from doors import door_of  # noqa: E402
 
 import parts  # noqa: E402  # a helper of the tests
 
@@ -72,6 +74,8 @@ def imports(file: Path) -> set[str]:
             names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
             names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+            door = door_of(node.module)
+            names |= {door[alias.name] for alias in node.names if alias.name in door}
     return names
 
 

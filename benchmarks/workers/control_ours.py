@@ -24,8 +24,7 @@ from pydy._array_layout import address
 from pydy._backends.llvm import jit
 from pydy._backends.llvm.compiling import Source
 from pydy.control import OptimalControl
-from pydy.control.ipopt import library
-from pydy.control.ipopt import solve as search
+from pydy.control.ipopt import library, solve as search
 from pydy.control.nlp import SIGNATURES
 from pydy.control.transcription import Transcription
 from pydy.mechanics import Definition

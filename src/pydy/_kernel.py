@@ -9,8 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._graph.program import Program
-from pydy._graph.time_switches import SwitchTimes, TimeSwitches
+from pydy._graph import Program, SwitchTimes, TimeSwitches
 
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]

@@ -17,7 +17,7 @@ from pydy._names import printable
 from pydy._version import __version__
 
 if TYPE_CHECKING:
-    from pydy.examples.bicycle_ride import Ride
+    from pydy.examples import Ride
     from pydy.system import System
 
 __all__ = ["main"]
@@ -216,9 +216,9 @@ def _demo(options: argparse.Namespace) -> int:
 
     print("Carvallo-Whipple bicycle: deriving, compiling and riding it takes a few seconds.")
     sys.stdout.flush()
-    from pydy.examples import bicycle_ride
+    from pydy.examples import animate, draw, ride as ride_bicycle, simulate
 
-    ride = bicycle_ride.ride()
+    ride = ride_bicycle()
     _print_model(ride)
     _print_ride(ride)
     _print_eigenvalues(ride)
@@ -227,7 +227,7 @@ def _demo(options: argparse.Namespace) -> int:
         _title("Plot")
         path = options.output / PLOT
         try:
-            bicycle_ride.draw(ride, path)
+            draw(ride, path)
         except ImportError:
             print("  none: it needs Matplotlib, python -m pip install matplotlib")
         except OSError as error:
@@ -236,11 +236,11 @@ def _demo(options: argparse.Namespace) -> int:
         else:
             print(f"  {printable(str(path), sys.stdout)}")
         for title, name, write in (
-            ("Animation (open it in a browser)", ANIMATION, bicycle_ride.animate),
+            ("Animation (open it in a browser)", ANIMATION, animate),
             (
                 "Live page (drag the speed: below 4.29 m/s the bicycle sways, at 3 it falls)",
                 LIVE,
-                bicycle_ride.simulate,
+                simulate,
             ),
         ):
             _title(title)
@@ -263,7 +263,7 @@ def _line(label: str, text: str) -> None:
 
 
 def _print_model(ride: Ride) -> None:
-    from pydy.examples.bicycle_ride import ROLL, ROLL_RATE, SPEED, STEER
+    from pydy.examples import ROLL, ROLL_RATE, SPEED, STEER
 
     _title("Model")
     counts = ride.states
@@ -280,7 +280,7 @@ def _print_model(ride: Ride) -> None:
 def _print_ride(ride: Ride) -> None:
     import numpy as np
 
-    from pydy.examples.bicycle_ride import PUSH, PUSH_END, PUSH_START
+    from pydy.examples import PUSH, PUSH_END, PUSH_START
 
     _title(
         f"{ride.times[-1]:g} s with a sideways push, up to {PUSH:g} N "
@@ -305,7 +305,7 @@ def _print_ride(ride: Ride) -> None:
 
 
 def _print_eigenvalues(ride: Ride) -> None:
-    from pydy.examples.bicycle_ride import MODES, SPEED
+    from pydy.examples import MODES, SPEED
 
     _title(
         f"Linear model at {SPEED:g} m/s: eigenvalues [1/s] beside those of Meijaard et al. (2007)"

@@ -1,6 +1,5 @@
 """Multibody systems from their bodies, loads, kinematics and constraints."""
 
-from pydy._mechanics.definition import Definition
-from pydy._mechanics.implicit import Implicit
+from pydy._mechanics import Definition, Implicit
 
 __all__ = ["Definition", "Implicit"]

@@ -8,7 +8,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._checks import flag, shown
-from pydy._mechanics.definition import Definition
+from pydy._mechanics import Definition
 from pydy.system import System
 
 _MOST = 10**6  # far beyond what can be derived; more would fill the memory before that is seen

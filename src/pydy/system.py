@@ -17,9 +17,7 @@ import numpy as np
 import scipy
 import sympy as sm
 
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import check_expressions
+from pydy._assembly import CompiledModel, Definition, check_expressions
 from pydy._checks import (
     Keyed,
     check_mapping,
@@ -35,76 +33,96 @@ from pydy._checks import (
 )
 from pydy._errors import warn_user
 from pydy._html import html_table
-from pydy._mechanics.equations_of_motion import EquationsOfMotion, equations_to_read
-from pydy._mechanics.extract import extract, method_of
-from pydy._mechanics.implicit import Implicit
-from pydy._mechanics.reactions import Multipliers, Reaction, multipliers, reaction
+from pydy._mechanics import (
+    EquationsOfMotion,
+    Implicit,
+    Multipliers,
+    Reaction,
+    equations_to_read,
+    extract,
+    method_of,
+    multipliers,
+    reaction,
+)
 from pydy._names import name_of, nearest, some
 from pydy._optional import progress_of
-from pydy._simulation.definition import (
+from pydy._simulation import (
+    BLOCKS,
+    BaseParameters,
     DefinitionBuilder,
-    SymbolSet,
-    base_symbols,
-    check_forces,
-    check_times,
-)
-from pydy._simulation.dependent_states import (
-    check_dependents,
-    default_dependents,
-    given_values,
-    solve_dependents,
-)
-from pydy._simulation.diagnostics import warn_of_outputs
-from pydy._simulation.discontinuities import warn_of_jumps
-from pydy._simulation.dynamics import (
+    Energy,
+    EnergyModel,
+    Function,
+    Generated,
+    Model,
+    Problem,
     Quantity,
+    SensitivityRequest,
+    SolveIvp,
+    SymbolSet,
     all_accelerations,
+    base_parameters,
+    base_symbols,
+    check_dependents,
+    check_forces,
+    check_potential,
+    check_times,
+    checked_options,
+    checked_plan,
+    default_dependents,
     evaluate,
+    evaluate_block,
+    evaluate_product,
+    exported_model,
     frame_jacobian,
     frame_position,
     frame_rotation,
+    generate,
+    given_values,
     gravity,
-    inverse_dynamics,
-    mass_matrix,
-    required_forces,
-)
-from pydy._simulation.energy import Energy, EnergyModel, check_potential
-from pydy._simulation.evaluation import BLOCKS, evaluate_block, evaluate_product, variables
-from pydy._simulation.events_and_constraints import native_solver
-from pydy._simulation.exporting import exported_model, live_system
-from pydy._simulation.function import Function
-from pydy._simulation.generated import Generated, checked_options, generate
-from pydy._simulation.inertial import (
-    BaseParameters,
-    base_parameters,
     inertial_parameters,
+    integrate_states,
+    inverse_dynamics,
+    is_odeint,
+    live_system,
+    mass_matrix,
+    native_solver,
+    read_numbers,
     regressor,
+    required_forces,
+    resolve_ode_solver,
+    shortened,
+    simulate,
+    solve_dependents,
+    summary,
+    variables,
+    warn_of_jumps,
+    warn_of_missing_derivatives,
+    warn_of_outputs,
 )
-from pydy._simulation.integration import integrate_states, simulate
-from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy._simulation.model import Model
-from pydy._simulation.problem import Problem, checked_plan, read_numbers
-from pydy._simulation.scipy_solvers import SolveIvp, is_odeint, resolve_ode_solver
-from pydy._simulation.sensitivities import SensitivityRequest
-from pydy._simulation.summary import shortened, summary
-from pydy.analysis.adjoint import AdjointGradient, adjoint_gradient, explicit_solver
-from pydy.analysis.continuation import EquilibriumBranch
-from pydy.analysis.equilibria import Equilibrium
-from pydy.analysis.equilibrium_residual import find_equilibrium
-from pydy.analysis.families import eigenvalues, follow_equilibria
-from pydy.analysis.fits.fit import fit
-from pydy.analysis.fits.problem import FittedSystem
-from pydy.analysis.fits.result import FitResult
-from pydy.analysis.fits.trial import Trial
-from pydy.analysis.linear import LinearModel, linearize
-from pydy.analysis.orbits import PeriodicOrbit, find_periodic_orbit
-from pydy.analysis.sweeps import EigenvalueSweep
-from pydy.codegen.right_hand_side import rates_function
-from pydy.ensemble.integration import integrate_ensemble
-from pydy.layers.functions import Functions
-from pydy.layers.layer import Layer
-from pydy.solvers.events import Event
-from pydy.solvers.solver import Solver
+from pydy.analysis import (
+    AdjointGradient,
+    EigenvalueSweep,
+    Equilibrium,
+    EquilibriumBranch,
+    FitResult,
+    FittedSystem,
+    LinearModel,
+    PeriodicOrbit,
+    Trial,
+    adjoint_gradient,
+    eigenvalues,
+    explicit_solver,
+    find_equilibrium,
+    find_periodic_orbit,
+    fit,
+    follow_equilibria,
+    linearize,
+)
+from pydy.codegen import rates_function
+from pydy.ensemble import integrate_ensemble
+from pydy.layers import Functions, Layer
+from pydy.solvers import Event, Solver
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -112,11 +130,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from pydy._simulation.events_and_constraints import EnsembleOptions
-    from pydy.control.result import OptimalTrajectory
+    from pydy._simulation import EnsembleOptions
+    from pydy.control import OptimalTrajectory
     from pydy.export import Exported
-    from pydy.viz.live import LiveSystem
-    from pydy.viz.scene import Scene
+    from pydy.viz import LiveSystem, Scene
 
 __all__ = ["System"]
 
@@ -2487,7 +2504,7 @@ class System:
         >>> found['q0'][-1].round(9), found.message
         (np.float64(0.5), 'solved')
         """
-        from pydy.control.problem import OptimalControl
+        from pydy.control import OptimalControl
 
         problem = OptimalControl(
             self,
@@ -2704,7 +2721,7 @@ class System:
         >>> jax.jit(layer.ode)([1.0, 0.0])  # doctest: +SKIP
         Array([ 0., -1.], dtype=float64)
         """
-        from pydy.layers.of_jax import JaxArrays
+        from pydy.layers import JaxArrays
 
         return Layer(self._layer_functions(contacts, solver_kwargs), JaxArrays(), "JAX")
 
@@ -2736,7 +2753,7 @@ class System:
         >>> layer.ode([1.0, 0.0])  # doctest: +SKIP
         tensor([ 0., -1.], dtype=torch.float64)
         """
-        from pydy.layers.of_torch import TorchArrays
+        from pydy.layers import TorchArrays
 
         return Layer(self._layer_functions(contacts, solver_kwargs), TorchArrays(), "PyTorch")
 
@@ -2796,7 +2813,7 @@ class System:
 
         ``scene.to_html('pendulum.html')`` writes the page, ``scene.show()`` opens it.
         """
-        from pydy._simulation.scene import make_scene
+        from pydy._simulation import make_scene
 
         definition = self._definition
         constants = read_numbers(definition, "constants", self._constants, None)
@@ -2925,7 +2942,7 @@ class System:
         >>> [file.name for file in exported.files]
         ['pendulum.c', 'pendulum.h']
         """
-        from pydy.export.writing import check_options, write
+        from pydy.export import check_options, write
 
         target = file_of(path, "`path`")
         check_options(target, options)

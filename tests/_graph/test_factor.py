@@ -2,7 +2,7 @@
 
 from graphs import on_tape
 from pydy._graph.node import Graph
-from pydy._graph.simplify import simplify
+from pydy._graph.simplification import simplify
 
 
 def test_a_long_sum_of_running_products_becomes_horners_rule():

@@ -11,7 +11,7 @@ from graphs import X, nodes_of, on_tape, values
 from pydy._graph.adjoint import adjoints
 from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
-from pydy._graph.simplify import simplify
+from pydy._graph.simplification import simplify
 
 x, y, z, w = X
 SPEED = sm.sqrt(x**2 + y**2)

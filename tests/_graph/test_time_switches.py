@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.intervals import bounds
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.time_switches import SwitchTimes, TimeSwitches
 from pydy.inputs import merged_jumps

@@ -15,7 +15,7 @@ sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 from trees import definition, tree
 
 from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._mechanics.form import moving
 from pydy.mechanics import Definition
 from pydy.system import System

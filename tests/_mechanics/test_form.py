@@ -11,7 +11,7 @@ from by_hand import MECHANISMS, derived, state
 from graphs import form
 from oracle import oracle
 from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import forms, moving
 from pydy._mechanics.inertia import loads_and_inertias

@@ -19,8 +19,8 @@ from trees import HUMANOID, definition, rods, tree
 import by_hand
 import zoo
 from pydy._assembly import assembly
-from pydy._graph.lower import lower
-from pydy._graph.simplify import simplify
+from pydy._graph.lowering import lower
+from pydy._graph.simplification import simplify
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._mechanics import formed
 from pydy._mechanics.form import useful_axes

@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 
 from graphs import form
 from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._mechanics.form import moving
 from pydy._mechanics.inertia import lumped
 from pydy._mechanics.kane import multibody_of_kane

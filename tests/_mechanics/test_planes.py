@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._mechanics.planes import Detours, plane_rotations, split
 

@@ -7,7 +7,7 @@ from mechanisms.build import definition
 from mechanisms.generate import BODIES, draw, settle
 from mechanisms.oracle import World
 from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._mechanics.form import forms
 
 LARGE = [seed for seed in range(70) if BODIES[seed % len(BODIES)] == 8]

@@ -5,8 +5,7 @@ import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from exported_models import ball
-from pydy.viz import Live, Scene, Sphere, Visual
-from pydy.viz import curves as thinning
+from pydy.viz import Live, Scene, Sphere, Visual, curves as thinning
 from pydy.viz.page import _resource
 
 q = dynamicsymbols("q")

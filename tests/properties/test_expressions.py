@@ -6,8 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sm
-from hypothesis import HealthCheck, Phase, assume, given, seed, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, Phase, assume, given, seed, settings, strategies as st
 from sympy.core.cache import clear_cache
 
 import zoo

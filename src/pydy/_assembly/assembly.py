@@ -9,20 +9,22 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
 
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import hessian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.lower import lower
-from pydy._graph.node import Graph
-from pydy._graph.products import derivative_program
-from pydy._graph.program import Program
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
-from pydy._graph.simplify import simplify
-from pydy._graph.tangent import Tangent, jacobian_tangent, worthwhile_parts
-from pydy._mechanics.components import flat
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.symbols import find_symbols
+from pydy._graph import (
+    Graph,
+    Program,
+    SymPyReader,
+    Tangent,
+    collector_paused,
+    derivative_program,
+    hessian,
+    jacobian_tangent,
+    lower,
+    rounding_bounds,
+    simplify,
+    substitute,
+    worthwhile_parts,
+)
+from pydy._mechanics import Equations, find_symbols, flat
 
 _BLOCKS = (
     "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",

@@ -13,11 +13,21 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._graph.derivative import dense, dense_jacobian, directional, jacobian_rows
-from pydy._graph.rewrite import substitute
-from pydy._graph.solve.choose import solve_accelerations
-from pydy._mechanics.generic import evaluator_of, generic_inputs
-from pydy._mechanics.multipliers import Constraints, accelerations, accelerations_of_held
+from pydy._graph import (
+    dense,
+    dense_jacobian,
+    directional,
+    jacobian_rows,
+    solve_accelerations,
+    substitute,
+)
+from pydy._mechanics import (
+    Constraints,
+    accelerations,
+    accelerations_of_held,
+    evaluator_of,
+    generic_inputs,
+)
 from pydy._rank import DEPENDENT, HALF, ROUNDED
 
 

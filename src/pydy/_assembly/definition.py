@@ -11,7 +11,7 @@ from pydy._assembly.assumptions import Assumptions
 from pydy._assembly.system import Group
 from pydy._checks import Places
 from pydy._forks import cached_property
-from pydy._mechanics.equations import Equations
+from pydy._mechanics import Equations
 from pydy._names import name_of
 
 

@@ -17,17 +17,23 @@ import pydy._graph
 from pydy import _cache_folder
 from pydy._assembly.assembly import Assembly, every_input
 from pydy._assembly.definition import Definition, Layout
-from pydy._backends.base import strict
-from pydy._backends.registry import compile_program, compiled_by
+from pydy._backends import compile_program, compiled_by, strict
 from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
-from pydy._graph.interpret import run
-from pydy._graph.of_scipy import KNOWN, check
-from pydy._graph.operations import OPERATIONS, SHIPPED, SOLVES
-from pydy._graph.passes import ONCE, ROUND
-from pydy._graph.program import Program
-from pydy._graph.tangent import Tangent, program_from_bytes
+from pydy._graph import (
+    KNOWN,
+    ONCE,
+    OPERATIONS,
+    ROUND,
+    SHIPPED,
+    SOLVES,
+    Program,
+    Tangent,
+    check,
+    program_from_bytes,
+    run,
+)
 from pydy._kernel import Kernel
 from pydy._names import numbers_of, some, unique_names
 

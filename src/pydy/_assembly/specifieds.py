@@ -12,11 +12,8 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
-from pydy._graph.derivative import jacobian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph, input_nodes
-from pydy._graph.rewrite import substitute
-from pydy._mechanics.symbols import find_symbols
+from pydy._graph import Graph, SymPyReader, input_nodes, jacobian, substitute
+from pydy._mechanics import find_symbols
 
 
 class Plan(Protocol):

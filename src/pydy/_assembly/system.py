@@ -8,14 +8,17 @@ from typing import Any
 
 from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import dense_rows, jacobian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph, input_nodes
-from pydy._graph.rewrite import substitute
-from pydy._graph.solve.choose import solve_accelerations
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.symbols import find_symbols
+from pydy._graph import (
+    Graph,
+    SymPyReader,
+    collector_paused,
+    dense_rows,
+    input_nodes,
+    jacobian,
+    solve_accelerations,
+    substitute,
+)
+from pydy._mechanics import Equations, find_symbols
 
 
 @dataclass(frozen=True, eq=False)

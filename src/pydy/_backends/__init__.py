@@ -1,1 +1,5 @@
-"""Back ends: each turns a Program into a Kernel. Import the module you need."""
+"""Back ends: each turns a Program into a Kernel."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

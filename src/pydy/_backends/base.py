@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from pydy._backends.registry import compile_program
-from pydy._graph.program import Program
+from pydy._graph import Program
 from pydy._kernel import Call, Kernel
 
 

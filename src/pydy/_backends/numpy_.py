@@ -5,9 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from pydy._backends.base import kernel_of
-from pydy._graph.interpret import run
-from pydy._graph.of_scipy import remember
-from pydy._graph.program import Program
+from pydy._graph import Program, remember, run
 from pydy._kernel import Kernel
 
 

@@ -12,9 +12,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._errors import warn_user
 from pydy._forks import whole
-from pydy._graph.interpret import run
-from pydy._graph.program import Program
-from pydy._graph.tangent import Tangent
+from pydy._graph import Program, Tangent, run
 from pydy._kernel import Kernel
 from pydy._names import nearest
 

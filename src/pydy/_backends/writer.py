@@ -12,8 +12,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from pydy._graph.operations import OPERATIONS, TRUTHS, Operation, is_constrained, operands
-from pydy._graph.program import Program
+from pydy._graph import OPERATIONS, TRUTHS, Operation, Program, is_constrained, operands
 
 
 class Each(NamedTuple):

@@ -1,5 +1,9 @@
 """The expression graph: built once from SymPy, then simplified, differentiated and lowered.
 
-Import the module you need; this file imports nothing, so that a worker process which only runs
-compiled code never loads SymPy.
+The stub beside this file lists what other rooms take. Nothing is imported before it is used, so
+that a worker process which only runs compiled code never loads SymPy.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

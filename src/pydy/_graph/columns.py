@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pydy._graph.derivative import directional
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense, directional, jacobian
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program

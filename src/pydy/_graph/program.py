@@ -1,6 +1,6 @@
 """A Program: the straight-line list of elementary operations that a back end compiles.
 
-Nodes are elementary here (two operands, no coefficients); `pydy._graph.lower` makes them from the
+Nodes are elementary here (two operands, no coefficients); `pydy._graph.lowering` makes them of the
 n-ary graph. A Program has two stages. The *setup* stage depends on the constants p alone and runs
 once per binding of p; its results that are needed later are *carried* in an array c. The *run*
 stage is what every call costs.

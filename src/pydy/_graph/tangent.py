@@ -27,7 +27,7 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import Rows
-from pydy._graph.lower import lower
+from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, TRUTHS, operands, with_operands
 from pydy._graph.passes.factor import factor_sums

@@ -1,1 +1,5 @@
-"""Equations of motion formed from bodies, loads and frames. Import the module you need."""
+"""Equations of motion formed from bodies, loads and frames."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

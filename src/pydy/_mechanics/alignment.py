@@ -21,8 +21,7 @@ from typing import Any
 import numpy as np
 from sympy.physics.mechanics import Point
 
-from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
+from pydy._graph import Graph, signatures
 from pydy._mechanics.components import about, flat, identity, in_rows, transposed, turned
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid

@@ -32,10 +32,7 @@ import numpy as np
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point
 
-from pydy._graph.derivative import jacobian_rows
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
+from pydy._graph import Graph, evaluator, jacobian_rows, substitute
 from pydy._mechanics.components import dot, flat, identity, turned
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import GenericStates

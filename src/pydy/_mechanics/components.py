@@ -6,9 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
+from pydy._graph import Graph, dense_jacobian, evaluator
 from pydy._rank import ROUNDED
 
 _STATES = 3

@@ -23,9 +23,7 @@ from sympy.physics.mechanics import ReferenceFrame
 
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph.derivative import dense_jacobian, jacobian
-from pydy._graph.identities import signatures
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import dense_jacobian, jacobian, rounding_bounds, signatures
 from pydy._mechanics.components import flat, identity, numbers_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving

@@ -15,10 +15,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import describe
-from pydy._graph.derivative import jacobian
-from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import Graph, jacobian, rounding_bounds, signatures
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import AROUND, Block, GenericStates, closed, openness, units_of

@@ -9,9 +9,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.node import Graph
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import Graph, dense_jacobian, rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols

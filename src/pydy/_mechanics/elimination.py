@@ -19,11 +19,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
-from pydy._graph.derivative import Row
-from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
-from pydy._graph.tuning import SINGULAR
+from pydy._graph import SINGULAR, Graph, Row, signatures, substitute
 from pydy._mechanics.components import dot, transposed
 from pydy._mechanics.inertia import Inertia, Load
 from pydy._mechanics.kinematics import Kinematics

@@ -12,13 +12,9 @@ from typing import Any
 import sympy as sm
 from sympy.physics.vector import vlatex
 
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph, input_nodes
-from pydy._graph.simplify import simplify
+from pydy._graph import Graph, SymPyReader, collector_paused, dense_jacobian, input_nodes, simplify
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
+from pydy._mechanics.inverse import BodyDynamics
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.to_sympy import written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
@@ -127,7 +123,7 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
     if equations.formed is None and not equations.velocity:  # the method's own alone are known
         matrix, bias = [*equations.mass_matrix], [-f for f in equations.forcing]
     else:
-        body, known = equations.multibody, Known(None, forces, {})
+        body, dynamics = equations.multibody, BodyDynamics(None, forces, {})
         if body is None:
             raise ValueError(
                 "The equations of motion with constraints follow from bodies and loads, but "
@@ -135,8 +131,8 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
                 "the method itself."
             )
         body.check_unchanged()
-        matrix = mass_matrix(body, known).expressions()
-        bias = inverse_dynamics(body, known).expressions()
+        matrix = dynamics.mass_matrix(body).expressions()
+        bias = dynamics.inverse_dynamics(body).expressions()
     rates = [*equations.coordinate_derivatives]
     velocity = [*equations.velocity]
     moving = {*equations.coordinate_rates, *equations.speed_rates, *equations.zeros}

@@ -22,19 +22,23 @@ import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
 from pydy._forks import cached_property
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import dense_rows, jacobian, jacobian_rows
-from pydy._graph.from_sympy import NodeExpression
-from pydy._graph.identities import signatures
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import (
+    NodeExpression,
+    collector_paused,
+    dense_rows,
+    jacobian,
+    jacobian_rows,
+    rounding_bounds,
+    signatures,
+    substitute,
+)
 from pydy._mechanics.components import numbers_of, turned
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import lagranges_equations, moving
 from pydy._mechanics.frames import orientation_rows, rotations
+from pydy._mechanics.held_accelerations import multipliers_of
 from pydy._mechanics.inertia import euler, loads_and_inertias, newton
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.multipliers import multipliers_of
 from pydy._mechanics.reader import (
     Multibody,
     distances,

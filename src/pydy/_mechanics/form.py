@@ -16,13 +16,20 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import hessian, jacobian
-from pydy._graph.from_sympy import NodeExpression, SymPyReader
-from pydy._graph.identities import signatures, vanish
-from pydy._graph.node import Graph, input_nodes, input_symbols
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import (
+    Graph,
+    NodeExpression,
+    SymPyReader,
+    collector_paused,
+    hessian,
+    input_nodes,
+    input_symbols,
+    jacobian,
+    rounding_bounds,
+    signatures,
+    substitute,
+    vanish,
+)
 from pydy._mechanics.alignment import align, in_a_plane, move_along_axes
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.elimination import composite, eliminated

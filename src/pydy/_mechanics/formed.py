@@ -20,14 +20,18 @@ from dataclasses import replace
 import numpy as np
 import sympy as sm
 
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import jacobian_rows
-from pydy._graph.interpret import evaluator
-from pydy._graph.lower import lower
-from pydy._graph.node import Graph
-from pydy._graph.rounding import rounding_bounds
-from pydy._graph.simplify import operations, simplify
-from pydy._graph.solve.choose import difference_basis, solve_accelerations
+from pydy._graph import (
+    Graph,
+    collector_paused,
+    difference_basis,
+    evaluator,
+    jacobian_rows,
+    lower,
+    operation_count,
+    rounding_bounds,
+    simplify,
+    solve_accelerations,
+)
 from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, forms, useful_axes
@@ -160,7 +164,7 @@ def _estimated(formed: Formed) -> int:
         # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.
         solving = filled * (filled // n + 9) // 3
         roots = [*lower, *column]
-    return operations(graph, [*formed.rates, *formed.start, *roots]) + solving
+    return operation_count(graph, [*formed.rates, *formed.start, *roots]) + solving
 
 
 def _counted(formed: Formed) -> int:

@@ -9,9 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
+from pydy._graph import Graph, SymPyReader, signatures
 from pydy._mechanics.components import identity, numbers_of, turned, unrounded
 from pydy._mechanics.planes import plane_rotations
 from pydy._mechanics.reader import InputReader, Tree, distances, oriented

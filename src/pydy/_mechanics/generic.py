@@ -15,11 +15,16 @@ from typing import Any
 import numpy as np
 from sympy.core.function import AppliedUndef
 
-from pydy._graph.derivative import dense_jacobian, jacobian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph, input_nodes
-from pydy._graph.rounding import per_unit, rounding_bounds
+from pydy._graph import (
+    Graph,
+    SymPyReader,
+    dense_jacobian,
+    evaluator,
+    input_nodes,
+    jacobian,
+    per_unit,
+    rounding_bounds,
+)
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.reader import numbers_in_places

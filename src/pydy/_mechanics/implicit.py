@@ -18,12 +18,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import Places, check_mapping, describe, number, shown
-from pydy._graph.derivative import jacobian
-from pydy._graph.from_sympy import NodeExpression
-from pydy._graph.identities import signatures
-from pydy._graph.modular import inverse
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
+from pydy._graph import Graph, NodeExpression, inverse, jacobian, signatures, substitute
 from pydy._mechanics.components import flat
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody

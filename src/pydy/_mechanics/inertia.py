@@ -25,7 +25,7 @@ from typing import Any
 
 from sympy.physics.mechanics import Point
 
-from pydy._graph.identities import signatures, vanish
+from pydy._graph import signatures, vanish
 from pydy._mechanics.alignment import hinge_axis
 from pydy._mechanics.components import flat, in_rows, transposed, unrounded
 from pydy._mechanics.kinematics import Kinematics, Vec

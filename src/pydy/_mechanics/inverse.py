@@ -19,13 +19,18 @@ from typing import Any, NamedTuple
 
 from sympy.physics.mechanics import Point
 
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import jacobian, jacobian_rows
-from pydy._graph.from_sympy import NodeExpression, SymPyReader
-from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute, transplanted
-from pydy._graph.simplify import operations
+from pydy._graph import (
+    Graph,
+    NodeExpression,
+    SymPyReader,
+    collector_paused,
+    jacobian,
+    jacobian_rows,
+    operation_count,
+    signatures,
+    substitute,
+    transplanted,
+)
 from pydy._mechanics.elimination import composite, partials
 from pydy._mechanics.form import (
     alike,
@@ -65,8 +70,8 @@ class Found(NamedTuple):
         return transplanted(g, self.nodes, reader.graph, names)
 
 
-class Known:
-    """What is found may hold (None: anything), and what the rest stands for.
+class BodyDynamics:
+    """Quantities of a Multibody as nodes, in some known `symbols`; None allows all symbols.
 
     Symbols that are not known affect no motion. Where they cancel they are left out; the place of a
     base does not: it has one of the `values`. Others stay, and who reads them names them. The
@@ -78,7 +83,7 @@ class Known:
     ) -> None:
         self.symbols, self.zeros, self.values = symbols, frozenset(zeros), values
 
-    def found(self, kinematics: Kinematics, nodes: Sequence[int]) -> Found:
+    def in_symbols(self, kinematics: Kinematics, nodes: Sequence[int]) -> Found:
         """Return nodes in what is known."""
         g, symbols = kinematics.graph, kinematics.symbols()
         known = self.symbols
@@ -94,37 +99,176 @@ class Known:
             nodes = substitute(g, nodes, given)
         return Found(g, [*nodes], symbols)
 
+    @collector_paused()
+    def inverse_dynamics(
+        self, body: Multibody, at: Sequence[int] | None = None, *, bound: Sequence[int] = ()
+    ) -> Found:
+        """Return the generalised forces that given accelerations take, in q, u and u'.
 
-@collector_paused()
-def inverse_dynamics(
-    body: Multibody, known: Known, at: Sequence[int] | None = None, *, bound: Sequence[int] = ()
-) -> Found:
-    """Return the generalised forces that given accelerations take, in q, u and u'.
+        They act at all speeds, or at the places `at`, as many as the constraints leave free. The u'
+        of the speeds at the places `bound` follow from those of the others.
+        """
+        kinematics, forces = _required(body)
+        g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
+        rows = kinematics.read.all(body.velocity) if bound or at is not None else []
+        slopes = jacobian_rows(g, rows, kinematics.speeds)
+        if at is not None:
+            others = [k for k in range(n) if k not in at]
+            held = [[row[k] for row in slopes] for k in others]
+            shares = g.solve(held, [[forces[k] for k in others]], "lu")[0] if others else []
+            found = []
+            for k in at:
+                terms = [(g.mul(row[k], s), -1.0) for row, s in zip(slopes, shares, strict=True)]
+                found.append(g.sum([(forces[k], 1.0), *terms]))
+            forces = found
+        if bound:
+            unknown = [rates[k] for k in bound]
+            residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
+            held = jacobian_rows(g, residuals, unknown)
+            drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
+            solved = g.solve(held, [[g.neg(node) for node in drift]], "lu")[0]
+            forces = substitute(g, forces, dict(zip(unknown, solved, strict=True)))
+        return self.in_symbols(kinematics, forces)
 
-    They act at all speeds, or at the places `at`, as many as the constraints leave free. The u' of
-    the speeds at the places `bound` follow from those of the others.
-    """
-    kinematics, forces = _required(body)
-    g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
-    rows = kinematics.read.all(body.velocity) if bound or at is not None else []
-    slopes = jacobian_rows(g, rows, kinematics.speeds)
-    if at is not None:
-        others = [k for k in range(n) if k not in at]
-        held = [[row[k] for row in slopes] for k in others]
-        shares = g.solve(held, [[forces[k] for k in others]], "lu")[0] if others else []
-        found = []
-        for k in at:
-            terms = [(g.mul(row[k], s), -1.0) for row, s in zip(slopes, shares, strict=True)]
-            found.append(g.sum([(forces[k], 1.0), *terms]))
-        forces = found
-    if bound:
-        unknown = [rates[k] for k in bound]
-        residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
-        held = jacobian_rows(g, residuals, unknown)
-        drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
-        solved = g.solve(held, [[g.neg(node) for node in drift]], "lu")[0]
-        forces = substitute(g, forces, dict(zip(unknown, solved, strict=True)))
-    return known.found(kinematics, forces)
+    @collector_paused()
+    def mass_matrix(self, body: Multibody) -> Found:
+        """Return M of all speeds, which no constraint holds, row by row."""
+        if body.lagrangian is not None:
+            kinematics = moving(body, in_bodies=True)
+            matrix, forcing = lagranges_equations(kinematics)
+        else:
+            kinematics = moving(body, in_bodies=True, falling=True)
+            inertias, loads, _ = lumped(kinematics)
+            matrix, forcing = composite(kinematics, inertias, loads)
+        g = kinematics.graph
+        moved = jacobian_rows(g, forcing, kinematics.accelerations)
+        pairs = zip(matrix, moved, strict=True)
+        cells = [g.sub(m, f) for row, part in pairs for m, f in zip(row, part, strict=True)]
+        return self.in_symbols(kinematics, cells)
+
+    @collector_paused()
+    def weights(self, body: Multibody, pull: Any = None) -> Found | None:
+        """Return the forces that hold all masses against gravity; None where no load tells it.
+
+        It pulls as `pull`, by default as what is common to the loads at all mass centres.
+        """
+        plain = Kinematics(body, in_bodies=True)
+        fall = None if pull is None else plain.vector(pull, plain.inertial)
+        if fall is None and body.lagrangian is None:
+            fall = _common_pull(plain)
+        if fall is None:
+            return None
+        kinematics = moving(body, in_bodies=True, falling=True)
+        symbols, g = plain.symbols(), kinematics.graph
+        down = kinematics.read.all([NodeExpression.of(plain.graph, node, symbols) for node in fall])
+        forces = _pushed(kinematics, weights_of(kinematics, down))
+        return self.in_symbols(kinematics, [g.neg(node) for node in forces])
+
+    @collector_paused()
+    def regressor(self, body: Multibody) -> Found | None:
+        """Return Y of τ = Y π + …, row by row, with the inertial parameters π of `parameters`.
+
+        With the acceleration a of the mass centre, less gravity, and the angular velocity and
+        acceleration in the body's axes, a mass m with the first moment h and the inertia I about
+        that point takes the force m a + α × h + ω × (ω × h) and the torque h × a + I α + ω × I ω:
+        linear in the ten (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002,
+        ch. 9). None where no load tells what gravity is.
+        """
+        kinematics = moving(body, in_bodies=True, driven=True)
+        fall = None if body.lagrangian is not None else _common_pull(kinematics)
+        if fall is None:
+            return None
+        _refuse_varying_masses(kinematics)
+        g, columns = kinematics.graph, []
+        units = [[g.one if j == i else g.zero for j in range(3)] for i in range(3)]
+        for item in body.bodies:
+            home, v, _ = kinematics.motion(item.masscenter)
+            down = kinematics.expressed(fall, kinematics.inertial, home)
+            a = [
+                g.sub(x, y)
+                for x, y in zip(kinematics.acceleration(item.masscenter), down, strict=True)
+            ]
+            axes = item.frame if is_rigid(item) else home
+            a, v = (kinematics.expressed(part, home, axes) for part in (a, v))
+            pairs: list[tuple[Vec, Vec | None]] = [(a, None)]
+            moved = partials(kinematics, v)
+            turned: list[Vec] = []
+            if is_rigid(item):
+                w, _ = kinematics.spin(axes)
+                alpha, turning = (
+                    kinematics.angular_acceleration(axes, axes),
+                    kinematics.turning(axes),
+                )
+                turned = partials(kinematics, w)
+                pairs += [
+                    ([row[i] for row in turning], kinematics.cross(unit, a))
+                    for i, unit in enumerate(units)
+                ]
+                for i, j in _ENTRIES:
+                    part = [[g.zero] * 3 for _ in range(3)]
+                    part[i][j] = part[j][i] = g.one
+                    momentum = kinematics.turned(part, w)
+                    couple = kinematics.plus(
+                        kinematics.turned(part, alpha), kinematics.cross(w, momentum)
+                    )
+                    pairs.append(([g.zero] * 3, couple))
+            for force, torque in pairs:
+                terms = list(zip(moved, force, strict=True))
+                terms += list(zip(turned, torque, strict=True)) if torque is not None else []
+                columns.append(
+                    [
+                        g.sum([(g.mul(row[k], size), 1.0) for row, size in terms])
+                        for k in range(len(kinematics.speeds))
+                    ]
+                )
+        return self.in_symbols(kinematics, [n for row in zip(*columns, strict=True) for n in row])
+
+    @collector_paused()
+    def inertial_parameters(self, body: Multibody) -> Found:
+        """Return the inertial parameters of all bodies: m, m c, the inertia about the mass centre.
+
+        The mass centre c is where the model has it, so that its first moments are zero. A particle
+        has its mass alone.
+        """
+        kinematics, found = moving(body, in_bodies=True), []
+        _refuse_varying_masses(kinematics)
+        for item in body.bodies:
+            found.append(kinematics.read(item.mass))
+            if is_rigid(item):
+                tensor = kinematics.tensor(tuple(item.central_inertia.args), item.frame)
+                found += [*[kinematics.graph.zero] * 3, *(tensor[i][j] for i, j in _ENTRIES)]
+        return self.in_symbols(kinematics, found)
+
+    @collector_paused()
+    def position(self, body: Multibody, point: Any, origin: Any) -> Found:
+        """Return the way from a point to another, in the axes of the inertial frame."""
+        kinematics = moving(body, in_bodies=True)
+        total = [kinematics.graph.zero] * 3
+        for step in steps_to(point, distances(origin, places)):
+            total = kinematics.plus(total, kinematics.vector(step, body.frame))
+        return self.in_symbols(kinematics, total)
+
+    @collector_paused()
+    def rotation(self, body: Multibody, frame: Any) -> Found:
+        """Return the matrix whose columns are a frame's axes in the inertial frame."""
+        kinematics = moving(body, in_bodies=True)
+        columns = [kinematics.vector(axis, body.frame) for axis in (frame.x, frame.y, frame.z)]
+        return self.in_symbols(kinematics, [column[i] for i in range(3) for column in columns])
+
+    @collector_paused()
+    def partial_velocities(self, body: Multibody, point: Any, frame: Any) -> Found:
+        """Return a point's partial velocities and a frame's partial angular velocities.
+
+        Either may be None. Components are in the inertial frame; rows come one after the other.
+        """
+        kinematics = moving(body, in_bodies=True, more=() if point is None else (point,))
+        found: Vec = []
+        for where in (point, frame):
+            if where is not None:
+                home, own = kinematics.at(where)
+                rows = partials(kinematics, kinematics.expressed(own, home, body.frame))
+                found += [n for row in rows for n in row]
+        return self.in_symbols(kinematics, found)
 
 
 def _required(body: Multibody) -> tuple[Kinematics, Vec]:
@@ -138,120 +282,11 @@ def _required(body: Multibody) -> tuple[Kinematics, Vec]:
         kinematics = moving(body, in_bodies, falling=in_bodies, driven=True)
         loads = lumped(kinematics)[1]
         forces = [kinematics.graph.neg(node) for node in _pushed(kinematics, loads)]
-        found.append((operations(kinematics.graph, forces), kinematics, forces))
+        found.append((operation_count(kinematics.graph, forces), kinematics, forces))
     return min(found, key=lambda item: item[0])[1:]
 
 
-@collector_paused()
-def mass_matrix(body: Multibody, known: Known) -> Found:
-    """Return M of all speeds, which no constraint holds, row by row."""
-    if body.lagrangian is not None:
-        kinematics = moving(body, in_bodies=True)
-        matrix, forcing = lagranges_equations(kinematics)
-    else:
-        kinematics = moving(body, in_bodies=True, falling=True)
-        inertias, loads, _ = lumped(kinematics)
-        matrix, forcing = composite(kinematics, inertias, loads)
-    g = kinematics.graph
-    moved = jacobian_rows(g, forcing, kinematics.accelerations)
-    pairs = zip(matrix, moved, strict=True)
-    cells = [g.sub(m, f) for row, part in pairs for m, f in zip(row, part, strict=True)]
-    return known.found(kinematics, cells)
-
-
-@collector_paused()
-def weights(body: Multibody, known: Known, pull: Any = None) -> Found | None:
-    """Return the forces that hold all masses against gravity; None where no load tells it.
-
-    It pulls as `pull`, by default as what is common to the loads at all mass centres.
-    """
-    plain = Kinematics(body, in_bodies=True)
-    fall = None if pull is None else plain.vector(pull, plain.inertial)
-    if fall is None and body.lagrangian is None:
-        fall = _common_pull(plain)
-    if fall is None:
-        return None
-    kinematics = moving(body, in_bodies=True, falling=True)
-    symbols, g = plain.symbols(), kinematics.graph
-    down = kinematics.read.all([NodeExpression.of(plain.graph, node, symbols) for node in fall])
-    forces = _pushed(kinematics, weights_of(kinematics, down))
-    return known.found(kinematics, [g.neg(node) for node in forces])
-
-
-@collector_paused()
-def regressor(body: Multibody, known: Known) -> Found | None:
-    """Return Y of τ = Y π + …, row by row, with the inertial parameters π of `parameters`.
-
-    With the acceleration a of the mass centre, less gravity, and the angular velocity and
-    acceleration in the body's axes, a mass m with the first moment h and the inertia I about that
-    point takes the force m a + α × h + ω × (ω × h) and the torque h × a + I α + ω × I ω: linear in
-    the ten (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, ch. 9).
-    None where no load tells what gravity is.
-    """
-    kinematics = moving(body, in_bodies=True, driven=True)
-    fall = None if body.lagrangian is not None else _common_pull(kinematics)
-    if fall is None:
-        return None
-    _refuse_varying_masses(kinematics)
-    g, columns = kinematics.graph, []
-    units = [[g.one if j == i else g.zero for j in range(3)] for i in range(3)]
-    for item in body.bodies:
-        home, v, _ = kinematics.motion(item.masscenter)
-        down = kinematics.expressed(fall, kinematics.inertial, home)
-        a = [
-            g.sub(x, y) for x, y in zip(kinematics.acceleration(item.masscenter), down, strict=True)
-        ]
-        axes = item.frame if is_rigid(item) else home
-        a, v = (kinematics.expressed(part, home, axes) for part in (a, v))
-        pairs: list[tuple[Vec, Vec | None]] = [(a, None)]
-        moved = partials(kinematics, v)
-        turned: list[Vec] = []
-        if is_rigid(item):
-            w, _ = kinematics.spin(axes)
-            alpha, turning = kinematics.angular_acceleration(axes, axes), kinematics.turning(axes)
-            turned = partials(kinematics, w)
-            pairs += [
-                ([row[i] for row in turning], kinematics.cross(unit, a))
-                for i, unit in enumerate(units)
-            ]
-            for i, j in _ENTRIES:
-                part = [[g.zero] * 3 for _ in range(3)]
-                part[i][j] = part[j][i] = g.one
-                momentum = kinematics.turned(part, w)
-                couple = kinematics.plus(
-                    kinematics.turned(part, alpha), kinematics.cross(w, momentum)
-                )
-                pairs.append(([g.zero] * 3, couple))
-        for force, torque in pairs:
-            terms = list(zip(moved, force, strict=True))
-            terms += list(zip(turned, torque, strict=True)) if torque is not None else []
-            columns.append(
-                [
-                    g.sum([(g.mul(row[k], size), 1.0) for row, size in terms])
-                    for k in range(len(kinematics.speeds))
-                ]
-            )
-    return known.found(kinematics, [n for row in zip(*columns, strict=True) for n in row])
-
-
 _ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
-
-
-@collector_paused()
-def parameters(body: Multibody, known: Known) -> Found:
-    """Return the inertial parameters of all bodies: m, m c, and the inertia about the mass centre.
-
-    The mass centre c is where the model has it, so that its first moments are zero. A particle has
-    its mass alone.
-    """
-    kinematics, found = moving(body, in_bodies=True), []
-    _refuse_varying_masses(kinematics)
-    for item in body.bodies:
-        found.append(kinematics.read(item.mass))
-        if is_rigid(item):
-            tensor = kinematics.tensor(tuple(item.central_inertia.args), item.frame)
-            found += [*[kinematics.graph.zero] * 3, *(tensor[i][j] for i, j in _ENTRIES)]
-    return known.found(kinematics, found)
 
 
 def _refuse_varying_masses(kinematics: Kinematics) -> None:
@@ -401,37 +436,3 @@ def _partly_constant(g: Graph, node: int) -> bool:
 def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
     """Return the generalised forces of the loads."""
     return composite(kinematics, [], loads)[1]
-
-
-@collector_paused()
-def position(body: Multibody, known: Known, point: Any, origin: Any) -> Found:
-    """Return the way from a point to another, in the axes of the inertial frame."""
-    kinematics = moving(body, in_bodies=True)
-    total = [kinematics.graph.zero] * 3
-    for step in steps_to(point, distances(origin, places)):
-        total = kinematics.plus(total, kinematics.vector(step, body.frame))
-    return known.found(kinematics, total)
-
-
-@collector_paused()
-def rotation(body: Multibody, known: Known, frame: Any) -> Found:
-    """Return the matrix whose columns are a frame's axes in the inertial frame."""
-    kinematics = moving(body, in_bodies=True)
-    columns = [kinematics.vector(axis, body.frame) for axis in (frame.x, frame.y, frame.z)]
-    return known.found(kinematics, [column[i] for i in range(3) for column in columns])
-
-
-@collector_paused()
-def partial_velocities(body: Multibody, known: Known, point: Any, frame: Any) -> Found:
-    """Return the derivatives by the speeds of a point's velocity and a frame's angular velocity.
-
-    Either may be None. Components are in the inertial frame; rows come one after the other.
-    """
-    kinematics = moving(body, in_bodies=True, more=() if point is None else (point,))
-    found: Vec = []
-    for where in (point, frame):
-        if where is not None:
-            home, own = kinematics.at(where)
-            rows = partials(kinematics, kinematics.expressed(own, home, body.frame))
-            found += [n for row in rows for n in row]
-    return known.found(kinematics, found)

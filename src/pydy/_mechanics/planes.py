@@ -17,9 +17,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from pydy._graph.derivative import Row, Rows
-from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
+from pydy._graph import Graph, Row, Rows, signatures
 from pydy._mechanics.components import about, flat, transposed, turned
 from pydy._mechanics.tuning import SAME_DIRECTION
 

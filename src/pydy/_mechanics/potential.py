@@ -27,10 +27,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
-from pydy._graph.branches import sides, switches
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.node import Graph
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import Graph, dense_jacobian, rounding_bounds, sides, switches
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.distance import beside_constants, may_depend_on
 from pydy._mechanics.equations import Equations, Mechanism

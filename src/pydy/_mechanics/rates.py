@@ -13,10 +13,7 @@ from typing import Any
 import sympy as sm
 
 from pydy._checks import describe
-from pydy._graph.from_sympy import NodeExpression, SymPyReader
-from pydy._graph.identities import signatures
-from pydy._graph.modular import PRIME, inverse
-from pydy._graph.node import Graph, input_nodes
+from pydy._graph import PRIME, Graph, NodeExpression, SymPyReader, input_nodes, inverse, signatures
 from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
 

@@ -30,8 +30,7 @@ from sympy.physics.mechanics import (
 from pydy._checks import shown, typed
 from pydy._errors import warn_user
 from pydy._forks import cached_property
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph
+from pydy._graph import Graph, SymPyReader
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.symbols import rate_of
 from pydy._rank import ROUNDED

@@ -17,19 +17,16 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.derivative import jacobian_rows
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
+from pydy._graph import Graph, evaluator, jacobian_rows, substitute
 from pydy._mechanics.components import dot, identity, turned
-from pydy._mechanics.kinematics import Kinematics
-from pydy._mechanics.multipliers import (
+from pydy._mechanics.held_accelerations import (
     Constraints,
     accelerations,
     accelerations_of_held,
     solved_soundly,
     usual_sizes,
 )
+from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.tuning import (
     CLEAR,
     GUARDED_UP_TO,

@@ -11,7 +11,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._graph.from_sympy import differentiated, is_unevaluated
+from pydy._graph import differentiated, is_unevaluated
 from pydy._names import written_out
 
 

@@ -10,8 +10,7 @@ from typing import Any
 import sympy as sm
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph import OPERATIONS, Graph
 
 
 def exact(value: float) -> Any:

@@ -21,8 +21,7 @@ from typing import Any
 
 import sympy as sm
 
-from pydy._graph.node import Graph
-from pydy._graph.operations import TRUTHS
+from pydy._graph import TRUTHS, Graph
 from pydy._mechanics.to_sympy import applied, exact
 from pydy._mechanics.tuning import READABLE
 from pydy._rank import ROUNDED

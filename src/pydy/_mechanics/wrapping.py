@@ -19,9 +19,7 @@ import numpy as np
 from sympy.physics.mechanics import Force
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph.identities import vanish
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
+from pydy._graph import Graph, evaluator, vanish
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving

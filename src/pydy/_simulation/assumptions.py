@@ -13,17 +13,15 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly import Assembly
 from pydy._errors import warn_user
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.frames import orientation_rows, rotations
-from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics import Equations, find_symbols, orientation_rows, rotations
 from pydy._names import name_of, numbers_of
 from pydy._simulation.motion import EvaluationRecorder, Motion
 from pydy._simulation.problem import At
 from pydy._simulation.scipy_solvers import is_odeint
 from pydy._simulation.tuning import TYPED
-from pydy.solvers.options import Options
+from pydy.solvers import Options
 
 
 def check_assumptions(motion: Motion) -> None:

@@ -14,26 +14,33 @@ from typing import Any, Literal
 import numpy as np
 
 from pydy import _forks
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition, Layout
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import Assembly, CompiledModel, Definition, Layout
 from pydy._errors import IntegrationError, warn_user
-from pydy._graph.derivative import dense, dense_jacobian, directional, jacobian
-from pydy._graph.node import Graph
-from pydy._graph.program import Program
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import per_unit, rounding_bounds
+from pydy._graph import (
+    Graph,
+    Program,
+    dense,
+    dense_jacobian,
+    directional,
+    jacobian,
+    per_unit,
+    rounding_bounds,
+    substitute,
+)
 from pydy._interpolation import evenly
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics import Equations, find_symbols
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy._simulation.energy import EnergyModel
 from pydy._simulation.events_and_constraints import ConstraintNames, constraint_names
 from pydy._simulation.motion import Motion
 from pydy._simulation.problem import At, Problem
 from pydy._simulation.tuning import TOGETHER
-from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.solvers.constraint_drift import (
+from pydy.codegen import SpecifiedsPlan
+from pydy.solvers import (
+    NEAR_SINGULAR,
+    OUTCOMES,
+    TRIED,
+    Options,
     Ran,
     allowed_after,
     contradicted,
@@ -43,9 +50,6 @@ from pydy.solvers.constraint_drift import (
     looked_at,
     warn_of_reset,
 )
-from pydy.solvers.options import Options
-from pydy.solvers.outcome import OUTCOMES
-from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 from pydy.trajectory import EventRecord
 
 NO_INPUTS: Mapping[int, int | None] = {}

@@ -11,8 +11,13 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._assembly.definition import Definition, lower_derivatives
-from pydy._assembly.system import Group, auxiliary_groups, check_accelerations
+from pydy._assembly import (
+    Definition,
+    Group,
+    auxiliary_groups,
+    check_accelerations,
+    lower_derivatives,
+)
 from pydy._checks import (
     Places,
     check_mapping,
@@ -27,12 +32,11 @@ from pydy._checks import (
     typed,
 )
 from pydy._errors import UnsupportedFunctionError, warn_user
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.symbols import find_symbols, sort_symbols
+from pydy._mechanics import Equations, find_symbols, sort_symbols
 from pydy._names import name_of, told_apart, untaken
 from pydy._simulation.energy import EnergyModel
-from pydy.codegen.arguments import checked_expression, one_format, symbolic_entries
-from pydy.solvers.events import Event, identified
+from pydy.codegen import checked_expression, one_format, symbolic_entries
+from pydy.solvers import Event, identified
 
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import scipy
 
-from pydy._assembly.definition import Definition
+from pydy._assembly import Definition
 from pydy._checks import Places, describe, listed
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._names import few
@@ -30,7 +30,7 @@ from pydy._rank import (
 )
 from pydy._simulation.problem import Problem, solved_residuals
 from pydy._simulation.states import point_at
-from pydy.solvers.constraints import satisfied
+from pydy.solvers import satisfied
 
 
 def check_dependents(

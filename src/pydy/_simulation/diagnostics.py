@@ -13,21 +13,15 @@ from typing import Any
 import numpy as np
 
 from pydy import _errors
-from pydy._assembly.assembly import Assembly
+from pydy._assembly import Assembly
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
-from pydy._graph.derivative import dense_jacobian
+from pydy._graph import dense_jacobian
 from pydy._names import numbers_of, unique_names
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
 from pydy._simulation.problem import At, Problem
 from pydy._simulation.undefined import first_undefined
-from pydy.solvers.outcome import (
-    CONSTRAINTS_NOT_MET,
-    NOT_FINITE,
-    OUTCOMES,
-    SINGULAR,
-    STEP_UNDERFLOW,
-)
+from pydy.solvers import CONSTRAINTS_NOT_MET, NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 from pydy.trajectory import Trajectory
 
 # What a solver squares over tolerances, which are seldom below the precision of floats.

@@ -8,14 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
-from pydy._assembly.specifieds import Plan, differentiated
+from pydy._assembly import Assembly, Definition, Plan, differentiated
 from pydy._errors import warn_user
-from pydy._graph.branches import sides, switches
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import dense_jacobian, rounding_bounds, sides, substitute, switches
 from pydy._interpolation import in_order
 from pydy._kernel import KernelCall
 from pydy._rank import HALF, ROUNDING, is_zero
@@ -23,7 +18,7 @@ from pydy._simulation.motion import Motion
 from pydy._simulation.passages import Passed, Values, Watched, jump_message, passages
 from pydy._simulation.problem import At, Problem
 from pydy.inputs import jumps_of, merged_jumps
-from pydy.solvers.options import Options
+from pydy.solvers import Options
 
 _MISSED = 100.0  # tolerances: the errors of a whole motion are as many of those of a step
 

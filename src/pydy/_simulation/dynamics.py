@@ -12,22 +12,20 @@ from typing import Any, NamedTuple
 import numpy as np
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import Places, describe, merged, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError, warn_user
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.products import derivative_program
-from pydy._graph.program import Program
-from pydy._graph.rewrite import substitute
-from pydy._graph.simplify import simplify
+from pydy._graph import Program, SymPyReader, derivative_program, simplify, substitute
 from pydy._kernel import Kernel
-from pydy._mechanics import inverse
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.inverse import Known
-from pydy._mechanics.reactions import named
-from pydy._mechanics.reader import Multibody, checked_vector, distances, places
+from pydy._mechanics import (
+    BodyDynamics,
+    Equations,
+    Multibody,
+    checked_vector,
+    distances,
+    named,
+    places,
+)
 from pydy._names import name_of
 from pydy._simulation.constraint_drift import first_violation
 from pydy._simulation.evaluation import variables
@@ -139,7 +137,8 @@ class Quantity(NamedTuple):
     name: str
     key: tuple[Any, ...]  # with the name it says what the expressions are
     shape: tuple[int, ...]
-    expressions: Callable[[Known], Any]  # gives them, or the name of a block of the Assembly
+    # Gives them, or the name of a block of the Assembly.
+    expressions: Callable[[BodyDynamics], Any]
     rows: Iterable[str] = ()  # for messages; read once, if at all; by default entries
     accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
 
@@ -176,7 +175,7 @@ class Quantity(NamedTuple):
         atoms.update(dict.fromkeys(equations.speed_rates, g.zero))
         for k, place in enumerate(self.accelerations):
             atoms[equations.speed_rates[place]] = g.input("x", n + k)
-        found = self.expressions(Known(atoms, definition.forces, silent))
+        found = self.expressions(BodyDynamics(atoms, definition.forces, silent))
         if isinstance(found, str):
             nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], found)
         else:
@@ -243,10 +242,10 @@ def required_forces(
     speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
     bound = () if zero or len(given) == n else tuple(k for k in range(n) if k not in given)
 
-    def expressions(known: Known) -> Any:
+    def expressions(dynamics: BodyDynamics) -> Any:
         if without_bodies(equations):
             return "forces"
-        return inverse.inverse_dynamics(bodies_of(equations), known, at, bound=bound)
+        return dynamics.inverse_dynamics(bodies_of(equations), at, bound=bound)
 
     rows = (f"the force at {speed}" for speed in speeds)
     name = "bias forces" if zero else "inverse dynamics"
@@ -301,7 +300,7 @@ def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]
 
 def _origin(body: Multibody, point: Any) -> Any:
     """Return the point that positions are measured from."""
-    from pydy.viz.defaults import find_origin  # with the rest of viz and SciPy's rotations
+    from pydy.viz import find_origin  # with the rest of viz and SciPy's rotations
 
     origin = find_origin(body.frame, [b.masscenter for b in body.bodies])
     if origin is None:
@@ -386,8 +385,8 @@ def mass_matrix(equations: Equations) -> Quantity:
     """Return the mass matrix of all speeds."""
     n = len(equations.speeds)
 
-    def expressions(known: Known) -> Any:
-        return inverse.mass_matrix(bodies_of(equations), known) if equations.velocity else "matrix"
+    def expressions(dynamics: BodyDynamics) -> Any:
+        return dynamics.mass_matrix(bodies_of(equations)) if equations.velocity else "matrix"
 
     return Quantity("mass matrix", (), (n, n), expressions)
 
@@ -398,8 +397,8 @@ def gravity(equations: Equations, acceleration: Any) -> Quantity:
         checked_vector(acceleration, "`acceleration`")
     body = bodies_of(equations)
 
-    def expressions(known: Known) -> Any:
-        forces = inverse.weights(body, known, acceleration)
+    def expressions(dynamics: BodyDynamics) -> Any:
+        forces = dynamics.weights(body, acceleration)
         if forces is None:
             raise ValueError(
                 "The loads at the mass centres do not tell which way gravity pulls: no "
@@ -422,8 +421,8 @@ def frame_position(equations: Equations, method: Any, where: Any) -> Quantity:
     origin = _origin(body, point)
     rows = (f"the {axis} of {point}" for axis in "xyz")
 
-    def expressions(known: Known) -> Any:
-        return inverse.position(body, known, point, origin)
+    def expressions(dynamics: BodyDynamics) -> Any:
+        return dynamics.position(body, point, origin)
 
     return Quantity("position", (point,), (3,), expressions, rows)
 
@@ -434,9 +433,7 @@ def frame_rotation(equations: Equations, method: Any, where: Any) -> Quantity:
     frame, _ = _place(equations, method, where)
     if frame is None:
         raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
-    return Quantity(
-        "rotation", (frame,), (3, 3), lambda known: inverse.rotation(body, known, frame)
-    )
+    return Quantity("rotation", (frame,), (3, 3), lambda dynamics: dynamics.rotation(body, frame))
 
 
 def frame_jacobian(equations: Equations, method: Any, where: Any) -> Quantity:
@@ -447,8 +444,8 @@ def frame_jacobian(equations: Equations, method: Any, where: Any) -> Quantity:
         _origin(body, point)
     count = 3 * ((point is not None) + (frame is not None))
 
-    def expressions(known: Known) -> Any:
-        return inverse.partial_velocities(body, known, point, frame)
+    def expressions(dynamics: BodyDynamics) -> Any:
+        return dynamics.partial_velocities(body, point, frame)
 
     shape = count, len(equations.speeds)
     return Quantity("frame Jacobian", (point, frame), shape, expressions)

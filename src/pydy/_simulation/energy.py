@@ -8,16 +8,20 @@ from typing import Any, NamedTuple
 
 import sympy as sm
 
-from pydy._assembly.definition import Layout
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import CompiledModel, Layout
 from pydy._checks import describe, shown
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.potential import find_potential
-from pydy._mechanics.reader import distances, oriented, places
-from pydy._mechanics.symbols import find_symbols, replace_symbols
-from pydy.codegen.arguments import checked_expression
+from pydy._mechanics import (
+    Equations,
+    distances,
+    find_potential,
+    find_symbols,
+    oriented,
+    places,
+    replace_symbols,
+)
+from pydy.codegen import checked_expression
 
 _NO_BODIES = (
     "Cannot compute the system's energy: its `eom_method` has no bodies, or no frame in which "

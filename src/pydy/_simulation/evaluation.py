@@ -10,16 +10,11 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.assembly import Assembly, every_input
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import Assembly, CompiledModel, Definition, every_input
 from pydy._checks import listed, one_or_more, real_array, shown
-from pydy._graph.node import Graph
-from pydy._graph.products import derivative_program
-from pydy._graph.program import Program
-from pydy._graph.simplify import simplify
+from pydy._graph import Graph, Program, derivative_program, simplify
 from pydy._kernel import Kernel
-from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics import find_symbols
 from pydy._simulation.constraint_drift import warn_of_left_out
 from pydy._simulation.function import Function
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives

@@ -6,22 +6,30 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import Places, describe, typed
-from pydy._graph.derivative import dense_jacobian, directional, jacobian, jacobian_rows
-from pydy._graph.from_sympy import NodeExpression
-from pydy._graph.node import Graph
-from pydy._graph.operations import FLAT
-from pydy._graph.program import Program
-from pydy._graph.reach import reach
-from pydy._graph.rounding import rounding_bounds
-from pydy._mechanics.equations import Equations
-from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.events import CompiledEvents, Event, Turn
-from pydy.solvers.options import StepOptions
-from pydy.solvers.solver import SOLVERS, Solver
+from pydy._graph import (
+    FLAT,
+    Graph,
+    NodeExpression,
+    Program,
+    dense_jacobian,
+    directional,
+    jacobian,
+    jacobian_rows,
+    reach,
+    rounding_bounds,
+)
+from pydy._mechanics import Equations
+from pydy.solvers import (
+    SOLVERS,
+    CompiledConstraints,
+    CompiledEvents,
+    Event,
+    Solver,
+    StepOptions,
+    Turn,
+)
 
 
 class EnsembleOptions(StepOptions, total=False):

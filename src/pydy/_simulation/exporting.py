@@ -13,13 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import stored_program
-from pydy._assembly.specifieds import followed
+from pydy._assembly import Assembly, Definition, followed, stored_program
 from pydy._checks import choice, describe
-from pydy._graph.program import Program
-from pydy._mechanics.symbols import find_symbols
+from pydy._graph import Program
+from pydy._mechanics import find_symbols
 from pydy._names import name_of, unique_names
 from pydy._simulation.events_and_constraints import (
     check_events,
@@ -31,12 +28,12 @@ from pydy._simulation.events_and_constraints import (
 )
 from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
 from pydy._simulation.problem import Problem
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen import SpecifiedsPlan
 
 if TYPE_CHECKING:
     from pydy.export import Model
-    from pydy.solvers.events import Event
-    from pydy.viz.live import LiveSystem
+    from pydy.solvers import Event
+    from pydy.viz import LiveSystem
 
 
 def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
@@ -130,7 +127,7 @@ def _builders(
     problem: Problem, places: tuple[int, ...], events: Sequence[Event], projected: bool
 ) -> dict[str, Callable[[], Program]]:
     """Return what makes the Programs of a model with specifieds at some places as inputs."""
-    from pydy.export.model import PARTS, with_inputs
+    from pydy.export import PARTS, with_inputs
 
     assembly = problem.code.assembly
     n, found = len(problem.definition.states), dict[str, Callable[[], Program]]()
@@ -176,7 +173,7 @@ def exported_model(
     inputs: Sequence[Any] | None = (),
 ) -> Model:
     """Return the Programs, names and numbers of a Problem as exported code takes them."""
-    from pydy.export.model import EventData, Model, Variable, identifiers
+    from pydy.export import EventData, Model, Variable, identifiers
 
     warn_of_missing_derivatives(problem)
     definition, times = problem.definition, problem.times
@@ -222,7 +219,7 @@ def live_system(
     problem: Problem, *, name: str = "model", constraints: Any = "auto", events: Any = None
 ) -> LiveSystem:
     """Return a Problem as a page that simulates takes it."""
-    from pydy.viz.live import LiveSystem
+    from pydy.viz import LiveSystem
 
     definition, plan = problem.definition, problem.plan
     equations = definition.equations

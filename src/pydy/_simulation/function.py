@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import CompiledModel
 from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
-from pydy._graph.program import Program
+from pydy._graph import Program
 from pydy._kernel import Kernel
 from pydy._simulation.diagnostics import explain, warn_not_finite
 from pydy._simulation.problem import At, Problem, samples

@@ -6,13 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import CompiledModel, Definition
 from pydy._checks import flag
 from pydy._errors import warn_user
 from pydy._simulation.model import compile_definition
-from pydy.codegen.ode_function_generators import make_function
-from pydy.codegen.right_hand_side import RightHandSide
+from pydy.codegen import RightHandSide, make_function
 
 _ARGUMENTS = ("constants_arg_type", "specifieds_arg_type", "time_first")
 _REFUSED = {

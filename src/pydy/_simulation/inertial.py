@@ -7,10 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from sympy.physics.mechanics import RigidBody
 
-from pydy._mechanics import inverse
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.inverse import Known
-from pydy._mechanics.reader import Multibody
+from pydy._mechanics import BodyDynamics, Equations, Multibody
 from pydy._names import unique_names
 from pydy._rank import ROUNDED, equilibrated, independent_columns
 from pydy._simulation.dynamics import Quantity, bodies_of
@@ -62,7 +59,7 @@ def inertial_parameters(equations: Equations) -> Quantity:
         "inertial parameters",
         (),
         (len(names),),
-        lambda known: inverse.parameters(body, known),
+        lambda dynamics: dynamics.inertial_parameters(body),
         names,
     )
 
@@ -72,8 +69,8 @@ def regressor(equations: Equations) -> Quantity:
     body = bodies_of(equations)
     n, count = len(equations.speeds), len(_parameter_names(body))
 
-    def expressions(known: Known) -> Any:
-        matrix = inverse.regressor(body, known)
+    def expressions(dynamics: BodyDynamics) -> Any:
+        matrix = dynamics.regressor(body)
         if matrix is None:
             raise ValueError(
                 "The loads at the mass centres do not tell which way gravity pulls, which the "

@@ -36,18 +36,19 @@ from pydy._simulation.scipy_solvers import (
 )
 from pydy._simulation.sensitivities import SensitivityRequest
 from pydy._simulation.sliding import stuck_at
-from pydy.codegen.right_hand_side import rates_function
-from pydy.solvers.options import Begun
-from pydy.solvers.outcome import (
+from pydy.codegen import rates_function
+from pydy.solvers import (
     EVENTS_ACCUMULATE,
+    MANY_STEPS,
     NO_CONVERGENCE,
     OUTCOMES,
     STEP_UNDERFLOW,
     TERMINATED,
     TOO_MANY_STEPS,
+    Begun,
+    Prepared,
+    Solver,
 )
-from pydy.solvers.solver import Prepared, Solver
-from pydy.solvers.tuning import MANY_STEPS
 from pydy.trajectory import Trajectory
 
 SolverFunction = Callable[..., Any]

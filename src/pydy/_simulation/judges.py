@@ -10,7 +10,7 @@ from pydy._simulation.discontinuities import warn_of_impulses, warn_of_pulses
 from pydy._simulation.motion import Motion
 from pydy._simulation.preparation import PreparedIntegration
 from pydy._simulation.problem import Problem
-from pydy.solvers.solver import Solver
+from pydy.solvers import Solver
 
 
 def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration) -> None:

@@ -8,17 +8,21 @@ from typing import Any
 
 import sympy as sm
 
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
-from pydy._assembly.specifieds import Plan, with_compiled_inputs
-from pydy._assembly.system import assemble_system
+from pydy._assembly import (
+    CompiledModel,
+    Definition,
+    Plan,
+    assemble_system,
+    resolve_solver,
+    solve_symbolically,
+    with_compiled_inputs,
+)
 from pydy._checks import flag
-from pydy._graph.passes import rewriting
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.extract import symbolic_matrices
+from pydy._graph import rewriting
+from pydy._mechanics import Equations, symbolic_matrices
 from pydy._simulation.definition import DefinitionBuilder, base_symbols
 from pydy._simulation.energy import EnergyModel
-from pydy.codegen.right_hand_side import make_backend
+from pydy.codegen import make_backend
 
 
 @dataclass(frozen=True, eq=False)

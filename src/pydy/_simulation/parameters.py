@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.definition import Definition
+from pydy._assembly import Definition
 from pydy._checks import one_or_more, refuse_twice
 from pydy._simulation.states import located, members
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen import SpecifiedsPlan
 from pydy.inputs import SampledInput
-from pydy.solvers.sensitivities import Sized
+from pydy.solvers import Sized
 
 
 @dataclass(frozen=True)

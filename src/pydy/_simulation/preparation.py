@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.baumgarte import stabilised
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import CompiledModel, stabilised
 from pydy._checks import choice, positive
 from pydy._simulation.events_and_constraints import (
     check_events,
@@ -20,10 +19,16 @@ from pydy._simulation.events_and_constraints import (
 from pydy._simulation.model import Model
 from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import SolveIvp, is_odeint, odeint_options
-from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.solvers.events import Event, identified
-from pydy.solvers.options import Options, check_option_names, named_for_odeint
-from pydy.solvers.solver import Prepared, Solver
+from pydy.codegen import SpecifiedsPlan
+from pydy.solvers import (
+    Event,
+    Options,
+    Prepared,
+    Solver,
+    check_option_names,
+    identified,
+    named_for_odeint,
+)
 
 _PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
 

@@ -11,23 +11,19 @@ from typing import Any, Protocol, Self
 import numpy as np
 import scipy
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.assumptions import Assumptions, errors_of
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import Assembly, Assumptions, CompiledModel, Definition, errors_of
 from pydy._checks import Places, describe, real_array, vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import dense_jacobian, rounding_bounds
 from pydy._kernel import Kernel
 from pydy._names import name_of
 from pydy._rank import ROUNDED
 from pydy._simulation.definition import check_times
 from pydy._simulation.model import Model
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen import SpecifiedsPlan
 from pydy.inputs import jumps_of
-from pydy.solvers.constraints import satisfied
+from pydy.solvers import satisfied
 from pydy.trajectory import Columns, Trajectory
 
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}

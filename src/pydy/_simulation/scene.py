@@ -9,18 +9,26 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
+from pydy._assembly import Assembly, Definition
 from pydy._checks import flag, instance
-from pydy._graph.from_sympy import NodeExpression
-from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.reader import given_velocity
-from pydy._mechanics.symbols import find_symbols
+from pydy._graph import NodeExpression
+from pydy._mechanics import Equations, Mechanism, find_symbols, given_velocity
 from pydy._rank import HALF
-from pydy.viz.defaults import find_origin, gravities, guess_up, load_arrows, visuals_of
-from pydy.viz.motion import Geometry, Model, Motion, Names, place
-from pydy.viz.outline import Outline, outline
-from pydy.viz.scene import Scene
+from pydy.viz import (
+    Geometry,
+    Model,
+    Motion,
+    Names,
+    Outline,
+    Scene,
+    find_origin,
+    gravities,
+    guess_up,
+    load_arrows,
+    outline,
+    place,
+    visuals_of,
+)
 
 
 def make_scene(

@@ -18,9 +18,16 @@ import scipy
 from pydy._checks import descends, listed, monotonic, shown
 from pydy._errors import IntegrationError
 from pydy._names import nearest, numbers_of, unique_names
-from pydy.solvers.options import check_option_names, check_scipy_options
-from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
-from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers import (
+    NOT_FINITE,
+    OUTCOMES,
+    SOLVERS,
+    STEP_UNDERFLOW,
+    TOO_MANY_STEPS,
+    Solver,
+    check_option_names,
+    check_scipy_options,
+)
 from pydy.trajectory import EventRecord
 
 # -- LSODA, behind both, has one memory: runs cannot be nested ------------------------------------

@@ -14,16 +14,18 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel, stored_program
+from pydy._assembly import CompiledModel, Definition, stored_program
 from pydy._checks import describe
-from pydy._graph.columns import Columns
-from pydy._graph.derivative import Rows, dense_jacobian
-from pydy._graph.lower import lower
-from pydy._graph.passes.factor import factor_sums
-from pydy._graph.program import Program
-from pydy._graph.simplify import simplify
-from pydy._graph.tangent import Tangent
+from pydy._graph import (
+    Columns,
+    Program,
+    Rows,
+    Tangent,
+    dense_jacobian,
+    factor_sums,
+    lower,
+    simplify,
+)
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._simulation.dependence import follow
 from pydy._simulation.diagnostics import explain_columns
@@ -31,13 +33,18 @@ from pydy._simulation.events_and_constraints import with_all
 from pydy._simulation.parameters import Parameter, by_samples, mean_spacing, read_parameters
 from pydy._simulation.problem import Problem
 from pydy._simulation.scipy_solvers import SolveIvp, of_states
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen import SpecifiedsPlan
 from pydy.inputs import SampledInput
-from pydy.solvers.events import Event
-from pydy.solvers.options import Options, read_options
-from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
-from pydy.solvers.solver import Solver
-from pydy.solvers.tableaus import tableau_of
+from pydy.solvers import (
+    CompiledSensitivities,
+    Event,
+    Options,
+    Sized,
+    Solver,
+    read_options,
+    scales_of,
+    tableau_of,
+)
 
 # The step control sees motions of so many tolerances: errors of them are a thousandth, at most,
 # where these are what is allowed.

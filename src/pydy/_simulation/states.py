@@ -8,18 +8,16 @@ from typing import Any, Self
 
 import numpy as np
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
+from pydy._assembly import Assembly, Definition
 from pydy._checks import Places
 from pydy._forks import cached_property
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.rounding import sizes_of_terms
+from pydy._graph import dense_jacobian, sizes_of_terms
 from pydy._kernel import Kernel
-from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
+from pydy._mechanics import BodyDynamics
 from pydy._rank import HALF, OF_FEW, ROUNDING, equilibrated, is_zero, or_one
 from pydy._simulation.dependence import independent_places, tangents
 from pydy._simulation.problem import At, Problem
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
@@ -260,11 +258,11 @@ class ForcesWithoutConstraints:
         if body is None:
             masses = assembly.mass_matrix[:: n + 1] or [g.one] * n
             return {"masses": masses, "forces": sizes_of_terms(g, assembly.forcing)}
-        known = Known(None, self.definition.forces, {})
+        dynamics = BodyDynamics(None, self.definition.forces, {})
         forces = assembly.read(
-            inverse_dynamics(body, known).expressions(), "the forces", sizes=True
+            dynamics.inverse_dynamics(body).expressions(), "the forces", sizes=True
         )
-        matrix = mass_matrix(body, known).expressions()
+        matrix = dynamics.mass_matrix(body).expressions()
         masses = assembly.read(matrix[:: n + 1], "the mass matrix", sizes=True)
         return {"masses": masses, "forces": sizes_of_terms(g, forces)}
 

@@ -6,13 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly import Assembly
 from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph, input_symbols
-from pydy._graph.operations import OPERATIONS
-from pydy._mechanics.to_sympy import written
+from pydy._graph import OPERATIONS, Graph, evaluator, input_symbols
+from pydy._mechanics import written
 from pydy._names import numbers_of
 from pydy._simulation.problem import At
 

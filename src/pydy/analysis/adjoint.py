@@ -14,15 +14,18 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._names import column_names, name_of, some, text_of, unique_names
-from pydy._simulation.definition import read_term, refuse_descending
-from pydy._simulation.discontinuities import warn_of_jumps
-from pydy._simulation.events_and_constraints import native_solver
-from pydy._simulation.judges import judge_start
-from pydy._simulation.preparation import prepare
-from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import AugmentedSystem
+from pydy._simulation import (
+    AugmentedSystem,
+    Problem,
+    judge_start,
+    native_solver,
+    prepare,
+    read_term,
+    refuse_descending,
+    warn_of_jumps,
+)
 from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
-from pydy.solvers.solver import Solver
+from pydy.solvers import Solver
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,8 +9,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.model import CompiledModel, stored_program
+from pydy._assembly import Assembly, CompiledModel, stored_program
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
@@ -18,29 +17,44 @@ from pydy._errors import (
     warn_user,
 )
 from pydy._forks import cached_property
-from pydy._graph.columns import Direction
-from pydy._graph.products import derivative_program
-from pydy._graph.program import Program
-from pydy._graph.simplify import simplify
+from pydy._graph import Direction, Program, derivative_program, simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
-from pydy._simulation.discontinuities import node_of
-from pydy._simulation.events_and_constraints import with_all
-from pydy._simulation.integration import explain_failure, motion_so_far
-from pydy._simulation.judges import judge_motion
-from pydy._simulation.motion import Motion, Segment
-from pydy._simulation.parameters import Parameter, by_samples, marker
-from pydy._simulation.preparation import PreparedIntegration
-from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import AugmentedSystem, compiled_event, least_sizes
+from pydy._simulation import (
+    AugmentedSystem,
+    Motion,
+    Parameter,
+    PreparedIntegration,
+    Problem,
+    Segment,
+    by_samples,
+    compiled_event,
+    explain_failure,
+    judge_motion,
+    least_sizes,
+    marker,
+    motion_so_far,
+    node_of,
+    with_all,
+)
 from pydy.inputs import SampledInput
-from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.events import forcing_time, jumped_to
-from pydy.solvers.options import read_options
-from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, NOT_FINITE, OUTCOMES, TERMINATED
-from pydy.solvers.sensitivities import CompiledSensitivities, Sized, resolved, scales_of
-from pydy.solvers.solver import Solver
+from pydy.solvers import (
+    EVENT_GRAZES,
+    EVENT_JUMPS,
+    NOT_FINITE,
+    OUTCOMES,
+    TERMINATED,
+    CompiledConstraints,
+    CompiledSensitivities,
+    Sized,
+    Solver,
+    forcing_time,
+    jumped_to,
+    read_options,
+    resolved,
+    scales_of,
+)
 from pydy.trajectory import EventRecord
 
 
@@ -356,8 +370,7 @@ class MotionSegment:
         guide: np.ndarray | None = None,
         bounded: bool = True,
     ) -> None:
-        from pydy.solvers.run.backward import DiscreteAdjoint
-        from pydy.solvers.run.integration import Integration
+        from pydy.solvers import DiscreteAdjoint, Integration
 
         n = len(x0)
         self.unbounded: str | None = None  # what came of derivatives that should bound the steps

@@ -8,17 +8,22 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.definition import Definition
+from pydy._assembly import Definition
 from pydy._checks import check_mapping, describe, limits, listed, number, refuse_twice
 from pydy._errors import EquilibriumError, warn_user
-from pydy._graph.interpret import run
+from pydy._graph import run
 from pydy._names import some, unique_names
 from pydy._rank import or_one
-from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy._simulation.problem import Problem
-from pydy._simulation.states import GROUPS, ForcesWithoutConstraints, Point, located
+from pydy._simulation import (
+    GROUPS,
+    ForcesWithoutConstraints,
+    Point,
+    Problem,
+    located,
+    warn_of_missing_derivatives,
+)
 from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, left_ahead, solve_equilibrium
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen import SpecifiedsPlan
 
 # Times at which an equilibrium is tried again; powers of two where none are given.
 _TIMES = 64

@@ -16,19 +16,22 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.assumptions import errors_of
-from pydy._assembly.definition import Definition
+from pydy._assembly import Definition, errors_of
 from pydy._checks import Places, choice, listed, real_array
 from pydy._errors import warn_user
 from pydy._names import few, some, unique_names
 from pydy._optional import require
 from pydy._rank import ROUNDED
-from pydy._simulation.constraint_drift import first_violation
-from pydy._simulation.discontinuities import warn_of_kinks
-from pydy._simulation.events_and_constraints import constraint_names
-from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy._simulation.problem import At, Problem, samples
-from pydy._simulation.states import Point
+from pydy._simulation import (
+    At,
+    Point,
+    Problem,
+    constraint_names,
+    first_violation,
+    samples,
+    warn_of_kinks,
+    warn_of_missing_derivatives,
+)
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.tuning import CROSSED
 from pydy.plot import axes_of, rows_of_axes, typeset

@@ -19,14 +19,17 @@ from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import numbers_of, some, unique_names
 from pydy._optional import progress_of
 from pydy._rank import HALF, ROUNDED, or_one
-from pydy._simulation.dependent_states import consistent
-from pydy._simulation.diagnostics import warn_of_outputs
-from pydy._simulation.discontinuities import warn_of_jumps
-from pydy._simulation.integration import integrate, simulate
-from pydy._simulation.motion import Motion
-from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import SensitivityRequest
-from pydy._simulation.states import energetic_motions
+from pydy._simulation import (
+    Motion,
+    Problem,
+    SensitivityRequest,
+    consistent,
+    energetic_motions,
+    integrate,
+    simulate,
+    warn_of_jumps,
+    warn_of_outputs,
+)
 from pydy.analysis.tuning import (
     BEGINNING,
     DAMPED,
@@ -35,7 +38,7 @@ from pydy.analysis.tuning import (
     ORBIT,
     ORBIT_CLOSED,
 )
-from pydy.solvers.events import Event
+from pydy.solvers import Event
 
 # How long an event is waited for, in periods as guessed.
 _PATIENCE = 5.0

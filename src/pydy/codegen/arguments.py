@@ -33,7 +33,7 @@ from pydy._checks import (
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Inputs
-from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics import find_symbols
 from pydy.inputs import SampledInput
 
 ARGUMENT_TYPES = ("array", "dictionary", "function")

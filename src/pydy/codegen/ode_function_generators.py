@@ -13,13 +13,18 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._assembly.definition import Layout
-from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
-from pydy._assembly.system import Form, assemble_form
-from pydy._backends.registry import resolve
+from pydy._assembly import (
+    CompiledModel,
+    Form,
+    Layout,
+    assemble_form,
+    resolve_solver,
+    solve_symbolically,
+)
+from pydy._backends import resolve
 from pydy._checks import describe, flag, listed, resolved, shown, typed
-from pydy._graph.passes import rewriting
-from pydy._mechanics.symbols import find_symbols
+from pydy._graph import rewriting
+from pydy._mechanics import find_symbols
 from pydy.codegen.arguments import checked_expression
 from pydy.codegen.right_hand_side import RightHandSide, make_backend
 

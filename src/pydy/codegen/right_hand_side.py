@@ -14,8 +14,8 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._assembly.model import CompiledModel
-from pydy._backends.registry import refusal, resolve
+from pydy._assembly import CompiledModel
+from pydy._backends import refusal, resolve
 from pydy._checks import number, real_array, vector
 from pydy._forks import cached_property
 from pydy._kernel import Kernel, KernelCall

@@ -6,20 +6,9 @@ with contacts that open, close, stick and slide at exact times: gaps, `Unilatera
 that sticks, `Stick`. `Roll` and `Clearance` make these of a geometry.
 """
 
-from pydy.contact.compliant import CompliantContact
-from pydy.contact.conditions import Stick, Unilateral
-from pydy.contact.contacts import Contacts
-from pydy.contact.joints import Clearance, Roll
-from pydy.contact.laws import (
-    brown_mcphee,
-    hunt_crossley,
-    joint_friction,
-    kelvin_voigt,
-    rolling_resistance,
-    stribeck,
-)
-from pydy.contact.trajectory import ContactTrajectory
+import lazy_loader
 
+__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "Clearance",
     "CompliantContact",

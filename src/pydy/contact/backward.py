@@ -13,14 +13,16 @@ from typing import Any
 
 import numpy as np
 
-from pydy._simulation.definition import read_term
-from pydy._simulation.judges import judge_start
-from pydy._simulation.motion import Motion, Segment
-from pydy._simulation.preparation import prepare
-from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import AugmentedSystem
-from pydy.analysis.adjoint import AdjointGradient
-from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
+from pydy._simulation import (
+    AugmentedSystem,
+    Motion,
+    Problem,
+    Segment,
+    judge_start,
+    prepare,
+    read_term,
+)
+from pydy.analysis import AdjointGradient, MotionSegment, Task, integrate_forward
 from pydy.contact.decide import STARTING
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, Numbers

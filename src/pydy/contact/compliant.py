@@ -10,7 +10,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbol
 
 from pydy._checks import flag, instance, shown
 from pydy.contact.laws import _axes, _check_units, _expressions
-from pydy.solvers.events import Event
+from pydy.solvers import Event
 
 
 class CompliantContact:

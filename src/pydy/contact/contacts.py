@@ -12,14 +12,18 @@ import sympy as sm
 from pydy._checks import Keyed, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
 from pydy._names import column_names
-from pydy._simulation.definition import refuse_descending
-from pydy._simulation.diagnostics import warn_of_outputs
-from pydy._simulation.discontinuities import warn_of_jumps
-from pydy._simulation.events_and_constraints import check_events, native_solver
-from pydy._simulation.motion import Motion
-from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import AugmentedSystem, SensitivityRequest
-from pydy.analysis.adjoint import AdjointGradient
+from pydy._simulation import (
+    AugmentedSystem,
+    Motion,
+    Problem,
+    SensitivityRequest,
+    check_events,
+    native_solver,
+    refuse_descending,
+    warn_of_jumps,
+    warn_of_outputs,
+)
+from pydy.analysis import AdjointGradient
 from pydy.contact.conditions import InfeasibleError, paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
 from pydy.contact.modes import Compiled, modes_of
@@ -27,9 +31,14 @@ from pydy.contact.rows import StartError
 from pydy.contact.run import Run, State
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import ContactTrajectory
-from pydy.solvers.events import Event
-from pydy.solvers.outcome import CONTACTS_IMPOSSIBLE, FINISHED, START_OFF_CONSTRAINTS, TERMINATED
-from pydy.solvers.solver import Solver
+from pydy.solvers import (
+    CONTACTS_IMPOSSIBLE,
+    FINISHED,
+    START_OFF_CONSTRAINTS,
+    TERMINATED,
+    Event,
+    Solver,
+)
 from pydy.system import System
 
 # Methods of a System that take contacts.

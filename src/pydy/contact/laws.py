@@ -14,7 +14,7 @@ import sympy as sm
 from sympy.physics.mechanics import Vector
 
 from pydy._checks import flag, number, shown
-from pydy._mechanics.reader import checked_vector
+from pydy._mechanics import checked_vector
 from pydy._rank import ROUNDED
 
 

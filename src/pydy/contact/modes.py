@@ -10,15 +10,10 @@ import sympy as sm
 
 from pydy import _forks
 from pydy._forks import cached_property
-from pydy._graph.derivative import jacobian
-from pydy._graph.from_sympy import NodeExpression
-from pydy._graph.node import Graph
-from pydy._mechanics.components import dot
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.extract import extract
+from pydy._graph import Graph, NodeExpression, jacobian
+from pydy._mechanics import Equations, dot, extract
 from pydy._names import name_of
-from pydy._simulation.model import Model
-from pydy._simulation.problem import Problem
+from pydy._simulation import Model, Problem
 from pydy.contact.conditions import Contact
 from pydy.contact.decide import (
     BACKWARD,
@@ -32,7 +27,7 @@ from pydy.contact.decide import (
 )
 from pydy.contact.rows import ContactRows
 from pydy.contact.tuning import TURNED
-from pydy.solvers.events import Event, Turn
+from pydy.solvers import Event, Turn
 from pydy.trajectory import Columns
 
 _WATCHED = {

@@ -15,22 +15,23 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._backends.registry import compile_program
+from pydy._backends import compile_program
 from pydy._checks import describe
 from pydy._forks import cached_property
-from pydy._graph.derivative import dense_jacobian, jacobian_rows
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator
-from pydy._graph.lower import lower
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds, sizes_of_terms
-from pydy._graph.solve.choose import solve_accelerations
+from pydy._graph import (
+    Graph,
+    SymPyReader,
+    dense_jacobian,
+    evaluator,
+    jacobian_rows,
+    lower,
+    rounding_bounds,
+    sizes_of_terms,
+    solve_accelerations,
+    substitute,
+)
 from pydy._kernel import Kernel
-from pydy._mechanics.components import dot
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.form import Formed
-from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics import Equations, Formed, dot, find_symbols
 from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact, InfeasibleError
 from pydy.contact.smooth import Switched, switched

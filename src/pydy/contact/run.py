@@ -14,9 +14,7 @@ from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted,
 from pydy._forks import cached_property
 from pydy._names import numbers_of, some
 from pydy._rank import ROUNDED, ROUNDING
-from pydy._simulation.integration import simulate
-from pydy._simulation.motion import Motion, Segment
-from pydy._simulation.problem import Problem
+from pydy._simulation import Motion, Problem, Segment, simulate
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
     BACKWARD,
@@ -45,9 +43,7 @@ from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import contact_trajectory
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
-from pydy.solvers.options import Begun, Options, read_options
-from pydy.solvers.outcome import TERMINATED
-from pydy.solvers.solver import Solver, dop853, radau
+from pydy.solvers import TERMINATED, Begun, Options, Solver, dop853, radau, read_options
 from pydy.trajectory import EventRecord
 
 _NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode

@@ -22,14 +22,10 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._graph.derivative import directional
-from pydy._graph.interpret import evaluator
+from pydy._graph import directional, evaluator
 from pydy._names import column_names
 from pydy._rank import DEPENDENT, ROUNDING
-from pydy._simulation.integration import simulate
-from pydy._simulation.motion import Motion, Segment
-from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import AugmentedSystem, SensitivityRequest
+from pydy._simulation import AugmentedSystem, Motion, Problem, Segment, SensitivityRequest, simulate
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow, Phase
 from pydy.contact.modes import Mode

@@ -16,13 +16,8 @@ import sympy as sm
 from sympy.core.relational import Relational
 
 from pydy._checks import shown
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
-from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._graph import Graph, SymPyReader, dense_jacobian, evaluator, rounding_bounds, substitute
+from pydy._mechanics import find_symbols, replace_symbols
 from pydy._rank import ROUNDING
 from pydy.contact.tuning import DRAWS, WITHIN
 

@@ -3,7 +3,7 @@
 import math
 
 from pydy._rank import HALF, ROUNDING
-from pydy.solvers.tuning import NO_LATER
+from pydy.solvers import NO_LATER
 
 SLACK = HALF
 """An inequality between forces or accelerations holds if it is missed by this share of the largest

@@ -3,8 +3,12 @@
 `OptimalControl` states a problem, and `System.optimize_trajectory` solves one in a single call.
 """
 
-from pydy.control.phases import PhasedTrajectory, Phases
-from pydy.control.problem import OptimalControl
-from pydy.control.result import OptimalTrajectory
+import lazy_loader
 
-__all__ = ["OptimalControl", "OptimalTrajectory", "PhasedTrajectory", "Phases"]
+__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__all__ = [
+    "OptimalControl",
+    "OptimalTrajectory",
+    "PhasedTrajectory",
+    "Phases",
+]

@@ -50,7 +50,7 @@ import scipy.sparse
 
 from pydy._errors import IntegrationError, warn_user
 from pydy._rank import HALF, or_one
-from pydy._simulation.constraint_drift import contradiction, rates
+from pydy._simulation import contradiction, rates
 from pydy.control.guess import Limit
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Equations
@@ -69,8 +69,7 @@ from pydy.control.tuning import (
     STEADY,
     STILL,
 )
-from pydy.solvers.constraint_drift import contradicted
-from pydy.solvers.outcome import LEFT_CONSTRAINTS
+from pydy.solvers import LEFT_CONSTRAINTS, contradicted
 
 
 @dataclass(frozen=True, eq=False)

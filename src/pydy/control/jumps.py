@@ -22,13 +22,16 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._errors import warn_user
-from pydy._graph.branches import sides, switches
-from pydy._graph.derivative import dense_jacobian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph import (
+    Graph,
+    SymPyReader,
+    dense_jacobian,
+    evaluator,
+    rounding_bounds,
+    sides,
+    substitute,
+    switches,
+)
 from pydy._rank import HALF, ROUNDING
 from pydy.control.transcription import TranscribedProblem
 from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS

@@ -29,20 +29,22 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.model import stored
-from pydy._backends.llvm.native import LLVMBackend, sweep_by_columns
+from pydy._assembly import stored
+from pydy._backends import LLVMBackend, sweep_by_columns
 from pydy._forks import cached_property
-from pydy._graph.adjoint import adjoints
-from pydy._graph.derivative import jacobian
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.lower import lower
-from pydy._graph.node import Graph
-from pydy._graph.operations import with_operands
-from pydy._graph.passes.factor import factor_sums
-from pydy._graph.program import Program
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
-from pydy._graph.simplify import simplify
+from pydy._graph import (
+    Graph,
+    Program,
+    SymPyReader,
+    adjoints,
+    factor_sums,
+    jacobian,
+    lower,
+    rounding_bounds,
+    simplify,
+    substitute,
+    with_operands,
+)
 from pydy._kernel import Kernel
 from pydy._rank import DIGITS
 from pydy.control.tuning import KEPT

@@ -21,12 +21,12 @@ from typing import Any
 
 import numpy as np
 
-from pydy._backends.llvm.native import nlp_functions
+from pydy._backends import nlp_functions
 from pydy._forks import cached_property
 from pydy._rank import or_one
 from pydy.control.kernel import Functions
 from pydy.control.tuning import UNEVEN
-from pydy.solvers.run.problem import tables_of
+from pydy.solvers import tables_of
 
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),

@@ -13,7 +13,7 @@ import sympy as sm
 
 from pydy._checks import check_mapping, listed, shown
 from pydy._optional import require
-from pydy.codegen.arguments import checked_expression
+from pydy.codegen import checked_expression
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Point
 from pydy.control.nlp import Piece

@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._assembly.specifieds import followed
+from pydy._assembly import followed
 from pydy._checks import (
     Places,
     check_mapping,
@@ -26,8 +26,8 @@ from pydy._checks import (
 from pydy._errors import OptimizationError
 from pydy._names import some, unique_names
 from pydy._rank import DIGITS, rank
-from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy.codegen.arguments import checked_expression
+from pydy._simulation import warn_of_missing_derivatives
+from pydy.codegen import checked_expression
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
 from pydy.control.ipopt import Solution

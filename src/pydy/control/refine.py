@@ -28,7 +28,7 @@ from pydy.control.tuning import (
     TOLERANCE,
     UNEVEN,
 )
-from pydy.solvers.tableaus import tableau_of
+from pydy.solvers import tableau_of
 
 
 @dataclass(frozen=True, eq=False)

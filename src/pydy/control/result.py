@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._names import table_of, unique_names
-from pydy.codegen.arguments import OfTime, one_format
+from pydy.codegen import OfTime, one_format
 from pydy.control.accuracy import objective_errors
 from pydy.control.costates import costates_of
 from pydy.control.ipopt import INFEASIBLE, Iteration, Solution

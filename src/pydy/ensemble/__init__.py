@@ -4,3 +4,7 @@
 Problem and what varies; an engine runs them in blocks, in threads or as Dask tasks. Workers need
 these alone, without SymPy.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -30,7 +30,7 @@ from pydy.ensemble.samples import (
     to_dataset,
 )
 from pydy.ensemble.work import SMALLEST_BLOCK, Work
-from pydy.solvers.outcome import NOT_COMPUTED
+from pydy.solvers import NOT_COMPUTED
 
 # Eight samples one after the other that take less, in seconds, come in larger blocks: each costs
 # 0.5 ms, and of 64 an interrupt loses 0.2 s at most.

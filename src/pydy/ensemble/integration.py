@@ -8,29 +8,35 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
+from pydy._assembly import CompiledModel, Definition
 from pydy._checks import flag, shown, whole
 from pydy._dataset import SENSITIVITY
 from pydy._names import column_names
-from pydy._simulation.constraint_drift import check_samples, drift_programs
-from pydy._simulation.definition import check_times, refuse_descending
-from pydy._simulation.discontinuities import watched
-from pydy._simulation.events_and_constraints import ConstraintNames, with_residuals_held
-from pydy._simulation.preparation import PreparedIntegration
-from pydy._simulation.problem import At, Problem, check_specifieds
-from pydy._simulation.sensitivities import AugmentedSystem, changed_by, program_of_event
+from pydy._simulation import (
+    At,
+    AugmentedSystem,
+    ConstraintNames,
+    PreparedIntegration,
+    Problem,
+    changed_by,
+    check_samples,
+    check_specifieds,
+    check_times,
+    drift_programs,
+    program_of_event,
+    refuse_descending,
+    watched,
+    with_residuals_held,
+)
 from pydy._version import __version__
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen import SpecifiedsPlan
 from pydy.ensemble.engine import Ensemble
 from pydy.ensemble.model import EnsembleSensitivities, Kept, Model
 from pydy.ensemble.names import ResultNames
 from pydy.ensemble.samples import PARAMETER, QUANTITY
 from pydy.ensemble.variations import read_samples, split_specifieds
 from pydy.ensemble.work import Work, read_reductions
-from pydy.solvers.options import Options, read_options
-from pydy.solvers.solver import SOLVERS, Solver
-from pydy.solvers.tuning import LANES
+from pydy.solvers import LANES, SOLVERS, Options, Solver, read_options
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -11,23 +11,27 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from pydy import _forks
-from pydy._backends.registry import compile_program
+from pydy._backends import compile_program
 from pydy._forks import cached_property
-from pydy._graph.program import Program
-from pydy._graph.tangent import Tangent
-from pydy._graph.time_switches import TimeSwitches
+from pydy._graph import Program, Tangent, TimeSwitches
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy._simulation.dependence import follow
-from pydy._simulation.passages import Passed, Watched
-from pydy.solvers.options import Options
-from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
-from pydy.solvers.sensitivities import CompiledSensitivities, Sized, bounds, scales_of
-from pydy.solvers.tuning import LANES, LARGEST_IN_LANES, ROUNDING
+from pydy._simulation import Passed, Watched, follow
+from pydy.solvers import (
+    DEPENDENTS_NOT_GIVEN,
+    FINISHED,
+    LANES,
+    LARGEST_IN_LANES,
+    ROUNDING,
+    CompiledSensitivities,
+    Options,
+    Sized,
+    bounds,
+    scales_of,
+)
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
-    from pydy.solvers.run.integration import Integration
-    from pydy.solvers.run.lanes import LanesBeside
+    from pydy.solvers import Integration, LanesBeside
 
 # -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
 
@@ -367,7 +371,7 @@ class Batch:
 
     def _integrated(self, times: np.ndarray, states: np.ndarray) -> Results:
         """Integrate, several samples at a time if possible."""
-        from pydy.solvers.run.lanes import integrate_samples
+        from pydy.solvers import integrate_samples
 
         model, exact = self.model, np.min(self.model.options.rtol) < 10.0 * ROUNDING
         if not model.in_lanes or (exact and self._too_exact()):
@@ -414,7 +418,7 @@ class Batch:
     def _lanes_beside(self, times: np.ndarray) -> LanesBeside:
         """Return what lanes have to do beside their motions: to hold or to watch them, or both."""
         from pydy._errors import IntegrationError
-        from pydy.solvers.run.lanes import LanesBeside, LanesWatched
+        from pydy.solvers import LanesBeside, LanesWatched
 
         held, watched = self.model.options.constraints, self.model.options.events
         one, beside = self._single(0, times, None), LanesBeside(len(self.x))
@@ -429,7 +433,7 @@ class Batch:
 
     def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
         """Return the integration of sample k, which may be that of the sample before."""
-        from pydy.solvers.run.integration import Integration
+        from pydy.solvers import Integration
 
         model, beside, n = self.model, self.model.sensitivities, self.x.shape[1]
         options, jacobian = model.options, model.jacobian
@@ -540,7 +544,7 @@ class Batch:
         if program is None:
             return np.empty((0, *states.shape[1:]))
         if not self.model.functions:
-            from pydy.solvers.run.lanes import evaluate_samples
+            from pydy.solvers import evaluate_samples
 
             kernel = _kernel(program, LANES)
             return evaluate_samples(kernel, self.r, self.p, self.model.sampled, times, states)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from pydy._assembly.definition import Definition
+from pydy._assembly import Definition
 from pydy._checks import Places, check_mapping, refuse_twice, text
 from pydy._dataset import SENSITIVITY
 from pydy._names import latex_of, name_of, some, unique_names
-from pydy._simulation.problem import Problem
+from pydy._simulation import Problem
 from pydy.ensemble.samples import PARAMETER, QUANTITY
 from pydy.ensemble.work import COUNTS
 

@@ -27,7 +27,7 @@ from pydy._version import __version__
 from pydy.ensemble.content import digest
 from pydy.ensemble.samples import Block, Form, Samples, Variable, check_forms
 from pydy.ensemble.work import Work
-from pydy.solvers.outcome import NOT_COMPUTED
+from pydy.solvers import NOT_COMPUTED
 
 # -- Directory names for variables: each array of a store is a directory ---------------------------
 # Zarr reads ``\`` as ``/`` and creates a directory for each part. Windows allows neither some

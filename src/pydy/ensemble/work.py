@@ -9,19 +9,25 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.assumptions import Assumptions, errors_of
+from pydy._assembly import Assumptions, errors_of
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
 from pydy._errors import warn_not_finite, warn_user
-from pydy._graph.interpret import run as interpret
+from pydy._graph import run as interpret
 from pydy._interpolation import evenly
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
-from pydy._simulation.passages import Watched, jump_message
+from pydy._simulation import Watched, jump_message
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
-from pydy.solvers.constraint_drift import (
+from pydy.solvers import (
+    FINISHED,
+    NEAR_SINGULAR,
+    OUTCOMES,
+    START_OFF_CONSTRAINTS,
+    TERMINATED,
+    TRIED,
     Ran,
     allowed_after,
     beyond_digits,
@@ -32,8 +38,6 @@ from pydy.solvers.constraint_drift import (
     looked_at,
     warn_of_reset,
 )
-from pydy.solvers.outcome import FINISHED, OUTCOMES, START_OFF_CONSTRAINTS, TERMINATED
-from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 
 SMALLEST_BLOCK = 64
 """Samples in a block: with fewer, lanes idle at its end for too long a part of the time."""

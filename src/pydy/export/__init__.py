@@ -3,7 +3,13 @@
 Users call `System.export`; `write` takes a `Model`, which contains Programs and names.
 """
 
-from pydy.export.model import EventData, Exported, Model, Variable
-from pydy.export.writing import write
+import lazy_loader
 
-__all__ = ["EventData", "Exported", "Model", "Variable", "write"]
+__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__all__ = [
+    "EventData",
+    "Exported",
+    "Model",
+    "Variable",
+    "write",
+]

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import accumulate
 
-from pydy._backends.c.source import c_functions
+from pydy._backends import c_functions
 from pydy.export.model import Model, Variable, plain_text
 
 # What any header may define: macros are written in capitals. Those in small letters are reserved

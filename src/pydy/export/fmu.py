@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
-from pydy._backends.c.source import HELPERS
+from pydy._backends import HELPERS
 from pydy._errors import GeneratorError
 from pydy._files import temporary_folder
 from pydy._names import untaken
@@ -30,9 +30,7 @@ from pydy._processes import output_of, started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, plain_text, resource
-from pydy.solvers.core.declarations import included, layout_header
-from pydy.solvers.layout import DEPTH
-from pydy.solvers.tableaus import method_arrays
+from pydy.solvers import DEPTH, included, layout_header, method_arrays
 
 _METHOD = "dop853"
 

@@ -9,15 +9,22 @@ from dataclasses import asdict, replace
 from operator import attrgetter
 from typing import Any
 
-from pydy._backends.c.source import HELPERS
-from pydy._backends.writer import Dialect, Each, Template, Writer, stages
-from pydy._graph.program import Program
-from pydy._graph.tuning import numbered
+from pydy._backends import HELPERS, Dialect, Each, Template, Writer, stages
+from pydy._graph import Program, numbered
 from pydy.export.model import Model, Variable, plain_text, resource
-from pydy.solvers.core.declarations import included
-from pydy.solvers.layout import ALPHA, BETA, EXPONENT
-from pydy.solvers.tableaus import method_arrays, tableau_of
-from pydy.solvers.tuning import HALF, HALVINGS, ROUNDINGS, SOUND, STARTING_MOVE
+from pydy.solvers import (
+    ALPHA,
+    BETA,
+    EXPONENT,
+    HALF,
+    HALVINGS,
+    ROUNDINGS,
+    SOUND,
+    STARTING_MOVE,
+    included,
+    method_arrays,
+    tableau_of,
+)
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of

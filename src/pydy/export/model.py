@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pydy._forks import cached_property
-from pydy._graph.program import Program
+from pydy._graph import Program
 from pydy._names import untaken
 
 # -- The hand-written parts of what is exported ----------------------------------------------------

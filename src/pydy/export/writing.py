@@ -10,13 +10,20 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from pydy._backends.writer import Dialect, Template, Writer, stages
+from pydy._backends import Dialect, Template, Writer, stages
 from pydy._checks import Check, checked, file_of, flag, instance, one_of
 from pydy._files import write_files
-from pydy._graph.interpret import constrained_sample, singular
-from pydy._graph.operations import Operation, is_constrained, operands, with_operands
-from pydy._graph.program import Program, Tape
-from pydy._graph.tuning import numbered
+from pydy._graph import (
+    Operation,
+    Program,
+    Tape,
+    constrained_sample,
+    is_constrained,
+    numbered,
+    operands,
+    singular,
+    with_operands,
+)
 from pydy._names import nearest
 from pydy._version import __version__
 from pydy.export.c import c_header, c_model_source, with_c_names

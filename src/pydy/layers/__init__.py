@@ -1,5 +1,8 @@
 """A system's equations and simulations as differentiable functions of JAX and PyTorch."""
 
-from pydy.layers.layer import Layer
+import lazy_loader
 
-__all__ = ["Layer"]
+__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__all__ = [
+    "Layer",
+]

@@ -7,13 +7,11 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import Places
-from pydy._simulation.definition import refuse_descending
-from pydy._simulation.missing_derivatives import warn_of_missing_derivatives
-from pydy._simulation.problem import Problem
+from pydy._simulation import Problem, refuse_descending, warn_of_missing_derivatives
 from pydy.layers.layer import KINDS, Function, Part
 from pydy.layers.motions import MotionFunction
 from pydy.layers.values import BlockFunction
-from pydy.solvers.solver import Solver
+from pydy.solvers import Solver
 
 _BLOCKS = {"ode": "rates", "outputs": "outputs"}
 

@@ -12,18 +12,13 @@ from pydy._checks import flag
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._forks import Lock
 from pydy._names import unique_names
-from pydy._simulation.dependent_states import with_dependents
-from pydy._simulation.integration import simulate
-from pydy._simulation.motion import Motion
-from pydy._simulation.problem import Problem
-from pydy._simulation.sensitivities import SensitivityRequest
-from pydy.analysis.adjoint import explicit_solver, there_and_back
-from pydy.ensemble.integration import integrate_ensemble
+from pydy._simulation import Motion, Problem, SensitivityRequest, simulate, with_dependents
+from pydy.analysis import explicit_solver, there_and_back
+from pydy.ensemble import integrate_ensemble
 from pydy.inputs import SampledInput
 from pydy.layers.layer import KINDS, Given, Part
 from pydy.layers.values import plan_without
-from pydy.solvers.outcome import EVENTS_ACCUMULATE, TERMINATED
-from pydy.solvers.solver import Solver
+from pydy.solvers import EVENTS_ACCUMULATE, TERMINATED, Solver
 
 _ARGUMENTS = {"x": "initial_conditions", "r": "specifieds", "p": "constants"}
 

@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import describe
-from pydy._graph.products import derivative_program
-from pydy._graph.program import Program
+from pydy._graph import Program, derivative_program
 from pydy._kernel import Kernel
-from pydy._simulation.problem import Problem
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy._simulation import Problem
+from pydy.codegen import SpecifiedsPlan
 from pydy.layers.layer import Given, Part
 
 

@@ -1,6 +1,12 @@
 """Robots from URDF and MJCF files, as multibody systems in symbols."""
 
-from pydy.robots.assemble import JointSymbols, Place, TendonSymbols
-from pydy.robots.robot import Robot, read
+import lazy_loader
 
-__all__ = ["JointSymbols", "Place", "Robot", "TendonSymbols", "read"]
+__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__all__ = [
+    "JointSymbols",
+    "Place",
+    "Robot",
+    "TendonSymbols",
+    "read",
+]

@@ -27,7 +27,7 @@ from pydy.robots.tree import (
     of_quaternion,
     turned,
 )
-from pydy.viz.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from pydy.viz import Box, Capsule, Cylinder, Mesh, Sphere
 
 _KINDS = {
     "mjJNT_HINGE": "hinge",

@@ -30,7 +30,7 @@ from pydy.robots.tree import (
     to_quaternion,
     turned,
 )
-from pydy.viz.shapes import Box, Cylinder, Mesh, Sphere, read_mesh
+from pydy.viz import Box, Cylinder, Mesh, Sphere, read_mesh
 
 _MOVING = {
     "revolute": "hinge",

@@ -12,11 +12,9 @@ They have the signature of `scipy.integrate.odeint`; select one by ``system.ode_
 Their loops are compiled for the processor when one of them first runs.
 """
 
-from pydy.solvers.events import Event
-from pydy.solvers.options import SolverOptions, StepOptions
-from pydy.solvers.solver import Prepared, Solver, dop853, radau, rk4, tsit5, vern9
-from pydy.solvers.tableaus import Tableau
+import lazy_loader
 
+__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "Event",
     "Prepared",

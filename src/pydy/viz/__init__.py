@@ -7,40 +7,9 @@ Import what you need from here::
 A `Scene` takes trajectories and expressions; ``system.scene(...)`` is the short way from a System.
 """
 
-from pydy.viz.live import Live, Slider
-from pydy.viz.scene import Scene
-from pydy.viz.shapes import (
-    Arrow,
-    Bar,
-    Box,
-    Capsule,
-    Circle,
-    Cone,
-    Cube,
-    Cylinder,
-    Damper,
-    Icosahedron,
-    Line,
-    Mesh,
-    Octahedron,
-    Plane,
-    Shape,
-    Sphere,
-    Spring,
-    Tetrahedron,
-    Torus,
-    TorusKnot,
-    Trace,
-    Tube,
-)
-from pydy.viz.views import (
-    OrthoGraphicCamera,
-    PerspectiveCamera,
-    PointLight,
-    VisualizationFrame,
-)
-from pydy.viz.visuals import Visual
+import lazy_loader
 
+__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "Arrow",
     "Bar",

@@ -27,7 +27,7 @@ from pydy._checks import (
     typed,
 )
 from pydy._interpolation import detailed, filled
-from pydy._mechanics.symbols import find_symbols, sort_symbols
+from pydy._mechanics import find_symbols, sort_symbols
 from pydy._names import name_of, some
 from pydy._rank import DIGITS, HALF
 from pydy.viz.curves import Curve, curve

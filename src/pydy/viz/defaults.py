@@ -12,9 +12,9 @@ from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
-from pydy._mechanics.reader import breadth_first_from, given_velocity
+from pydy._mechanics import breadth_first_from, given_velocity
 from pydy._rank import DIGITS, HALF
-from pydy.viz.outline import Outline
+from pydy.viz.outlines import Outline
 from pydy.viz.shapes import (
     Arrow,
     Bar,

@@ -12,16 +12,10 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import Places, choice, number, positive, refuse_twice, shown, text
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import run
-from pydy._graph.lower import lower
-from pydy._graph.node import Graph, input_nodes
-from pydy._graph.program import Program
-from pydy._graph.simplify import simplify
+from pydy._graph import Graph, Program, SymPyReader, input_nodes, lower, run, simplify
 from pydy._names import label_parts, name_of, nearest, some
 from pydy._rank import ROUNDED, or_one
-from pydy.export.javascript import javascript_object
-from pydy.export.model import Model, Variable
+from pydy.export import Model, Variable, javascript_object
 from pydy.viz.animation import Animation, Item, followed
 from pydy.viz.arguments import unknowns_beside
 from pydy.viz.defaults import inertial_lengths

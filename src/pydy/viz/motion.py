@@ -12,7 +12,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._backends.registry import compile_program
+from pydy._backends import compile_program
 from pydy._checks import (
     Places,
     check_mapping,
@@ -26,14 +26,8 @@ from pydy._checks import (
     refuse_twice,
     typed,
 )
-from pydy._graph.collector import collector_paused
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.lower import lower
-from pydy._graph.node import Graph, input_nodes
-from pydy._graph.program import Program
-from pydy._graph.simplify import simplify
-from pydy._mechanics.components import flat, identity, in_rows, transposed, turned
-from pydy._mechanics.symbols import find_symbols
+from pydy._graph import Graph, Program, SymPyReader, collector_paused, input_nodes, lower, simplify
+from pydy._mechanics import find_symbols, flat, identity, in_rows, transposed, turned
 from pydy._names import name_of
 from pydy._rank import DIGITS
 

@@ -19,7 +19,7 @@ from sympy.physics.vector import Point
 
 from pydy._checks import choice, number, real_array, shown, text, whole
 from pydy._errors import warn_user
-from pydy._mechanics.reader import checked_vector
+from pydy._mechanics import checked_vector
 from pydy._names import nearest
 from pydy._rank import rank_of
 from pydy.viz.colours import hex_colour

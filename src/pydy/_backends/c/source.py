@@ -11,8 +11,7 @@ from operator import attrgetter
 from pathlib import Path
 
 from pydy._backends.writer import Dialect, Each, Writer, stages
-from pydy._graph.program import Program
-from pydy._graph.tuning import numbered
+from pydy._graph import Program, numbered
 
 # -- the language ---------------------------------------------------------------------------------
 

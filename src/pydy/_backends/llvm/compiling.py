@@ -10,8 +10,7 @@ from mmap import mmap
 from pathlib import Path
 from typing import Any
 
-from llvmlite import __version__ as llvmlite_version
-from llvmlite import binding
+from llvmlite import __version__ as llvmlite_version, binding
 
 from pydy._backends.llvm.targets import target
 from pydy._forks import once

@@ -27,8 +27,7 @@ from pydy._backends.llvm.sources import (
     source_without_fallbacks,
 )
 from pydy._backends.llvm.text import COMPLETE
-from pydy._graph.program import Program
-from pydy._graph.tangent import Tangent
+from pydy._graph import Program, Tangent
 
 
 class NativeFunctions:

@@ -11,8 +11,7 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from pydy._backends.llvm.ir import Function
-from pydy._graph.operations import operands
-from pydy._graph.program import Program
+from pydy._graph import Program, operands
 
 Place = str | tuple[str, int]
 

@@ -29,10 +29,7 @@ from pydy._backends.tuning import (
     SHORT,
     TEMPORARY,
 )
-from pydy._graph.collector import collector_paused
-from pydy._graph.operations import ANGLES, SOLVES
-from pydy._graph.program import Program
-from pydy._graph.tangent import Tangent
+from pydy._graph import ANGLES, SOLVES, Program, Tangent, collector_paused
 
 
 @dataclass(frozen=True)

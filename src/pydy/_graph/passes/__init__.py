@@ -2,7 +2,7 @@
 
 A pass takes a graph and roots and returns new roots in the same graph. They reassociate sums and
 products, which moves results by a few roundings. A result is taken where it costs fewer operations
-(`pydy._graph.simplify`). To add one is to `register` it.
+(`pydy._graph.simplification`). To add one is to `register` it.
 """
 
 from __future__ import annotations

@@ -15,15 +15,11 @@ from pydy._errors import (
     warn_user,
 )
 from pydy._optional import progress_of
-from pydy._simulation.events_and_constraints import native_solver
-from pydy._simulation.integration import simulate
-from pydy._simulation.problem import Problem
-from pydy._simulation.tuning import FIT
+from pydy._simulation import FIT, Problem, native_solver, simulate
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
 from pydy.analysis.tuning import ON_GIVEN_MESH
-from pydy.control.identification import Experiment, Identification
-from pydy.control.solvers import fitting_solver_of
+from pydy.control import Experiment, Identification, fitting_solver_of
 
 
 def collocated(

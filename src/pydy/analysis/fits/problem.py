@@ -24,9 +24,7 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import unique_names
-from pydy._simulation.dependent_states import with_dependents
-from pydy._simulation.problem import Problem
-from pydy._simulation.states import located
+from pydy._simulation import Problem, located, with_dependents
 from pydy.analysis.fits.samples import Samples, checked_trial
 
 Numbers = dict[Any, Any]

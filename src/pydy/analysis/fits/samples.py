@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.definition import Definition
+from pydy._assembly import Definition
 from pydy._checks import (
     Places,
     check_mapping,
@@ -18,9 +18,9 @@ from pydy._checks import (
     shown,
     text,
 )
-from pydy._mechanics.symbols import find_symbols, function_of_time
+from pydy._mechanics import find_symbols, function_of_time
 from pydy._names import some, unique_names
-from pydy._simulation.definition import sort_out
+from pydy._simulation import sort_out
 from pydy.analysis.fits.trial import Trial, checked_noise, checked_samples, instants
 from pydy.analysis.tuning import LARGEST_RESIDUAL
 

@@ -16,18 +16,22 @@ import numpy as np
 from pydy._checks import flag
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._optional import progress_of
-from pydy._simulation.events_and_constraints import native_solver
-from pydy._simulation.integration import simulate
-from pydy._simulation.problem import Problem
-from pydy._simulation.scipy_solvers import SolveIvp, call_odeint, is_odeint
-from pydy._simulation.sensitivities import SensitivityRequest
-from pydy._simulation.tuning import FIT
+from pydy._simulation import (
+    FIT,
+    Problem,
+    SensitivityRequest,
+    SolveIvp,
+    call_odeint,
+    is_odeint,
+    native_solver,
+    simulate,
+)
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
 from pydy.analysis.fits.samples import Samples
 from pydy.analysis.fits.search import estimate
 from pydy.analysis.tuning import LEAST_SIZE
-from pydy.solvers.solver import SOLVERS
+from pydy.solvers import SOLVERS
 from pydy.trajectory import Trajectory
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from pydy._array_layout import address
-from pydy._backends.llvm.native import gates
+from pydy._backends import gates
 from pydy._checks import vector
 from pydy._errors import warn_user
 from pydy._forks import once

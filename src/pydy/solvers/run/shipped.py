@@ -14,17 +14,15 @@ from typing import Any
 import numpy as np
 
 from pydy._array_layout import FITS, address
-from pydy._backends.llvm import jit
-from pydy._backends.llvm.compiling import Shipped
-from pydy._backends.llvm.native import gates
+from pydy._backends import Code, Shipped, gates, load
 from pydy._forks import once
 
 _SHIPPED = Shipped(Path(__file__).parents[1] / "ir")
 
 
 @once
-def _code(name: str) -> jit.Code:
-    return jit.load(_SHIPPED.source(name))
+def _code(name: str) -> Code:
+    return load(_SHIPPED.source(name))
 
 
 def address_of(name: str) -> int:

@@ -32,7 +32,7 @@ class _Run:
         self.graph = graph
         self.nodes = list(roots)
         self._counts: dict[int, int] = {}
-        self.cost = operations(graph, roots, self._counts)
+        self.cost = operation_count(graph, roots, self._counts)
         self._left: dict[str, list[int]] = {}  # by each pass, which would leave it so again
 
     def all(self, passes: Sequence[tuple[str, Pass]]) -> int:
@@ -43,7 +43,7 @@ class _Run:
                 continue
             tried = function(self.graph, self.nodes)
             if tried != self.nodes:
-                cost = operations(self.graph, tried, self._counts)
+                cost = operation_count(self.graph, tried, self._counts)
                 if cost < self.cost:
                     merged += self.cost - cost if name == "merge" else 0
                     self.nodes, self.cost = tried, cost
@@ -69,7 +69,7 @@ def _around_guards(graph: Graph, roots: Sequence[int], guards: Sequence[int]) ->
 # -- What nodes cost before they are lowered -------------------------------------------------------
 
 
-def operations(graph: Graph, roots: Sequence[int], known: dict[int, int] | None = None) -> int:
+def operation_count(graph: Graph, roots: Sequence[int], known: dict[int, int] | None = None) -> int:
     """Estimate the operations of every call: nothing shared but whole nodes.
 
     Counts of single nodes are `known` to those who count again and again.

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.definition import Definition
+from pydy._assembly import Definition
 from pydy._checks import merged
 from pydy._names import name_of, some, unique_names
 

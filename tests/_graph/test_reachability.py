@@ -9,7 +9,7 @@ import sympy as sm
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
-from pydy._graph.reach import reach
+from pydy._graph.reachability import reach
 
 X, Y, A, FORCE = sm.symbols("x y a force")
 

@@ -24,11 +24,15 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
-from pydy._graph.solve.ldl import elimination_order
-from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
+from pydy._graph import (
+    INDEPENDENT,
+    REDUNDANT,
+    SINGULAR,
+    Graph,
+    elimination_order,
+    rounding_bounds,
+    substitute,
+)
 from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
 

@@ -1,0 +1,30 @@
+from .assembly import Assembly as Assembly, every_input as every_input
+from .assumptions import Assumptions as Assumptions, errors_of as errors_of
+from .baumgarte import stabilised as stabilised
+from .definition import (
+    Definition as Definition,
+    Layout as Layout,
+    lower_derivatives as lower_derivatives,
+)
+from .model import (
+    CompiledModel as CompiledModel,
+    resolve_solver as resolve_solver,
+    solve_symbolically as solve_symbolically,
+    stored as stored,
+    stored_program as stored_program,
+)
+from .specifieds import (
+    Plan as Plan,
+    check_expressions as check_expressions,
+    differentiated as differentiated,
+    followed as followed,
+    with_compiled_inputs as with_compiled_inputs,
+)
+from .system import (
+    Form as Form,
+    Group as Group,
+    assemble_form as assemble_form,
+    assemble_system as assemble_system,
+    auxiliary_groups as auxiliary_groups,
+    check_accelerations as check_accelerations,
+)

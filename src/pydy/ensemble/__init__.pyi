@@ -1,0 +1,1 @@
+from .integration import integrate_ensemble as integrate_ensemble

@@ -1,0 +1,15 @@
+from .bicycle_ride import (
+    MODES as MODES,
+    PUSH as PUSH,
+    PUSH_END as PUSH_END,
+    PUSH_START as PUSH_START,
+    ROLL as ROLL,
+    ROLL_RATE as ROLL_RATE,
+    SPEED as SPEED,
+    STEER as STEER,
+    Ride as Ride,
+    animate as animate,
+    draw as draw,
+    ride as ride,
+    simulate as simulate,
+)

@@ -1,0 +1,93 @@
+from .constraint_drift import (
+    Ran as Ran,
+    allowed_after as allowed_after,
+    beyond_digits as beyond_digits,
+    contradicted as contradicted,
+    described as described,
+    is_near as is_near,
+    judge as judge,
+    left_by_rounding as left_by_rounding,
+    looked_at as looked_at,
+    warn_of_reset as warn_of_reset,
+)
+from .constraints import CompiledConstraints as CompiledConstraints, satisfied as satisfied
+from .core.declarations import included as included, layout_header as layout_header
+from .events import (
+    CompiledEvents as CompiledEvents,
+    Event as Event,
+    Turn as Turn,
+    forcing_time as forcing_time,
+    identified as identified,
+    jumped_to as jumped_to,
+)
+from .layout import ALPHA as ALPHA, BETA as BETA, DEPTH as DEPTH, EXPONENT as EXPONENT
+from .options import (
+    Begun as Begun,
+    Options as Options,
+    SolverOptions as SolverOptions,
+    StepOptions as StepOptions,
+    check_option_names as check_option_names,
+    check_scipy_options as check_scipy_options,
+    named_for_odeint as named_for_odeint,
+    read_options as read_options,
+)
+from .outcome import (
+    CONSTRAINTS_NOT_MET as CONSTRAINTS_NOT_MET,
+    CONTACTS_IMPOSSIBLE as CONTACTS_IMPOSSIBLE,
+    DEPENDENTS_NOT_GIVEN as DEPENDENTS_NOT_GIVEN,
+    EVENT_GRAZES as EVENT_GRAZES,
+    EVENT_JUMPS as EVENT_JUMPS,
+    EVENTS_ACCUMULATE as EVENTS_ACCUMULATE,
+    FINISHED as FINISHED,
+    LEFT_CONSTRAINTS as LEFT_CONSTRAINTS,
+    NO_CONVERGENCE as NO_CONVERGENCE,
+    NOT_COMPUTED as NOT_COMPUTED,
+    NOT_FINITE as NOT_FINITE,
+    OUTCOMES as OUTCOMES,
+    SINGULAR as SINGULAR,
+    START_OFF_CONSTRAINTS as START_OFF_CONSTRAINTS,
+    STEP_UNDERFLOW as STEP_UNDERFLOW,
+    TERMINATED as TERMINATED,
+    TOO_MANY_STEPS as TOO_MANY_STEPS,
+)
+from .run.backward import DiscreteAdjoint as DiscreteAdjoint
+from .run.integration import Integration as Integration
+from .run.lanes import (
+    LanesBeside as LanesBeside,
+    LanesWatched as LanesWatched,
+    evaluate_samples as evaluate_samples,
+    integrate_samples as integrate_samples,
+)
+from .run.problem import tables_of as tables_of
+from .sensitivities import (
+    CompiledSensitivities as CompiledSensitivities,
+    Sized as Sized,
+    bounds as bounds,
+    resolved as resolved,
+    scales_of as scales_of,
+)
+from .solver import (
+    SOLVERS as SOLVERS,
+    Prepared as Prepared,
+    Solver as Solver,
+    dop853 as dop853,
+    radau as radau,
+    rk4 as rk4,
+    tsit5 as tsit5,
+    vern9 as vern9,
+)
+from .tableaus import Tableau as Tableau, method_arrays as method_arrays, tableau_of as tableau_of
+from .tuning import (
+    HALF as HALF,
+    HALVINGS as HALVINGS,
+    LANES as LANES,
+    LARGEST_IN_LANES as LARGEST_IN_LANES,
+    MANY_STEPS as MANY_STEPS,
+    NEAR_SINGULAR as NEAR_SINGULAR,
+    NO_LATER as NO_LATER,
+    ROUNDING as ROUNDING,
+    ROUNDINGS as ROUNDINGS,
+    SOUND as SOUND,
+    STARTING_MOVE as STARTING_MOVE,
+    TRIED as TRIED,
+)
