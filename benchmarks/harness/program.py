@@ -66,6 +66,6 @@ def solver_function(
     compiled = compiled_model_of(model)
     symbols = tuple(model.specifieds)
     plan = SpecifiedsPlan(dict(zip(symbols, inputs, strict=True)), symbols)
-    function = rates_function(compiled, plan)
+    function = rates_function(compiled, plan.inputs)
     compiled.compiled("rates").link()
-    return function, (plan.values, np.array(model.values))
+    return function, (plan.inputs.values, np.array(model.values))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -110,11 +110,21 @@ class Kernel:
 
 @dataclass(frozen=True, eq=False)
 class Inputs:
-    """The computation of r, the array of the specifieds."""
+    """The specifieds as numbers, samples and functions, which give the array r."""
 
     values: np.ndarray  # (s,): those that are numbers; anything elsewhere
-    sampled: Sequence[tuple[np.ndarray, Any]] = ()  # sampled data, with their places in r
-    functions: Sequence[tuple[np.ndarray, Callable[..., Any]]] = ()  # those of ``function(x, t)``
+    sampled: tuple[tuple[np.ndarray, Any], ...] = ()  # sampled data, with their places in r
+    functions: tuple[tuple[np.ndarray, Any], ...] = ()  # of ``function(x, t)``, with a `label`
+
+    @property
+    def constant(self) -> bool:
+        """Whether r is the same at every state and time."""
+        return not self.sampled and not self.functions
+
+    @property
+    def changing(self) -> set[int]:
+        """The places in r of samples and functions."""
+        return {k for c, _ in (*self.sampled, *self.functions) for k in c.tolist()}
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return a fresh array of all specifieds at a state and time, shape (s,)."""
@@ -127,7 +137,7 @@ class Inputs:
 
     def rows(self, x: np.ndarray, t: np.ndarray) -> np.ndarray:
         """Return r for m states and times: shape (1, s) when it is the same for all, or (m, s)."""
-        if not self.sampled and not self.functions:
+        if self.constant:
             return self.values[None].copy()
         r = np.tile(self.values, (len(t), 1))
         for columns, samples in self.sampled:

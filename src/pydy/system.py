@@ -833,7 +833,7 @@ class System:
             problem = self._now(given.get("events"))
             told(1)
             told(0, part="machine code")
-            rates_function(problem.code, problem.plan)
+            rates_function(problem.code, problem.inputs)
             told(1)
         return problem
 

@@ -32,51 +32,51 @@ def test_the_parts_are_there_without_a_call():
     plan = SpecifiedsPlan(
         {B: 2.5, (E, A): samples(2), C: never, D: K * sm.sin(T)}, SYMBOLS, argument="specifieds"
     )
-    np.testing.assert_array_equal(plan.values, [0.0, 2.5, 0.0, 0.0, 0.0])
-    assert plan.values.dtype == np.float64
-    ((columns, sampled),) = plan.sampled
+    np.testing.assert_array_equal(plan.inputs.values, [0.0, 2.5, 0.0, 0.0, 0.0])
+    assert plan.inputs.values.dtype == np.float64
+    ((columns, sampled),) = plan.inputs.sampled
     assert columns.dtype == np.int64
     assert columns.tolist() == [4, 0]
     assert sampled == samples(2)
-    ((columns, function, label),) = plan.functions
+    ((columns, function),) = plan.inputs.functions
     assert columns.dtype == np.int64
     assert columns.tolist() == [2]
-    assert label == "c(t)"
+    assert function.label == "c(t)"
     with pytest.raises(AssertionError, match="was called"):
         function(X, 0.0)
     assert plan.expressions == {D: K * sm.sin(T)}
     assert plan.given == set(SYMBOLS)
-    assert not plan.constant
+    assert not plan.inputs.constant
 
 
 def test_a_function_of_the_plan_returns_checked_columns():
     plan = SpecifiedsPlan({(B, A): lambda x, t: [1, t]}, SYMBOLS)
-    ((columns, function, label),) = plan.functions
+    ((columns, function),) = plan.inputs.functions
     result = function(X, 3.0)
     assert result.dtype == np.float64
-    assert (columns.tolist(), result.tolist(), label) == ([1, 0], [1.0, 3.0], "b(t), a(t)")
-    ((_, wrong, _),) = SpecifiedsPlan({(B, A): lambda x, t: [1, 2, 3]}, SYMBOLS).functions
+    assert (columns.tolist(), result.tolist(), function.label) == ([1, 0], [1.0, 3.0], "b(t), a(t)")
+    ((_, wrong),) = SpecifiedsPlan({(B, A): lambda x, t: [1, 2, 3]}, SYMBOLS).inputs.functions
     with pytest.raises(ValueError, match=r"b\(t\), a\(t\).*\(2,\).*\(3,\)"):
         wrong(X, 0.0)
 
 
 def test_functions_with_the_time_first_are_called_with_the_state_first_all_the_same():
     plan = SpecifiedsPlan({(A, B): lambda t, x: [t, x[1]]}, SYMBOLS, time_first=True)
-    assert plan.functions[0][1](X, 7.0).tolist() == [7.0, 2.0]
+    assert plan.inputs.functions[0][1](X, 7.0).tolist() == [7.0, 2.0]
 
 
 def test_numbers_alone_are_constant():
     plan = SpecifiedsPlan({A: 1, (C, B): [3, 2], D: sm.pi, E: sm.Rational(1, 2)}, SYMBOLS)
-    assert plan.constant
-    assert plan.values.tolist() == [1.0, 2.0, 3.0, np.pi, 0.5]
-    assert (plan.sampled, plan.functions, plan.expressions) == ((), (), {})
+    assert plan.inputs.constant
+    assert plan.inputs.values.tolist() == [1.0, 2.0, 3.0, np.pi, 0.5]
+    assert (plan.inputs.sampled, plan.inputs.functions, plan.expressions) == ((), (), {})
 
 
 def test_numbers_and_expressions_may_share_a_key():
     for value in ([K * T, 2.0], (K * T, sm.Integer(2)), sm.Matrix([K * T, 2])):
         plan = SpecifiedsPlan({(A, B): value}, SYMBOLS)
         assert plan.expressions == {A: K * T}
-        assert plan.values.tolist() == [0.0, 2.0, 0.0, 0.0, 0.0]
+        assert plan.inputs.values.tolist() == [0.0, 2.0, 0.0, 0.0, 0.0]
 
 
 def test_one_state_and_many_rows_agree():
@@ -84,12 +84,15 @@ def test_one_state_and_many_rows_agree():
     rng = np.random.default_rng(1)
     x, t = rng.uniform(size=(7, 2)), np.sort(rng.uniform(0.0, 2.0, 7))
     np.testing.assert_array_equal(
-        plan.rows(x, t), [plan(a, float(b)) for a, b in zip(x, t, strict=True)]
+        plan.inputs.rows(x, t), [plan.inputs(a, float(b)) for a, b in zip(x, t, strict=True)]
     )
 
 
 def test_rows_that_are_all_alike_are_given_once():
-    assert SpecifiedsPlan({A: 1.0}, SYMBOLS).rows(np.ones((9, 2)), np.arange(9.0)).shape == (1, 5)
+    assert SpecifiedsPlan({A: 1.0}, SYMBOLS).inputs.rows(np.ones((9, 2)), np.arange(9.0)).shape == (
+        1,
+        5,
+    )
 
 
 UPDATES = {
@@ -107,21 +110,21 @@ def test_an_update_replaces_just_what_it_gives(name):
     change, _ = UPDATES[name]
     flat = {s: k for k, s in enumerate(SYMBOLS)}
     plan = SpecifiedsPlan(own, SYMBOLS).updated(SpecifiedsPlan(change, SYMBOLS))
-    expected = SpecifiedsPlan(own, SYMBOLS)(X, 0.5)
+    expected = SpecifiedsPlan(own, SYMBOLS).inputs(X, 0.5)
     other = SpecifiedsPlan(change, SYMBOLS)
     for symbol in other.given:
-        expected[flat[symbol]] = other(X, 0.5)[flat[symbol]]
-    np.testing.assert_array_equal(plan(X, 0.5), expected)
-    taken = [c for columns, *_ in (*plan.sampled, *plan.functions) for c in columns]
+        expected[flat[symbol]] = other.inputs(X, 0.5)[flat[symbol]]
+    np.testing.assert_array_equal(plan.inputs(X, 0.5), expected)
+    taken = [c for columns, *_ in (*plan.inputs.sampled, *plan.inputs.functions) for c in columns]
     assert len(taken) == len(set(taken))
 
 
 def test_an_update_does_not_call_what_it_replaces():
     plan = SpecifiedsPlan({(A, B): never, C: K * T}, SYMBOLS)
     plan = plan.updated(SpecifiedsPlan({A: 1.0, B: 2.0, C: 3.0}, SYMBOLS))
-    assert plan.constant
+    assert plan.inputs.constant
     assert not plan.expressions
-    assert plan(X, 0.0).tolist() == [1.0, 2.0, 3.0, 0.0, 0.0]
+    assert plan.inputs(X, 0.0).tolist() == [1.0, 2.0, 3.0, 0.0, 0.0]
 
 
 REFUSED = {

@@ -425,7 +425,7 @@ def test_derivatives_of_two_disturbed_experiments():
                     first = index * slots if kind == "state" else 2 * slots + index * width
                     parts = zip(places, weights, strict=True)
                     state[kind, index] = sum(local[first + p] * mp.mpf(w) for p, w in parts)
-                signal = mp.mpf(float(e.now.plan.sampled[0][1].rows(np.array([time]))[0, 0]))
+                signal = mp.mpf(float(e.now.inputs.sampled[0][1].rows(np.array([time]))[0, 0]))
                 total = signal + state["control", 0]
                 model = [total * state["state", 1] + c[1] * state["state", 0], state["state", 0]]
                 for q in range(2):

@@ -291,7 +291,8 @@ def slopes_of(definition: Definition, plan: SpecifiedsPlan) -> Slopes:
     Samples are interpolated each for itself: their rates are not those of their derivatives.
     """
     sampled, functions = (
-        {k for part in parts for k in part[0].tolist()} for parts in (plan.sampled, plan.functions)
+        {k for part in parts for k in part[0].tolist()}
+        for parts in (plan.inputs.sampled, plan.inputs.functions)
     )
     return Slopes(
         tuple(

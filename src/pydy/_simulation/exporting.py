@@ -58,8 +58,8 @@ def _input_places(
     wanted = {definition.places["specifieds"].find(key, "inputs") for key in inputs or ()}
     given = followed(definition, plan)
     for columns, what in (
-        *((part[0], "a Python function") for part in plan.functions),
-        *((part[0], "samples") for part in plan.sampled),
+        *((part[0], "a Python function") for part in plan.inputs.functions),
+        *((part[0], "samples") for part in plan.inputs.sampled),
     ):
         for k in columns.tolist():
             if k not in wanted:
@@ -182,7 +182,7 @@ def exported_model(
     held = choice(constraints, (None, "project"), "`constraints`") and _held(problem)
     checked = check_events(events, definition.places["states"])
     _check_resets(definition, checked)
-    r = problem.plan(problem.x, start) if places else np.zeros(0)
+    r = problem.inputs(problem.x, start) if places else np.zeros(0)
     parts = [
         (definition.states, problem.x),
         ([definition.specifieds[k] for k in places], r[[*places]]),

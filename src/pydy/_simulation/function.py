@@ -76,14 +76,14 @@ class Function:
             perturbed = any(group == "r" for group, _ in self.by)
             code = problem.model.with_compiled_inputs(plan, perturbed=perturbed)
             # What is passed to the call is tried, and so checked.
-            skips = r is None and self.skips_unread_inputs and bool(plan.changing)
+            skips = r is None and self.skips_unread_inputs and bool(plan.inputs.changing)
             if skips and not self._reads_inputs(code):
                 numbers = np.zeros((1, len(definition.specifieds)))
         else:
             numbers = specified_rows(r, instants, len(definition.specifieds))
 
         def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
-            return plan.rows(x, t) if numbers is None else numbers
+            return plan.inputs.rows(x, t) if numbers is None else numbers
 
         at = At(definition, code, instants, states, rows(states, instants), problem.p_with(p))
         at = at.with_unknowns(None if self.solve else x, rows)

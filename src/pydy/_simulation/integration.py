@@ -190,10 +190,13 @@ def call_solver(
                 "`args` are the specifieds and constants, which a System hands to its "
                 "`ode_solver`: set `specifieds` and `constants`."
             )
-        f, x0 = rates_function(ready.code, problem.plan), problem.x
+        f, x0 = rates_function(ready.code, problem.inputs), problem.x
         if sensitivities is not None:
             f, x0, options = sensitivities.augment(problem, ready.code, times, solver, options)
-        args = problem.plan.values.copy() if problem.plan.constant else problem.plan, problem.p
+        args = (
+            problem.inputs.values.copy() if problem.inputs.constant else problem.inputs,
+            problem.p,
+        )
         if isinstance(solver, SolveIvp) or is_odeint(solver):
             return _call_scipy(
                 problem, ready, times, solver, given, options, (f, x0, args), checked
@@ -227,10 +230,10 @@ def _call_native(
     sensitivities: SensitivityRequest | None,
 ) -> SolverResult:
     """Call a native solver, with the latest call's memory if it is free."""
-    full, plan = given.get("full_output", False), problem.plan
+    full, inputs = given.get("full_output", False), problem.plan.inputs
     if sensitivities is not None:
         f, x0, options = sensitivities.augment(problem, ready.code, times, solver, options)
-        args = plan.values.copy() if plan.constant else plan, problem.p
+        args = inputs.values.copy() if inputs.constant else inputs, problem.p
         states, info = solver(f, x0, times, args=args, **{**options, "full_output": True})
         return SolverResult((states, info) if full else states, states, info, options)
     prepared: Prepared | None = None
@@ -238,8 +241,8 @@ def _call_native(
         prepared, known = ready.free.pop()  # no other thread has it then
         if known is not ready.options and not prepared.retune(solver, ready.options):
             prepared = None
-    if prepared is None or not prepared.renumber(problem.p, plan.values, times):
-        f, r = rates_function(ready.code, plan), plan.values if plan.constant else plan
+    if prepared is None or not prepared.renumber(problem.p, inputs.values, times):
+        f, r = rates_function(ready.code, inputs), inputs.values if inputs.constant else inputs
         prepared = solver.prepare(f, problem.x, times, (r, problem.p), **options)
         prepared.on_many_steps = partial(_warn_of_many_steps, ready)
     ready.problem = problem

@@ -57,10 +57,10 @@ def read_parameters(
         raise ValueError(
             f"`{argument}` must name at least one constant, initial condition or specified."
         )
-    for _, _, label in plan.functions:
+    for _, function in plan.inputs.functions:
         raise ValueError(
-            f"`{argument}` needs the derivatives of the specifieds, but {label} is a Python "
-            "function, which has none. Give it as a SymPy expression of states, time and "
+            f"`{argument}` needs the derivatives of the specifieds, but {function.label} is a "
+            "Python function, which has none. Give it as a SymPy expression of states, time and "
             "constants, or as samples, pydy.inputs.SampledInput(times, values)."
         )
     found = [_parameter(definition, plan, following, symbol, argument) for symbol in symbols]
@@ -91,7 +91,7 @@ def _parameter(
             f"`{argument}` has the specified `{symbol}`, which is given as the expression "
             f"`{plan.expressions[symbol]}`. Name the constants in it instead."
         )
-    for columns, samples in plan.sampled:
+    for columns, samples in plan.inputs.sampled:
         if place in columns:
             if samples.interpolation == "pchip":
                 raise ValueError(

@@ -154,8 +154,8 @@ class PreparedIntegration:
         known = self._plan
         return plan is known or (
             plan.expressions is known.expressions
-            and plan.sampled is known.sampled
-            and plan._functions is known._functions
+            and plan.inputs.sampled is known.inputs.sampled
+            and plan.inputs.functions is known.inputs.functions
         )
 
 
@@ -183,7 +183,7 @@ def prepare(
     if problem.judges_assumptions and stores and "dense_output" not in given:
         given = {**given, "dense_output": True}
     times, plan = problem.checked_times(times), problem.plan
-    if plan.sampled:
+    if plan.inputs.sampled:
         plan.check_times(times, "times")
     ready: PreparedIntegration | None = latest.get("simulation")
     if ready is not None and not ready.is_compatible(plan, solver, given):

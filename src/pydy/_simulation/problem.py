@@ -16,7 +16,7 @@ from pydy._checks import Places, describe, real_array, vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._graph import dense_jacobian, rounding_bounds
-from pydy._kernel import Kernel
+from pydy._kernel import Inputs, Kernel
 from pydy._names import name_of
 from pydy._rank import ROUNDED
 from pydy._simulation.definition import check_times
@@ -298,7 +298,7 @@ class Problem:
     @property
     def depends_on_time(self) -> bool:
         """Whether the equations, inputs or modes depend on time explicitly."""
-        if self.plan.functions or self.plan.sampled:
+        if self.plan.inputs.functions or self.inputs.sampled:
             return True
         if self.hybrid is not None and self.hybrid.depends_on_time:
             return True
@@ -322,6 +322,11 @@ class Problem:
         latest["plan"] = already_warned, plan
         return plan
 
+    @property
+    def inputs(self) -> Inputs:
+        """The specifieds that are numbers, samples and functions; expressions are in the `code`."""
+        return self.plan.inputs
+
     @cached_property
     def code(self) -> CompiledModel:
         """The model's code with the expressions for specifieds compiled in."""
@@ -331,12 +336,12 @@ class Problem:
     def at(self, t: np.ndarray, x: np.ndarray) -> At:
         """Return the model with these numbers at m times and states."""
         x = np.ascontiguousarray(x)
-        return At(self.definition, self.code, t, x, self.plan.rows(x, t), self.p)
+        return At(self.definition, self.code, t, x, self.plan.inputs.rows(x, t), self.p)
 
     def value(self, kind: str, place: int) -> float:
         """Return the number of a state, constant or specified at the initial time."""
         if kind == "specifieds":
-            return float(self.plan.rows(self.x[None], np.array([self.t]))[0][place])
+            return float(self.plan.inputs.rows(self.x[None], np.array([self.t]))[0][place])
         return float((self.x if kind == "states" else self.p)[place])
 
     def checked_times(self, times: np.ndarray) -> np.ndarray:
@@ -415,7 +420,7 @@ class Problem:
         columns = assumptions["specifieds"].columns
         if r is None or callable(r) or isinstance(r, Mapping):
             plan = self.plan_with(r)
-            columns &= plan.changing
+            columns &= plan.inputs.changing
             columns -= {k for k, s in enumerate(plan.symbols) if s in plan.expressions}
         self.check_columns("specifieds", at.r, "The specified ", columns=columns)
         if r is None and self.plan.expressions:
@@ -444,7 +449,7 @@ class Problem:
         if (assumed := assumptions.get("specifieds")) is None:
             return
         plan = self.plan  # whose numbers and samples were judged when they were given
-        if columns := assumed.columns & plan.changing:
+        if columns := assumed.columns & plan.inputs.changing:
             finite = np.isfinite(states).all(axis=1)
             rows = np.full((len(times), len(plan.symbols)), np.nan)
             rows[finite] = self.specifieds(times[finite], states[finite])
@@ -459,7 +464,7 @@ class Problem:
         """Return the specifieds, shape (m, s)."""
         symbols = self.definition.specifieds
         if not self.plan.expressions:
-            rows = self.plan.rows(np.ascontiguousarray(states), times)
+            rows = self.plan.inputs.rows(np.ascontiguousarray(states), times)
             return np.array(np.broadcast_to(rows, (len(times), len(symbols))))
         kernel = self.code.compiled_expressions("the specifieds", (len(symbols),), symbols)
         return self.at(times, states).evaluate(kernel)
@@ -485,7 +490,7 @@ class Problem:
 
     def jumps(self) -> np.ndarray:
         """Return the times at which sampled inputs jump."""
-        return jumps_of(self.plan.sampled)[:, 0]
+        return jumps_of(self.plan.inputs.sampled)[:, 0]
 
     def trajectory(self, times: np.ndarray, states: np.ndarray, **more: Any) -> Trajectory:
         """Return states at some times with their names, outputs and specifieds."""
@@ -540,9 +545,9 @@ def check_specifieds(
     if assumed is None or told is None:
         return
     places, what = definition.places["specifieds"], f"`{argument}` for "
-    numbers = plan.given - {plan.symbols[k] for k in plan.changing}
-    check_given(assumed, places, argument, plan.values[None], numbers, told)
-    for columns, samples in plan.sampled:
+    numbers = plan.given - {plan.symbols[k] for k in plan.inputs.changing}
+    check_given(assumed, places, argument, plan.inputs.values[None], numbers, told)
+    for columns, samples in plan.inputs.sampled:
         rows = np.full((len(samples.times), len(plan.symbols)), np.nan)
         rows[:, columns] = samples.values.reshape(len(rows), -1)
         times = samples.times
@@ -558,9 +563,9 @@ def _warned_of(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> 
 
     Numbers and expressions have derivatives that follow; samples and functions have not.
     """
-    if plan.constant or not definition.lower_derivatives:
+    if plan.inputs.constant or not definition.lower_derivatives:
         return plan
-    places = [part[0] for part in plan.sampled] + [part[0] for part in plan.functions]
+    places = [part[0] for part in plan.inputs.sampled] + [part[0] for part in plan.inputs.functions]
     moving = {plan.symbols[k] for columns in places for k in columns.tolist()}
     for rate, lower in definition.lower_derivatives.items():
         function = next((s for s in reversed(lower) if s in plan.given), None)

@@ -131,7 +131,7 @@ class AugmentedSystem:
         read = read_options(solver.name, solver.adaptive, given)
         if any(np.shape(one) not in ((), (n,)) for one in (read.rtol, read.atol)):
             return float(np.inf)  # which is an error
-        args = at, x0[None], self.plan.rows(x0[None], at), self.p
+        args = at, x0[None], self.plan.inputs.rows(x0[None], at), self.p
         equations = self.definition.equations
         first = len(equations.coordinates)
         speeds = slice(first, first + len(equations.speeds))
@@ -214,8 +214,8 @@ class AugmentedSystem:
         return KernelCall(
             self.kernel(),
             self.p,
-            np.concatenate([self.plan.values, np.zeros(self.columns.weights)]),
-            (*self.plan.sampled, *self.weights()),
+            np.concatenate([self.plan.inputs.values, np.zeros(self.columns.weights)]),
+            (*self.plan.inputs.sampled, *self.weights()),
             None,
             lambda: tuple(map(str, model.layout.states)),
             lambda: model.compiled_jacobian("rates", "x"),
@@ -259,7 +259,7 @@ class AugmentedSystem:
         It may be `wanted` that the step control looks at them.
         """
         columns, model = self.columns, self.model
-        sizes = scales_of(self.sized(options), x, self.plan.values, self.p, columns.count)
+        sizes = scales_of(self.sized(options), x, self.plan.inputs.values, self.p, columns.count)
         return CompiledSensitivities(
             columns.states,
             columns.sources,
@@ -298,7 +298,7 @@ class AugmentedSystem:
         values = self.independent()
         if self.tied:
             n, instant, model = self.columns.states, np.array([t]), self.model
-            args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
+            args = (instant, x0[None], self.plan.inputs.rows(x0[None], instant), self.p)
             rows = [model.evaluate(model.compiled_jacobian(b, "x"), *args) for b in self.tied]
             moved = [self._sweep((b,), instant, x0[None], values[None])[0] for b in self.tied]
             gradients = [row.reshape(-1, n) for row in rows]

@@ -204,7 +204,7 @@ class Point(At):
 def point_at(problem: Problem, times: np.ndarray, states: np.ndarray) -> Point:
     """Return the states (m, n) of a System at its numbers."""
     x = np.ascontiguousarray(states)
-    r = np.broadcast_to(problem.plan.rows(x, times), (len(x), len(problem.plan.symbols)))
+    r = np.broadcast_to(problem.inputs.rows(x, times), (len(x), len(problem.plan.symbols)))
     return Point(problem.definition, problem.code, times, x, r, problem.p, problem.plan)
 
 
@@ -286,7 +286,7 @@ def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
     # result, shorter ones are tried; where rounding is all that is left, longer ones.
     m, n = x.shape
     slopes = np.zeros((m, len(plan.symbols), n))
-    for k in range(n if plan.functions else 0):
+    for k in range(n if plan.inputs.functions else 0):
         # Ten decades both ways from one: a state may be zero but for rounding.
         begin = size = np.cbrt(ROUNDING) * np.maximum(np.abs(x[:, k]), 1.0)
         least = np.full((m, len(plan.symbols)), np.inf)
@@ -322,7 +322,7 @@ def _central(
         step[:, k] = share * size
         ahead, behind = x + step, x - step
         width = (ahead - behind)[:, k, None]
-        after, before = plan.rows(ahead, t), plan.rows(behind, t)
+        after, before = plan.inputs.rows(ahead, t), plan.inputs.rows(behind, t)
         largest = np.maximum(np.abs(after), np.abs(before))
         found.append(((after - before) / width, OF_FEW * largest / width))
     (slope, rounding), (halved, _) = found

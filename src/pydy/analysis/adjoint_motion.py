@@ -221,18 +221,18 @@ class Task:
         if self.marker is None:
             return self.call(kernel, further)
         call = self.call(kernel, further + 1)
-        place = np.array([len(self.sensitive.plan.values)])
+        place = np.array([len(self.sensitive.plan.inputs.values)])
         return replace(call, sampled=(*call.sampled, (place, self.marker)))
 
     def call(self, kernel: Kernel, further: int = 0) -> KernelCall:
         """Return the call of a Kernel with so many inputs after r."""
         plan, states = self.sensitive.plan, self.sensitive.definition.states
-        r = np.concatenate([plan.values, np.zeros(further)])
+        r = np.concatenate([plan.inputs.values, np.zeros(further)])
 
         def names() -> tuple[str, ...]:
             return (*map(str, states), "the integral")
 
-        return KernelCall(kernel, self.sensitive.p, r, plan.sampled, None, names)
+        return KernelCall(kernel, self.sensitive.p, r, plan.inputs.sampled, None, names)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -271,7 +271,9 @@ class Task:
         sized = [Sized("x", k, least=s) for k, s in enumerate(least_sizes(options, width).tolist())]
         sized += [one.sized._replace(columns=1) for one in (*self._plain, *self.sampled)]
         own = self.sensitive
-        parts = scales_of(sized, whole, own.plan.values, own.p, len(sized)) * generic(len(sized))
+        parts = scales_of(sized, whole, own.plan.inputs.values, own.p, len(sized)) * generic(
+            len(sized)
+        )
         column, weights = parts[:width], parts[width:]
         column[own.columns.states :] = 0.0  # integrals begin at zero
         every = with_all(model, own.definition)

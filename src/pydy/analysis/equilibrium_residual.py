@@ -100,7 +100,7 @@ class EquilibriumResidual:
             )
         )
         self.made = problem.model.with_compiled_inputs(
-            self.plan, perturbed=bool(own or self.plan.functions)
+            self.plan, perturbed=bool(own or self.plan.inputs.functions)
         )
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
         self.t, self.within, self.told = (
@@ -111,7 +111,7 @@ class EquilibriumResidual:
         self.start = np.empty(len(wanted.symbols))
         self.start[wanted.of("states")[0]] = self.x[wanted.of("states")[1]]
         self.start[wanted.of("constants")[0]] = self.p[wanted.of("constants")[1]]
-        r = self.plan.rows(self.x[None], np.array([self.t]))[0]
+        r = self.plan.inputs.rows(self.x[None], np.array([self.t]))[0]
         self.start[by_specified] = r[self.columns]
 
     def _take(self, given: Mapping[Any, Any]) -> list[tuple[str, int]]:
@@ -149,7 +149,9 @@ class EquilibriumResidual:
         if by_constant:
             p = np.repeat(p[None], m, axis=0)
             p[:, at_constant] = z[:, by_constant]
-        r = np.broadcast_to(self.plan.rows(x, t), (m, len(self.definition.specifieds))).copy()
+        r = np.broadcast_to(
+            self.plan.inputs.rows(x, t), (m, len(self.definition.specifieds))
+        ).copy()
         r[:, self.columns] = z[:, self.wanted.of("specifieds")[0]]
         return Point(self.definition, self.made, t, x, r, p, self.plan)
 
@@ -287,15 +289,17 @@ class EquilibriumResidual:
         """Warn once if the equilibria z are none at other times."""
         graph, assembly, plan = self.made.assembly.graph, self.made.assembly, self.plan
         nodes = [node for block in self.blocks for node in getattr(assembly, block)]
-        if plan.constant and "t" not in graph.inputs_of(nodes):
+        if plan.inputs.constant and "t" not in graph.inputs_of(nodes):
             return
         times = self.t + 2.0 ** np.array(sorted(range(-_TIMES // 2, _TIMES // 2), key=abs))
         if self.within > 0.0:
             times = self.t + self.within * np.arange(1, _TIMES + 1) / _TIMES
-        elif not plan.constant:
+        elif not plan.inputs.constant:
             return
         own = self.residuals(z[None])[0]
-        for t in times[[all(s.covers(times[[k]]) for _, s in plan.sampled) for k in range(_TIMES)]]:
+        for t in times[
+            [all(s.covers(times[[k]]) for _, s in plan.inputs.sampled) for k in range(_TIMES)]
+        ]:
             ahead = self._ahead(rates * (t - self.t), float(t))
             values = ahead.residuals(z[None])[0]
             if (values == own).all() or not np.isfinite(values).all():

@@ -262,8 +262,8 @@ def linearize(
     made = problem.model.with_compiled_inputs(plan, perturbed=True)
     if chosen:  # those of a search for an equilibrium may be roundings of zero
         problem.check_columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
-    point = Point(definition, made, t, x, plan.rows(x, t), p, plan)
-    point = point.with_unknowns(at, plan.rows)
+    point = Point(definition, made, t, x, plan.inputs.rows(x, t), p, plan)
+    point = point.with_unknowns(at, plan.inputs.rows)
     value, slopes, blocks = point.value, point.slopes, point.blocks
     T, free = point.tangents()
     if definition.equations.constrained:

@@ -385,7 +385,7 @@ class _Search:
 
 def _check_period(motion: Motion, period: float) -> None:
     """Refuse a motion that ends as it began where the equations do not: it would not repeat."""
-    if motion.problem.plan.sampled:  # whose times end
+    if motion.problem.inputs.sampled:  # whose times end
         return
     times, states = motion.times[:: _SAMPLES // 16], motion.states[:: _SAMPLES // 16]
     now, later = (motion.problem.derivatives(times + late, states) for late in (0.0, period))

@@ -31,7 +31,6 @@ from pydy._checks import (
     vector,
 )
 from pydy._errors import warn_user
-from pydy._forks import cached_property
 from pydy._kernel import Inputs
 from pydy._mechanics import find_symbols
 from pydy.inputs import SampledInput
@@ -124,7 +123,7 @@ class SpecifiedsArgument(_Argument):
                 "function is compiled already and takes all specifieds as numbers. Set "
                 "`system.specifieds` to have an expression compiled in, or give a function."
             )
-        return plan(x, t)
+        return plan.inputs(x, t)
 
     def _called(
         self, groups: Iterable[Any], values: Iterable[Any], x: np.ndarray, t: float
@@ -220,6 +219,11 @@ class _Checked:
     kept: tuple[int, ...]
 
     @property
+    def label(self) -> str:
+        """The names of the specifieds."""
+        return describe(self.names)
+
+    @property
     def identity(self) -> tuple[Any, ...]:
         """The data that determine the values beside the function, without their positions."""
         return self.time_first, self.kept
@@ -242,7 +246,10 @@ class _Checked:
 
 
 class SpecifiedsPlan:
-    """A dictionary of specifieds, checked once and then evaluated many times.
+    """A dictionary of specifieds, checked once: `inputs`, which give r, and `expressions`.
+
+    The `inputs` are numbers, samples and functions, and need no SymPy; the `expressions` have to be
+    compiled into the code of a model, and their places in r are zero.
 
     Its `values` map a symbol or name, or a tuple of them, to a number, an array, a function, a
     SampledInput, a SymPy expression, or a sequence of numbers and expressions; or they are in the
@@ -250,8 +257,8 @@ class SpecifiedsPlan:
     format are, every symbol must have a value; missing ones are zero otherwise. With `time_first`,
     functions are called as g(t, x).
 
-    No place in r belongs to two of `sampled`, `functions` and `expressions`. None of the attributes
-    takes a call of a user's function.
+    No place in r belongs to two of samples, functions and expressions. None of the attributes takes
+    a call of a user's function.
     """
 
     def __init__(
@@ -266,8 +273,7 @@ class SpecifiedsPlan:
         places = symbols if isinstance(symbols, Places) else Places(symbols, _SPECIFIEDS)
         self.places = places
         self.symbols = places.symbols
-        self.values = np.zeros(len(self.symbols))  # those that are numbers
-        # Have to be compiled into the code; their places in r are zero.
+        numbers = np.zeros(len(self.symbols))
         self.expressions: dict[Any, Any] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
         functions: list[tuple[np.ndarray, _Checked]] = []
@@ -280,7 +286,7 @@ class SpecifiedsPlan:
         self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:
-                self.values[columns] = value  # the usual case, without the cost of a label
+                numbers[columns] = value  # the usual case, without the cost of a label
             elif isinstance(value, SampledInput) and value.size == len(names):
                 sampled.append((columns, value))
             elif callable(value) and not isinstance(value, (SampledInput, sm.Basic)):
@@ -292,24 +298,29 @@ class SpecifiedsPlan:
             else:
                 label = f"`{argument}['values']`" if together else f"`{argument}` for "
                 label += "" if together else describe(names)
-                self._take(value, names, columns, label, several)
-        if argument == "specifieds" and not np.isfinite(self.values).all():
-            k = int(np.flatnonzero(~np.isfinite(self.values))[0])
+                self._take(value, names, columns, label, several, numbers)
+        if argument == "specifieds" and not np.isfinite(numbers).all():
+            k = int(np.flatnonzero(~np.isfinite(numbers))[0])
             raise ValueError(
-                f"`specifieds` for {self.symbols[k]} must be finite, got {self.values[k]}."
+                f"`specifieds` for {self.symbols[k]} must be finite, got {numbers[k]}."
             )
         # All symbols that have a value of any kind.
         self.given = frozenset(name for names, _, _ in groups for name in names)
         if (complete or together) and len(self.given) < len(self.symbols):
             missing = [s for s in self.symbols if s not in self.given]
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
-        self.sampled = tuple(sampled)  # with the places in r, an int64 array
-        self._functions = tuple(functions)
+        self.inputs = Inputs(numbers, tuple(sampled), tuple(functions))
 
     def _take(
-        self, value: Any, names: Sequence[Any], columns: np.ndarray, label: str, several: bool
+        self,
+        value: Any,
+        names: Sequence[Any],
+        columns: np.ndarray,
+        label: str,
+        several: bool,
+        numbers: np.ndarray,
     ) -> None:
-        """Take numbers and expressions, and refuse anything else by name."""
+        """Store numbers, in `numbers`, and expressions, and refuse anything else by name."""
         if isinstance(value, SampledInput):
             raise ValueError(
                 f"{label} must be a SampledInput of {len(names)} values at each time, one for each "
@@ -331,7 +342,7 @@ class SpecifiedsPlan:
                     "expressions and SampledInputs."
                 ) from None
             one = not several or np.ndim(given) == 0
-            self.values[columns] = given if one else vector(given, len(names), label)
+            numbers[columns] = given if one else vector(given, len(names), label)
             return
         if len(entries) != len(names):
             raise ValueError(
@@ -340,7 +351,7 @@ class SpecifiedsPlan:
             )
         for entry, name, column in zip(entries, names, columns, strict=True):
             if not _is_symbolic(entry):
-                self.values[column] = number(entry, label)
+                numbers[column] = number(entry, label)
             elif isinstance(entry, sm.Expr):
                 self.expressions[name] = entry
             else:
@@ -350,21 +361,10 @@ class SpecifiedsPlan:
                 )
 
     @property
-    def constant(self) -> bool:
-        """Whether r is the same at every state and time."""
-        return not self.sampled and not self._functions
-
-    @property
-    def functions(self) -> tuple[tuple[np.ndarray, Callable[..., np.ndarray], str], ...]:
-        """The places in r, a function of a state and time that checks the user's, and its label."""
-        return tuple((columns, f, describe(f.names)) for columns, f in self._functions)
-
-    @property
     def changing(self) -> set[int]:
         """The places in r of what is no number: of samples, functions and expressions."""
-        parts = [columns for columns, _ in (*self.sampled, *self._functions)]
-        found = {k for columns in parts for k in columns.tolist()}
-        return found | {k for k, s in enumerate(self.symbols) if s in self.expressions}
+        of_expressions = {k for k, s in enumerate(self.symbols) if s in self.expressions}
+        return self.inputs.changing | of_expressions
 
     def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
         """Return the plan of a dictionary that surely differs in floats alone, or None."""
@@ -381,19 +381,19 @@ class SpecifiedsPlan:
         result = self
         if moved:
             result = copy(self)
-            result._given, result.values = (keys, given), self.values.copy()
-            result.__dict__.pop("_inputs", None)
+            numbers = self.inputs.values.copy()
             for k in moved:
-                result.values[self._columns[k]] = given[k]
+                numbers[self._columns[k]] = given[k]
+            result._given, result.inputs = (keys, given), replace(self.inputs, values=numbers)
         return result
 
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
         """Return this plan with another's values in place of its own, where the other has any."""
         result = SpecifiedsPlan({}, self.places)
         kept = [s not in other.given for s in self.symbols]
-        result.values = np.where(kept, self.values, other.values)
-        mine = {s: e for s, e in self.expressions.items() if s not in other.given}
-        result.expressions = {**mine, **other.expressions}
+        mine, others = self.inputs, other.inputs
+        expressions = {s: e for s, e in self.expressions.items() if s not in other.given}
+        result.expressions = {**expressions, **other.expressions}
         result.given = self.given | other.given
 
         def left_of(parts: Iterable[tuple[np.ndarray, Any]]) -> Iterator[tuple[np.ndarray, Any]]:
@@ -401,13 +401,16 @@ class SpecifiedsPlan:
                 if left := [j for j, c in enumerate(columns) if kept[c]]:
                     yield columns[left], part.of(left)
 
-        result.sampled = (*left_of(self.sampled), *other.sampled)
-        result._functions = (*left_of(self._functions), *other._functions)
+        result.inputs = Inputs(
+            np.where(kept, mine.values, others.values),
+            (*left_of(mine.sampled), *others.sampled),
+            (*left_of(mine.functions), *others.functions),
+        )
         return result
 
     def check_times(self, t: np.ndarray, argument: str) -> None:
         """Refuse times for which there are no samples."""
-        for columns, samples in self.sampled:
+        for columns, samples in self.inputs.sampled:
             if not samples.covers(t):
                 names = describe([self.symbols[c] for c in columns])
                 raise ValueError(
@@ -415,18 +418,6 @@ class SpecifiedsPlan:
                     f"specifieds {names}, {samples.breaks[0]} to {samples.breaks[-1]}, got "
                     f"{np.min(t)} to {np.max(t)}. Ask for times within the data, or add samples."
                 )
-
-    @cached_property
-    def _inputs(self) -> Inputs:
-        return Inputs(self.values, self.sampled, self._functions)
-
-    def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
-        """Return a fresh array of all specifieds, shape (s,)."""
-        return self._inputs(x, t)
-
-    def rows(self, x: np.ndarray, t: np.ndarray) -> np.ndarray:
-        """Return r for m states and times: shape (1, s) when it is the same for all, or (m, s)."""
-        return self._inputs.rows(x, t)
 
 
 def _is_unchanging(value: Any) -> bool:

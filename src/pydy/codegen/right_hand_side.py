@@ -18,7 +18,7 @@ from pydy._assembly import CompiledModel
 from pydy._backends import refusal, resolve
 from pydy._checks import number, real_array, vector
 from pydy._forks import cached_property
-from pydy._kernel import Kernel, KernelCall
+from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._names import nearest, told_apart
 from pydy.codegen.arguments import ConstantsArgument, SpecifiedsArgument, SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -260,26 +260,26 @@ class RightHandSide:
         symbols = self.layout.specifieds
         if self.time_first or self.num_outputs or len(args) != (2 if symbols else 1):
             return None
-        p, plan = self.constants(args[-1]), self._no_plan
-        values = plan.values
+        p, inputs = self.constants(args[-1]), self._no_inputs
+        values = inputs.values
         if symbols:
             r = args[0]
             if isinstance(r, SampledInput):
                 r = {symbols: r}
             if isinstance(r, Mapping):
                 plan = SpecifiedsPlan(r, symbols, complete=True)
-                values = plan.values
+                inputs, values = plan.inputs, plan.inputs.values
                 if plan.expressions:
                     return None
             elif callable(r):
                 return None
             else:
                 values = self.specifieds(r, _NOTHING, 0.0)
-        return native_call(self.model, self.kernel, plan, values, p)
+        return native_call(self.model, self.kernel, inputs, values, p)
 
     @cached_property
-    def _no_plan(self) -> SpecifiedsPlan:
-        return SpecifiedsPlan({}, self.layout.specifieds)
+    def _no_inputs(self) -> Inputs:
+        return Inputs(np.zeros(len(self.layout.specifieds)))
 
     # -- the slow path ----------------------------------------------------------------------------
 
@@ -301,8 +301,8 @@ class RightHandSide:
             raise self.model.singular(t, x)
 
 
-def rates_function(model: CompiledModel, plan: SpecifiedsPlan) -> Any:
-    """Return ``f(x, t, r, p)`` for solvers; a plan that is not constant gives r itself."""
+def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
+    """Return ``f(x, t, r, p)`` for solvers; inputs that are not constant give r themselves."""
     kernel = model.compiled("rates")
     empty, n = np.empty, len(model.layout.states)
     call = kernel.gate
@@ -317,29 +317,29 @@ def rates_function(model: CompiledModel, plan: SpecifiedsPlan) -> Any:
 
     def f_with_functions(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
         x = _state(model, x)
-        return f(x, t, plan(x, float(t)), p)
+        return f(x, t, inputs(x, float(t)), p)
 
-    chosen: Any = f if plan.constant else f_with_functions
+    chosen: Any = f if inputs.constant else f_with_functions
 
     def native(args: tuple[Any, ...]) -> KernelCall:
         r, p = args
-        values = _specifieds(model, r) if plan.constant else plan.values
-        return native_call(model, kernel, plan, values, p)
+        values = _specifieds(model, r) if inputs.constant else inputs.values
+        return native_call(model, kernel, inputs, values, p)
 
     chosen.native = native
     return chosen
 
 
 def native_call(
-    model: CompiledModel, kernel: Kernel, plan: SpecifiedsPlan, r: np.ndarray, p: Any
+    model: CompiledModel, kernel: Kernel, inputs: Inputs, r: np.ndarray, p: Any
 ) -> KernelCall:
-    """Return how native solvers call a Kernel of the derivatives; r are the numbers of `plan`."""
+    """Return how native solvers call a Kernel of the derivatives; r are the inputs' numbers."""
     return KernelCall(
         kernel,
         _constants(model, p),
         r,
-        plan.sampled,
-        plan if plan.functions else None,
+        inputs.sampled,
+        inputs if inputs.functions else None,
         lambda: tuple(map(str, model.layout.states)),
         None if model.solver else lambda: model.compiled_jacobian("rates", "x"),
     )

@@ -129,8 +129,8 @@ class Identification:
         ]
         numbers = {
             "constants": now.p,
-            "specifieds": plan.values,
-            "signals": plan.sampled,
+            "specifieds": plan.inputs.values,
+            "signals": plan.inputs.sampled,
             "duration": float(e.times[-1]) - e.begin,
             "begin": e.begin,
             "metric": metric_of(np.abs(e.states).max(axis=0)),
@@ -142,7 +142,7 @@ class Identification:
         for other, made in zip(self.experiments, self.problems, strict=False):
             # Equal equations and kinds of inputs share their machine code.
             same = other.now.code is now.code and made.measured == e.measured
-            if same and [*map(_places, made.signals)] == [*map(_places, plan.sampled)]:
+            if same and [*map(_places, made.signals)] == [*map(_places, plan.inputs.sampled)]:
                 return replace(made, **numbers)
         return TranscribedProblem(
             equations=Equations.of(now, disturbed=self._disturbed(e)),
@@ -163,7 +163,7 @@ class Identification:
     def _moved(self, k: int) -> Moved:
         now, disturbed = self.experiments[k].now, self._disturbed(self.experiments[k])
         code = now.model.with_compiled_inputs(now.plan, perturbed=disturbed)
-        return Moved(code.compiled("rates"), now.plan)
+        return Moved(code.compiled("rates"), now.inputs)
 
     def meshes(self, given: Any) -> list[np.ndarray]:
         """Return the mesh of each experiment: a point a sample or two, if none is given."""

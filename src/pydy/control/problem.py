@@ -261,10 +261,10 @@ class OptimalControl(Search[OptimalTrajectory]):
             controls=tuple(map(places, self._controls)),
             control_bounds=tuple(self._bounds.get(s, _FREE) for s in self._controls),
             state_bounds=tuple(self._bounds.get(s, _FREE) for s in definition.states),
-            signals=plan.sampled,
+            signals=plan.inputs.sampled,
             free=tuple(map(definition.constants.index, self._free)),
             constants=now.p,
-            specifieds=plan.values,
+            specifieds=plan.inputs.values,
             duration=self._duration,
             duration_symbol=self._symbol,
             symbols={s: k for k, s in enumerate(definition.constants)},
@@ -385,7 +385,7 @@ class OptimalControl(Search[OptimalTrajectory]):
             return ""
         longest = self._bounds_at(self._symbol)[1]
         plan.check_times(np.array([0.0, longest]), f"bounds[{self._symbol}]")
-        kinds = {samples.interpolation: columns for columns, samples in plan.sampled}
+        kinds = {samples.interpolation: columns for columns, samples in plan.inputs.sampled}
         names = {kind: describe([plan.symbols[k] for k in own]) for kind, own in kinds.items()}
         if "previous" in names:
             raise ValueError(
@@ -662,7 +662,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 f"`bounds[{self._symbol}]` a positive lower limit.",
                 None,
             )
-        moved = Moved(now.code.compiled("rates"), now.plan)
+        moved = Moved(now.code.compiled("rates"), now.inputs)
         limits = {s: self._bounds_at(s) for s in self._free}
         refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
         if solution.solved:
@@ -679,17 +679,17 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     def _carried(self, found: OptimalTrajectory, tolerance: float) -> np.ndarray:
         """Return by which intervals a simulation misses the nodes; see `carried_errors`."""
-        moved = Moved(self._now.code.compiled("rates"), self._now.plan)
+        moved = Moved(self._now.code.compiled("rates"), self._now.inputs)
         made, z = found._transcription, found.solution.z
         return carried_errors(moved, made, z, found._sizes, tolerance)
 
 
 def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
     """Return the specifieds that are found: those without a value."""
-    if plan.functions:
+    if plan.inputs.functions:
         raise ValueError(
-            f"`specifieds` gives a Python function for {plan.functions[0][2]}, which has no "
-            "derivatives. Give an expression of time and states, or a SampledInput; a "
+            f"`specifieds` gives a Python function for {plan.inputs.functions[0][1].label}, which "
+            "has no derivatives. Give an expression of time and states, or a SampledInput; a "
             "specified without a value is a control."
         )
     given = plan.given | followed(definition, plan)

@@ -15,7 +15,7 @@ import numpy as np
 
 from pydy._checks import ascending, real_array, shown, whole
 from pydy._errors import OptimizationError, warn_user
-from pydy._kernel import Kernel
+from pydy._kernel import Inputs, Kernel
 from pydy._rank import ROUNDING, or_one
 from pydy.control.transcription import Transcription, inside
 from pydy.control.tuning import (
@@ -36,7 +36,7 @@ class Moved:
     """The function of the states' derivatives."""
 
     kernel: Kernel  # x' of t, x, r and p
-    signals: Any  # gives r, but for the controls and specifieds that are unknown numbers
+    inputs: Inputs  # which give r, but for the controls and specifieds that are unknown numbers
 
 
 def interval_errors(
@@ -122,7 +122,7 @@ def _integrated(
     nodes = np.array(tableau.nodes[: len(tableau.stages)])
     s = ((np.arange(steps)[:, None] + nodes) / steps).ravel()
     times = left + s[:, None] * lengths
-    known = moved.signals.rows(np.empty((times.size, x.shape[1])), times.ravel())
+    known = moved.inputs.rows(np.empty((times.size, x.shape[1])), times.ravel())
     r = np.array(np.broadcast_to(known, (times.size, known.shape[1])))
     middles = np.broadcast_to(left + lengths / 2, times.shape).ravel()
     for columns, samples in problem.signals:

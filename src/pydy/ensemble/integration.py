@@ -94,7 +94,7 @@ def integrate_ensemble(
         code = problem.model.with_compiled_inputs(plan)
 
     def at(t: np.ndarray, x: np.ndarray) -> At:
-        return At(definition, code, t, x, plan.rows(x, t), problem.p)
+        return At(definition, code, t, x, plan.inputs.rows(x, t), problem.p)
 
     if definition.equations.constrained:
         mended = options.get("constraints") is not None
@@ -130,8 +130,8 @@ def integrate_ensemble(
         method=solver.name,
         options=read,
         times=times,
-        sampled=plan.sampled,
-        functions=tuple((columns, function) for columns, function, _ in plan.functions),
+        sampled=plan.inputs.sampled,
+        functions=plan.inputs.functions,
         jacobian=ready.code.jacobian_in_parts("rates", "x") if solver.name == "radau" else None,
         sensitivities=derivatives,
         kept=constraints,

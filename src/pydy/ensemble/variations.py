@@ -57,7 +57,7 @@ def read_samples(
     axes, places = _Axes(product, names), problem.definition.places
     x = _columns("initial_conditions", initial, places["states"], problem.x, axes, "initial")
     p = _columns("constants", constants, places["constants"], problem.p, axes, "constant")
-    r = _columns("specifieds", varied, places["specifieds"], plan.values, axes, "specified")
+    r = _columns("specifieds", varied, places["specifieds"], plan.inputs.values, axes, "specified")
     if problem.definition.assumptions:
         _check_assumptions(problem, x, "states", initial, "initial_conditions")
         _check_assumptions(problem, p, "constants", constants, "constants")

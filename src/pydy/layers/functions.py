@@ -36,7 +36,7 @@ class Functions:
         """Return how many numbers each entry is; those of a motion's sampled input are several."""
         numbers = dict.fromkeys(places, 1)
         if group == "r" and kind in ("simulate", "final"):
-            for columns, samples in self.problem.plan.sampled:
+            for columns, samples in self.problem.inputs.sampled:
                 numbers |= {k: len(samples.times) for k in columns.tolist() if k in numbers}
         return tuple(numbers[k] for k in places)
 

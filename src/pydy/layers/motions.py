@@ -279,14 +279,14 @@ def _one_by_one(problem: Problem, parts: tuple[Part, ...]) -> dict[Any, Any]:
     Those of a Python function stay together, unless an argument replaces some of them.
     """
     plan = problem.plan
-    numbers = dict(zip(plan.symbols, plan.values.tolist(), strict=True))
+    numbers = dict(zip(plan.symbols, plan.inputs.values.tolist(), strict=True))
     specifieds: dict[Any, Any] = {s: numbers[s] for s in plan.symbols if s in plan.given}
     specifieds |= plan.expressions
-    for columns, samples in plan.sampled:
+    for columns, samples in plan.inputs.sampled:
         for j, k in enumerate(columns):
             specifieds[plan.symbols[k]] = samples.of([j])
     replaced = next((part for part in parts if part.group == "r"), None)
-    for columns, function, _ in plan_without(problem, replaced).functions:
+    for columns, function in plan_without(problem, replaced).inputs.functions:
         symbols = tuple(plan.symbols[k] for k in columns)
         specifieds = {s: v for s, v in specifieds.items() if s not in symbols}
         specifieds[symbols] = function

@@ -82,7 +82,7 @@ class BlockFunction:
         x = _rows(problem.x, part_of.get("x"), values.get("x"), m)
         t = np.ascontiguousarray(values["t"][:, 0]) if "t" in values else np.full(m, problem.t)
         self._plan.check_times(t, "t")
-        r = _rows(self._plan.rows(x, t), part_of.get("r"), values.get("r"), m)
+        r = _rows(self._plan.inputs.rows(x, t), part_of.get("r"), values.get("r"), m)
         if more is not None:
             r = np.hstack([r, more.reshape(m, -1)])
         p = _rows(problem.p, part_of.get("p"), values.get("p"), m)
@@ -107,9 +107,9 @@ class BlockFunction:
         x, p = values["x"], values["p"]
         r = values.get("r")
         if r is None:
-            if plan.sampled:
+            if plan.inputs.sampled:
                 plan.check_times(np.array([t]), "t")
-            r = plan(x, t)
+            r = plan.inputs(x, t)
             if "r" in self._part_of:
                 r[list(self._part_of["r"].places)] = given[self.parts.index(self._part_of["r"])]
         if more is not None:
@@ -128,15 +128,15 @@ class BlockFunction:
         known = self._products.get((kind, wanted))
         if known is not None:
             return known
-        for _, _, label in self._plan.functions:
+        for _, function in self._plan.inputs.functions:
             raise ValueError(
-                f"Derivatives need those of the specifieds, but {label} is a Python function, "
-                "which has none. Give it as a SymPy expression of states, time and constants, as "
-                "samples, pydy.inputs.SampledInput(times, values), or in `r`."
+                f"Derivatives need those of the specifieds, but {function.label} is a Python "
+                "function, which has none. Give it as a SymPy expression of states, time and "
+                "constants, as samples, pydy.inputs.SampledInput(times, values), or in `r`."
             )
         parts = [self.parts[k] for k in wanted]
         s = len(self.problem.definition.specifieds)
-        if self._plan.sampled and any(part.group == "t" for part in parts):
+        if self._plan.inputs.sampled and any(part.group == "t" for part in parts):
             parts.append(Part("r", (*range(s),), (1,) * s, True))  # samples change with time
         by = tuple((part.group, k) for part in parts for k in part.places)
         code, block = self._code, self.block
@@ -156,7 +156,7 @@ class BlockFunction:
         for part, array in zip(self.parts, given, strict=True):
             t = array[..., 0] if part.group == "t" else t
         slopes = np.zeros((*t.shape, len(self.problem.definition.specifieds)))
-        for columns, samples in self._plan.sampled:
+        for columns, samples in self._plan.inputs.sampled:
             rows = [samples.slopes_at(float(instant)) for instant in t.ravel()]
             slopes[..., columns] = np.reshape(rows, (*t.shape, len(columns)))
         if "r" in self._part_of:

@@ -79,7 +79,7 @@ def _call(call: KernelCall) -> KernelCall:
     sampled = tuple((columns, reflected_samples(samples)) for columns, samples in call.sampled)
     if inputs is not None:
         given: Any = inputs  # `Inputs`, or what has the same attribute
-        functions = [(columns, _at_reversed(f)) for columns, f, *_ in given.functions]
+        functions = tuple((columns, _at_reversed(f)) for columns, f, *_ in given.functions)
         inputs = Inputs(call.r, sampled, functions)
     return replace(
         call,

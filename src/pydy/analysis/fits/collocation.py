@@ -97,10 +97,10 @@ def _experiment(problem: FitProblem, z: np.ndarray, k: int) -> Experiment:
         )
     now, _, _ = problem.motion(z, k, times)
     states = _guess(problem, k, now)
-    if now.plan.functions:
+    if now.inputs.functions:
         raise ValueError(
-            f"`specifieds` gives a Python function for {now.plan.functions[0][2]}, which has "
-            "no derivatives. Give an expression of time and states, or samples."
+            f"`specifieds` gives a Python function for {now.inputs.functions[0][1].label}, which "
+            "has no derivatives. Give an expression of time and states, or samples."
         )
     weights = np.where(np.isfinite(d.values), 1.0 / d.noise, 0.0)
     unknown, dependents = ([order.index(s) for s in p] for p in (d.unknown, problem.dependents))

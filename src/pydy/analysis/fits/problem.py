@@ -118,7 +118,7 @@ class FitProblem:
         x, chosen = now.x_with(conditions, argument), states.chosen(conditions, argument)
         numbers = {s: x[k] for k, s in enumerate(states.symbols) if s in chosen}
         now.check_values("states", numbers, f"`{argument}` for ")
-        start = now.at(np.array([d.start]), x[None]).with_unknowns({}, now.plan.rows)
+        start = now.at(np.array([d.start]), x[None]).with_unknowns({}, now.inputs.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 
     # -- motions ----------------------------------------------------------------------------------
