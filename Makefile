@@ -110,7 +110,7 @@ test-arm64: $(VENV)/.installed-test
 test-undefined: $(VENV)/.installed-test
 	PYTHONPATH=tools $(PY) -m pytest -q -p undefined tests/solvers tests/ensemble/test_lanes.py \
 		tests/system/test_events.py tests/system/test_projection.py \
-		tests/_simulation/test_sensitivities.py tests/system/test_adjoint_gradients.py
+		tests/_integration/test_sensitivities.py tests/system/test_adjoint_gradients.py
 
 docs: $(VENV)/.installed-docs
 	$(PY) -m sphinx -W --keep-going --doctree-dir build/doctrees docs build/docs

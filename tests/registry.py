@@ -13,7 +13,7 @@ from typing import Any
 
 from pydy import contact
 from pydy._backends import registry as back_ends
-from pydy._simulation import scipy_solvers
+from pydy._motion import scipy_solvers
 from pydy.control import schemes, solvers as optimizers
 from pydy.export import writing
 from pydy.solvers.options import Options

@@ -16,12 +16,12 @@ PACKAGE = Path(__file__).parents[1] / "src/pydy"
 # Files with a noun or with functions of one.
 FILES = (
     "system.py",
-    "_simulation/model.py",
-    "_simulation/problem.py",
-    "_simulation/function.py",
-    "_simulation/dependent_states.py",
-    "_simulation/integration.py",
-    "_simulation/motion.py",
+    "_problem/model.py",
+    "_problem/problem.py",
+    "_evaluation/function.py",
+    "_states/dependent_states.py",
+    "_integration/integration.py",
+    "_motion/motion.py",
 )
 NOUNS = (
     "System", "Model", "Problem", "Function", "Motion", "Definition", "CompiledModel", "Trajectory",

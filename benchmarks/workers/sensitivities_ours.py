@@ -14,8 +14,8 @@ from harness.program import compiled_model_of, solver_function
 from harness.sensitive import joined, parameters
 from harness.solving import SolverPeer, serve_solver
 
-from pydy._simulation.parameters import Parameter
-from pydy._simulation.sensitivities import AugmentedSystem
+from pydy._integration.parameters import Parameter
+from pydy._integration.sensitivities import AugmentedSystem
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers import dop853, tsit5, vern9
 

@@ -124,7 +124,7 @@ class _Partial(_Pickled):
         self.time = time
         self.state = state
         self.info = info
-        self.motion: Any = None  # a `pydy._simulation.motion.Motion`
+        self.motion: Any = None  # a `pydy._motion.motion.Motion`
 
     @property
     def trajectory(self) -> Any:

@@ -32,7 +32,37 @@ from pydy._checks import (
     text,
 )
 from pydy._errors import warn_user
+from pydy._evaluation import (
+    BLOCKS,
+    BaseParameters,
+    Function,
+    Generated,
+    Quantity,
+    all_accelerations,
+    base_parameters,
+    checked_options,
+    evaluate,
+    evaluate_block,
+    evaluate_product,
+    exported_model,
+    frame_jacobian,
+    frame_position,
+    frame_rotation,
+    generate,
+    gravity,
+    inertial_parameters,
+    inverse_dynamics,
+    live_system,
+    mass_matrix,
+    regressor,
+    required_forces,
+    shortened,
+    summary,
+    variables,
+)
 from pydy._html import html_table
+from pydy._integration import SensitivityRequest, integrate_states, simulate
+from pydy._judges import warn_of_jumps, warn_of_missing_derivatives, warn_of_outputs
 from pydy._mechanics import (
     EquationsOfMotion,
     Implicit,
@@ -44,62 +74,24 @@ from pydy._mechanics import (
     multipliers,
     reaction,
 )
+from pydy._motion import SolveIvp, is_odeint, native_solver, resolve_ode_solver
 from pydy._names import name_of, nearest, some
 from pydy._optional import progress_of
-from pydy._simulation import (
-    BLOCKS,
-    BaseParameters,
+from pydy._problem import (
     DefinitionBuilder,
     Energy,
     EnergyModel,
-    Function,
-    Generated,
     Model,
     Problem,
-    Quantity,
-    SensitivityRequest,
-    SolveIvp,
     SymbolSet,
-    all_accelerations,
-    base_parameters,
     base_symbols,
-    check_dependents,
     check_forces,
     check_potential,
     check_times,
-    checked_options,
     checked_plan,
-    default_dependents,
-    evaluate,
-    evaluate_block,
-    evaluate_product,
-    exported_model,
-    frame_jacobian,
-    frame_position,
-    frame_rotation,
-    generate,
-    given_values,
-    gravity,
-    inertial_parameters,
-    integrate_states,
-    inverse_dynamics,
-    is_odeint,
-    live_system,
-    mass_matrix,
-    native_solver,
     read_numbers,
-    regressor,
-    required_forces,
-    resolve_ode_solver,
-    shortened,
-    simulate,
-    solve_dependents,
-    summary,
-    variables,
-    warn_of_jumps,
-    warn_of_missing_derivatives,
-    warn_of_outputs,
 )
+from pydy._states import check_dependents, default_dependents, given_values, solve_dependents
 from pydy.analysis import (
     AdjointGradient,
     EigenvalueSweep,
@@ -130,7 +122,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from pydy._simulation import EnsembleOptions
+    from pydy._motion import EnsembleOptions
     from pydy.control import OptimalTrajectory
     from pydy.export import Exported
     from pydy.viz import LiveSystem, Scene
@@ -2813,7 +2805,7 @@ class System:
 
         ``scene.to_html('pendulum.html')`` writes the page, ``scene.show()`` opens it.
         """
-        from pydy._simulation import make_scene
+        from pydy._problem import make_scene
 
         definition = self._definition
         constants = read_numbers(definition, "constants", self._constants, None)

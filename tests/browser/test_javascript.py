@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 
 import departures
 from exported_models import TIMES, ball, pendulum, pulled_by_error_functions, spring_of
-from pydy._simulation.exporting import exported_model
+from pydy._evaluation.exporting import exported_model
 from pydy.examples import whipple_bicycle
 from pydy.export.javascript import javascript_module
 from pydy.mechanics import Definition, Implicit

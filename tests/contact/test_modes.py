@@ -9,7 +9,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
-from pydy._simulation import integration
+from pydy._integration import integration
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError
 from pydy.mechanics import Definition

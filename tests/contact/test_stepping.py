@@ -93,7 +93,7 @@ def test_complementarity_holds_and_energy_falls_in_random_motions():
 
 
 def test_each_combination_of_modes_and_each_state_is_made_once(monkeypatch):
-    from pydy._simulation import events_and_constraints as solving
+    from pydy._motion import events_and_constraints as solving
     from pydy.contact.rows import ContactRows
 
     programs, rates, states = [], solving.event_rates_program, []

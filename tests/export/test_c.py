@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from exported_models import ball, hostile, pendulum, spring_of
-from pydy._simulation.exporting import exported_model
+from pydy._evaluation.exporting import exported_model
 from pydy.export import Variable, write
 from pydy.export.c import c_string
 from pydy.export.model import identifiers

@@ -11,7 +11,7 @@ from scipy.integrate import ODEintWarning, odeint, solve_ivp
 
 import zoo
 from pydy._errors import IntegrationError, PyDyUserWarning, SingularMatrixError
-from pydy._simulation.diagnostics import diagnosis_of
+from pydy._judges.diagnostics import diagnosis_of
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from registry import step_options

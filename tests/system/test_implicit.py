@@ -10,7 +10,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
-from pydy._simulation.discontinuities import Discontinuities
+from pydy._judges.discontinuities import Discontinuities
 from pydy.analysis import Trial
 from pydy.contact import Contacts, Unilateral
 from pydy.control import OptimalControl

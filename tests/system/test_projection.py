@@ -568,6 +568,6 @@ def test_constraints_are_printed_only_for_messages(monkeypatch):
     # Those of a Stewart platform take a second to print.
     system = at_times(zoo.fourbar(), 0.1)
     monkeypatch.setattr(
-        "pydy._simulation.events_and_constraints.constraint_names", lambda equations: 1 / 0
+        "pydy._motion.events_and_constraints.constraint_names", lambda equations: 1 / 0
     )
     system.integrate(constraints="project")

@@ -13,17 +13,11 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
+from pydy._integration import AugmentedSystem
+from pydy._judges import judge_start, warn_of_jumps
+from pydy._motion import native_solver, prepare
 from pydy._names import column_names, name_of, some, text_of, unique_names
-from pydy._simulation import (
-    AugmentedSystem,
-    Problem,
-    judge_start,
-    native_solver,
-    prepare,
-    read_term,
-    refuse_descending,
-    warn_of_jumps,
-)
+from pydy._problem import Problem, read_term, refuse_descending
 from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
 from pydy.solvers import Solver
 

@@ -18,26 +18,22 @@ from pydy._errors import (
 )
 from pydy._forks import cached_property
 from pydy._graph import Direction, Program, derivative_program, simplify
-from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy._optional import progress_of
-from pydy._rank import DEPENDENT, HALF, is_zero, or_one
-from pydy._simulation import (
+from pydy._integration import (
     AugmentedSystem,
-    Motion,
     Parameter,
-    PreparedIntegration,
-    Problem,
-    Segment,
     by_samples,
     compiled_event,
     explain_failure,
-    judge_motion,
     least_sizes,
     marker,
     motion_so_far,
-    node_of,
-    with_all,
 )
+from pydy._judges import judge_motion, node_of
+from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._motion import Motion, PreparedIntegration, Segment, with_all
+from pydy._optional import progress_of
+from pydy._problem import Problem
+from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy.inputs import SampledInput
 from pydy.solvers import (
     EVENT_GRAZES,

@@ -10,10 +10,12 @@ import numpy as np
 from pydy._assembly import Definition
 from pydy._checks import check_mapping, flag, positive, real_array, shown, whole
 from pydy._errors import EquilibriumError, finished_before
+from pydy._judges import warn_of_missing_derivatives
 from pydy._names import unique_names
 from pydy._optional import progress_of
+from pydy._problem import Problem, samples
 from pydy._rank import ROUNDED, equilibrated, least_step
-from pydy._simulation import Problem, located, samples, warn_of_missing_derivatives
+from pydy._states import located
 from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
 from pydy.analysis.equilibria import solve_many
 from pydy.analysis.equilibrium_residual import EquilibriumResidual

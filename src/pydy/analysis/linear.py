@@ -19,19 +19,13 @@ import numpy as np
 from pydy._assembly import Definition, errors_of
 from pydy._checks import Places, choice, listed, real_array
 from pydy._errors import warn_user
+from pydy._judges import first_violation, warn_of_kinks, warn_of_missing_derivatives
+from pydy._motion import constraint_names
 from pydy._names import few, some, unique_names
 from pydy._optional import require
+from pydy._problem import At, Problem, samples
 from pydy._rank import ROUNDED
-from pydy._simulation import (
-    At,
-    Point,
-    Problem,
-    constraint_names,
-    first_violation,
-    samples,
-    warn_of_kinks,
-    warn_of_missing_derivatives,
-)
+from pydy._states import Point
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.tuning import CROSSED
 from pydy.plot import axes_of, rows_of_axes, typeset

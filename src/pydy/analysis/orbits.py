@@ -16,20 +16,14 @@ import numpy as np
 
 from pydy._checks import flag, listed, positive, shown
 from pydy._errors import PeriodicOrbitError, finished_before
+from pydy._integration import SensitivityRequest, integrate, simulate
+from pydy._judges import warn_of_jumps, warn_of_outputs
+from pydy._motion import Motion
 from pydy._names import numbers_of, some, unique_names
 from pydy._optional import progress_of
+from pydy._problem import Problem
 from pydy._rank import HALF, ROUNDED, or_one
-from pydy._simulation import (
-    Motion,
-    Problem,
-    SensitivityRequest,
-    consistent,
-    energetic_motions,
-    integrate,
-    simulate,
-    warn_of_jumps,
-    warn_of_outputs,
-)
+from pydy._states import consistent, energetic_motions
 from pydy.analysis.tuning import (
     BEGINNING,
     DAMPED,

@@ -13,15 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from pydy._simulation import (
-    AugmentedSystem,
-    Motion,
-    Problem,
-    Segment,
-    judge_start,
-    prepare,
-    read_term,
-)
+from pydy._integration import AugmentedSystem
+from pydy._judges import judge_start
+from pydy._motion import Motion, Segment, prepare
+from pydy._problem import Problem, read_term
 from pydy.analysis import AdjointGradient, MotionSegment, Task, integrate_forward
 from pydy.contact.decide import STARTING
 from pydy.contact.modes import Mode

@@ -11,18 +11,11 @@ import sympy as sm
 
 from pydy._checks import Keyed, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
+from pydy._integration import AugmentedSystem, SensitivityRequest
+from pydy._judges import warn_of_jumps, warn_of_outputs
+from pydy._motion import Motion, check_events, native_solver
 from pydy._names import column_names
-from pydy._simulation import (
-    AugmentedSystem,
-    Motion,
-    Problem,
-    SensitivityRequest,
-    check_events,
-    native_solver,
-    refuse_descending,
-    warn_of_jumps,
-    warn_of_outputs,
-)
+from pydy._problem import Problem, refuse_descending
 from pydy.analysis import AdjointGradient
 from pydy.contact.conditions import InfeasibleError, paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
@@ -180,7 +173,7 @@ class Contacts:
         events: Any = (),
         **options: Any,
     ) -> Motion:
-        """Integrate a Problem of the System; see `pydy._simulation.integration.integrate`.
+        """Integrate a Problem of the System; see `pydy._integration.integration.integrate`.
 
         A Problem with `modes` begins in these, projected on what they hold; otherwise the modes
         follow from the state.

@@ -9,8 +9,9 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._interpolation import evenly
+from pydy._judges import diagnosis_of
+from pydy._motion import Motion
 from pydy._rank import ROUNDING
-from pydy._simulation import Motion, diagnosis_of
 from pydy.contact.decide import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK

@@ -13,7 +13,7 @@ from pydy._forks import cached_property
 from pydy._graph import Graph, NodeExpression, jacobian
 from pydy._mechanics import Equations, dot, extract
 from pydy._names import name_of
-from pydy._simulation import Model, Problem
+from pydy._problem import Model, Problem
 from pydy.contact.conditions import Contact
 from pydy.contact.decide import (
     BACKWARD,

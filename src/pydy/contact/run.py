@@ -12,9 +12,11 @@ import numpy as np
 
 from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
 from pydy._forks import cached_property
+from pydy._integration import simulate
+from pydy._motion import Motion, Segment
 from pydy._names import numbers_of, some
+from pydy._problem import Problem
 from pydy._rank import ROUNDED, ROUNDING
-from pydy._simulation import Motion, Problem, Segment, simulate
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
     BACKWARD,

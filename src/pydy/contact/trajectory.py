@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._interpolation import between
-from pydy._simulation import Motion, Segment
+from pydy._motion import Motion, Segment
 from pydy.trajectory import Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)

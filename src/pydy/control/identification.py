@@ -49,8 +49,8 @@ import numpy as np
 import scipy.sparse
 
 from pydy._errors import IntegrationError, warn_user
+from pydy._judges import contradiction, rates
 from pydy._rank import HALF, or_one
-from pydy._simulation import contradiction, rates
 from pydy.control.guess import Limit
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Equations

@@ -24,9 +24,9 @@ from pydy._checks import (
     whole,
 )
 from pydy._errors import OptimizationError
+from pydy._judges import warn_of_missing_derivatives
 from pydy._names import some, unique_names
 from pydy._rank import DIGITS, rank
-from pydy._simulation import warn_of_missing_derivatives
 from pydy.codegen import checked_expression
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair

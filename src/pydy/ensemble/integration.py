@@ -11,23 +11,11 @@ import numpy as np
 from pydy._assembly import CompiledModel, Definition
 from pydy._checks import flag, shown, whole
 from pydy._dataset import SENSITIVITY
+from pydy._integration import AugmentedSystem, changed_by, program_of_event
+from pydy._judges import check_samples, drift_programs, watched
+from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_held
 from pydy._names import column_names
-from pydy._simulation import (
-    At,
-    AugmentedSystem,
-    ConstraintNames,
-    PreparedIntegration,
-    Problem,
-    changed_by,
-    check_samples,
-    check_specifieds,
-    check_times,
-    drift_programs,
-    program_of_event,
-    refuse_descending,
-    watched,
-    with_residuals_held,
-)
+from pydy._problem import At, Problem, check_specifieds, check_times, refuse_descending
 from pydy._version import __version__
 from pydy.codegen import SpecifiedsPlan
 from pydy.ensemble.engine import Ensemble

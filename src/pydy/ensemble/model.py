@@ -14,8 +14,9 @@ from pydy import _forks
 from pydy._backends import compile_program
 from pydy._forks import cached_property
 from pydy._graph import Program, Tangent, TimeSwitches
+from pydy._judges import Passed, Watched
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy._simulation import Passed, Watched, follow
+from pydy._states import follow
 from pydy.solvers import (
     DEPENDENTS_NOT_GIVEN,
     FINISHED,

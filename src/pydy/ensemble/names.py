@@ -9,7 +9,7 @@ from pydy._assembly import Definition
 from pydy._checks import Places, check_mapping, refuse_twice, text
 from pydy._dataset import SENSITIVITY
 from pydy._names import latex_of, name_of, some, unique_names
-from pydy._simulation import Problem
+from pydy._problem import Problem
 from pydy.ensemble.samples import PARAMETER, QUANTITY
 from pydy.ensemble.work import COUNTS
 

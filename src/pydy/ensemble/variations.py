@@ -9,7 +9,7 @@ import numpy as np
 
 from pydy._checks import Places, check_mapping, merged, number, real_array
 from pydy._names import latex_of
-from pydy._simulation import Problem
+from pydy._problem import Problem
 from pydy.codegen import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.names import ResultNames
 from pydy.ensemble.samples import Samples, Variable

@@ -15,10 +15,10 @@ from pydy._dataset import SENSITIVITY
 from pydy._errors import warn_not_finite, warn_user
 from pydy._graph import run as interpret
 from pydy._interpolation import evenly
+from pydy._judges import Watched, jump_message
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
-from pydy._simulation import Watched, jump_message
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers import (

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import Places
-from pydy._simulation import Problem, refuse_descending, warn_of_missing_derivatives
+from pydy._judges import warn_of_missing_derivatives
+from pydy._problem import Problem, refuse_descending
 from pydy.layers.layer import KINDS, Function, Part
 from pydy.layers.motions import MotionFunction
 from pydy.layers.values import BlockFunction

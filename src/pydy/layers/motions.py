@@ -11,8 +11,11 @@ import numpy as np
 from pydy._checks import flag
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._forks import Lock
+from pydy._integration import SensitivityRequest, simulate
+from pydy._motion import Motion
 from pydy._names import unique_names
-from pydy._simulation import Motion, Problem, SensitivityRequest, simulate, with_dependents
+from pydy._problem import Problem
+from pydy._states import with_dependents
 from pydy.analysis import explicit_solver, there_and_back
 from pydy.ensemble import integrate_ensemble
 from pydy.inputs import SampledInput

@@ -11,7 +11,7 @@ import numpy as np
 from pydy._checks import describe
 from pydy._graph import Program, derivative_program
 from pydy._kernel import Kernel
-from pydy._simulation import Problem
+from pydy._problem import Problem
 from pydy.codegen import SpecifiedsPlan
 from pydy.layers.layer import Given, Part
 

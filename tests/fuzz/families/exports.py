@@ -9,7 +9,7 @@ from typing import Any
 from fuzz.kinds import choice, nothing, real, text
 from fuzz.table import empty_or_none, flags, number, target
 from fuzz.world import world
-from pydy._simulation.exporting import exported_model
+from pydy._evaluation.exporting import exported_model
 from pydy.export.writing import check_options, write
 from pydy.robots import read
 from pydy.viz import Live, Slider

@@ -14,8 +14,10 @@ from pydy._errors import (
     note_finished,
     warn_user,
 )
+from pydy._integration import simulate
+from pydy._motion import native_solver
 from pydy._optional import progress_of
-from pydy._simulation import FIT, Problem, native_solver, simulate
+from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
 from pydy.analysis.tuning import ON_GIVEN_MESH

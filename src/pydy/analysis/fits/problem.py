@@ -24,7 +24,8 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import unique_names
-from pydy._simulation import Problem, located, with_dependents
+from pydy._problem import Problem
+from pydy._states import located, with_dependents
 from pydy.analysis.fits.samples import Samples, checked_trial
 
 Numbers = dict[Any, Any]

@@ -17,8 +17,8 @@ from pydy._checks import number
 from pydy._errors import warn_user
 from pydy._names import few, place_of, some, table_of
 from pydy._optional import require
+from pydy._problem import FIT
 from pydy._rank import HALF, or_one
-from pydy._simulation import FIT
 from pydy.analysis.directions import direction_text
 from pydy.analysis.fits.residuals import autocorrelation, text_of_correlation
 from pydy.analysis.tuning import ABOVE_TOLERANCE, NAMED_IN_FIT

@@ -20,7 +20,7 @@ from pydy._checks import (
 )
 from pydy._mechanics import find_symbols, function_of_time
 from pydy._names import some, unique_names
-from pydy._simulation import sort_out
+from pydy._problem import sort_out
 from pydy.analysis.fits.trial import Trial, checked_noise, checked_samples, instants
 from pydy.analysis.tuning import LARGEST_RESIDUAL
 

@@ -15,17 +15,10 @@ import numpy as np
 
 from pydy._checks import flag
 from pydy._errors import IntegrationError, SingularMatrixError
+from pydy._integration import SensitivityRequest, simulate
+from pydy._motion import SolveIvp, call_odeint, is_odeint, native_solver
 from pydy._optional import progress_of
-from pydy._simulation import (
-    FIT,
-    Problem,
-    SensitivityRequest,
-    SolveIvp,
-    call_odeint,
-    is_odeint,
-    native_solver,
-    simulate,
-)
+from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
 from pydy.analysis.fits.samples import Samples

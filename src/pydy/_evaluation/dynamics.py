@@ -1,0 +1,450 @@
+"""Inverse dynamics, the terms of the equations of motion, and frames: what robots are driven by.
+
+Each is a `Quantity` of the equations, which `evaluate` evaluates for a Problem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from math import prod
+from typing import Any, NamedTuple
+
+import numpy as np
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
+
+from pydy._assembly import Assembly, CompiledModel, Definition
+from pydy._checks import Places, describe, merged, one_or_more, real_array, shown
+from pydy._errors import SingularMatrixError, warn_user
+from pydy._evaluation.evaluation import variables
+from pydy._evaluation.function import Function
+from pydy._graph import Program, SymPyReader, derivative_program, simplify, substitute
+from pydy._judges import first_violation, warn_of_missing_derivatives
+from pydy._kernel import Kernel
+from pydy._mechanics import (
+    BodyDynamics,
+    Equations,
+    Multibody,
+    checked_vector,
+    distances,
+    named,
+    places,
+)
+from pydy._names import name_of
+from pydy._problem import At, Problem
+
+
+def _states(
+    problem: Problem, q: Any, v: Any, a: np.ndarray, t: Any
+) -> tuple[np.ndarray, Any, tuple[Iterable[int], Iterable[int]]]:
+    """Return the user's x, then a, and times, at one moment or at m, and the places left out."""
+    equations, n = problem.definition.equations, len(problem.definition.states)
+    nq, nu = len(equations.coordinates), len(equations.speeds)
+    of_q, left_q = _columns("q", q, equations.coordinates, lambda: problem.x[:nq])
+    of_v, left_v = _columns("v", v, equations.speeds, lambda: problem.x[nq : nq + nu])
+    instants = np.array(problem.t) if t is None else real_array(t, "`t`")
+    if instants.ndim > 1:
+        raise ValueError(f"`t` must be a number or have the shape (m,), got {instants.shape}.")
+    auxiliary = (problem.x[nq + nu :],) if n > nq + nu else ()
+    parts = of_q, of_v, *auxiliary, a
+    rows = {len(part) for part in (*parts, instants[..., None]) if part.ndim > 1}
+    if not rows:
+        return np.concatenate(parts), instants, (left_q, left_v)
+    if len(rows) > 1:
+        given = {"q": of_q, "v": of_v, "a": a, "t": instants[..., None]}
+        counts = {name: len(part) for name, part in given.items() if part.ndim > 1}
+        found = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
+        raise ValueError(f"All must have as many rows, or be one for all: {found}.")
+    m = rows.pop()
+    return _beside(parts, m), np.full(m, instants), (left_q, left_v)
+
+
+def _beside(parts: Sequence[np.ndarray], m: int) -> np.ndarray:
+    """Return m rows side by side; NumPy takes a row as one item in half the time of its numbers."""
+    parts = [part for part in parts if part.shape[-1]]
+    kinds = [(f"{k}", f"V{8 * part.shape[-1]}") for k, part in enumerate(parts)]
+    rows = np.empty(m, kinds)
+    for (name, kind), part in zip(kinds, parts, strict=True):
+        rows[name] = part.view(kind)[..., 0]
+    return rows.view(float).reshape(m, rows.itemsize // 8)
+
+
+def _columns(
+    argument: str, value: Any, symbols: Sequence[Any], default: Callable[[], np.ndarray]
+) -> tuple[np.ndarray, Iterable[int]]:
+    """Return numbers for all symbols, (n,) or (m, n), and the positions of default ones."""
+    n = len(symbols)
+    if value is None:
+        return default(), range(n)
+    if not isinstance(value, np.ndarray):
+        kind = "coordinates" if argument == "q" else "speeds"
+        places = Places(symbols, f"{kind} of the system")
+        if isinstance(value, Mapping):
+            value = merged(value)
+            found = places.read(argument, value, default())
+            return found, {*range(n)}.difference(places.columns(value, argument).tolist())
+        places.check_order(value, argument)
+    array = real_array(value, f"`{argument}`")
+    if array.ndim not in (1, 2) or array.shape[-1] != n:
+        raise ValueError(f"`{argument}` must have the shape ({n},) or (m, {n}), got {array.shape}.")
+    return array, ()
+
+
+def accelerations_of(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
+    """Return accelerations and their speeds: all of them, or the independent ones."""
+    n = len(equations.speeds)
+    independent = equations.independent_columns
+    free = len(independent)
+    if value is None:
+        return np.zeros(free), independent
+    if not isinstance(value, np.ndarray) and isinstance(value, Mapping):
+        speeds = Places(equations.speeds, "speeds of the system")
+        found: np.ndarray = speeds.read("a", value, 0.0)
+        named = sorted(speeds.find(key, "a") for key in value)
+        if all(k in independent for k in named):
+            return found[list(independent)], independent
+        if len(named) not in (free, n):
+            raise ValueError(
+                f"`a` must have the accelerations of {free} of the {n} speeds, which those of the "
+                f"others follow from by the constraints, or of all {n}, got {len(named)}: "
+                f"{describe([equations.speeds[k] for k in named])}. Of independent speeds alone, "
+                f"{describe([equations.speeds[k] for k in independent])}, those that are not given "
+                "are zero."
+            )
+        return found[named], named
+    array = real_array(value, "`a`")
+    if array.ndim not in (1, 2) or array.shape[-1] not in (n, free):
+        several = f" or, for the independent speeds alone, ({free},) or (m, {free})"
+        raise ValueError(
+            f"`a` must have the shape ({n},) or (m, {n}){several if free < n else ''}, got "
+            f"{array.shape}."
+        )
+    return array, range(n) if array.shape[-1] == n else independent
+
+
+def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
+    """Return the accelerations of all speeds, none of which may be missing; None means zeros."""
+    n = len(equations.speeds)
+    array = np.zeros(n) if value is None else accelerations_of(value, equations)[0]
+    if array.shape[-1] != n:
+        raise ValueError(f"`a` must have the accelerations of all {n} speeds, got {array.shape}.")
+    return array
+
+
+class Quantity(NamedTuple):
+    """A quantity to evaluate."""
+
+    name: str
+    key: tuple[Any, ...]  # with the name it says what the expressions are
+    shape: tuple[int, ...]
+    # Gives them, or the name of a block of the Assembly.
+    expressions: Callable[[BodyDynamics], Any]
+    rows: Iterable[str] = ()  # for messages; read once, if at all; by default entries
+    accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
+
+    def by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+        """Return the inputs that the user's `wrt` means."""
+        equations = definition.equations
+        nq, nu = len(equations.coordinates), len(equations.speeds)
+        own = {
+            "coordinates": [("x", k) for k in range(nq)],
+            "speeds": [("x", nq + k) for k in range(nu)],
+        }
+        if self.accelerations:
+            n = len(definition.states)
+            own["accelerations"] = [("x", n + k) for k in range(len(self.accelerations))]
+        found: list[tuple[str, int]] = []
+        for entry in one_or_more("wrt", wrt):
+            named = isinstance(entry, str) and entry in own
+            found += own[entry] if named else variables(definition, entry)
+        if not found:
+            raise ValueError("`wrt` must name at least one variable.")
+        return tuple(found)
+
+    def program(
+        self,
+        definition: Definition,
+        model: CompiledModel,
+        by: tuple[tuple[str, int], ...],
+        silent: Mapping[Any, float],
+    ) -> Program:
+        """Return the Program of the values, or of their derivatives."""
+        equations, assembly = definition.equations, model.assembly.fork()
+        g, (n, s, c) = assembly.graph, assembly.sizes
+        atoms, count = dict(assembly.atoms), len(self.accelerations)
+        atoms.update(dict.fromkeys(equations.speed_rates, g.zero))
+        for k, place in enumerate(self.accelerations):
+            atoms[equations.speed_rates[place]] = g.input("x", n + k)
+        found = self.expressions(BodyDynamics(atoms, definition.forces, silent))
+        if isinstance(found, str):
+            nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], found)
+        else:
+            read = SymPyReader(g, atoms, f"the {self.name}")
+            nodes = substitute(g, found.read(read), assembly.given)
+        sizes = n + count, s, c
+        if not by:
+            return assembly.lowered({self.name: nodes}, sizes=sizes)
+        nodes = simplify(g, nodes)
+        return derivative_program(g, nodes, by, "jacobian", sizes)
+
+
+def _warn_of_rest(at: At, program: Program, left: tuple[Iterable[int], Iterable[int]]) -> None:
+    """Warn where states that a user gave in part, and the Program reads, break the constraints."""
+    read = {args[1] for op, args in zip(program.ops, program.args, strict=True)
+            if op == "input" and args[0] == "x"}  # fmt: skip
+    first = len(at.definition.equations.coordinates)
+    q, v = read.intersection(left[0]), read.intersection(first + k for k in left[1])
+    moving = any(first <= k < first + len(at.definition.equations.speeds) for k in read)
+    if (q or v) and (found := first_violation(at, (bool(q), moving))):
+        states = describe([at.definition.states[k] for k in sorted(q | v)])
+        warn_user(
+            f"The state does not satisfy the constraints, with the initial conditions for what `q` "
+            f"and `v` do not give: {states}. {found[1]} Give these too, or set consistent initial "
+            "conditions: `system.set_dependent_initial_conditions()`."
+        )
+
+
+def _of_method(assembly: Assembly, rates: Sequence[int], what: str) -> list[int]:
+    """Return M, or M u' − F, of equations that a method derived, without constraints."""
+    if what == "matrix":
+        return assembly.mass_matrix
+    g, n = assembly.graph, len(rates)
+    rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
+    return [
+        g.sum([*((g.mul(m, a), 1.0) for m, a in zip(row, rates, strict=True)), (f, -1.0)])
+        for row, f in zip(rows, assembly.forcing, strict=True)
+    ]
+
+
+def bodies_of(equations: Equations) -> Multibody:
+    """Return the bodies and loads, or an error where the method has none."""
+    body = equations.multibody
+    if body is None:
+        raise ValueError(
+            "This follows from bodies and loads, but `eom_method` holds no bodies: construct a "
+            "KanesMethod with `bodies=` and `forcelist=`, or call its `kanes_equations(bodies, "
+            "loads)`."
+        )
+    body.check_unchanged()
+    return body
+
+
+def without_bodies(equations: Equations) -> bool:
+    """Return whether only the method's own equations are known, without velocity constraints."""
+    return equations.formed is None and not equations.velocity
+
+
+def required_forces(
+    equations: Equations, given: Sequence[int], at: tuple[int, ...] | None, *, zero: bool = False
+) -> Quantity:
+    """Return the forces for accelerations of some speeds; others follow or are `zero`."""
+    n = len(equations.speeds)
+    speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
+    bound = () if zero or len(given) == n else tuple(k for k in range(n) if k not in given)
+
+    def expressions(dynamics: BodyDynamics) -> Any:
+        if without_bodies(equations):
+            return "forces"
+        return dynamics.inverse_dynamics(bodies_of(equations), at, bound=bound)
+
+    rows = (f"the force at {speed}" for speed in speeds)
+    name = "bias forces" if zero else "inverse dynamics"
+    return Quantity(name, (at, bound), (len(speeds),), expressions, rows, given)
+
+
+def chosen_speeds(equations: Equations, at: Any) -> tuple[int, ...] | None:
+    """Return which speeds a user's `at` means."""
+    if at is None:
+        return None
+    speeds, held = equations.speeds, len(equations.velocity)
+    free = len(speeds) - held
+    if isinstance(at, str) and at == "independent":
+        return equations.independent_columns
+    known = Places(speeds, "speeds of the system")
+    found = tuple(known.find(one, "at") for one in one_or_more("at", at))
+    if len({*found}) != len(found) or len(found) != free:
+        raise ValueError(
+            f"`at` must be 'independent' or {free} different speeds, as many as {held} constraints "
+            f"leave free of {len(speeds)}, got {describe([speeds[k] for k in found])}."
+        )
+    return found
+
+
+# -- places ----------------------------------------------------------------------------------------
+
+
+def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]:
+    """Return the frame and the point that a user means; either may be None."""
+    bodies, known = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
+    if isinstance(where, str) and where in known:
+        return (*known[where],)
+    body = named(bodies, where)
+    if isinstance(body, RigidBody):
+        return body.frame, body.masscenter
+    if isinstance(body, Particle):
+        return None, body.masscenter
+    if isinstance(where, Point):
+        return None, where
+    if isinstance(where, ReferenceFrame):
+        return where, None
+    if isinstance(where, tuple) and len(where) == 2:
+        frame, point = where
+        if isinstance(frame, ReferenceFrame) and isinstance(point, Point):
+            return frame, point
+    names = dict.fromkeys([*known, *(str(name_of(body)) for body in bodies)])
+    raise ValueError(
+        "`where` must be a body, Point, ReferenceFrame, or pair of a ReferenceFrame and a Point, "
+        f"or a name: {describe(list(names))}; got {shown(where)}."
+    )
+
+
+def _origin(body: Multibody, point: Any) -> Any:
+    """Return the point that positions are measured from."""
+    from pydy.viz import find_origin  # with the rest of viz and SciPy's rotations
+
+    origin = find_origin(body.frame, [b.masscenter for b in body.bodies])
+    if origin is None:
+        raise ValueError(
+            f"No point at rest in `{body.frame}` is connected with the bodies, so that positions "
+            f"have no origin. Say `O.set_vel({body.frame}, 0)` of one."
+        )
+    if point not in distances(origin, places):
+        raise ValueError(
+            f"`where` is the point {point}, whose place beside {origin} is not known. Locate it "
+            f"with `{point}.set_pos(...)` from a point of the bodies."
+        )
+    return origin
+
+
+def evaluate(
+    problem: Problem,
+    made: Quantity,
+    at: tuple[Any, Any, Any, Any],
+    r: Any = None,
+    p: Any = None,
+    wrt: Any = None,
+    values: Mapping[Any, float] | None = None,
+) -> np.ndarray:
+    """Evaluate a quantity at the user's q, v, a and t.
+
+    The method may have `values` of constants that the motion does not depend on.
+    """
+    warn_of_missing_derivatives(problem)
+    definition, silent = problem.definition, values or {}
+    equations = definition.equations
+    x, t, left = _states(problem, *at)
+    by = () if wrt is None else made.by(definition, wrt)
+    size = prod(made.shape)
+    key = made.name, made.key, tuple(made.accelerations), by
+
+    def kernel(model: CompiledModel) -> Kernel:
+        return model.compiled_by(key, lambda: made.program(definition, model, by, silent))
+
+    def look(state: At) -> None:
+        _warn_of_rest(state, kernel(state.model).program, left)
+
+    f = Function(
+        problem,
+        kernel,
+        lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
+        by,
+        more=at[2].shape[-1],
+        look=look if equations.constrained else None,
+        skips_unread_inputs=True,
+        solve=all({*places} <= {*left[0]} for _, places in equations.residual_blocks),
+    )
+    return f(t, x, r, p).reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
+
+
+def inverse_dynamics(
+    problem: Problem,
+    at: tuple[Any, Any, Any, Any],
+    speeds: Any,
+    r: Any,
+    p: Any,
+    wrt: Any,
+    values: Mapping[Any, float],
+) -> np.ndarray:
+    """Return the forces at some `speeds` for a motion; see `System.inverse_dynamics`."""
+    equations, (q, v, a, t) = problem.definition.equations, at
+    rates, known = accelerations_of(a, equations)
+    made = required_forces(equations, known, chosen_speeds(equations, speeds))
+    try:
+        return evaluate(problem, made, (q, v, rates, t), r, p, wrt, values)
+    except SingularMatrixError as error:
+        raise SingularMatrixError(
+            f"`at` and `a` leave what the constraints do open at t = {error.time!r}: there "
+            "they have no full rank in the other speeds. Give other speeds as `at`, and the "
+            "accelerations of all speeds.",
+            error.time,
+            error.state,
+        ) from None
+
+
+def mass_matrix(equations: Equations) -> Quantity:
+    """Return the mass matrix of all speeds."""
+    n = len(equations.speeds)
+
+    def expressions(dynamics: BodyDynamics) -> Any:
+        return dynamics.mass_matrix(bodies_of(equations)) if equations.velocity else "matrix"
+
+    return Quantity("mass matrix", (), (n, n), expressions)
+
+
+def gravity(equations: Equations, acceleration: Any) -> Quantity:
+    """Return the weights at the speeds, with the loads' acceleration of gravity or another one."""
+    if acceleration is not None:
+        checked_vector(acceleration, "`acceleration`")
+    body = bodies_of(equations)
+
+    def expressions(dynamics: BodyDynamics) -> Any:
+        forces = dynamics.weights(body, acceleration)
+        if forces is None:
+            raise ValueError(
+                "The loads at the mass centres do not tell which way gravity pulls: no "
+                "acceleration times the mass is among them for all bodies. Give it: "
+                f"`acceleration=-g*{body.frame}.z`."
+            )
+        return forces
+
+    fall = () if acceleration is None else tuple((*m, f) for m, f in acceleration.args)
+    rows = (f"the weight at {speed}" for speed in equations.speeds)
+    return Quantity("gravity", fall, (len(equations.speeds),), expressions, rows)
+
+
+def frame_position(equations: Equations, method: Any, where: Any) -> Quantity:
+    """Return the position of a point from a point at rest."""
+    body = bodies_of(equations)
+    _, point = _place(equations, method, where)
+    if point is None:
+        raise ValueError(f"`where` must have a point, got the frame {where}.")
+    origin = _origin(body, point)
+    rows = (f"the {axis} of {point}" for axis in "xyz")
+
+    def expressions(dynamics: BodyDynamics) -> Any:
+        return dynamics.position(body, point, origin)
+
+    return Quantity("position", (point,), (3,), expressions, rows)
+
+
+def frame_rotation(equations: Equations, method: Any, where: Any) -> Quantity:
+    """Return the rotation matrix of a frame to the inertial one."""
+    body = bodies_of(equations)
+    frame, _ = _place(equations, method, where)
+    if frame is None:
+        raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
+    return Quantity("rotation", (frame,), (3, 3), lambda dynamics: dynamics.rotation(body, frame))
+
+
+def frame_jacobian(equations: Equations, method: Any, where: Any) -> Quantity:
+    """Return the partial velocities of a point, above the partial angular ones of a frame."""
+    body = bodies_of(equations)
+    frame, point = _place(equations, method, where)
+    if point is not None:
+        _origin(body, point)
+    count = 3 * ((point is not None) + (frame is not None))
+
+    def expressions(dynamics: BodyDynamics) -> Any:
+        return dynamics.partial_velocities(body, point, frame)
+
+    shape = count, len(equations.speeds)
+    return Quantity("frame Jacobian", (point, frame), shape, expressions)

@@ -1,0 +1,171 @@
+"""Values of a Problem and their exact derivatives, by what users call them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly import Assembly, CompiledModel, Definition, every_input
+from pydy._checks import listed, one_or_more, real_array, shown
+from pydy._evaluation.function import Function
+from pydy._graph import Graph, Program, derivative_program, simplify
+from pydy._judges import warn_of_left_out, warn_of_missing_derivatives
+from pydy._kernel import Kernel
+from pydy._mechanics import find_symbols
+from pydy._problem import Problem
+from pydy._states import GROUPS, located, members
+
+BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
+"""What the user calls the blocks of an Assembly that can be differentiated."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """A quantity to differentiate."""
+
+    block: str  # of the Assembly; empty for a choice of outputs and expressions
+    chosen: tuple[Any, ...]  # places of outputs, and expressions
+    names: tuple[str, ...]
+
+    def nodes(self, assembly: Assembly) -> tuple[Graph, list[int]]:
+        """Return the quantities as simplified nodes of a graph that grows on its own."""
+        if self.block:
+            return assembly.simplified(self.block)
+        own = assembly.fork()
+        nodes = [
+            own.outputs[one] if isinstance(one, int) else own.read([one], "`of`")[0]
+            for one in self.chosen
+        ]
+        return own.graph, simplify(own.graph, nodes)
+
+
+def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
+    """Return the block, outputs or expressions that a user's `of` means; one if `scalar`."""
+    if isinstance(of, str) and of in BLOCKS and not scalar:
+        names = definition.row_names(BLOCKS[of])
+        if not names:
+            raise ValueError(f"`of` is {of!r}, but the system has nothing of this kind.")
+        return Target(BLOCKS[of], (), tuple(names))
+    single = isinstance(of, (str, sm.Basic))
+    entries = [of] if single else listed("of", of)
+    if not entries or (scalar and len(entries) > 1):
+        count = "one output or expression" if scalar else "at least one output or expression"
+        raise ValueError(f"`of` must be {count}, got {shown(of)}.")
+    outputs, states = definition.places["outputs"], definition.places["states"]
+    chosen: list[Any] = []
+    time = definition.equations.time
+    for entry in entries:
+        place = outputs.get(entry, "of")
+        if place is not None:
+            chosen.append(place)
+        elif isinstance(entry, str) and (k := states.get(entry, "of")) is not None:
+            chosen.append(states.symbols[k])
+        elif isinstance(entry, sm.Expr) and set(find_symbols([entry])) - {time}:
+            chosen.append(entry)
+        else:
+            kinds = "" if scalar else f"one of {', '.join(map(repr, BLOCKS))}, or "
+            raise ValueError(
+                f"`of` must be {kinds}outputs of the system, by symbol or name, or expressions of "
+                f"its states, specifieds and constants, got {shown(entry)}."
+            )
+    return Target("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
+
+
+def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+    """Return the inputs that a user's `wrt` means: groups, or some of any."""
+    if isinstance(wrt, str):
+        if wrt in GROUPS:
+            return every_input(GROUPS[wrt], len(definition.places[wrt]))
+        kinds = ", ".join(map(repr, GROUPS))
+        if all(definition.places[kind].get(wrt, "wrt") is None for kind in GROUPS):
+            raise ValueError(
+                f"`wrt` must be one of {kinds}, or states, constants and specifieds of the system, "
+                f"got {wrt!r}."
+            )
+    symbols = members(definition, one_or_more("wrt", wrt))
+    if not symbols:
+        raise ValueError("`wrt` must name at least one state, constant or specified.")
+    found = (located(definition, symbol, "wrt") for symbol in symbols)
+    return tuple((GROUPS[kind], place) for kind, place in found)
+
+
+def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
+    """Return vectors as rows of inputs, how many there are a sample, and whether `v` is one."""
+    array = real_array(v, "`v`")
+    given = states is not None and not isinstance(states, Mapping)
+    table = real_array(states, "`x`") if given else np.zeros(0)
+    many = table.ndim == 2
+    m = len(table) if many else 1
+    if array.shape == (length,):
+        return array[None], 1, True
+    if many and array.shape == (m, length):
+        return array, 1, True
+    if not many and array.ndim == 2 and len(array) == length and array.size:
+        return array.reshape(1, -1), array.shape[1], False
+    if many and array.ndim == 3 and array.shape[:2] == (m, length) and array.size:
+        return array.reshape(m, -1), array.shape[2], False
+    one, more = f"({length},)", f"({length}, d)"
+    if many:
+        one, more = f"{one}, ({m}, {length})", f"({m}, {length}, d)"
+    raise ValueError(
+        f"`v` must have the shape {one} or {more}, for one vector or d of them, got {array.shape}."
+    )
+
+
+def evaluate_block(
+    problem: Problem, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
+) -> np.ndarray:
+    """Evaluate a block of the equations, or its Jacobian by `wrt`, as `variables` returns it."""
+    if block in ("rates", "outputs"):
+        warn_of_missing_derivatives(problem)
+
+    def kernel(model: CompiledModel) -> Kernel:
+        return model.compiled(block) if wrt is None else model.compiled_jacobian(block, wrt)
+
+    names = partial(problem.definition.row_names, block)
+    blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
+    look = None
+    if wrt is None and any(blocks) and any(problem.definition.equations.left_out):
+        look = partial(warn_of_left_out, blocks=blocks)
+    x, t, r, p = given
+    return Function(problem, kernel, names, wrt or (), look=look)(t, x, r, p)
+
+
+def evaluate_product(
+    problem: Problem, kind: str, of: Any, wrt: Any, v: Any, given: tuple[Any, Any, Any, Any]
+) -> np.ndarray:
+    """Evaluate a product with derivatives, of one of `pydy._graph.products.KINDS`."""
+    definition = problem.definition
+    groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
+    target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
+    if target.block in ("", "rates", "outputs"):
+        warn_of_missing_derivatives(problem)
+    by = variables(definition, wrt)
+    vectors, count, squeeze = None, 1, False
+    if kind not in ("gradient", "jacobian"):
+        length = len(target.names) if kind == "vector-jacobian" else len(by)
+        vectors, count, squeeze = _vectors(v, length, given[0])
+
+    def kernel(model: CompiledModel) -> Kernel:
+        assembly = model.assembly
+
+        def program() -> Program:
+            graph, nodes = target.nodes(assembly)
+            return derivative_program(graph, nodes, by, kind, assembly.sizes, count)
+
+        return model.compiled_by(("product", kind, target.block, target.chosen, by, count), program)
+
+    def names() -> list[str]:
+        if kind in ("jacobian", "jacobian-vector"):
+            return [*target.names]
+        slopes = [f"the derivative by {groups[group][place]}" for group, place in by]
+        return [target.names[0], *slopes] if kind == "gradient" else slopes
+
+    x, t, r, p = given
+    out = Function(problem, kernel, names, by, vectors)(t, x, r, p)
+    return out[..., 0] if squeeze else out

@@ -1,0 +1,251 @@
+"""What exported code and live pages need of a Problem: a `pydy.export.Model`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import islice
+from operator import methodcaller
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly import Assembly, Definition, followed, stored_program
+from pydy._checks import choice, describe
+from pydy._graph import Program
+from pydy._judges import warn_of_missing_derivatives
+from pydy._mechanics import find_symbols
+from pydy._motion import (
+    check_events,
+    event_bounds_program,
+    event_rates_program,
+    event_redirects,
+    projection_program,
+    with_all,
+)
+from pydy._names import name_of, unique_names
+from pydy._problem import Problem
+from pydy.codegen import SpecifiedsPlan
+
+if TYPE_CHECKING:
+    from pydy.export import Model
+    from pydy.solvers import Event
+    from pydy.viz import LiveSystem
+
+
+def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
+    """Return the positions in x of the states that constraints determine, or all if unknown."""
+    equations, count = problem.definition.equations, problem.coordinate_count
+    places, solved = problem.dependent, problem.solved_for
+    q, u = [k for k in places if k < count], [k for k in places if k >= count]
+    if solved is None and len(q) < len(equations.holonomic):
+        q = list(range(count))
+    if solved is None and len(u) < len(equations.velocity):
+        u = list(range(count, count + len(equations.speeds)))
+    return q, u
+
+
+def _input_places(
+    definition: Definition, plan: SpecifiedsPlan, inputs: Sequence[Any] | None
+) -> tuple[int, ...]:
+    """Return which specifieds are inputs of the exported model.
+
+    A live page has no argument `inputs`, which is None: its inputs are numbers.
+    """
+    wanted = {definition.places["specifieds"].find(key, "inputs") for key in inputs or ()}
+    given = followed(definition, plan)
+    for columns, what in (
+        *((part[0], "a Python function") for part in plan.inputs.functions),
+        *((part[0], "samples") for part in plan.inputs.sampled),
+    ):
+        for k in columns.tolist():
+            if k not in wanted:
+                symbol = plan.symbols[k]
+                given_by = f"`specifieds` gives `{symbol}` by {what}, which cannot"
+                expression = "as a SymPy expression, which becomes part of the equations, or as a"
+                if inputs is None:
+                    raise ValueError(
+                        f"{given_by} run in a live page. Give it {expression} number, which can "
+                        "have a slider."
+                    )
+                raise ValueError(
+                    f"{given_by} be exported. Give it {expression} number; or pass "
+                    f"inputs=['{name_of(symbol)}'], so that it becomes an input."
+                )
+    return tuple(k for k, symbol in enumerate(definition.specifieds) if symbol not in given)
+
+
+def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
+    """Refuse resets after which residuals give other unknowns: exported code does not solve."""
+    implicit = definition.equations.implicit
+    if implicit is None:
+        return
+    held = {*find_symbols(map(definition.equations.in_states, implicit.residuals.values()))}
+    for event in events:
+        if moved := [s for s in event.reset if s in held]:
+            raise ValueError(
+                f"`events`: `{event.name}` resets {describe(moved)}, which the residuals of "
+                "`implicit` hold. They give other values then, but exported code does not solve "
+                "them. Leave the event out, or make it terminal without a reset and begin again "
+                "with values that fit."
+            )
+
+
+def _names(symbols: Sequence[Any]) -> list[str]:
+    """Return a name for each symbol, none twice; derivatives are called as in FMI: ``der(F)``."""
+    spelled = []
+    for name, symbol in zip(unique_names(symbols), symbols, strict=True):
+        if isinstance(symbol, sm.Derivative):
+            order = int(symbol.derivative_count)
+            name = f"der({name_of(symbol.expr)}{f',{order}' if order > 1 else ''})"
+        spelled.append(re.sub(r"\s+", " ", name))
+    return spelled
+
+
+def _held(problem: Problem) -> dict[str, Any]:
+    """Return the sizes that projection works with."""
+    equations, assembly = problem.definition.equations, problem.code.assembly
+    if not (assembly.holonomic or assembly.velocity):
+        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
+    every = with_all(problem.code, problem.definition).assembly
+    return {
+        "holonomic": len(every.holonomic),
+        "velocity": len(every.velocity),
+        "positions": len(assembly.holonomic),
+        "motions": len(assembly.velocity),
+        "coordinates": len(equations.coordinates),
+        "speeds": len(equations.speeds),
+        "weighted": int(equations.mechanism is not None and bool(equations.mechanism.bodies)),
+        "following": equations.following[1],
+    }
+
+
+def _builders(
+    problem: Problem, places: tuple[int, ...], events: Sequence[Event], projected: bool
+) -> dict[str, Callable[[], Program]]:
+    """Return what makes the Programs of a model with specifieds at some places as inputs."""
+    from pydy.export import PARTS, with_inputs
+
+    assembly = problem.code.assembly
+    n, found = len(problem.definition.states), dict[str, Callable[[], Program]]()
+
+    def store(part: str, what: str, make: Any, assembly: Assembly = assembly) -> None:
+        program = partial(stored_program, assembly, what, lambda: make(assembly))
+        found[part] = lambda: with_inputs(program(), places)
+
+    def jacobian(assembly: Assembly) -> Program:
+        by = [*(("x", k) for k in range(n)), *(("r", k) for k in places)]
+        both = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
+        return both.jacobian_program("rates", by)
+
+    for part in ("rates", "outputs"):
+        store(part, part, methodcaller("program", part))
+    store("jacobian", f"exported jacobian {places}", jacobian)
+    for part in (part for part in PARTS if getattr(assembly, part)):
+        store(part, f"exported {part}", methodcaller("program", part))
+    if projected:
+        what = f"projection {assembly.following}" if any(assembly.following) else "projection"
+        every = with_all(problem.code, problem.definition).assembly
+        store("projection", what, projection_program, every)
+    if events:
+        expressions = tuple(event.expression for event in events)
+        resets = [e.reset.get(s, s) for e in events for s in problem.definition.states]
+        count, formulas = len(events), assembly.expression_program
+        for part, make in {
+            "events": partial(formulas, "the events", (count,), expressions),
+            "resets": partial(formulas, "the resets of the events", (count, n), resets),
+            "event_rates": partial(event_rates_program, assembly, expressions),
+            "event_bounds": partial(event_bounds_program, assembly, expressions),
+        }.items():
+            found[part] = partial(lambda make: with_inputs(make(), places), make)
+    return found
+
+
+def exported_model(
+    problem: Problem,
+    *,
+    name: str = "model",
+    events: Any = None,
+    constraints: Any = None,
+    inputs: Sequence[Any] | None = (),
+) -> Model:
+    """Return the Programs, names and numbers of a Problem as exported code takes them."""
+    from pydy.export import EventData, Model, Variable, identifiers
+
+    warn_of_missing_derivatives(problem)
+    definition, times = problem.definition, problem.times
+    start = float(times[0]) if len(times) else 0.0
+    places = _input_places(definition, problem.plan, inputs)
+    held = choice(constraints, (None, "project"), "`constraints`") and _held(problem)
+    checked = check_events(events, definition.places["states"])
+    _check_resets(definition, checked)
+    r = problem.inputs(problem.x, start) if places else np.zeros(0)
+    parts = [
+        (definition.states, problem.x),
+        ([definition.specifieds[k] for k in places], r[[*places]]),
+        (definition.constants, problem.p),
+        (definition.outputs_symbols, np.zeros(len(definition.outputs_symbols))),
+    ]
+    names = _names([symbol for symbols, _ in parts for symbol in symbols])
+    values = np.concatenate([numbers for _, numbers in parts]).tolist()
+    variables = iter(map(Variable, names, identifiers(names), values))
+    states, own, numbers, outputs = (tuple(islice(variables, len(s))) for s, _ in parts)
+    return Model(
+        name=identifiers([name])[0],
+        title=name,
+        states=states,
+        inputs=own,
+        constants=numbers,
+        outputs=outputs,
+        builders=_builders(problem, places, checked, bool(held)),
+        events=EventData(
+            tuple(event.name for event in checked),
+            tuple(int(event.direction) for event in checked),
+            tuple(bool(event.terminal) for event in checked),
+            tuple(bool(event.terminal or event.reset) for event in checked),
+            event_redirects(problem.code.assembly, checked, definition.states),
+        ),
+        start=start,
+        stop=float(times[-1]) if len(times) > 1 else start + 1.0,
+        constraints=held or {},
+        unknowns=definition.equations.following[1],
+    )
+
+
+def live_system(
+    problem: Problem, *, name: str = "model", constraints: Any = "auto", events: Any = None
+) -> LiveSystem:
+    """Return a Problem as a page that simulates takes it."""
+    from pydy.viz import LiveSystem
+
+    definition, plan = problem.definition, problem.plan
+    equations = definition.equations
+    constrained = bool(equations.holonomic or equations.velocity)
+    if constraints == "auto":
+        constraints = "project" if constrained else None
+    exported = exported_model(
+        problem, name=name, events=events, constraints=constraints, inputs=None
+    )
+    formulas = dict(plan.expressions)
+    for symbol in followed(definition, plan) - formulas.keys():
+        # A derivative of a motion that is an expression.
+        whole = plan.expressions.get(symbol.expr)
+        if whole is not None:
+            formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
+    dependents: tuple[list[int], list[int]] = ([], [])
+    if constraints is not None:
+        dependents = _dependents(problem)
+    return LiveSystem(
+        model=exported,
+        states=definition.states,
+        inputs=tuple(definition.specifieds[k] for k in _input_places(definition, plan, None)),
+        constants=definition.constants,
+        outputs=definition.outputs_symbols,
+        definitions=formulas,
+        dependents=dependents,
+        coordinates=len(equations.coordinates),
+        speeds=len(equations.speeds),
+    )

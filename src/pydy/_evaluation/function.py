@@ -1,0 +1,130 @@
+"""Functions of t, x, r and p: a block of the equations or a derivative, at one state or many."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from pydy._assembly import CompiledModel
+from pydy._checks import real_array
+from pydy._errors import SingularMatrixError
+from pydy._graph import Program
+from pydy._judges import explain, warn_not_finite
+from pydy._kernel import Kernel
+from pydy._problem import TOGETHER, At, Problem, samples
+
+
+def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
+    """Evaluate a Kernel with further inputs after r."""
+    m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
+    out = np.empty((m, len(kernel.program.outputs)))
+    for first in range(0, m, TOGETHER):
+        rows = slice(first, first + TOGETHER)
+        some = at.some(rows)
+        r = np.empty((len(some.x), width))
+        r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors
+        out[rows] = replace(some, r=r).evaluate(kernel)
+    return out
+
+
+def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
+    """Return an array of all specifieds for m samples: shape (1, s) for all alike, or (m, s)."""
+    array = real_array(r, "`r`")
+    if array.shape == (size,) or array.shape == (len(t), size):
+        return np.atleast_2d(array)
+    raise ValueError(f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}.")
+
+
+@dataclass(frozen=True, eq=False)
+class Function:
+    """A quantity of a Problem as a function f(t, x, r, p), at one state or at m of them.
+
+    Each argument may be None, for the Problem's own. States are (n,) or (m, n) with t a number or
+    (m,), or a dictionary that gives some of the initial conditions instead; r is what users give
+    for the specifieds; p is (k,), or a dictionary. The result has the shape of one value, or m of
+    them.
+    """
+
+    problem: Problem
+    kernel: Callable[[CompiledModel], Kernel]
+    names: Callable[[], Sequence[str]]  # of its outputs, for messages
+    by: Sequence[tuple[str, int]] = ()  # the inputs that it differentiates by
+    vectors: np.ndarray | None = None  # further inputs after r
+    more: int = 0  # further columns of x, after the states
+    look: Callable[[At], None] | None = None  # at the states first
+    solve: bool = False  # whether implicit coordinates are solved for, although x is given
+    # Whether the user's functions of specifieds are called only where the Kernel reads specifieds.
+    skips_unread_inputs: bool = False
+
+    def __call__(self, t: Any = None, x: Any = None, r: Any = None, p: Any = None) -> np.ndarray:
+        """Evaluate it."""
+        problem = self.problem
+        code, definition = problem.model.code, problem.definition
+        n = len(definition.states)
+        wide, instants, single = samples(
+            problem.x_with(x), t, lambda: problem.x, problem.times, n + self.more
+        )
+        states = wide[:, :n]
+        if r is None or callable(r) or isinstance(r, Mapping):
+            plan = problem.plan_with(r)
+            plan.check_times(instants, "times" if t is None else "t")
+            numbers: np.ndarray | None = None
+            perturbed = any(group == "r" for group, _ in self.by)
+            code = problem.model.with_compiled_inputs(plan, perturbed=perturbed)
+            # What is passed to the call is tried, and so checked.
+            skips = r is None and self.skips_unread_inputs and bool(plan.inputs.changing)
+            if skips and not self._reads_inputs(code):
+                numbers = np.zeros((1, len(definition.specifieds)))
+        else:
+            numbers = specified_rows(r, instants, len(definition.specifieds))
+
+        def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
+            return plan.inputs.rows(x, t) if numbers is None else numbers
+
+        at = At(definition, code, instants, states, rows(states, instants), problem.p_with(p))
+        at = at.with_unknowns(None if self.solve else x, rows)
+        if at.x is not states:
+            wide = np.hstack([at.x, wide[:, n:]])
+        if self.look is not None:
+            self.look(at)
+        made, vectors = self.kernel(code), self.vectors
+        try:
+            if definition.assumptions:
+                problem.check_states(at, x is not None, r)
+            out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
+        except SingularMatrixError as error:
+            k = int((at.x == error.state).all(axis=1).argmax())
+            explain(error, lambda t, x: at.some([k]))
+            raise
+        out = out.reshape(len(out), *made.program.blocks[0].shape)
+        if not np.isfinite(out).all():
+            warn_not_finite(out, at, self.names())
+        return out[0] if single else out
+
+    def _reads_inputs(self, code: CompiledModel) -> bool:
+        """Return whether the values, or what is judged with them, may depend on specifieds."""
+        # A property of the code: its Program and constraints are looked through once.
+        known = code.latest.setdefault("reads inputs", {})
+        key = self.kernel(code), self.look is None
+        if key not in known:
+            known[key] = self._look_for_inputs(code, key[0].program)
+        found: bool = known[key]
+        return found
+
+    def _look_for_inputs(self, code: CompiledModel, program: Any) -> bool:
+        definition = self.problem.definition
+        if definition.equations.implicit is not None or "specifieds" in definition.assumptions:
+            return True
+        if not isinstance(program, Program) or any(
+            op == "input" and args[0] == "r"
+            for op, args in zip(program.ops, program.args, strict=True)
+        ):
+            return True
+        if self.look is None:
+            return False
+        assembly = code.assembly.fork()
+        rows = [row for part in assembly.with_left_out() for row in part]
+        return "r" in assembly.graph.inputs_of(rows)

@@ -1,0 +1,5 @@
+"""Integrate a Problem, with sensitivities and events: `integrate` is silent, `simulate` judges."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

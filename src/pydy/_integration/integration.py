@@ -1,0 +1,457 @@
+"""Integrate a Problem: call a solver with its prepared equations, and return a Motion.
+
+`integrate` judges nothing. `simulate` warns of what cannot be trusted, as users need it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import real_array
+from pydy._errors import (
+    IntegrationError,
+    IntegrationInterrupted,
+    SingularMatrixError,
+    warn_user,
+)
+from pydy._integration.sensitivities import SensitivityRequest
+from pydy._judges import check_resets, explain, judge_motion, judge_start, jumps_by_time, stuck_at
+from pydy._motion import (
+    MORE_STEPS,
+    EvaluationRecorder,
+    Motion,
+    PreparedIntegration,
+    Segment,
+    SolveIvp,
+    call_odeint,
+    came_to_the_end,
+    is_odeint,
+    prepare,
+)
+from pydy._problem import Problem
+from pydy.codegen import rates_function
+from pydy.solvers import (
+    EVENTS_ACCUMULATE,
+    MANY_STEPS,
+    NO_CONVERGENCE,
+    OUTCOMES,
+    STEP_UNDERFLOW,
+    TERMINATED,
+    TOO_MANY_STEPS,
+    Begun,
+    Prepared,
+    Solver,
+)
+from pydy.trajectory import Trajectory
+
+SolverFunction = Callable[..., Any]
+
+
+def integrate(
+    problem: Problem,
+    times: np.ndarray,
+    *,
+    solver: SolverFunction,
+    sensitivities: SensitivityRequest | None = None,
+    **options: Any,
+) -> Motion:
+    """Integrate a Problem from its state, and return the Motion.
+
+    Parameters
+    ----------
+    problem : Problem
+        It begins at the first of the `times`.
+    times : ndarray, shape (m,)
+        At least two, ascending or descending.
+    solver : callable
+        A native solver, one of SciPy's, or a function with the signature of odeint.
+    sensitivities : SensitivityRequest, optional
+        What to differentiate the states by.
+    **options
+        As of `System.simulate`: tolerances, `events`, `constraints`.
+
+    Returns
+    -------
+    Motion
+
+    Raises
+    ------
+    ValueError, SingularMatrixError, IntegrationError
+        As in `System.simulate`, but nothing is judged: a motion may have left its constraints, or
+        jump where its sensitivities do not know. See `pydy._judges.judges`. An
+        IntegrationError has the Motion so far, as its attribute `motion`.
+    """
+    if problem.hybrid is not None:
+        return _hybrid_motion(problem, times, solver, sensitivities, options)
+    given = _with_full_output(solver, options)
+    ready, times = prepare(problem, times, solver, given, alone=sensitivities is None)
+    result = call_solver(problem, ready, times, solver, given, sensitivities)
+    return motion_of(problem, ready, times, solver, result, given, sensitivities)
+
+
+def simulate(
+    problem: Problem,
+    times: np.ndarray,
+    *,
+    solver: SolverFunction,
+    sensitivities: SensitivityRequest | None = None,
+    **options: Any,
+) -> Motion:
+    """Integrate like `integrate`, and judge the start and the Motion: see `judges`."""
+    if problem.hybrid is not None:  # which judges its segments
+        return _hybrid_motion(problem, times, solver, sensitivities, options)
+    given = _with_full_output(solver, options)
+    ready, times = prepare(problem, times, solver, given, alone=sensitivities is None)
+    judge_start(problem, times, ready)
+    result = call_solver(problem, ready, times, solver, given, sensitivities)
+    motion = motion_of(problem, ready, times, solver, result, given, sensitivities)
+    judge_motion(motion)
+    return motion
+
+
+def _hybrid_motion(
+    problem: Problem, times: np.ndarray, solver: Any, sensitivities: Any, options: dict[str, Any]
+) -> Motion:
+    assert problem.hybrid is not None
+    motion: Motion = problem.hybrid.integrate(
+        problem, times, solver=solver, sensitivities=sensitivities, **options
+    )
+    return motion
+
+
+def _with_full_output(solver: SolverFunction, options: dict[str, Any]) -> dict[str, Any]:
+    """Return the options with which a solver returns all that a Motion holds."""
+    if isinstance(solver, Solver):
+        return {"dense_output": True, "full_output": True, **options}
+    if isinstance(solver, SolveIvp) or is_odeint(solver):
+        return {"full_output": True, **options}
+    return options
+
+
+def integrate_states(
+    problem: Problem, times: np.ndarray, *, solver: SolverFunction, checked: bool, **options: Any
+) -> Any:
+    """Return what a solver returns, judged as by `simulate`, for `System.integrate`.
+
+    Where `checked`, it is an error that odeint gives up; otherwise its result is returned as it is.
+    """
+    ready, times = prepare(problem, times, solver, options)
+    judge_start(problem, times, ready)
+    result = call_solver(problem, ready, times, solver, options, checked=checked)
+    if ready.constrained or problem.judges_assumptions or result.evaluated is not None:
+        motion = readable_motion(problem, ready, times, solver, result)
+        if motion is not None:
+            judge_motion(motion)
+    if "dense_output" not in options and "dense_output" in ready.options:
+        result.info.pop("dense_output", None)  # which judges needed, not the user
+    return result.returned
+
+
+# -- solvers ---------------------------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class SolverResult:
+    """What a solver returned."""
+
+    returned: Any  # as the caller of `System.integrate` gets it
+    states: Any
+    info: Any  # a dictionary; empty where nobody needs it
+    options: dict[str, Any]  # as the solver got them
+    evaluated: EvaluationRecorder | None = None
+
+
+def call_solver(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
+    solver: SolverFunction,
+    given: dict[str, Any],
+    sensitivities: SensitivityRequest | None = None,
+    checked: bool = True,
+) -> SolverResult:
+    """Call a solver with a prepared integration.
+
+    Where `checked`, it is an error that odeint gives up; otherwise its result is returned as it is.
+    """
+    options = {**ready.options, "begun": given["begun"]} if "begun" in given else ready.options
+    try:
+        if isinstance(solver, Solver):
+            return _call_native(problem, ready, times, solver, given, options, sensitivities)
+        if "args" in options:
+            raise TypeError(
+                "`args` are the specifieds and constants, which a System hands to its "
+                "`ode_solver`: set `specifieds` and `constants`."
+            )
+        f, x0 = rates_function(ready.code, problem.inputs), problem.x
+        if sensitivities is not None:
+            f, x0, options = sensitivities.augment(problem, ready.code, times, solver, options)
+        args = (
+            problem.inputs.values.copy() if problem.inputs.constant else problem.inputs,
+            problem.p,
+        )
+        if isinstance(solver, SolveIvp) or is_odeint(solver):
+            return _call_scipy(
+                problem, ready, times, solver, given, options, (f, x0, args), checked
+            )
+        return _call_users(times, solver, options, (f, x0, args))
+    except TypeError as error:
+        if not isinstance(solver, (Solver, SolveIvp)):
+            error.add_note(
+                "This came from the `ode_solver`, called as ode_solver(f, x0, t, args=(r, p), "
+                "**options)."
+            )
+        raise
+    except (IntegrationInterrupted, IntegrationError, SingularMatrixError) as error:
+        if sensitivities is not None:
+            sensitivities.cut(error)
+        if not isinstance(error, SingularMatrixError):
+            error.motion = motion_so_far(problem, ready, solver, options, error)
+        if isinstance(error, IntegrationInterrupted):
+            raise
+        explain_failure(error, problem, ready, isinstance(solver, Solver) and not ready.enforced)
+        raise
+
+
+def _call_native(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
+    solver: Solver,
+    given: dict[str, Any],
+    options: dict[str, Any],
+    sensitivities: SensitivityRequest | None,
+) -> SolverResult:
+    """Call a native solver, with the latest call's memory if it is free."""
+    full, inputs = given.get("full_output", False), problem.plan.inputs
+    if sensitivities is not None:
+        f, x0, options = sensitivities.augment(problem, ready.code, times, solver, options)
+        args = inputs.values.copy() if inputs.constant else inputs, problem.p
+        states, info = solver(f, x0, times, args=args, **{**options, "full_output": True})
+        return SolverResult((states, info) if full else states, states, info, options)
+    prepared: Prepared | None = None
+    with suppress(IndexError):
+        prepared, known = ready.free.pop()  # no other thread has it then
+        if known is not ready.options and not prepared.retune(solver, ready.options):
+            prepared = None
+    if prepared is None or not prepared.renumber(problem.p, inputs.values, times):
+        f, r = rates_function(ready.code, inputs), inputs.values if inputs.constant else inputs
+        prepared = solver.prepare(f, problem.x, times, (r, problem.p), **options)
+        prepared.on_many_steps = partial(_warn_of_many_steps, ready)
+    ready.problem = problem
+    prepared.begun = options.get("begun")
+    states = prepared(problem.x)
+    if prepared.reusable:
+        ready.free = [(prepared, ready.options)]
+    info = prepared.info if full or ready.constrained or problem.judges_assumptions else {}
+    return SolverResult((states, info) if full else states, states, info, options)
+
+
+def _call_scipy(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
+    solver: Any,
+    given: dict[str, Any],
+    options: dict[str, Any],
+    called: tuple[Any, np.ndarray, Any],
+    checked: bool,
+) -> SolverResult:
+    """Call odeint or solve_ivp, and record where they evaluate if judges need to know."""
+    (f, x0, args), evaluated, odeint = called, None, is_odeint(solver)
+    jumps = None if ready.never_jumps else jumps_by_time(f, args, times)
+    ready.never_jumps = jumps is None
+    jumps = np.zeros((0, 3)) if jumps is None else jumps
+    if len(jumps) or (odeint and problem.judges_assumptions):
+        f = evaluated = EvaluationRecorder(f, jumps)
+    if odeint and checked:
+        states, info = call_odeint(f, x0, times, args, problem.definition.states, options)
+    else:
+        options = {**options, "full_output": True}
+        states, info = solver(f, x0, times, args=args, **options)
+    returned = (states, info) if given.get("full_output", False) else states
+    return SolverResult(returned, states, info, options, evaluated)
+
+
+def _call_users(
+    times: np.ndarray,
+    solver: SolverFunction,
+    options: dict[str, Any],
+    called: tuple[Any, np.ndarray, Any],
+) -> SolverResult:
+    """Call a solver of the user's own."""
+    f, x0, args = called
+    returned = solver(f, x0, times, args=args, **options)
+    pair = isinstance(returned, tuple) and len(returned) == 2
+    states, info = returned if pair else (returned, None)
+    return SolverResult(returned, states, info if isinstance(info, dict) else {}, options)
+
+
+# -- motions ---------------------------------------------------------------------------------------
+
+
+def motion_of(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
+    solver: SolverFunction,
+    result: SolverResult,
+    given: dict[str, Any],
+    sensitivities: SensitivityRequest | None = None,
+) -> Motion:
+    """Return what a solver returned as a Motion."""
+    n, statistics = len(problem.definition.states), dict(result.info)
+    times = statistics.pop("times", times)
+    reached = statistics.pop("reached", None)  # an event may have ended it
+    states = result.states
+    if reached is not None:
+        times, states = times[:reached], states[:reached]
+    events = statistics.pop("events", ())
+    dense = statistics.pop("dense_output", None)
+    native = isinstance(solver, Solver)
+    if sensitivities is not None and not native:
+        dense = None
+        events = [replace(e, before=e.before[:n], after=e.after[:n]) for e in events]
+    times = np.array(times, dtype=float)
+    states = np.array(
+        real_array(states, "What the `ode_solver` returns, states or (states, info),")
+    )
+    width = n if sensitivities is None else sensitivities.sensitive.columns.size
+    if states.shape != (len(times), width):
+        raise ValueError(
+            f"The `ode_solver` must return the shape {(len(times), n)}, one row "
+            f"for each of the `times`, got {states.shape}. One that ends early tells the times of "
+            "its rows: return (states, {'times': times})."
+        )
+    if len(times):  # what is NaN to the end comes after a terminal event
+        rows = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+        times, states = times[:rows], states[:rows]
+    values, augmented, refusal = None, None, ""
+    if sensitivities is not None:
+        augmented = sensitivities.sensitive
+        states, values = map(np.ascontiguousarray, augmented.columns.apart(states))
+        refusal = (
+            "`sensitivities` of a motion that is continued are not known. Simulate over the "
+            "whole time at once, or without `sensitivities`."
+        )
+    elif statistics.get("code") == EVENTS_ACCUMULATE:
+        refusal = (
+            f"The motion ended at t = {statistics['time']!r}, where events accumulate: nothing "
+            f"says how it goes on. {OUTCOMES[EVENTS_ACCUMULATE].remedy}"
+        )
+    options, errors_known = result.options, True
+    if isinstance(solver, SolveIvp):
+        defaults = solver.tolerances(options)
+        errors_known = bool(defaults)  # of a method of the user's they are not
+        options = {**defaults, **{k: v for k, v in options.items() if v is not None}}
+    elif not (native or is_odeint(solver)):
+        errors_known = False
+    start, end = (float(times[0]), float(times[-1])) if len(times) else (problem.t, problem.t)
+    if statistics.get("code") == TERMINATED:
+        end = float(statistics["time"])
+    return Motion(
+        problem=problem,
+        solver=solver,
+        options=options,
+        times=times,
+        states=states,
+        segments=(Segment(start, end, (), problem),),
+        events=events,
+        statistics=statistics,
+        dense=dense,
+        sensitivities=values,
+        augmented=augmented,
+        projected=ready.enforced,
+        errors_known=errors_known,
+        evaluated=result.evaluated,
+        refusal=refusal,
+        proceed=partial(_go_on, given),
+    )
+
+
+def readable_motion(
+    problem: Problem,
+    ready: PreparedIntegration,
+    times: np.ndarray,
+    solver: SolverFunction,
+    result: SolverResult,
+) -> Motion | None:
+    """Return a Motion to judge, or None where a solver gave up or returned something else."""
+    if is_odeint(solver) and not came_to_the_end(result.states, result.info):
+        return None
+    with suppress(TypeError, ValueError):
+        motion = motion_of(problem, ready, times, solver, result, {})
+        return motion if len(motion.times) else None
+    return None
+
+
+def motion_so_far(
+    problem: Problem,
+    ready: PreparedIntegration,
+    solver: SolverFunction,
+    options: dict[str, Any],
+    error: Any,
+) -> Motion:
+    """Return the Motion up to where an integration failed."""
+    start = float(error.times[0]) if len(error.times) else error.time
+    return Motion(
+        problem=problem,
+        solver=solver,
+        options=options,
+        times=error.times,
+        states=error.states,
+        segments=(Segment(start, error.time, (), problem),),
+        events=error.info.get("events", ()),
+        statistics=error.info,
+        projected=ready.enforced,
+        refusal="The integration failed where this motion ends.",
+    )
+
+
+def _go_on(given: dict[str, Any], motion: Motion, times: np.ndarray) -> Trajectory:
+    """Return a motion from its end on, at some times."""
+    options = dict(given)
+    sides = motion.statistics.get("sides")
+    if isinstance(motion.solver, Solver) and given.get("events"):
+        options["begun"] = Begun(None, sides)
+    return simulate(motion.last, times, solver=motion.solver, **options).trajectory
+
+
+# -- failures --------------------------------------------------------------------------------------
+
+_GIVEN_UP = (TOO_MANY_STEPS, STEP_UNDERFLOW, NO_CONVERGENCE)
+
+
+def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, free: bool) -> None:
+    """Say why a motion failed, and warn of resets that left the constraints before."""
+    if isinstance(error, IntegrationError) and error.info.get("code") in _GIVEN_UP:
+        stuck = _stuck_at(problem, ready, error.time, error.state)
+        if stuck is not None:
+            text = str(error)
+            for remedy in (MORE_STEPS, *(OUTCOMES[code].remedy for code in _GIVEN_UP)):
+                text = text.removesuffix(remedy)
+            error.args = (f"{text.rstrip()} {stuck}",)
+            return
+    explain(error, lambda t, x: replace(problem.at(t, x), model=ready.code))
+    if ready.constrained and free and isinstance(error, IntegrationError):
+        info: Any = error.info
+        check_resets(info["events"], problem.at)
+
+
+def _stuck_at(problem: Problem, ready: PreparedIntegration, t: float, x: np.ndarray) -> str | None:
+    """Describe the jump at which a motion stays, if it does; see `stuck_at`."""
+    at = replace(problem.at(np.array([t]), np.array([x])), model=ready.code)
+    return stuck_at(at, ready.span)
+
+
+def _warn_of_many_steps(ready: PreparedIntegration, t: float, x: np.ndarray) -> None:
+    problem = ready.problem
+    stuck = None if problem is None else _stuck_at(problem, ready, t, x)
+    if stuck is not None:
+        warn_user(f"The solver has taken more than {MANY_STEPS} steps by t = {t:.4g}. {stuck}")

@@ -1,0 +1,140 @@
+"""Parameters of a motion as a user names them: constants, initial conditions, specifieds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly import Definition
+from pydy._checks import one_or_more, refuse_twice
+from pydy._states import located, members
+from pydy.codegen import SpecifiedsPlan
+from pydy.inputs import SampledInput
+from pydy.solvers import Sized
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """Something that a motion depends on."""
+
+    symbol: Any  # a constant, a state for its initial condition, or a specified
+    kind: str  # 'constants', 'states' or 'specifieds'
+    place: int  # in p, x or r
+    samples: SampledInput | None = None  # of a specified, of this one alone: each is a parameter
+
+    @property
+    def count(self) -> int:
+        """The number of columns."""
+        return 1 if self.samples is None else len(self.samples.times)
+
+    @property
+    def sized(self) -> Sized:
+        """The source of its size."""
+        group = {"constants": "p", "states": "x", "specifieds": "r"}[self.kind]
+        most = None if self.samples is None else float(np.abs(self.samples.values).max())
+        return Sized(group, self.place, self.count, most)
+
+
+def read_parameters(
+    definition: Definition,
+    plan: SpecifiedsPlan,
+    wanted: Any,
+    argument: str = "sensitivities",
+    dependent: Sequence[Any] = (),
+) -> tuple[Parameter, ...]:
+    """Return the parameters that a user `wanted`; a group stands for all that may be parameters."""
+    following = _following(definition, plan)
+    symbols = members(
+        definition,
+        one_or_more(argument, wanted),
+        {"states": dependent, "specifieds": following},
+    )
+    if not symbols:
+        raise ValueError(
+            f"`{argument}` must name at least one constant, initial condition or specified."
+        )
+    for _, function in plan.inputs.functions:
+        raise ValueError(
+            f"`{argument}` needs the derivatives of the specifieds, but {function.label} is a "
+            "Python function, which has none. Give it as a SymPy expression of states, time and "
+            "constants, or as samples, pydy.inputs.SampledInput(times, values)."
+        )
+    found = [_parameter(definition, plan, following, symbol, argument) for symbol in symbols]
+    refuse_twice([parameter.symbol for parameter in found], argument)
+    return tuple(found)
+
+
+def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
+    """Return the specifieds that follow from others or are expressions."""
+    return [
+        symbol
+        for symbol in definition.specifieds
+        if symbol in plan.expressions
+        or (isinstance(symbol, sm.Derivative) and symbol not in plan.given)
+    ]
+
+
+def _parameter(
+    definition: Definition, plan: SpecifiedsPlan, following: list[Any], key: Any, argument: str
+) -> Parameter:
+    what = "constants, states (for their initial conditions) and specifieds of the system"
+    kind, place = located(definition, key, argument, ("constants", "states", "specifieds"), what)
+    symbol = definition.places[kind].symbols[place]
+    if kind != "specifieds":
+        return Parameter(symbol, kind, place)
+    if symbol in plan.expressions:
+        raise ValueError(
+            f"`{argument}` has the specified `{symbol}`, which is given as the expression "
+            f"`{plan.expressions[symbol]}`. Name the constants in it instead."
+        )
+    for columns, samples in plan.inputs.sampled:
+        if place in columns:
+            if samples.interpolation == "pchip":
+                raise ValueError(
+                    f"`{argument}` has `{symbol}`, whose samples are interpolated by 'pchip': its "
+                    "slopes depend on the samples with kinks, such as wherever neighbours are "
+                    "equal. Use the interpolation 'linear' or 'previous'."
+                )
+            return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
+    if symbol in following:
+        raise ValueError(
+            f"`{argument}` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
+            "instead, or the constants in its expression."
+        )
+    return Parameter(symbol, kind, place)
+
+
+# -- Samples as parameters: their weights in time, and the steps that these need -------------------
+
+
+def by_samples(parameter: Any) -> SampledInput:
+    """Return the derivatives of a sampled input by each of its samples."""
+    samples = parameter.samples
+    assert samples is not None
+    return SampledInput(samples.times, np.eye(parameter.count), samples.interpolation)
+
+
+def mean_spacing(parameters: Sequence[Any]) -> float | None:
+    """Return the least mean distance of the samples of one parameter in time."""
+    times = [p.samples.times for p in parameters if p.samples is not None and p.count > 1]
+    return min((float(one[-1] - one[0]) / (len(one) - 1) for one in times), default=None)
+
+
+def marker(parameters: Sequence[Any]) -> SampledInput | None:
+    """Return an input with a kink or a jump at the time of every sample.
+
+    Samples in a line, such as zeros, leave no mark in the motion, though the derivatives by each
+    of them have a kink or a jump there. The integral of this input is under the error control as
+    one more state, so that the steps are short enough for those.
+    """
+    samples = [p.samples for p in parameters if p.samples is not None]
+    if not samples:
+        return None
+    times = np.unique(np.concatenate([one.times for one in samples]))
+    smooth = all(one.interpolation == "linear" for one in samples)
+    values = np.where(np.arange(len(times)) % 2, -1.0, 1.0)[:, None]
+    return SampledInput(times, values, "linear" if smooth else "previous")

@@ -1,0 +1,479 @@
+"""Sensitivities of a simulation: which parameters, their columns at the start, and the equations.
+
+The columns ∂x/∂θ are integrated beside the state (`pydy._graph.columns`). An initial condition is a
+parameter of its own state; where the constraints tie others to it, they follow by the implicit
+function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for the dependent states d.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from math import factorial
+from typing import Any
+
+import numpy as np
+
+from pydy._assembly import CompiledModel, Definition, stored_program
+from pydy._checks import describe
+from pydy._graph import (
+    Columns,
+    Program,
+    Rows,
+    Tangent,
+    dense_jacobian,
+    factor_sums,
+    lower,
+    simplify,
+)
+from pydy._integration.parameters import Parameter, by_samples, mean_spacing, read_parameters
+from pydy._judges import explain_columns
+from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._motion import SolveIvp, of_states, with_all
+from pydy._problem import Problem
+from pydy._states import follow
+from pydy.codegen import SpecifiedsPlan
+from pydy.inputs import SampledInput
+from pydy.solvers import (
+    CompiledSensitivities,
+    Event,
+    Options,
+    Sized,
+    Solver,
+    read_options,
+    scales_of,
+    tableau_of,
+)
+
+# The step control sees motions of so many tolerances: errors of them are a thousandth, at most,
+# where these are what is allowed.
+_SEEN = 1e3
+
+
+@dataclass(frozen=True, eq=False)
+class AugmentedSystem:
+    """A System's equations with columns of sensitivities after the state."""
+
+    definition: Definition
+    model: CompiledModel  # with all expressions compiled in, as it is integrated
+    plan: SpecifiedsPlan
+    parameters: tuple[Parameter, ...]
+    p: np.ndarray
+    argument: str = "sensitivities"  # that named the parameters
+    dependent: tuple[int, ...] = ()  # the places of states that follow from the others
+    width: int = 0  # of the states with what is integrated after them, if there is any
+    columns: Columns = field(init=False)
+
+    @staticmethod
+    def of(
+        problem: Problem,
+        model: CompiledModel,
+        plan: SpecifiedsPlan,
+        wanted: Any,
+        argument: str = "sensitivities",
+    ) -> AugmentedSystem:
+        """Return the sensitivities with respect to a user's parameters.
+
+        The Problem's `dependent` states follow from the others.
+        """
+        definition, places = problem.definition, problem.dependent
+        following = tuple(definition.states[k] for k in places)
+        parameters = read_parameters(definition, plan, wanted, argument, following)
+        return AugmentedSystem(definition, model, plan, parameters, problem.p, argument, places)
+
+    def __post_init__(self) -> None:
+        s = len(self.definition.specifieds)
+        directions: list[Any] = []
+        weights = 0
+        for parameter in self.parameters:
+            if parameter.kind == "states":
+                directions.append(None)
+            elif parameter.kind == "constants":
+                directions.append(("p", parameter.place))
+            elif parameter.samples is None:
+                directions.append(("r", parameter.place))
+            else:
+                for _ in range(parameter.count):
+                    directions.append(("r", parameter.place, s + weights))
+                    weights += 1
+        n = self.width or len(self.definition.states)
+        object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
+
+    def stepped(
+        self,
+        solver: Solver,
+        options: dict[str, Any],
+        x0: np.ndarray,
+        times: np.ndarray,
+        controlled: bool,
+    ) -> dict[str, Any]:
+        """Return options with steps that are short enough where the states do not tell.
+
+        Samples in a line leave no mark in the motion: the states' error shows no kink there. Nor
+        does it show anything where a motion begins at rest or steadily: what beside it grows or
+        swings is in the sensitivities alone, which may be `controlled` too.
+        """
+        if not solver.adaptive:
+            return options
+        spacing = mean_spacing(self.parameters)
+        longest = np.inf if spacing is None else spacing
+        if not controlled:
+            longest = min(longest, self._unseen(solver, options, x0, times))
+        return options if longest == np.inf else {"max_step": longest, **options}
+
+    def _unseen(
+        self, solver: Solver, options: Mapping[str, Any], x0: np.ndarray, times: np.ndarray
+    ) -> float:
+        """Return how long steps may be where a motion begins so steadily that no error is seen."""
+        model, n, at = self.model, len(x0), times[:1]
+        given = {k: options[k] for k in ("rtol", "atol") if k in options}
+        read = read_options(solver.name, solver.adaptive, given)
+        if any(np.shape(one) not in ((), (n,)) for one in (read.rtol, read.atol)):
+            return float(np.inf)  # which is an error
+        args = at, x0[None], self.plan.inputs.rows(x0[None], at), self.p
+        equations = self.definition.equations
+        first = len(equations.coordinates)
+        speeds = slice(first, first + len(equations.speeds))
+        changes = np.abs(model.compiled("rates").evaluate(*args)[0][0, speeds])
+        seen = (_SEEN * (read.atol + read.rtol * np.abs(x0)))[speeds]
+        if not (changes * (times[-1] - times[0]) <= _SEEN * seen).all():
+            return float(np.inf)  # the derivatives are not needed
+        slopes = model.compiled_jacobian("rates", "x").evaluate(*args)[0].reshape(n, n)
+        if not np.isfinite(slopes).all():
+            return float(np.inf)
+        found = np.linalg.eigvals(slopes)
+        implicit = solver.name == "radau"  # what dies out needs no short steps
+        fastest = (np.maximum(found.real, np.abs(found.imag)) if implicit else np.abs(found)).max()
+        if not (fastest > 0.0 and (changes <= fastest * seen).all()):
+            return float(np.inf)
+        order = 5 if implicit else tableau_of(solver.name).order
+        # The error of a step of h is (h λ)ᵖ⁺¹ / (p + 1)! of what grows as exp(λ t).
+        allowed = float(np.max(read.rtol)) or Options.rtol
+        share = (allowed * factorial(order + 1)) ** (1.0 / (order + 1))
+        return float(min(share, 1.0) / fastest)
+
+    def controlled(self, wanted: bool) -> bool:
+        """Tell whether the step control looks at the sensitivities too: of samples, always."""
+        return wanted or mean_spacing(self.parameters) is not None
+
+    def sized(self, options: Mapping[str, Any]) -> tuple[Sized, ...]:
+        """Return the parameters' sizes.
+
+        States with absolute tolerances of their own are as small, where they pass through zero, as
+        these say in relative ones; all others have sizes of at least 1.
+        """
+        found = tuple(parameter.sized for parameter in self.parameters)
+        least = least_sizes(options, self.columns.states).tolist()
+        return tuple(s._replace(least=least[s.place]) if s.group == "x" else s for s in found)
+
+    @property
+    def whole(self) -> AugmentedSystem:
+        """The same with all constraints, as they are projected on."""
+        model = with_all(self.model, self.definition)
+        return self if model is self.model else replace(self, model=model)
+
+    # -- compiled ---------------------------------------------------------------------------------
+
+    def kernel(self, *blocks: str) -> Kernel:
+        """Return the Kernel of the derivatives of blocks by the parameters.
+
+        By default it is that of the derivatives of the states and of their sensitivities by time.
+        """
+        return self.model.compiled_by(
+            ("sensitivities", blocks, self.columns), lambda: self.tangent(*blocks)
+        )
+
+    def tangent(self, *blocks: str) -> Tangent:
+        """Return the Tangent of `kernel`."""
+        columns, assembly = self.columns, self.model.assembly
+
+        def make() -> Tangent:
+            if blocks:
+                graph = assembly.graph.copy()
+                nodes = [node for name in blocks for node in getattr(assembly, name)]
+                return columns.tangent(graph, simplify(graph, nodes), sizes)
+            graph, rates = assembly.simplified("rates")
+            return columns.tangent(graph, rates, sizes, "rates")
+
+        sizes = assembly.sizes
+        return stored_program(
+            assembly, f"sensitivities of {', '.join(blocks) or 'rates'} {columns}", make
+        )
+
+    def written_out(self, *blocks: str) -> Program:
+        """Return the Program of `kernel`: an infinite derivative spoils no other column."""
+        what = f"sensitivities of {', '.join(blocks)} {self.columns}, written out"
+        return stored_program(
+            self.model.assembly, what, lambda: self.tangent(*blocks).written_out()
+        )
+
+    def call(self) -> KernelCall:
+        """Return the equations with sensitivities and their numbers, for native solvers."""
+        model = self.model
+        return KernelCall(
+            self.kernel(),
+            self.p,
+            np.concatenate([self.plan.inputs.values, np.zeros(self.columns.weights)]),
+            (*self.plan.inputs.sampled, *self.weights()),
+            None,
+            lambda: tuple(map(str, model.layout.states)),
+            lambda: model.compiled_jacobian("rates", "x"),
+        )
+
+    def weights(self) -> list[tuple[np.ndarray, SampledInput]]:
+        """Return the derivatives of sampled inputs by their samples, with their places in r."""
+        result, start = [], len(self.definition.specifieds)
+        for parameter in self.parameters:
+            if parameter.samples is not None:
+                places = np.arange(start, start + parameter.count)
+                result.append((places, by_samples(parameter)))
+                start += parameter.count
+        return result
+
+    def function(self) -> Callable[..., np.ndarray]:
+        """Return ``f(x, t, …)`` for solvers, of states with their sensitivities."""
+        call, n = self.call(), self.columns.states
+        kernel, model, p = call.kernel, self.model, call.p
+
+        def f(x: Any, t: Any, *args: Any) -> np.ndarray:
+            out = np.empty(self.columns.size)
+            state = np.ascontiguousarray(x, dtype=float)
+            r = call.inputs_at(state, float(t))
+            if kernel.at(state, float(t), r, p, out):
+                raise model.singular(float(t), state[:n])
+            return out
+
+        f.native = lambda args: call  # type: ignore[attr-defined]
+        return f
+
+    def compiled(
+        self,
+        x: np.ndarray,
+        options: Mapping[str, Any],
+        wanted: bool = False,
+        events: Sequence[Event] = (),
+    ) -> CompiledSensitivities:
+        """Return the sensitivities of a motion from x for native solvers, beside the equations.
+
+        It may be `wanted` that the step control looks at them.
+        """
+        columns, model = self.columns, self.model
+        sizes = scales_of(self.sized(options), x, self.plan.inputs.values, self.p, columns.count)
+        return CompiledSensitivities(
+            columns.states,
+            columns.sources,
+            sizes,
+            x,
+            self.controlled(wanted),
+            lambda event: compiled_event(model, events[event], columns.wanted),
+            lambda: self.whole.kernel("holonomic", "velocity"),
+        )
+
+    def rows(self, times: np.ndarray) -> np.ndarray:
+        """Return r with its further inputs at some times, shape (m, s + w) or (1, s + w)."""
+        call = self.call()
+        return Inputs(call.r, call.sampled).rows(np.empty((len(times), 0)), times)
+
+    def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
+        out = self._sweep((), times, states, values)
+        return self.columns.apart(out)[1]
+
+    def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the sensitivities of the outputs, shape (m, o, k)."""
+        out = self._sweep(("outputs",), times, states, values)
+        return out.reshape(len(times), -1, self.columns.count)
+
+    def _sweep(
+        self, blocks: tuple[str, ...], times: np.ndarray, states: np.ndarray, values: np.ndarray
+    ) -> np.ndarray:
+        whole = self.columns.together(states, values)
+        return self.model.evaluate(self.kernel(*blocks), times, whole, self.rows(times), self.p)
+
+    # -- the start --------------------------------------------------------------------------------
+
+    def start(self, x0: np.ndarray, t: float) -> np.ndarray:
+        """Return the sensitivities of the initial state, shape (n, k); see `follow`."""
+        values = self.independent()
+        if self.tied:
+            n, instant, model = self.columns.states, np.array([t]), self.model
+            args = (instant, x0[None], self.plan.inputs.rows(x0[None], instant), self.p)
+            rows = [model.evaluate(model.compiled_jacobian(b, "x"), *args) for b in self.tied]
+            moved = [self._sweep((b,), instant, x0[None], values[None])[0] for b in self.tied]
+            gradients = [row.reshape(-1, n) for row in rows]
+            every = np.concatenate(moved)
+            if not follow(values, gradients, every, self.unknowns, self.dependent):
+                raise ValueError(self.unsolved())
+        return values
+
+    @property
+    def tied(self) -> list[str]:
+        """The blocks of constraints that initial conditions satisfy."""
+        equations = self.definition.equations
+        return [block for block in ("holonomic", "velocity") if getattr(equations, block)]
+
+    @property
+    def unknowns(self) -> list[range]:
+        """The places of the states that each of these blocks is solved for."""
+        first = len(self.definition.equations.coordinates)
+        every = {"holonomic": range(first), "velocity": range(first, self.columns.states)}
+        return [every[block] for block in self.tied]
+
+    def independent(self) -> np.ndarray:
+        """Return the sensitivities of the initial state, zero for the dependent ones."""
+        values = np.zeros((self.columns.states, self.columns.count))
+        column = 0
+        for parameter in self.parameters:
+            if parameter.kind == "states":
+                if parameter.place in self.dependent:
+                    raise ValueError(
+                        f"`{self.argument}` has the initial condition of `{parameter.symbol}`, "
+                        "which follows from the others by the constraints, as do "
+                        f"{self._following}. Name independent ones, or make it independent: "
+                        "call set_dependent_initial_conditions(dep_vars=…) with other variables."
+                    )
+                values[parameter.place, column] = 1.0
+            column += parameter.count
+        return values
+
+    @property
+    def _following(self) -> str:
+        return describe([self.definition.states[k] for k in self.dependent])
+
+    def unsolved(self) -> str:
+        """Return the message for constraints that do not determine the dependent conditions."""
+        which = "for any: none is named as dependent"
+        if self.dependent:
+            which = f"for {self._following}"
+        return (
+            f"`{self.argument}` needs to know how the dependent initial conditions follow from "
+            f"the others, but the constraints cannot be solved {which}. Call "
+            "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
+        )
+
+
+def least_sizes(options: Mapping[str, Any], n: int) -> np.ndarray:
+    """Return the least sizes of n initial conditions; see `AugmentedSystem.sized`."""
+    if np.shape(options.get("atol", 0.0)) == (n,):
+        rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
+        if (rtol > 0.0).all() and (atol > 0.0).all():
+            found: np.ndarray = atol / rtol
+            return np.broadcast_to(found, n)
+    return np.ones(n)
+
+
+def changed_by(event: Event, states: Sequence[Any]) -> tuple[int, ...]:
+    """Return the places of the states that an event changes."""
+    return tuple(k for k, state in enumerate(states) if state in event.reset)
+
+
+def program_of_event(
+    model: CompiledModel, event: Event, wanted: Sequence[tuple[str, int]]
+) -> Program:
+    """Return the Program of an event with g = 0 and the state R after it.
+
+    The inputs r are followed by their derivatives by time; w inputs (group, index) are wanted, and
+    c states changed. The blocks are
+
+    ===========  ============  ==================================================================
+    rate         (1,)          ġ, along the motion
+    curvature    (1,)          g̈
+    crossing     (n + w,)      the derivatives of g by the states, then by what is wanted
+    after_rates  (n,)          Ṙ, along the motion before the event
+    after        (c, n + w)    the derivatives of those states in R that are changed
+    ===========  ============  ==================================================================
+    """
+    own, symbols = model.assembly.fork(), model.layout.states
+    graph, (n, s, c) = own.graph, own.sizes
+    after = [event.reset.get(state, state) for state in symbols]
+    read = own.read([event.expression, *after], f"the event `{event.name}`")
+    crossing, *rest = simplify(graph, [*read, *own.rates])
+    after, rates = rest[:n], rest[n:]
+    states = [graph.input("x", i) for i in range(n)]
+    along = {graph.input("t", 0): {0: graph.one}}
+    along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
+    along.update((graph.input("r", i), {0: graph.input("r", s + i)}) for i in range(s))
+    motion = Rows(graph, along)
+    by = [*states, *(graph.input(*place) for place in wanted)]
+    first = motion(crossing).get(0, graph.zero)
+    changed = [after[k] for k in changed_by(event, symbols)]
+    parts = {
+        "rate": [first],
+        "curvature": [motion(first).get(0, graph.zero)],
+        "crossing": dense_jacobian(graph, [crossing], by),
+        "after_rates": [motion(node).get(0, graph.zero) for node in after],
+        "after": dense_jacobian(graph, changed, by),
+    }
+    shapes = {"after": (len(changed), len(by))}
+    cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))
+    blocks = [
+        (name, shapes.get(name, (len(part),)), [next(cells) for _ in part])
+        for name, part in parts.items()
+    ]
+    return lower(graph, (n, 2 * s, c), blocks, own=own.sizes)
+
+
+def compiled_event(
+    model: CompiledModel, event: Event, wanted: tuple[tuple[str, int], ...]
+) -> tuple[Kernel, tuple[int, ...]]:
+    """Return the Kernel of an event's effect on derivatives, and the states it changes."""
+    key = ("the event", event.expression, *event.reset.items(), wanted)
+    kernel = model.compiled_by(key, lambda: program_of_event(model, event, wanted))
+    return kernel, changed_by(event, model.layout.states)
+
+
+@dataclass
+class SensitivityRequest:
+    """The sensitivities wanted of a simulation: an argument of `integrate` and `simulate`.
+
+    `parameters` are symbols, names or groups such as ``'states'``, as `System.simulate` takes them.
+    Where derivatives are the result itself, as in orbits, they are `controlled`.
+    """
+
+    parameters: Any
+    # whether the step control of a native solver looks at the sensitivities too
+    controlled: bool = False
+    given: np.ndarray | None = None  # those of the initial state, shape (n, k); else they follow
+    untimed: frozenset[int] = frozenset()  # see `CompiledSensitivities`
+    sensitive: AugmentedSystem = field(init=False)  # from the call of `augment` on
+
+    def augment(
+        self,
+        problem: Problem,
+        model: CompiledModel,
+        times: np.ndarray,
+        solver: Any,
+        options: dict[str, Any],
+    ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
+        """Return the right-hand side, the initial values and the options of the solver.
+
+        The model that is integrated is of the states alone.
+        """
+        self.sensitive = sensitive = AugmentedSystem.of(
+            problem, model, problem.plan, self.parameters
+        )
+        values = sensitive.start(problem.x, float(times[0])) if self.given is None else self.given
+        columns = sensitive.columns
+        if isinstance(solver, Solver):
+            held = sensitive.controlled(self.controlled)
+            options = sensitive.stepped(solver, options, problem.x, times, held)
+            sources = () if (events := options.get("events")) is None else events.sources
+            compiled = sensitive.compiled(problem.x, options, self.controlled, sources)
+            compiled = replace(compiled, untimed=self.untimed)
+            options = {**options, "sensitivities": compiled}
+        else:
+            if isinstance(solver, SolveIvp) and "events" in options:
+                options = {**options, "events": of_states(options["events"], columns.states)}
+            for name in options.keys() & {"rtol", "atol"}:
+                if np.size(options[name]) == columns.states > 1:  # others as of their states
+                    every = np.repeat(np.asarray(options[name]), columns.count)
+                    options = {**options, name: np.concatenate([options[name], every])}
+        return sensitive.function(), columns.together(problem.x, values), options
+
+    def cut(self, error: Any) -> None:
+        """Remove the sensitivities from the states in an error."""
+        n = self.sensitive.columns.states
+        if getattr(error, "states", None) is not None:
+            error.states = error.states[:, :n]
+        explain_columns(error, error.state[n:])
+        error.state = error.state[:n]

@@ -1,0 +1,27 @@
+from .constraint_drift import (
+    check_resets as check_resets,
+    check_samples as check_samples,
+    contradiction as contradiction,
+    drift_programs as drift_programs,
+    first_violation as first_violation,
+    rates as rates,
+    warn_of_left_out as warn_of_left_out,
+)
+from .diagnostics import (
+    diagnosis_of as diagnosis_of,
+    explain as explain,
+    explain_columns as explain_columns,
+    warn_not_finite as warn_not_finite,
+    warn_of_outputs as warn_of_outputs,
+)
+from .discontinuities import (
+    jumps_by_time as jumps_by_time,
+    node_of as node_of,
+    warn_of_jumps as warn_of_jumps,
+    warn_of_kinks as warn_of_kinks,
+    watched as watched,
+)
+from .judges import judge_motion as judge_motion, judge_start as judge_start
+from .missing_derivatives import warn_of_missing_derivatives as warn_of_missing_derivatives
+from .passages import Passed as Passed, Watched as Watched, jump_message as jump_message
+from .sliding import stuck_at as stuck_at

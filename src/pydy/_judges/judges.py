@@ -1,0 +1,42 @@
+"""What users are told of a start and of a motion: warnings, and refusals of what is wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pydy._judges.assumptions import check_assumptions, check_orientations, orientations
+from pydy._judges.constraint_drift import check_drift, check_resets, check_start
+from pydy._judges.discontinuities import warn_of_impulses, warn_of_pulses
+from pydy._motion import Motion, PreparedIntegration
+from pydy._problem import Problem
+from pydy.solvers import Solver
+
+
+def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration) -> None:
+    """Warn of a start off the constraints, and once of inputs whose derivatives are impulses.
+
+    Without constraints that say so, warn also of one where a frame's orientation is no rotation.
+    """
+    at_start, off = (times[:1], problem.x[None]), False
+    if ready.constrained:
+        off = check_start(problem.at(*at_start), mended=ready.enforced)
+    if ready.oriented is None:
+        ready.oriented = orientations(problem.definition.equations)
+    if ready.oriented and not off:
+        check_orientations(problem.at(*at_start), ready.oriented)
+    if not ready.start_judged and (problem.plan.expressions or ready.constrained):
+        warn_of_impulses(problem, times)
+    ready.start_judged = True
+
+
+def judge_motion(motion: Motion) -> None:
+    """Warn of a Motion that cannot be trusted, and refuse one that left its constraints."""
+    problem = motion.problem
+    if motion.evaluated is not None and len(motion.evaluated.jumps):
+        warn_of_pulses(motion)
+    if problem.judges_assumptions and len(motion.times):
+        check_assumptions(motion)
+    if problem.definition.equations.constrained and len(motion.times):
+        if isinstance(motion.solver, Solver) and not motion.projected:
+            check_resets(motion.events, problem.at)
+        check_drift(motion)

@@ -1,0 +1,50 @@
+"""Holonomic constraints whose derivatives are missing among the velocity constraints.
+
+The equations of motion are then those of a system without these constraints. What evaluates them
+gives one warning; what integrates them raises where the motion leaves the constraints.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pydy._errors import warn_user
+from pydy._judges.constraint_drift import rates
+from pydy._problem import Problem
+from pydy._rank import HALF
+
+
+def warn_of_missing_derivatives(problem: Problem) -> None:
+    """Warn of a holonomic constraint that no velocity constraint and no kinematics keeps."""
+    equations = problem.definition.equations
+    if not equations.forgotten:
+        return
+    places = [k for k in equations.forgotten if not _implied(problem, k)]
+    if not places:
+        return
+    k = places[0]
+    more = f" {len(places) - 1} other holonomic constraints neither." if len(places) > 1 else ""
+    warn_user(
+        f"No velocity constraint keeps the holonomic constraint {k}, `{equations.holonomic[k]}` = "
+        f"0: its derivative is missing, and the equations of motion are those of a system without "
+        f"this constraint.{more} Give KanesMethod the derivative in `velocity_constraints` and a "
+        "speed in `u_dependent`, or use a pydy.mechanics.Definition, which differentiates it."
+    )
+
+
+def _implied(problem: Problem, place: int) -> bool:
+    """Return whether velocity constraints keep a holonomic one with the numbers of the System.
+
+    They may do so with these constants, and not with those at which it was tried. Where the
+    constraint has no derivative, at a singular position, nothing is known.
+    """
+    equations, at = problem.definition.equations, problem.at(np.array([problem.t]), problem.x[None])
+    found = at.values(rates)
+    count = len(equations.unimplied)
+    slope = found["slopes"].reshape(count, -1)[equations.unimplied.index(place)]
+    rows = found["rows"].reshape(-1, slope.size)
+    size = np.linalg.norm(slope)
+    if not (np.isfinite(slope).all() and np.isfinite(rows).all() and size > 0.0 and rows.size):
+        return False
+    shares = np.linalg.lstsq(rows.T, slope, rcond=HALF)[0]
+    return bool(np.linalg.norm(slope - shares @ rows) <= HALF * size)

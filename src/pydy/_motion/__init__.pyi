@@ -1,0 +1,24 @@
+from .events_and_constraints import (
+    ConstraintNames as ConstraintNames,
+    EnsembleOptions as EnsembleOptions,
+    check_events as check_events,
+    constraint_names as constraint_names,
+    event_bounds_program as event_bounds_program,
+    event_rates_program as event_rates_program,
+    event_redirects as event_redirects,
+    native_solver as native_solver,
+    projection_program as projection_program,
+    with_all as with_all,
+    with_residuals_held as with_residuals_held,
+)
+from .motion import EvaluationRecorder as EvaluationRecorder, Motion as Motion, Segment as Segment
+from .preparation import PreparedIntegration as PreparedIntegration, prepare as prepare
+from .scipy_solvers import (
+    MORE_STEPS as MORE_STEPS,
+    SolveIvp as SolveIvp,
+    call_odeint as call_odeint,
+    came_to_the_end as came_to_the_end,
+    is_odeint as is_odeint,
+    of_states as of_states,
+    resolve_ode_solver as resolve_ode_solver,
+)

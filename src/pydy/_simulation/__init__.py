@@ -1,5 +1,0 @@
-"""Problems and their motions: a model with numbers, its integration, and checks of the result."""
-
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

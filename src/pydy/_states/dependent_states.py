@@ -1,0 +1,304 @@
+"""Solve the constraints for the dependent coordinates and speeds.
+
+Their derivatives with respect to parameters are computed in `dependence`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+import scipy
+
+from pydy._assembly import Definition
+from pydy._checks import Places, describe, listed
+from pydy._errors import SingularMatrixError, warn_user
+from pydy._names import few
+from pydy._problem import Problem, solved_residuals
+from pydy._rank import (
+    DIGITS,
+    HALF,
+    ROUNDED,
+    equilibrated,
+    independent_columns,
+    least_step,
+    or_one,
+    rank,
+    unrounded,
+)
+from pydy._states.states import point_at
+from pydy.solvers import satisfied
+
+
+def check_dependents(
+    definition: Definition, dep_vars: Iterable[Any]
+) -> tuple[list[int], list[int]]:
+    """Return the places in x of the dependent coordinates and speeds."""
+    equations = definition.equations
+    holonomic, velocity = len(equations.holonomic), len(equations.velocity)
+    if not holonomic and not velocity:
+        raise ValueError(
+            "The system has no constraints, so no initial condition depends on the others."
+        )
+    chosen = listed("dep_vars", dep_vars, "coordinates and speeds")
+    allowed = (*equations.coordinates, *equations.speeds)
+    places = Places(allowed, "coordinates and speeds of the system")
+    chosen = places.chosen(chosen, "dep_vars")
+    q = [allowed.index(s) for s in chosen if s in equations.coordinates]
+    u = [allowed.index(s) for s in chosen if s in equations.speeds]
+    if len(q) != holonomic or len(u) != velocity:
+        raise ValueError(
+            f"`dep_vars` must have {holonomic + velocity} variables, {holonomic} coordinates for "
+            f"the holonomic and {velocity} speeds for the velocity constraints, got {len(chosen)}, "
+            f"{len(q)} and {len(u)}: {describe(chosen)}."
+        )
+    return q, u
+
+
+def given_values(
+    problem: Problem, keys: Iterable[Any], latest: Mapping[Any, float]
+) -> dict[Any, float]:
+    """Find initial conditions that are to stay: not zeros, nor solved for `latest`."""
+    states = problem.definition.states
+    values = {s: float(problem.x[states.index(s)]) for s in keys}
+    given = {s: v for s, v in values.items() if latest.get(s) != v}
+    return {s: v for s, v in given.items() if v != 0.0 and len(given) < len(states)}
+
+
+def default_dependents(problem: Problem, given: Iterable[Any]) -> list[Any]:
+    """Return the states to solve for: the dependent ones, or others where these are given."""
+    definition = problem.definition
+    equations = definition.equations
+    found: list[Any] = []
+    for block, symbols, own in (
+        ("holonomic", equations.coordinates, equations.dependent_coordinates),
+        ("velocity", equations.speeds, equations.dependent_speeds),
+    ):
+        kept = set(given) - (set() if block == "velocity" else _guessed(definition))
+        if not kept.isdisjoint(own):
+            gradient = _at(problem, problem.code.compiled_jacobian(block, "x"), problem.x)
+            places = [definition.states.index(s) for s in symbols]
+            matrix = gradient.reshape(len(own), -1)[:, places]
+            free = [k for k, symbol in enumerate(symbols) if symbol not in kept]
+            units = _motions(problem, problem.x)[places]
+            columns = _determined(matrix, free, units)
+            for k in sorted({symbols.index(s) for s in own} - set(columns)):  # cannot be kept
+                more = _determined(matrix, [*columns, k], units)
+                columns = more if len(more) > len(columns) else columns
+            if len(columns) == len(own):
+                own = tuple(symbols[k] for k in columns)
+        found += own
+    return found
+
+
+def _determined(matrix: np.ndarray, columns: Sequence[int], units: np.ndarray) -> list[int]:
+    """Return columns that can be solved for, whatever the units of rows and columns."""
+    scaled = equilibrated(matrix[:, columns], True, units[columns])[0]
+    return sorted(columns[k] for k in independent_columns(scaled))
+
+
+def _motions(problem: Problem, x: np.ndarray) -> np.ndarray:
+    """Return how fast states change in motions of one energy: units in which they compare."""
+    known: np.ndarray = point_at(problem, np.array([problem.t]), x[None]).motions[0]
+    return known
+
+
+def _guessed(definition: Definition) -> set[Any]:
+    """Return the dependent coordinates that the user chose."""
+    equations = definition.equations
+    body = equations.multibody
+    return set(equations.dependent_coordinates) - set(() if body is None else body.chosen)
+
+
+def _warn_of_changes(definition: Definition, given: Mapping[Any, float], x: np.ndarray) -> None:
+    """Tell which of the values that the user gave the constraints do not allow."""
+    guessed, changes = _guessed(definition), []
+    for symbol, before in given.items():
+        after = float(x[definition.states.index(symbol)])
+        size = max(abs(before), abs(after))
+        if symbol not in guessed and not abs(after - before) <= DIGITS * size:
+            changes.append(f"`{symbol}` is {after:.6g} in place of {before:.6g}")
+    if changes:
+        warn_user(
+            f"The constraints do not allow all initial conditions that were given: {few(changes)}. "
+            "Leave these out, or others that they follow from, or say with `dep_vars` what is to "
+            "change."
+        )
+
+
+def _at(problem: Problem, kernel: Any, state: np.ndarray) -> np.ndarray:
+    """Evaluate a block at the first time."""
+    return np.asarray(problem.at(np.array([problem.t]), state[None]).evaluate(kernel)[0])
+
+
+def _refined(
+    bounded: Callable[[np.ndarray], np.ndarray],
+    slopes: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+) -> np.ndarray:
+    """Go on by Newton's method as long as residuals fall, in units of their rounding bounds."""
+    left, rounding = np.split(bounded(z), 2)
+    for _ in range(20):
+        gradient = slopes(z)
+        if satisfied(left, rounding) or not np.isfinite(gradient).all():
+            break
+        after = z - least_step(gradient, left)
+        values, bounds = np.split(bounded(after), 2)
+        if not np.abs(values / or_one(bounds)).max() < np.abs(left / or_one(rounding)).max():
+            break
+        z, left, rounding = after, values, bounds
+    return z
+
+
+def _solve_coordinates(
+    problem: Problem,
+    coordinates: list[int],
+    x: np.ndarray,
+    use_jac: bool,
+    root_kwargs: dict[str, Any],
+) -> bool:
+    """Solve the holonomic constraints for `coordinates` in place; return whether they are met."""
+    model, definition, value = problem.code, problem.definition, partial(_at, problem)
+    bounded, size = model.compiled_bounded("holonomic"), len(coordinates)
+
+    def placed(z: np.ndarray) -> np.ndarray:
+        state = x.copy()
+        state[coordinates] = z
+        return state
+
+    def slopes_at(z: np.ndarray) -> np.ndarray:
+        gradient = value(model.compiled_jacobian("holonomic", "x"), placed(z))
+        return gradient.reshape(size, len(x))[:, coordinates]
+
+    # An area and a length in nanometres are to weigh the same: rows in units of their terms.
+    first = value(bounded, x)[size:]
+    terms = np.where(np.isfinite(first), or_one(first), 1.0)
+    # And SciPy's differences step by 1e-8 from zero: unknowns in units that move rows by as much.
+    units = np.ones(size)
+    if use_jac or not x[coordinates].all():
+        steep = np.abs(np.nan_to_num(slopes_at(x[coordinates]))) / terms[:, None]
+        units = 1.0 / or_one(unrounded(steep).max(axis=0, initial=0.0))
+    if use_jac:
+        root_kwargs = {"jac": slopes_at, **root_kwargs}
+    if callable(given_jac := root_kwargs.get("jac")):
+        root_kwargs["jac"] = lambda w: np.asarray(given_jac(w * units)) * units / terms[:, None]
+    solution = scipy.optimize.root(
+        lambda w: value(bounded, placed(w * units))[:size] / terms,
+        x[coordinates] / units,
+        **root_kwargs,
+    )
+    solution.x = solution.x * units
+    left, rounding = np.split(value(bounded, placed(solution.x)), 2)
+    met = satisfied(left, rounding)
+    if solution.success and not met:
+        solution.x = _refined(lambda z: value(bounded, placed(z)), slopes_at, solution.x)
+        left, rounding = np.split(value(bounded, placed(solution.x)), 2)
+        # Bounds do not know how exact functions in Python are.
+        met = bool((np.abs(left) <= HALF * rounding).all())
+    x[coordinates] = solution.x
+    if not met:
+        names = [definition.states[k] for k in coordinates]
+        warn_user(
+            f"The holonomic constraints did not converge for {describe(names)}: the largest "
+            f"residual is {np.abs(left).max():.3g} ({' '.join(str(solution.message).split())}) "
+            "Give initial conditions nearer to a solution, or another `method`."
+        )
+    return met
+
+
+def _solve_speeds(problem: Problem, speeds: list[int], x: np.ndarray) -> None:
+    """Solve the velocity constraints for `speeds` in place."""
+    model, definition, value = problem.code, problem.definition, partial(_at, problem)
+    kernel = model.compiled_jacobian("velocity", "x")
+    slopes = value(kernel, x).reshape(len(speeds), len(x))
+    matrix = slopes[:, speeds]
+    residual = model.compiled("velocity")
+    start = x.copy()
+    start[speeds] = 0.0
+    right = -value(residual, start)
+    sound = bool(np.isfinite(matrix).all())
+    units = None
+    if sound and rank(matrix) < len(speeds):
+        units = _motions(problem, x)[speeds]
+    if sound and rank(matrix, units=units) == len(speeds):
+        # Pivots are compared between rows of the same size: constraints may be of any.
+        rows = np.abs(matrix).max(axis=1)
+        x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
+    elif sound:  # what the constraints leave undetermined here stays
+        change = right - matrix @ x[speeds]
+        x[speeds] += least_step(matrix, change, units)
+        size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
+        sound = bool((np.abs(right - matrix @ x[speeds]) <= HALF * size).all())
+    if not sound:
+        names = [definition.states[k] for k in speeds]
+        raise SingularMatrixError(
+            f"The velocity constraints cannot be solved for {describe(names)} at t = "
+            f"{problem.t!r}: their matrix is singular in this configuration. Choose other "
+            "`dep_vars`.",
+            problem.t,
+            x,
+        )
+    left = np.abs(value(residual, x))
+    # Coefficients that cancel leave their rounding, in units of the row and of each speed.
+    first = len(definition.equations.coordinates)
+    moving = slice(first, first + len(definition.equations.speeds))
+    size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
+    _, units, columns = equilibrated(slopes[:, moving])
+    rounding = ROUNDED * units[:, 0] * np.abs(x[moving] / columns[0]).max()
+    if (left > HALF * size + rounding).any():
+        names = [definition.states[k] for k in speeds]
+        warn_user(
+            f"The velocity constraints do not hold for {describe(names)}: the largest residual "
+            f"is {left.max():.3g}. They are solved as linear equations, but a specified in "
+            "them depends on these speeds nonlinearly. Give their initial conditions yourself."
+        )
+
+
+def solve_dependents(
+    problem: Problem,
+    places: tuple[list[int], list[int]],
+    given: Mapping[Any, float],
+    use_jac: bool,
+    root_kwargs: dict[str, Any],
+) -> np.ndarray:
+    """Return the initial state, `places` solved for; say where that moves the `given`."""
+    x = problem.x.copy()
+    problem.plan.check_times(np.array([problem.t]), "times")
+    coordinates, speeds = places
+    met = True
+
+    if coordinates:
+        met = _solve_coordinates(problem, coordinates, x, use_jac, root_kwargs)
+    if speeds:
+        _solve_speeds(problem, speeds, x)
+    if met:
+        _warn_of_changes(problem.definition, given, x)
+    return x
+
+
+def with_dependents(problem: Problem, symbols: Sequence[Any]) -> Problem:
+    """Return a Problem in which the initial conditions of some symbols follow from the others.
+
+    Its dictionary of initial conditions has symbols for keys.
+    """
+    states = problem.definition.states
+    places = check_dependents(problem.definition, symbols)
+    x = solve_dependents(problem, places, {}, False, {})
+    solved = {states[k]: float(x[k]) for part in places for k in part}
+    initial = {**problem.user["initial_conditions"], **solved}
+    return replace(problem, user={**problem.user, "initial_conditions": initial})
+
+
+def consistent(problem: Problem) -> Problem:
+    """Return a Problem with its dependent states, and those of an Implicit, solved for."""
+    x = problem.x
+    if problem.dependent:
+        names = [problem.definition.states[k] for k in problem.dependent]
+        places = check_dependents(problem.definition, names)
+        x = solve_dependents(problem, places, {}, False, {})
+    if problem.definition.equations.implicit is not None:
+        x = solved_residuals(problem.at(np.array([problem.t]), x[None]))
+    return problem if x is problem.x else problem.replace(x=x)
