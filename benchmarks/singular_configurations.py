@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from pydy.errors import IntegrationError
-from pydy.solvers.outcome import ENERGY_CHANGED, SINGULAR_CONFIGURATION
+from pydy.solvers.outcome import Outcome
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
@@ -45,9 +45,9 @@ def outcome(case: Any, solver: str, end: float, options: dict[str, float]) -> st
     try:
         case.system.integrate(constraints="project", max_steps=400_000, **options)
     except IntegrationError as error:
-        if error.info["code"] == ENERGY_CHANGED:
+        if error.info["code"] == Outcome.ENERGY_CHANGED:
             return "refused"
-        said = error.info["code"] == SINGULAR_CONFIGURATION
+        said = error.info["code"] == Outcome.SINGULAR_CONFIGURATION
         return "stopped, said" if said and case.distance(error.state) < 1e-6 else "FAILED"
     return "finished"
 

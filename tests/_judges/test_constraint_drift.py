@@ -17,7 +17,7 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.solvers.constraint_drift import is_near
-from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.tuning import NEAR_SINGULAR
 from registry import ADAPTIVE_NAMES
 from singular import bricard, n_four_bar, slider_crank
@@ -78,7 +78,7 @@ def checked(system):
 )
 def test_a_mechanism_that_leaves_its_constraints_is_refused(name, solver, tolerance):
     system = loop(name, solver=solver)
-    error = refused(system, LEFT_CONSTRAINTS, rtol=tolerance, atol=tolerance)
+    error = refused(system, Outcome.LEFT_CONSTRAINTS, rtol=tolerance, atol=tolerance)
     assert f"`{solver}` left the constraints, with a residual of " in str(error)
     assert "constraints='project'" in str(error)
     system.integrate(constraints="project", rtol=tolerance, atol=tolerance)
@@ -117,7 +117,7 @@ def test_constraints_on_inputs_are_looked_at(many):
     run(dict(zip(symbols, samples, strict=True)))
     wrong = {**dict(zip(symbols, rates, strict=True)), symbols[2]: rates[1]}
     if many:
-        assert (run(wrong) == LEFT_CONSTRAINTS).all()
+        assert (run(wrong) == Outcome.LEFT_CONSTRAINTS).all()
     else:
         with pytest.raises(IntegrationError, match="left the constraints"):
             run(wrong)
@@ -131,14 +131,14 @@ def test_no_gradient_is_given_of_a_mechanism_that_left_them():
 
 def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
     options = {"constraints": "baumgarte", "gain": 10.0, "rtol": 1e-10, "atol": 1e-10}
-    refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)
+    refused(loop("three_cranks"), Outcome.LEFT_CONSTRAINTS, **options)
 
 
 @pytest.mark.parametrize("full_output", [False, True])
 @pytest.mark.parametrize("solver", ["odeint", "RK45", "DOP853", "Radau", "BDF", "LSODA"])
 def test_scipys_solvers_are_looked_at(solver, full_output):
     system = loop("three_cranks", solver=solver)
-    error = refused(system, LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6, full_output=full_output)
+    error = refused(system, Outcome.LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6, full_output=full_output)
     assert f"`{solver}` left the constraints" in str(error)
 
 
@@ -158,7 +158,7 @@ def test_a_users_solver_is_looked_at():
             states.append(x)
         return np.array(states)
 
-    error = refused(loop("three_cranks", solver=midpoint), LEFT_CONSTRAINTS)
+    error = refused(loop("three_cranks", solver=midpoint), Outcome.LEFT_CONSTRAINTS)
     assert "`midpoint` left the constraints" in str(error)
     loop("sarrus", end=0.2, solver=midpoint).integrate()
 
@@ -176,13 +176,13 @@ def test_whatever_else_a_users_solver_returns_is_returned(returned):
 def test_one_passage_of_a_singular_position_explains_no_work_all_the_time(name, solver, tolerance):
     # There alone the forces are large that do work beside the constraints.
     system = loop(name, solver=solver)
-    refused(system, ENERGY_CHANGED, rtol=tolerance, atol=tolerance)
+    refused(system, Outcome.ENERGY_CHANGED, rtol=tolerance, atol=tolerance)
 
 
 def test_energies_are_looked_at_where_constraints_nearly_lost_rank():
     system = bricard((0, 1, 3, 4)).system
     system.ode_solver, system.times = "tsit5", np.linspace(0.0, 5.0, 61)
-    error = refused(system, ENERGY_CHANGED, rtol=1e-10, atol=1e-10)
+    error = refused(system, Outcome.ENERGY_CHANGED, rtol=1e-10, atol=1e-10)
     assert np.abs(system.evaluate_constraints(error.states, system.times)).max() < 1e-5
 
 
@@ -207,7 +207,7 @@ def test_what_projection_takes_away_is_refused():
     states, check = checked(system)
     check()
     states[40:, 4:] *= 0.999  # the constraints hold
-    check("changed the total energy by .* without a cause", ENERGY_CHANGED)
+    check("changed the total energy by .* without a cause", Outcome.ENERGY_CHANGED)
 
 
 # -- sound motions --------------------------------------------------------------------------------
@@ -253,7 +253,7 @@ def test_units_make_no_difference(metre):
     lengths = (1.0 * metre, 1.5 * metre)
     system = loop("spatial_four_bar", solver="tsit5", lengths=lengths)
     system.constants = {loops.GRAVITY: 9.81 * metre}
-    refused(system, LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6)
+    refused(system, Outcome.LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6)
     system.integrate(constraints="project", rtol=1e-6, atol=1e-6)
 
 
@@ -416,7 +416,7 @@ def test_a_sample_that_leaves_its_constraints_is_lost_alone(options):
     system, options = two_cranks(**options)
     results = system.integrate_ensemble(**options)
     terminal = "events" in options
-    np.testing.assert_array_equal(results.status, [LEFT_CONSTRAINTS, 5 if terminal else 0])
+    np.testing.assert_array_equal(results.status, [Outcome.LEFT_CONSTRAINTS, 5 if terminal else 0])
     assert results.end_time[0] < results.end_time[1]
     if "reduce" in options:
         assert np.isfinite(results.q1).values.tolist() == [False, True]
@@ -431,7 +431,7 @@ def test_a_sample_that_is_lost_ends_like_a_single_motion():
     results = system.integrate_ensemble(**options)
     for speed in system.speeds[:3]:
         system.initial_conditions[speed] = 6.0
-    error = refused(system, LEFT_CONSTRAINTS, rtol=1e-10, atol=1e-10)
+    error = refused(system, Outcome.LEFT_CONSTRAINTS, rtol=1e-10, atol=1e-10)
     assert results.end_time[0] == system.times[system.times < error.time][-1]
     reached = ~np.isnan(results.q1.values[0])
     np.testing.assert_allclose(results.q1.values[0][reached], error.states[reached, 0], atol=1e-3)
@@ -444,7 +444,7 @@ def test_a_sample_that_changes_its_energy_is_lost_alone():
         constants={"g": [9.81, 0.0]}, times=np.linspace(0.0, 5.0, 61), ode_solver="tsit5",
         rtol=1e-10, atol=1e-10,
     )  # fmt: skip
-    np.testing.assert_array_equal(results.status, [ENERGY_CHANGED, 0])
+    np.testing.assert_array_equal(results.status, [Outcome.ENERGY_CHANGED, 0])
     assert np.isfinite(results[str(rate)[:2]].values[1]).all()
 
 
@@ -464,7 +464,7 @@ def test_an_ensemble_in_other_processes_is_looked_at():
     system, options = two_cranks(chunks=1)
     with dask.config.set(scheduler="processes", num_workers=1):
         status = system.integrate_ensemble(**options).status.values
-    np.testing.assert_array_equal(status, [LEFT_CONSTRAINTS, 0])
+    np.testing.assert_array_equal(status, [Outcome.LEFT_CONSTRAINTS, 0])
 
 
 def test_a_sound_ensemble_is_looked_at_once():

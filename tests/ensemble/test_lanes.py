@@ -20,17 +20,7 @@ from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 from pydy.solvers.constraint_drift import judge
-from pydy.solvers.outcome import (
-    ENERGY_CHANGED,
-    EVENT_UNDEFINED,
-    EVENTS_ACCUMULATE,
-    LEFT_CONSTRAINTS,
-    START_OFF_CONSTRAINTS,
-    STEP_UNDERFLOW,
-    TERMINATED,
-    TOLERANCE_TOO_SMALL,
-    TOO_MANY_STEPS,
-)
+from pydy.solvers.outcome import Outcome
 from pydy.system import System
 from zoo import inertial_frame
 
@@ -374,7 +364,10 @@ def test_lanes_on_constraints_have_the_bits_of_the_solver_for_one(method, option
                 states, info = error.states, error.info
             assert many["status"].values[k] == info["code"]
             sound = np.isfinite(found[k]).all(axis=1).sum()  # ensembles lose what was judged
-            assert sound == len(states) or info["code"] in (LEFT_CONSTRAINTS, ENERGY_CHANGED)
+            assert sound == len(states) or info["code"] in (
+                Outcome.LEFT_CONSTRAINTS,
+                Outcome.ENERGY_CHANGED,
+            )
             np.testing.assert_array_equal(found[k, :sound], states[:sound])
             assert np.isnan(found[k, sound:]).all()
             for name in ("steps", "rejected", "evaluations"):
@@ -390,7 +383,7 @@ def test_samples_beside_their_constraints_are_told_and_alone():
             initial_conditions={"y": heights}, ode_solver="dop853", constraints="project"
         )
     assert many.attrs["lanes"] == 8
-    assert many.status.values.tolist() == [0, START_OFF_CONSTRAINTS, 0, 0]
+    assert many.status.values.tolist() == [0, Outcome.START_OFF_CONSTRAINTS, 0, 0]
     assert np.isnan(many["x"].values[1]).all()
     assert same_bits(many["x"][0], many["x"][2])
 
@@ -424,7 +417,7 @@ def test_a_sample_whose_residuals_overflow_is_told_of_in_words():
             ode_solver="dop853",
             constraints="project",
         )
-    assert many.status.values.tolist() == [0, START_OFF_CONSTRAINTS, 0]
+    assert many.status.values.tolist() == [0, Outcome.START_OFF_CONSTRAINTS, 0]
 
 
 @pytest.mark.filterwarnings("ignore")
@@ -500,7 +493,7 @@ def test_events_in_lanes_have_the_bits_of_the_solver_for_one(method, options, se
     found = watched(system, events, values, ode_solver=method, **options)
     assert found["time_count"].values.sum() >= 10
     outputs = watched(system, events, values, ode_solver=method, reduce=None, **options)
-    assert set(outputs.status.values) <= {0, TERMINATED}
+    assert set(outputs.status.values) <= {0, Outcome.TERMINATED}
     few = watched(system, events[:1], values, ode_solver=method, reduce="final", **options)
     assert (few.status == 0).all()
 
@@ -521,14 +514,14 @@ def test_what_lanes_leave_to_python_is_as_one_by_one():
     assert (watched(system, both, values)["b_count"] > 0).any()
     ends = [Event(q, terminal=True, reset={u: 0.5 * u}), Event(time - 2.0, name="end")]
     found = watched(system, ends, values)
-    assert set(found.status.values) == {0, TERMINATED}
+    assert set(found.status.values) == {0, Outcome.TERMINATED}
     assert (found["end_count"] == (found.status == 0)).all()
     undefined = [Event(sm.sqrt(q) - 0.1, name="root")]
-    assert EVENT_UNDEFINED in watched(system, undefined, values).status.values
+    assert Outcome.EVENT_UNDEFINED in watched(system, undefined, values).status.values
     rests = [Event(sm.Max(0, q), name="rest")]
     assert (watched(system, rests, values).status == 0).all()
     over = watched(system, [Event(q)], values, max_steps=12)
-    assert set(over.status.values) == {0, TOO_MANY_STEPS}
+    assert set(over.status.values) == {0, Outcome.TOO_MANY_STEPS}
 
 
 def test_samples_that_fail_after_events_are_alone():
@@ -536,7 +529,7 @@ def test_samples_that_fail_after_events_are_alone():
     speeds = {"initial_conditions": {v: np.array([0.1, 1.0, 0.2, 0.0, 0.4])}}
     kicks = [Event(x - 0.1, direction=1, reset={v: 1.5 * v}, name="kick"), Event(v - 1e9)]
     found = watched(system, kicks, speeds)
-    assert set(found.status.values) == {0, STEP_UNDERFLOW}
+    assert set(found.status.values) == {0, Outcome.STEP_UNDERFLOW}
     assert found["kick_count"].values.tolist() == [1, 1, 1, 0, 1]
 
 
@@ -552,7 +545,7 @@ def test_tolerances_that_are_too_small_for_a_sample_are_told_of_it(events, metho
     assert (plain.status == 0).all()
     values["initial_conditions"][q][4] = 1e5  # a rounding of which is larger than `atol`
     many = told(lambda: system.integrate_ensemble(**values, **options))
-    assert many.status.values.tolist() == [0] * 4 + [TOLERANCE_TOO_SMALL] + [0] * 6
+    assert many.status.values.tolist() == [0] * 4 + [Outcome.TOLERANCE_TOO_SMALL] + [0] * 6
 
 
 @pytest.mark.parametrize("kind", ["pchip", "previous"])
@@ -564,7 +557,7 @@ def test_events_beside_sampled_inputs_are_noted_in_lanes(kind):
     starts = {"initial_conditions": {x: np.linspace(-1.0, 1.0, num=11)}, "specifieds": push}
     events = [Event(x + force / 9.0, name="pushed"), Event(v - 0.9, terminal=True)]
     found = watched(system, events, starts, times=np.linspace(0.0, 3.0, num=7))
-    assert set(found.status.values) <= {0, TERMINATED}
+    assert set(found.status.values) <= {0, Outcome.TERMINATED}
 
 
 def test_balls_come_to_rest_in_lanes():
@@ -575,7 +568,7 @@ def test_balls_come_to_rest_in_lanes():
     floor = Event(x, direction=-1, reset={v: -0.3 * v}, name="floor")
     heights = {"initial_conditions": {x: np.array([0.0, 0.5, 1.0, 30.0])}}
     found = watched(system, [floor], heights)
-    assert found.status.values.tolist()[1:] == [EVENTS_ACCUMULATE] * 2 + [0]
+    assert found.status.values.tolist()[1:] == [Outcome.EVENTS_ACCUMULATE] * 2 + [0]
 
 
 @pytest.mark.parametrize(("method", "options"), HELD)

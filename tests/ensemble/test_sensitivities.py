@@ -18,7 +18,7 @@ from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
-from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN
+from pydy.solvers.outcome import Outcome
 
 FINE = {"rtol": 1e-9, "atol": 1e-9}
 NAMES = ["m1", "q1", "l0"]
@@ -239,7 +239,7 @@ def test_a_sample_whose_dependent_conditions_are_not_determined_fails_alone(link
     others = np.arange(9) != 2
     for name in expected.data_vars:
         assert same_bits(many[name][others], expected[name][others]), name
-    assert int(many.status[2]) == DEPENDENTS_NOT_GIVEN
+    assert int(many.status[2]) == Outcome.DEPENDENTS_NOT_GIVEN
     assert [int(many[name][2]) for name in ("steps", "rejected", "evaluations")] == [0, 0, 0]
     assert float(many.end_time[2]) == 0.0
     assert np.isnan(many.sensitivity[2]).all()
@@ -259,7 +259,7 @@ def test_samples_that_are_all_lost_are_an_ensemble(linkage):
                 events=events,
                 reduce=["final"] if events is None else ["final", "events"],
             )
-        assert many.status.values.tolist() == [DEPENDENTS_NOT_GIVEN] * 2
+        assert many.status.values.tolist() == [Outcome.DEPENDENTS_NOT_GIVEN] * 2
         assert np.isnan(many.sensitivity).all()
     assert many.touch_count.values.tolist() == [0, 0]
 

@@ -13,7 +13,7 @@ from pydy.ensemble.model import Model
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
-from pydy.solvers.outcome import OUTCOMES
+from pydy.solvers.outcome import Outcome
 
 GRAVITY = 9.81
 
@@ -89,11 +89,11 @@ def test_a_reset_that_is_not_finite_is_named_in_the_status(ball):
 def test_every_code_is_among_the_flags(ball):
     height, _ = ball.states
     results = ball.integrate_ensemble(initial_conditions={height: 1.0})
-    assert results.status.attrs["flag_values"] == list(OUTCOMES)
+    assert repr(results.status.attrs["flag_values"]) == repr(list(range(-1, len(Outcome) - 1)))
 
 
-@pytest.mark.parametrize("code", OUTCOMES)
-def test_the_documentation_lists_every_code(code):
+@pytest.mark.parametrize("outcome", Outcome)
+def test_the_documentation_lists_every_code(outcome):
     page = Path(__file__).parents[2] / "docs" / "ensembles.md"
-    number = str(code).replace("-", "−")
-    assert f"| {number} | `{OUTCOMES[code].name}` |" in page.read_text("utf-8")
+    number = str(int(outcome)).replace("-", "−")
+    assert f"| {number} | `{outcome.flag}` |" in page.read_text("utf-8")

@@ -8,7 +8,7 @@ import pytest
 from departures import CASES, Case, check, events, h, numbers, started, v
 from pydy.errors import PyDyUserWarning
 from pydy.solvers import Event
-from pydy.solvers.outcome import EVENTS_ACCUMULATE, TERMINATED
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.solver import SOLVERS
 from pydy.system import System
 
@@ -28,7 +28,7 @@ def judge(case: Case, trajectory, offset: float = 0.0) -> None:
     moments = [record.time for record in trajectory.events]
     check(case, moments, (trajectory.states[:, 0] - offset).tolist(), len(trajectory.times) < 3)
     if case.acts:
-        ended = trajectory.statistics["code"] in (TERMINATED, EVENTS_ACCUMULATE)
+        ended = trajectory.statistics["code"] in (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE)
         assert ended or (first[0].after != first[0].before).any()
     elif case.recorded:
         np.testing.assert_array_equal(first[0].after, first[0].before)

@@ -8,7 +8,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from ball import bouncing_ball
 from pydy._errors import IntegrationError
 from pydy.solvers import Event
-from pydy.solvers.outcome import EVENT_UNDEFINED, FINISHED, TERMINATED
+from pydy.solvers.outcome import Outcome
 from registry import SOLVER_NAMES
 
 ALL = SOLVER_NAMES
@@ -37,7 +37,7 @@ def error_of(system, events, **options):
         IntegrationError, match=r"becomes NaN there, at t = .* both sides"
     ) as caught:
         run(system, events, **options)
-    assert caught.value.info["code"] == EVENT_UNDEFINED
+    assert caught.value.info["code"] == Outcome.EVENT_UNDEFINED
     return caught.value
 
 
@@ -69,7 +69,7 @@ def test_an_expression_that_is_zero_at_its_last_number_has_not_crossed():
 def test_a_terminal_event_at_or_before_that_ends_the_run_as_ever():
     for end in (sm.Rational(19, 20), sm.Rational(24, 25)):
         _, info = run(ball(), [Event(ROOT), Event(Z - end, terminal=True)])
-        assert info["code"] == TERMINATED
+        assert info["code"] == Outcome.TERMINATED
 
 
 def test_a_reset_into_nan_is_told():
@@ -90,7 +90,9 @@ def test_in_an_ensemble_each_sample_has_its_status():
     system = ball(times=np.linspace(0.0, 0.12, num=5))
     heights = [1.0, 2.0, 1.0]
     found = system.integrate_ensemble(initial_conditions={Z: heights}, events=[Event(ROOT)])
-    np.testing.assert_array_equal(found.status, [EVENT_UNDEFINED, FINISHED, EVENT_UNDEFINED])
+    np.testing.assert_array_equal(
+        found.status, [Outcome.EVENT_UNDEFINED, Outcome.FINISHED, Outcome.EVENT_UNDEFINED]
+    )
     np.testing.assert_allclose(found.end_time, [FALL, 0.12, FALL], rtol=1e-8)
 
 

@@ -36,18 +36,7 @@ from pydy._motion import (
 )
 from pydy._problem import Problem
 from pydy.codegen import rates_function
-from pydy.solvers import (
-    EVENTS_ACCUMULATE,
-    MANY_STEPS,
-    NO_CONVERGENCE,
-    OUTCOMES,
-    STEP_UNDERFLOW,
-    TERMINATED,
-    TOO_MANY_STEPS,
-    Begun,
-    Prepared,
-    Solver,
-)
+from pydy.solvers import MANY_STEPS, Begun, Outcome, Prepared, Solver
 from pydy.trajectory import Trajectory
 
 SolverFunction = Callable[..., Any]
@@ -340,10 +329,10 @@ def motion_of(
             "`sensitivities` of a motion that is continued are not known. Simulate over the "
             "whole time at once, or without `sensitivities`."
         )
-    elif statistics.get("code") == EVENTS_ACCUMULATE:
+    elif statistics.get("code") == Outcome.EVENTS_ACCUMULATE:
         refusal = (
             f"The motion ended at t = {statistics['time']!r}, where events accumulate: nothing "
-            f"says how it goes on. {OUTCOMES[EVENTS_ACCUMULATE].remedy}"
+            f"says how it goes on. {Outcome.EVENTS_ACCUMULATE.remedy}"
         )
     options, errors_known = result.options, True
     if isinstance(solver, SolveIvp):
@@ -353,7 +342,7 @@ def motion_of(
     elif not (native or is_odeint(solver)):
         errors_known = False
     start, end = (float(times[0]), float(times[-1])) if len(times) else (problem.t, problem.t)
-    if statistics.get("code") == TERMINATED:
+    if statistics.get("code") == Outcome.TERMINATED:
         end = float(statistics["time"])
     return Motion(
         problem=problem,
@@ -425,7 +414,7 @@ def _go_on(given: dict[str, Any], motion: Motion, times: np.ndarray) -> Trajecto
 
 # -- failures --------------------------------------------------------------------------------------
 
-_GIVEN_UP = (TOO_MANY_STEPS, STEP_UNDERFLOW, NO_CONVERGENCE)
+_GIVEN_UP = (Outcome.TOO_MANY_STEPS, Outcome.STEP_UNDERFLOW, Outcome.NO_CONVERGENCE)
 
 
 def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, free: bool) -> None:
@@ -434,7 +423,7 @@ def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, fr
         stuck = _stuck_at(problem, ready, error.time, error.state)
         if stuck is not None:
             text = str(error)
-            for remedy in (MORE_STEPS, *(OUTCOMES[code].remedy for code in _GIVEN_UP)):
+            for remedy in (MORE_STEPS, *(outcome.remedy for outcome in _GIVEN_UP)):
                 text = text.removesuffix(remedy)
             error.args = (f"{text.rstrip()} {stuck}",)
             return

@@ -35,7 +35,6 @@ from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
     NEAR_SINGULAR,
-    OUTCOMES,
     TRIED,
     Options,
     Ran,
@@ -505,19 +504,18 @@ def check_drift(motion: Motion) -> None:
     if "unimplied" in details:
         status = text = f"cannot keep all constraints. {contradiction(equations, t, **details)}"
     else:
-        outcome = OUTCOMES[verdict.code]
         if "row" in details:
             names = constraint_names(equations, redundant=True)
             details = {**details, "row": names[details["row"]]}
-        status = outcome.text.format(**details)
-        text = f"{status} at t = {t!r}. {outcome.remedy}"
+        status = verdict.outcome.text.format(**details)
+        text = f"{status} at t = {t!r}. {verdict.outcome.remedy}"
     error = IntegrationError(
         f"`{motion.method}` {text}",
         motion.times,
         motion.states,
         t,
         ran.states[verdict.place],
-        {**statistics, "method": motion.method, "code": verdict.code, "status": status},
+        {**statistics, "method": motion.method, "code": int(verdict.outcome), "status": status},
     )
     error.motion = motion
     raise error

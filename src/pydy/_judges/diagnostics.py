@@ -20,30 +20,37 @@ from pydy._graph import dense_jacobian
 from pydy._names import numbers_of, unique_names
 from pydy._problem import At, Problem, first_undefined
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
-from pydy.solvers import CONSTRAINTS_NOT_MET, NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
+from pydy.solvers import Outcome
 from pydy.trajectory import Trajectory
 
 # What a solver squares over tolerances, which are seldom below the precision of floats.
 _LARGEST = float(np.sqrt(np.finfo(float).max) * np.finfo(float).eps)
 
 
+_DIAGNOSED = (
+    *(Outcome.NOT_FINITE, Outcome.SINGULAR),
+    *(Outcome.STEP_UNDERFLOW, Outcome.CONSTRAINTS_NOT_MET),
+)
+"""Failures that a singularity of the equations may have caused."""
+
+
 def explain(
     error: IntegrationError | SingularMatrixError, at: Callable[[np.ndarray, np.ndarray], At]
 ) -> None:
     """Put the cause into the message of an error, in place of general advice."""
-    code = error.info.get("code") if isinstance(error, IntegrationError) else SINGULAR
-    if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW, CONSTRAINTS_NOT_MET):
+    code = error.info.get("code") if isinstance(error, IntegrationError) else Outcome.SINGULAR
+    if code in _DIAGNOSED:
         cause = diagnosis_of(at(np.array([error.time]), np.array([error.state])))
         if cause:
-            error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)
+            error.args = (str(error).removesuffix(Outcome(code).remedy) + cause,)
 
 
 def explain_columns(error: Any, columns: np.ndarray) -> None:
     """Put into the message of an error that sensitivities left the range of floats, if they did."""
     largest = np.abs(columns).max(initial=0.0)
-    if not largest <= _LARGEST and (code := getattr(error, "info", {}).get("code")) in OUTCOMES:
+    if not largest <= _LARGEST and (code := getattr(error, "info", {}).get("code")) in [*Outcome]:
         error.args = (
-            f"{str(error).removesuffix(OUTCOMES[code].remedy)}The sensitivities grow to "
+            f"{str(error).removesuffix(Outcome(code).remedy)}The sensitivities grow to "
             f"{largest:.3g} there, whose squares are out of the range of floats: the motion is "
             "unstable. Let `times` end earlier, or simulate without `sensitivities`.",
         )

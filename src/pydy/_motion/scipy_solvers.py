@@ -18,16 +18,7 @@ import scipy
 from pydy._checks import descends, listed, monotonic, shown
 from pydy._errors import IntegrationError
 from pydy._names import nearest, numbers_of, unique_names
-from pydy.solvers import (
-    NOT_FINITE,
-    OUTCOMES,
-    SOLVERS,
-    STEP_UNDERFLOW,
-    TOO_MANY_STEPS,
-    Solver,
-    check_option_names,
-    check_scipy_options,
-)
+from pydy.solvers import SOLVERS, Outcome, Solver, check_option_names, check_scipy_options
 from pydy.trajectory import EventRecord
 
 # -- LSODA, behind both, has one memory: runs cannot be nested ------------------------------------
@@ -106,10 +97,11 @@ def call_odeint(
     # What is illegal after steps that were not is infinite derivatives.
     gone = (way * info["tcur"]).max() > way * times[0]
     if good or (info["message"].startswith(_ILLEGAL) and gone):
-        code, what = NOT_FINITE, "met derivatives or errors that are not finite"
+        outcome, what = Outcome.NOT_FINITE, "met derivatives or errors that are not finite"
     else:
         what = info["message"].split(".")[0]
-        code = TOO_MANY_STEPS if what.startswith("Excess work") else STEP_UNDERFLOW
+        excess = what.startswith("Excess work")
+        outcome = Outcome.TOO_MANY_STEPS if excess else Outcome.STEP_UNDERFLOW
         what = f"gave up ({what})"
     reached = max(1, int(np.argmin(came)))
     t, x = float(times[reached - 1]), states[reached - 1].copy()
@@ -123,12 +115,12 @@ def call_odeint(
     rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
     raise IntegrationError(
         f"`odeint` {what} at t = {t!r} in the state {numbers_of(names, x)}. "
-        f"{MORE_STEPS if code == TOO_MANY_STEPS else OUTCOMES[code].remedy}",
+        f"{MORE_STEPS if outcome == Outcome.TOO_MANY_STEPS else outcome.remedy}",
         times[:reached].copy(),
         states[:reached].copy(),
         t,
         x,
-        {**rows, "method": "odeint", "code": code, "status": what, "reached": reached},
+        {**rows, "method": "odeint", "code": int(outcome), "status": what, "reached": reached},
     )
 
 
@@ -382,12 +374,12 @@ class SolveIvp:
             at, x = rates.undefined
             raise IntegrationError(
                 f"`solve_ivp` met derivatives that are not finite at t = {at!r}. "
-                f"{OUTCOMES[NOT_FINITE].remedy}",
+                f"{Outcome.NOT_FINITE.remedy}",
                 times[:1].copy(),
                 np.array(x0, dtype=float)[None],
                 at,
                 x,
-                {"method": method.__name__, "code": NOT_FINITE, "reached": 1},
+                {"method": method.__name__, "code": int(Outcome.NOT_FINITE), "reached": 1},
             ) from error
         if not len(found.t) and found.status < 0:  # it failed at once, and left out the start
             found.t, found.y = times[:1], np.array(x0, dtype=float)[:, None]
@@ -416,15 +408,14 @@ class SolveIvp:
 
     def _refuse(self, found: Any, states: Any, finite: Any, info: dict[str, Any]) -> None:
         reached = int(np.argmin(finite)) if not finite.all() else len(states)
-        code = STEP_UNDERFLOW if reached == len(states) else NOT_FINITE
+        outcome = Outcome.STEP_UNDERFLOW if reached == len(states) else Outcome.NOT_FINITE
         times, states = found.t[:reached].copy(), states[:reached].copy()
         last = float(times[-1]) if reached else np.nan
         raise IntegrationError(
-            f"`solve_ivp` could not go on after t = {last!r}: {found.message} "
-            f"{OUTCOMES[code].remedy}",
+            f"`solve_ivp` could not go on after t = {last!r}: {found.message} {outcome.remedy}",
             times,
             states,
             last,
             states[-1].copy() if reached else np.empty(0),
-            {**info, "code": code, "reached": reached},
+            {**info, "code": int(outcome), "reached": reached},
         )

@@ -36,13 +36,9 @@ from pydy._problem import Problem
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy.inputs import SampledInput
 from pydy.solvers import (
-    EVENT_GRAZES,
-    EVENT_JUMPS,
-    NOT_FINITE,
-    OUTCOMES,
-    TERMINATED,
     CompiledConstraints,
     CompiledSensitivities,
+    Outcome,
     Sized,
     Solver,
     forcing_time,
@@ -397,7 +393,7 @@ class MotionSegment:
         self.info = info = integration.info()
         self.records: list[EventRecord] = info["events"]
         self.end: float = info["time"]
-        self.stopped = info["code"] == TERMINATED
+        self.stopped = info["code"] == Outcome.TERMINATED
         ended = integration.memory.x[:width].copy()
         self.last = ended if self.stopped or not len(states) else states[-1]
         rows: Any = integration.kept_steps()
@@ -645,13 +641,14 @@ class MotionSegment:
             elif untimed:
                 time[:] = np.nan
             elif value is not None:
-                self._refuse(EVENT_JUMPS, record, value=value)
+                self._refuse(Outcome.EVENT_JUMPS, record, value=value)
             else:  # it only grazes: its time has no derivative
-                self._refuse(EVENT_GRAZES, record, depth=depth, explained=error, lower=lower)
+                self._refuse(
+                    Outcome.EVENT_GRAZES, record, depth=depth, explained=error, lower=lower
+                )
         return part, changed, time
 
-    def _refuse(self, code: int, record: EventRecord, **details: Any) -> NoReturn:
-        outcome = OUTCOMES[code]
+    def _refuse(self, outcome: Outcome, record: EventRecord, **details: Any) -> NoReturn:
         text, remedy = (
             part.format(event=record.name, **details) for part in (outcome.text, outcome.remedy)
         )
@@ -706,7 +703,7 @@ def integrate_forward(
             if isinstance(failed, SingularMatrixError):
                 found.unbounded = "the mass matrix became singular"
             # One that is not finite stops the way back, too, if the scalar depends on it.
-            elif failed.info["code"] != NOT_FINITE:
+            elif failed.info["code"] != Outcome.NOT_FINITE:
                 found.unbounded = (
                     f"`{solver.name}` {failed.info['status']} at t = {failed.time:.6g}"
                 )

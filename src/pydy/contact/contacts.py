@@ -24,14 +24,7 @@ from pydy.contact.rows import StartError
 from pydy.contact.run import Run, State
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import ContactTrajectory
-from pydy.solvers import (
-    CONTACTS_IMPOSSIBLE,
-    FINISHED,
-    START_OFF_CONSTRAINTS,
-    TERMINATED,
-    Event,
-    Solver,
-)
+from pydy.solvers import Event, Outcome, Solver
 from pydy.system import System
 
 # Methods of a System that take contacts.
@@ -457,20 +450,20 @@ class Motions:
         if self._wanted is not None:
             run.carried = HybridSensitivities(self._wanted, self._control, run.rows, problem)
         run.stopped = stopped
-        code, motion = FINISHED, None
+        code, motion = Outcome.FINISHED, None
         try:
             motion = run.motion()
             end = motion.end
-            code = FINISHED if run.reached.all() else TERMINATED
+            code = Outcome.FINISHED if run.reached.all() else Outcome.TERMINATED
         except StartError:
-            code, end = START_OFF_CONSTRAINTS, float(times[0])
+            code, end = Outcome.START_OFF_CONSTRAINTS, float(times[0])
         except ContactError as error:
             motion, end = run.partial(), error.time
             known = getattr(error.__cause__, "info", None) or {}
-            code = known.get("code", CONTACTS_IMPOSSIBLE)
+            code = known.get("code", Outcome.CONTACTS_IMPOSSIBLE)
         happened = [] if motion is None else motion.events
         records = [replace(one, index=self.events.index(one.name)) for one in happened]
-        info = {**run.totals, "code": code, "time": end, "events": records, "nearness": 1.0}
+        info = {**run.totals, "code": int(code), "time": end, "events": records, "nearness": 1.0}
         if motion is None:
             return np.empty((0, len(x))), np.empty((0, len(self.outputs))), info
         if self.columns:

@@ -45,7 +45,7 @@ from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import contact_trajectory
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
-from pydy.solvers import TERMINATED, Begun, Options, Solver, dop853, radau, read_options
+from pydy.solvers import Begun, Options, Outcome, Solver, dop853, radau, read_options
 from pydy.trajectory import EventRecord
 
 _NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
@@ -596,7 +596,7 @@ class Run:
         for name in self.totals:
             self.totals[name] += motion.statistics[name]
         own = len(kinds)
-        stopped = motion.statistics["code"] == TERMINATED
+        stopped = motion.statistics["code"] == Outcome.TERMINATED
         end = motion.events[-1].time if stopped else float(self.times[-1])
         at_end = [r for r in motion.events if stopped and r.time == end]
         acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]

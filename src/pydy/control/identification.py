@@ -69,7 +69,7 @@ from pydy.control.tuning import (
     STEADY,
     STILL,
 )
-from pydy.solvers import LEFT_CONSTRAINTS, contradicted
+from pydy.solvers import Outcome, contradicted
 
 
 @dataclass(frozen=True, eq=False)
@@ -397,7 +397,7 @@ class _Joined:
                 continue
             k, t = wrong[0], float(times[wrong[0]])
             status = f"cannot keep all constraints. {contradiction(equations, t, *wrong[1:])}"
-            info = {"code": LEFT_CONSTRAINTS, "status": status}
+            info = {"code": int(Outcome.LEFT_CONSTRAINTS), "status": status}
             raise IntegrationError(f"`collocation` {status}", times, states, t, states[k], info)
 
     def disturbances(self) -> tuple[np.ndarray, np.ndarray]:

@@ -30,7 +30,7 @@ from pydy.ensemble.samples import (
     to_dataset,
 )
 from pydy.ensemble.work import SMALLEST_BLOCK, Work
-from pydy.solvers import NOT_COMPUTED
+from pydy.solvers import Outcome
 
 # Eight samples one after the other that take less, in seconds, come in larger blocks: each costs
 # 0.5 ms, and of 64 an interrupt loses 0.2 s at most.
@@ -122,7 +122,8 @@ class Ensemble:
                 raise
             raise EnsembleInterrupted(
                 f"The ensemble was interrupted: {results[0]} are finished. They are in the "
-                f"attribute `results` of this error; `status` is {NOT_COMPUTED} for the others.",
+                f"attribute `results` of this error; `status` is {Outcome.NOT_COMPUTED} for the "
+                "others.",
                 results[1],
             ) from None
         return self._dataset(whole)
@@ -143,9 +144,9 @@ class Ensemble:
         for block in left:
             for name, v in whole.items():
                 nothing = np.nan if v.values.dtype.kind in "fc" else np.zeros((), v.values.dtype)
-                v.values[block] = NOT_COMPUTED if name == "status" else nothing
+                v.values[block] = Outcome.NOT_COMPUTED if name == "status" else nothing
         status = whole["status"].values
-        number = np.sum(status != NOT_COMPUTED)
+        number = np.sum(status != Outcome.NOT_COMPUTED)
         return f"{number} of {status.size} samples", self._dataset(whole)
 
     def _forms(self, variables: Mapping[str, Variable]) -> dict[str, Form]:

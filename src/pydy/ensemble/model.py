@@ -18,13 +18,12 @@ from pydy._judges import Passed, Watched
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._states import follow
 from pydy.solvers import (
-    DEPENDENTS_NOT_GIVEN,
-    FINISHED,
     LANES,
     LARGEST_IN_LANES,
     ROUNDING,
     CompiledSensitivities,
     Options,
+    Outcome,
     Sized,
     bounds,
     scales_of,
@@ -93,7 +92,7 @@ class EnsembleSensitivities:
     ) -> tuple[int, np.ndarray]:
         """Return the sensitivities of one sample at the beginning, shape (n, k).
 
-        Before them comes a code of `outcome`: whether there are any.
+        Before them comes an `Outcome`: whether there are any.
         """
         values = self.start.copy()
         if self.gradients:
@@ -105,8 +104,8 @@ class EnsembleSensitivities:
             whole = np.concatenate([x, values.ravel()])
             moved = kernel(self.residuals).evaluate(at, whole[None], r, p)[0][0]
             if not follow(values, gradients, moved, self.unknowns, self.dependent):
-                return DEPENDENTS_NOT_GIVEN, values
-        return FINISHED, values
+                return Outcome.DEPENDENTS_NOT_GIVEN, values
+        return Outcome.FINISHED, values
 
     def compiled(
         self,
@@ -463,7 +462,7 @@ class Batch:
         (m, n), columns = self.x.shape, len(beside.columns)
         whole = np.empty((n * (1 + columns), m, len(times)))
         batch, codes = self._begun_with_columns(beside, float(times[0]))
-        started = codes == FINISHED
+        started = codes == Outcome.FINISHED
         if started.all():
             results = batch._integrated(times, whole)
         else:
@@ -501,7 +500,7 @@ class Batch:
         batch, codes = self.some(np.array([k]))._begun_with_columns(beside, float(times[0]))
         options = replace(batch.model.options, dense_output=True, progress=False)
         one = replace(batch, model=replace(batch.model, options=options))._single(0, times, None)
-        if codes[0] != FINISHED:
+        if codes[0] != Outcome.FINISHED:
             return None
         try:
             reached = len(one.run(batch.x[0]))

@@ -27,7 +27,7 @@ from pydy._version import __version__
 from pydy.ensemble.content import digest
 from pydy.ensemble.samples import Block, Form, Samples, Variable, check_forms
 from pydy.ensemble.work import Work
-from pydy.solvers import NOT_COMPUTED
+from pydy.solvers import Outcome
 
 # -- Directory names for variables: each array of a store is a directory ---------------------------
 # Zarr reads ``\`` as ``/`` and creates a directory for each part. Windows allows neither some
@@ -322,7 +322,7 @@ def _array(
 ) -> Any:
     """Make an array for the values of a variable, or for others of the same type."""
     dtype = np.dtype(variable.values.dtype)
-    fill = NOT_COMPUTED if name == "status" else np.nan if dtype.kind == "f" else 0
+    fill = int(Outcome.NOT_COMPUTED) if name == "status" else np.nan if dtype.kind == "f" else 0
     # Whatever is damaged in a chunk, its checksum tells: a flipped bit may decompress to numbers.
     codecs = require("zarr.codecs", "ensemble", "`store`")
     return group.create_array(

@@ -22,12 +22,9 @@ from pydy._rank import DIGITS
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers import (
-    FINISHED,
     NEAR_SINGULAR,
-    OUTCOMES,
-    START_OFF_CONSTRAINTS,
-    TERMINATED,
     TRIED,
+    Outcome,
     Ran,
     allowed_after,
     beyond_digits,
@@ -185,7 +182,7 @@ class Work:
             if not (model.kept.mended or model.options.constraints is not None):
                 self._tell_resets(batch, results, model.kept)
             refuse(batch, results, times)
-        if number := int((results.told["status"] == START_OFF_CONSTRAINTS).sum()):
+        if number := int((results.told["status"] == Outcome.START_OFF_CONSTRAINTS).sum()):
             self._tell_start(number, batch)
         if model.sensitivities is not None and (watched := model.sensitivities.watched) is not None:
             self._tell_jumps(batch, times, watched)
@@ -221,9 +218,9 @@ class Work:
                 f"{number} of {len(batch.x)} samples, and maybe others, do not begin on the "
                 "constraints, nor so near that they are projected onto them, or with a contact's "
                 "gap that is negative: they are NaN, of the "
-                f"`status` {START_OFF_CONSTRAINTS}. Dependent initial conditions are those of the "
-                "System unless they are passed, also where constants or other initial conditions "
-                "vary: pass those of each sample in `initial_conditions`."
+                f"`status` {Outcome.START_OFF_CONSTRAINTS}. Dependent initial conditions are "
+                "those of the System unless they are passed, also where constants or other initial "
+                "conditions vary: pass those of each sample in `initial_conditions`."
             )
 
     def _tell_assumptions(
@@ -462,8 +459,8 @@ def _moved(result: Any, name: Any, given: Any) -> bool:
 _STATISTICS: dict[str, dict[str, Any]] = {
     "status": {
         "long_name": "how the integration ended",
-        "flag_values": list(OUTCOMES),
-        "flag_meanings": " ".join(outcome.name for outcome in OUTCOMES.values()),
+        "flag_values": [int(outcome) for outcome in Outcome],
+        "flag_meanings": " ".join(outcome.flag for outcome in Outcome),
     },
     "steps": {"long_name": "accepted steps"},
     "rejected": {"long_name": "rejected steps"},
@@ -484,7 +481,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     assert kept is not None
     projected = model.options.constraints is not None
     told = results.told
-    ended = np.isin(told["status"], (FINISHED, TERMINATED))
+    ended = np.isin(told["status"], (Outcome.FINISHED, Outcome.TERMINATED))
     if projected:
         ended &= kept.every | (told["nearness"] < NEAR_SINGULAR)
     suspects = np.flatnonzero(ended)
@@ -513,7 +510,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                 )
                 verdict = judge(ran, partial(part_of, j))
                 if verdict is not None:
-                    _lose(results, k, times, places[max(0, verdict.place - 1)] + 1, verdict.code)
+                    _lose(results, k, times, places[max(0, verdict.place - 1)] + 1, verdict.outcome)
 
 
 def _alike(states: np.ndarray, samples: np.ndarray) -> list[np.ndarray]:

@@ -21,7 +21,7 @@ from pydy.ensemble import integrate_ensemble
 from pydy.inputs import SampledInput
 from pydy.layers.layer import KINDS, Given, Part
 from pydy.layers.values import plan_without
-from pydy.solvers import EVENTS_ACCUMULATE, TERMINATED, Solver
+from pydy.solvers import Outcome, Solver
 
 _ARGUMENTS = {"x": "initial_conditions", "r": "specifieds", "p": "constants"}
 
@@ -134,7 +134,7 @@ class MotionFunction:
 
     def _late(self, results: Any) -> np.ndarray:
         """Return which times of an ensemble's samples are after their last event, (m, times)."""
-        ended = np.isin(results["status"].values, (TERMINATED, EVENTS_ACCUMULATE))
+        ended = np.isin(results["status"].values, (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE))
         after = self._problem.times > results["end_time"].values[:, None]
         late: np.ndarray = ended[:, None] & after
         return late

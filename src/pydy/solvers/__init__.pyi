@@ -31,25 +31,7 @@ from .options import (
     named_for_odeint as named_for_odeint,
     read_options as read_options,
 )
-from .outcome import (
-    CONSTRAINTS_NOT_MET as CONSTRAINTS_NOT_MET,
-    CONTACTS_IMPOSSIBLE as CONTACTS_IMPOSSIBLE,
-    DEPENDENTS_NOT_GIVEN as DEPENDENTS_NOT_GIVEN,
-    EVENT_GRAZES as EVENT_GRAZES,
-    EVENT_JUMPS as EVENT_JUMPS,
-    EVENTS_ACCUMULATE as EVENTS_ACCUMULATE,
-    FINISHED as FINISHED,
-    LEFT_CONSTRAINTS as LEFT_CONSTRAINTS,
-    NO_CONVERGENCE as NO_CONVERGENCE,
-    NOT_COMPUTED as NOT_COMPUTED,
-    NOT_FINITE as NOT_FINITE,
-    OUTCOMES as OUTCOMES,
-    SINGULAR as SINGULAR,
-    START_OFF_CONSTRAINTS as START_OFF_CONSTRAINTS,
-    STEP_UNDERFLOW as STEP_UNDERFLOW,
-    TERMINATED as TERMINATED,
-    TOO_MANY_STEPS as TOO_MANY_STEPS,
-)
+from .outcome import Outcome as Outcome
 from .run.backward import DiscreteAdjoint as DiscreteAdjoint
 from .run.integration import Integration as Integration
 from .run.lanes import (

@@ -29,7 +29,7 @@ from pydy._errors import warn_user
 from pydy._interpolation import evenly
 from pydy._names import few
 from pydy._rank import DIGITS, least_step, or_one, roundings
-from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.tuning import EXCESS, LOST, NEAR_SINGULAR, TRIED
 
 Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
@@ -61,7 +61,7 @@ Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 class DriftReport(NamedTuple):
     """A defect of a motion."""
 
-    code: int  # LEFT_CONSTRAINTS or ENERGY_CHANGED
+    outcome: Outcome  # LEFT_CONSTRAINTS or ENERGY_CHANGED
     place: int  # of the time and state where it was seen first
     details: dict[str, Any]  # for the text of the outcome; `row` is a number
 
@@ -173,7 +173,7 @@ def judge(ran: Ran, part: Part) -> DriftReport | None:
     if ran.nearness is not None:
         if wrong := contradicted(part("contradictions", t, x)):
             return DriftReport(
-                LEFT_CONSTRAINTS, wrong[0], {"unimplied": wrong[1], "rate": wrong[2]}
+                Outcome.LEFT_CONSTRAINTS, wrong[0], {"unimplied": wrong[1], "rate": wrong[2]}
             )
         if not (near or ran.redundant):  # projection holds the rows
             return None
@@ -203,7 +203,7 @@ def judge(ran: Ran, part: Part) -> DriftReport | None:
         k = int((off > 1.0).any(axis=1).argmax())
         row = int(np.argmax(off[k]))
         details = {"row": row, "residual": found["rows"][k, row], "explained": allowed[k, row]}
-        return DriftReport(LEFT_CONSTRAINTS, k, details)
+        return DriftReport(Outcome.LEFT_CONSTRAINTS, k, details)
     return _energy(ran, part) if sound else None
 
 
@@ -254,7 +254,7 @@ def _energy(ran: Ran, part: Part) -> DriftReport | None:
         return None
     k = int((changes > allowed).argmax())
     details = {"change": changes[k], "explained": allowed[k], "kinetic": kinetic}
-    return DriftReport(ENERGY_CHANGED, k, details)
+    return DriftReport(Outcome.ENERGY_CHANGED, k, details)
 
 
 def _unseen(ran: Ran, part: Part, slopes: np.ndarray) -> np.ndarray:

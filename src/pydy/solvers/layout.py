@@ -67,7 +67,7 @@ GRADIENT, WANTED, FRESH, FACTORISED, FIRST, COUNTED = range(6)
 # of the last accepted step, and its error.
 FACTORED, PREDICTING, SIZE_BEFORE, ERROR_BEFORE = range(4)
 
-# What `advance` returns while it has not ended; a code of `outcome` when it has.
+# What `advance` returns while it has not ended; an `Outcome` when it has.
 PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = range(-1, -7, -1)
 # What `act_on_event` returns, besides EVENTS_ACCUMULATE: nothing is done, or all.
 LEFT, ACTED = range(2)
@@ -270,7 +270,7 @@ LANES_SPECIFIEDS, LANES_CONSTANTS = range(7, 9)
 LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
 # Queue.numbers
 LANES_LARGEST, LANES_FIRST = range(2)
-# Queue.counts, for each sample; the last is a code of `outcome`
+# Queue.counts, for each sample; the last is an `Outcome`
 LANES_STEPS, LANES_REJECTED, LANES_EVALUATIONS, LANES_STATUS = range(4)
 # LaneWatch.words begins with those of `Watch`; then how many lines the log has
 LANES_LOGGED = RESETTER + 1

@@ -12,7 +12,7 @@ from pydy._checks import instance, monotonic, real_array, shown
 from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import Begun, read_options
-from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.tableaus import Tableau, add_tableau, tableau_of
 
 if TYPE_CHECKING:
@@ -320,12 +320,12 @@ class Prepared:
         if events is not None and (any(events.may_rest) or run.set_off or run.idle):
             for told in run.stretches():
                 warn_user(told)
-        if self._integration.code == EVENTS_ACCUMULATE:
+        if self._integration.code == Outcome.EVENTS_ACCUMULATE:
             info, event = self.info, self._integration.details["event"]
             warn_user(
                 f"`{info['method']}` stopped at t = {info['time']!r}: the events `{event}` follow "
                 "each other ever faster and accumulate there (Zeno behaviour). "
-                f"{OUTCOMES[EVENTS_ACCUMULATE].remedy}"
+                f"{Outcome.EVENTS_ACCUMULATE.remedy}"
             )
         return states
 

@@ -15,7 +15,8 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-from pydy.solvers import layout, outcome, tuning
+from pydy.solvers import layout, tuning
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.tableaus import radau
 
 FOLDER = Path(__file__).parent
@@ -76,7 +77,8 @@ def _numbers() -> Iterator[tuple[str, str]]:
     places = _named(layout)
     # Thresholds of that name reach C in the array that has a place for them.
     thresholds = {name: x for name, x in _named(tuning).items() if name not in places}
-    for numbers in (thresholds, _named(outcome), places):
+    outcomes = {outcome.name: int(outcome) for outcome in Outcome}
+    for numbers in (thresholds, outcomes, places):
         for name, value in numbers.items():
             yield name, _exact(value)
     for name in ("T", "TI", "NODES", "ERROR", "REAL", "INTERPOLANT"):

@@ -33,26 +33,7 @@ from pydy.solvers import layout as at
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, forcing_time, jumped_to, stretches
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import (
-    EVENT_CONSTANT,
-    EVENT_GRAZES,
-    EVENT_JUMPS,
-    EVENT_UNDEFINED,
-    EVENTS_ACCUMULATE,
-    FINISHED,
-    INTERRUPTED,
-    NOT_COMPUTED,
-    NOT_FINITE,
-    OUTCOMES,
-    RESET_NOT_FINITE,
-    RESET_OFF_CONSTRAINTS,
-    SINGULAR_CONFIGURATION,
-    SPEEDS_NOT_GIVEN,
-    START_OFF_CONSTRAINTS,
-    STEP_UNDERFLOW,
-    TERMINATED,
-    TOLERANCE_TOO_SMALL,
-)
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.reflection import reflected, reversed_times
 from pydy.solvers.run.departure import (
     acts_at_start,
@@ -137,7 +118,7 @@ class Integration(Workspace):
         self.states = n if beside is None else beside.states  # without what is beside them
         if options.recorded is not None:
             self.states = options.recorded
-        self._end(NOT_COMPUTED)
+        self._end(Outcome.NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
         self.begun = options.begun
@@ -199,7 +180,7 @@ class Integration(Workspace):
         """Begin a run and return the code with which its first slice stopped."""
         self._rows = np.empty(self._room)
         self._rows[0] = self._x0 = x0
-        self.code = NOT_COMPUTED
+        self.code = int(Outcome.NOT_COMPUTED)
         self.records, self.set_off = [], {}
         if self.keeps:
             self.forget_steps()
@@ -209,7 +190,7 @@ class Integration(Workspace):
             if not self._attended:
                 self._begin_here(x0)
                 if self._start():
-                    ended = self.code != NOT_COMPUTED
+                    ended = self.code != Outcome.NOT_COMPUTED
                     return at.PAUSED if ended else self._advance(self._rows, False)
         return self._advance(self._rows, True)
 
@@ -225,17 +206,18 @@ class Integration(Workspace):
         try:
             code = self._set_out(x0)
             rows = self._rows
-            if code == FINISHED and self.options.events is None:  # most end in their first slice
-                self.code, self._rows = FINISHED, _NO_ROWS
+            # Most runs end in their first slice.
+            if code == Outcome.FINISHED and self.options.events is None:
+                self.code, self._rows = code, _NO_ROWS
                 return rows[: self._number]
-            with self.interrupts if code != FINISHED else nullcontext():
+            with self.interrupts if code != Outcome.FINISHED else nullcontext():
                 if self._attended and code == at.PAUSED:
                     self._start()
-                if self.code == NOT_COMPUTED:  # else an event ends it where it begins
+                if self.code == Outcome.NOT_COMPUTED:  # else an event ends it where it begins
                     self._run(code)
                 self._look_at_end()
         except KeyboardInterrupt:
-            self._stop(INTERRUPTED, IntegrationInterrupted)
+            self._stop(Outcome.INTERRUPTED, IntegrationInterrupted)
         except MemoryError as error:
             if len(self._rows):  # there was room for the states
                 times, states = self._finished()
@@ -264,13 +246,16 @@ class Integration(Workspace):
             bar = progress_bar(self.name, self.span, float(state[at.TIME]))
         try:
             while True:
-                if code == FINISHED:
-                    return self._end(FINISHED)
+                if code == Outcome.FINISHED:
+                    return self._end(Outcome.FINISHED)
                 if code == at.EVENT:
                     if self._act():
                         return self._undo_at_end()
                     state[at.SIZE] = self.options.step or 0.0
-                elif code == EVENTS_ACCUMULATE and (wanted := self.options.events) is not None:
+                elif (
+                    code == Outcome.EVENTS_ACCUMULATE
+                    and (wanted := self.options.events) is not None
+                ):
                     self._end(code, event=wanted.names[self.watch.fired.argmax()])
                     return self._undo_at_end()
                 elif code == at.LOG_FULL:
@@ -309,7 +294,7 @@ class Integration(Workspace):
         k, least = int(np.argmin(rtol)), 10.0 * ROUNDING
         if rtol[k] < least and atol[k] < least * max(abs(x[k]), 1.0):
             self._stop(
-                TOLERANCE_TOO_SMALL,
+                Outcome.TOLERANCE_TOO_SMALL,
                 rtol=rtol[k],
                 atol=atol[k],
                 advice=f"The precision of floats is about {ROUNDING:.1e}: use an rtol of at least "
@@ -326,13 +311,13 @@ class Integration(Workspace):
         if self.options.constraints is not None:
             self.seen[:] = 0.0
             self._tell_dependent(self.options.constraints)
-            self._project(self.memory.x, self.options.constraints, START_OFF_CONSTRAINTS)
+            self._project(self.memory.x, self.options.constraints, Outcome.START_OFF_CONSTRAINTS)
         if self.options.events is not None:
             for name, constant in zip(
                 self.options.events.names, self.options.events.constant, strict=True
             ):
                 if constant:
-                    self._stop(EVENT_CONSTANT, event=name)
+                    self._stop(Outcome.EVENT_CONSTANT, event=name)
             return self._look_at_start(self.options.events)
         return False
 
@@ -449,7 +434,7 @@ class Integration(Workspace):
     def _look_at_end(self) -> None:
         """Record events that are zero at the last time, or would be a rounding error later."""
         wanted, call = self.options.events, self.call
-        if wanted is None or call is None or self.code != FINISHED:
+        if wanted is None or call is None or self.code != Outcome.FINISHED:
             return
         self._empty_log()
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
@@ -485,10 +470,10 @@ class Integration(Workspace):
             if wanted.resetting[k] and wanted.resets is not None:
                 after = call.evaluate(wanted.resets, before, t)[k * n : (k + 1) * n]
             if not np.isfinite(after).all():
-                self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
+                self._stop(Outcome.RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
             following = np.concatenate([after[:n], before[n:]])
             if wanted.resetting[k] and (held := self.options.constraints) is not None:
-                self._project(following, held, RESET_OFF_CONSTRAINTS, event=wanted.names[k])
+                self._project(following, held, Outcome.RESET_OFF_CONSTRAINTS, event=wanted.names[k])
             if wanted.resetting[k]:
                 zero -= self._left(before, after[:n], following)
                 self._note_set_off(k, fired, before, following, t)
@@ -501,24 +486,24 @@ class Integration(Workspace):
         if any(wanted.terminal[k] for k in fired):
             self._take_sides(zero, forced)  # for who continues the motion
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
-            self._end(TERMINATED, event=last)
+            self._end(Outcome.TERMINATED, event=last)
             return True
         origins = self.watch.sides.copy()
         known = origins != 0
         known[list(fired)] = False
         values = self._take_sides(zero, forced)
         for lost in np.flatnonzero(known & np.isnan(values)):
-            self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
+            self._stop(Outcome.EVENT_UNDEFINED, event=wanted.names[lost])
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
             if k in zero and wanted.redirects[k] and is_stationary(call, wanted, k, before, t):
                 side = departure(call, wanted, k, before, t, self.span)
                 if follows_itself(side, int(origins[k]), wanted.directions[k]):
-                    self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
+                    self._end(Outcome.EVENTS_ACCUMULATE, event=wanted.names[k])
                     return True
                 self.watch.sides[k] = side
             if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
-                self._end(EVENTS_ACCUMULATE, event=wanted.names[k])
+                self._end(Outcome.EVENTS_ACCUMULATE, event=wanted.names[k])
                 return True
         return False
 
@@ -531,7 +516,7 @@ class Integration(Workspace):
         t, last = float(self.progress.state[at.TIME]), float(self.progress.times[-1])
         rest = NO_LATER * ROUNDING * max(abs(t), self.span)
         if (
-            self.code != EVENTS_ACCUMULATE
+            self.code != Outcome.EVENTS_ACCUMULATE
             or last - t > rest
             or (self.options.sensitivities is not None and self.options.recorded is None)
         ):
@@ -546,7 +531,7 @@ class Integration(Workspace):
         self._take_sides({event})
         self._rows[self.progress.counts[at.NEXT] : self._number] = self.memory.x[: self.n]
         self.progress.counts[at.NEXT] = self._number
-        self._end(FINISHED)
+        self._end(Outcome.FINISHED)
 
     def _left(self, before: np.ndarray, after: np.ndarray, projected: np.ndarray) -> set[int]:
         """Return the events whose expressions a reset moves away from zero.
@@ -642,10 +627,10 @@ class Integration(Workspace):
         if value is not None or not jump.depth > jump.error:
             acting = acting and event not in beside.untimed
             if acting and value is not None:
-                self._stop(EVENT_JUMPS, event=wanted.names[event], value=value)
+                self._stop(Outcome.EVENT_JUMPS, event=wanted.names[event], value=value)
             if acting:
                 self._stop(
-                    EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
+                    Outcome.EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
                     lower=jump.lower,
                 )  # fmt: skip
             jump = jump._replace(time=np.full(beside.columns, np.nan))
@@ -654,7 +639,7 @@ class Integration(Workspace):
         if acting and wanted.resetting[event] and (held := self.options.constraints) is not None:
             # What a reset leaves out follows from the constraints, and so do its derivatives.
             whole = np.concatenate([after[:n], moved.ravel()])
-            self._project(whole, held, RESET_OFF_CONSTRAINTS, event=wanted.names[event])
+            self._project(whole, held, Outcome.RESET_OFF_CONSTRAINTS, event=wanted.names[event])
             moved = beside.table(whole)
         return replace(
             record,
@@ -698,7 +683,7 @@ class Integration(Workspace):
 
     def _extension(self) -> Extension | None:
         rows = self.kept_steps()
-        if self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
+        if self.code not in (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE):
             return None
         if rows is None or not len(rows):
             return None
@@ -716,7 +701,7 @@ class Integration(Workspace):
         if places.size and np.isfinite(slopes).all():
             names = ", ".join(self._state_name(k) for k in places[: self.states][:4])
             self._stop(
-                TOLERANCE_TOO_SMALL,
+                Outcome.TOLERANCE_TOO_SMALL,
                 rtol=memory.rtol[places[0]],
                 atol=0.0,
                 advice=f"Errors of states that are 0, of {names}, are compared with `atol` alone: "
@@ -727,16 +712,16 @@ class Integration(Workspace):
         """Raise the error for a code with which compiled code gave up."""
         if not np.isfinite(self._x0).all():
             raise ValueError(f"`x0` must be finite, got {self._x0}.")
-        if code == EVENT_UNDEFINED and (wanted := self.options.events) is not None:
+        if code == Outcome.EVENT_UNDEFINED and (wanted := self.options.events) is not None:
             self._stop(code, event=wanted.names[self.watch.fired.argmax()])
         step = float(self.progress.state[at.SIZE])
-        if code == STEP_UNDERFLOW:
+        if code == Outcome.STEP_UNDERFLOW:
             code = int(self.progress.counts[at.FAILURE])
-        if code == NOT_FINITE:
+        if code == Outcome.NOT_FINITE:
             self._check_scales()
         t = float(self.progress.state[at.TIME])
         size = f" with a step size of {step:.3g}" if np.isfinite(step) and step else ""
-        if code == STEP_UNDERFLOW and abs(t) > FAR_ORIGIN * self.span:
+        if code == Outcome.STEP_UNDERFLOW and abs(t) > FAR_ORIGIN * self.span:
             size += (
                 f", where floats tell times apart by {np.spacing(t):.2g}: let `times` start nearer "
                 "to zero, or loosen the tolerances,"
@@ -747,21 +732,21 @@ class Integration(Workspace):
             "size": size,
         }
         nearness, rows, determinacy = self._combined(self.memory.x[: self.n].copy(), t)
-        what = OUTCOMES[code].text.format(**details)
+        what = Outcome(code).text.format(**details)
         if nearness < NEARLY_SINGULAR:
-            self._stop(SINGULAR_CONFIGURATION, rows=rows, what=what)
+            self._stop(Outcome.SINGULAR_CONFIGURATION, rows=rows, what=what)
         if determinacy < NEARLY_SINGULAR:
-            self._stop(SPEEDS_NOT_GIVEN, what=what)
+            self._stop(Outcome.SPEEDS_NOT_GIVEN, what=what)
         self._stop(code, **details)
 
     @property
     def status(self) -> str:
         """How the latest run ended, in words."""
-        return OUTCOMES[self.code].text.format(**self.details)
+        return Outcome(self.code).text.format(**self.details)
 
     def _end(self, code: int, **details: Any) -> None:
         """Note how the run ended."""
-        self.code, self.details = code, details
+        self.code, self.details = int(code), details
 
     def _stop(
         self,
@@ -775,7 +760,7 @@ class Integration(Workspace):
         t = self._reported(float(self.progress.state[at.TIME]))
         x = self.memory.x[: self.states].copy()
         state = numbers_of([self._state_name(k) for k in range(self.states)], x)
-        remedy = OUTCOMES[code].remedy.format(**details)
+        remedy = Outcome(code).remedy.format(**details)
         raise kind(
             f"`{self.name}` {self.status} at t = {t!r} in the state {state}. {remedy}",
             *self._finished(),

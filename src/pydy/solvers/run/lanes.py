@@ -25,7 +25,7 @@ from pydy.solvers.layout import (
     table_of,
 )
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import EVENTS_ACCUMULATE, FINISHED, NOT_COMPUTED, TERMINATED
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.run.departure import on_surface
 from pydy.solvers.run.integration import SLICE
 from pydy.solvers.run.problem import NO_JUMPS, lined_up, tables_of
@@ -88,7 +88,7 @@ class LanesBeside:
 
     def ended(self, status: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return which samples have ended well, with states (n, m, 1) at the last time."""
-        return np.asarray(status == FINISHED)
+        return np.asarray(status == Outcome.FINISHED)
 
     def stretches(self, samples: np.ndarray) -> list[str]:
         """Return what to say of expressions that stayed at zero in some samples."""
@@ -218,7 +218,9 @@ class LanesWatched(LanesBeside):
         )
         fired = reaches & (sides != 0) & (sides != np.array(self._events.directions))
         done = super().ended(status, states) & ~fired.any(axis=1)
-        return np.asarray(done | (status == TERMINATED) | (status == EVENTS_ACCUMULATE))
+        return np.asarray(
+            done | (status == Outcome.TERMINATED) | (status == Outcome.EVENTS_ACCUMULATE)
+        )
 
     def stretches(self, samples: np.ndarray) -> list[str]:
         """Return what to say of expressions that stayed at zero in some samples."""
@@ -304,7 +306,7 @@ def integrate_samples(
     if beside is not None:
         beside.begin(queue.x, float(times[-1] - times[0]), address(table))
         out = np.isnan(queue.x).any(axis=1)
-        queue.counts[out, at.LANES_STATUS], states[:, out] = NOT_COMPUTED, np.nan
+        queue.counts[out, at.LANES_STATUS], states[:, out] = Outcome.NOT_COMPUTED, np.nan
     budget = 1000
     while True:
         queue.state[at.LANES_BUDGET] = budget

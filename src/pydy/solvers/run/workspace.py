@@ -32,7 +32,7 @@ from pydy.solvers.layout import (
     table_of,
 )
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import STEP_UNDERFLOW
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.run import shipped
 from pydy.solvers.run.problem import (
     Bound,
@@ -172,7 +172,7 @@ class Workspace:
         state, count = np.zeros(7), np.zeros(12, dtype=np.int64)
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
         state[at.SIZE] = options.first_step or options.step or 0.0
-        count[at.LIMIT], count[at.FAILURE] = options.max_steps, STEP_UNDERFLOW
+        count[at.LIMIT], count[at.FAILURE] = options.max_steps, Outcome.STEP_UNDERFLOW
         self.beginning = Beginning(state, count)
         self.progress = Progress(state.copy(), count.copy(), np.array(times, order="C"))
         self.steps = _NO_STEPS
