@@ -10,15 +10,13 @@ import loops
 from pydy import System
 from pydy._judges.constraint_drift import check_drift
 from pydy._motion.motion import Motion
-from pydy.ensemble import work
 from pydy.ensemble.model import Batch
 from pydy.errors import IntegrationError
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from pydy.solvers.constraint_drift import is_near
+from pydy.solvers.constraint_drift import DriftCheck
 from pydy.solvers.outcome import Outcome
-from pydy.solvers.tuning import NEAR_SINGULAR
 from registry import ADAPTIVE_NAMES
 from singular import bricard, n_four_bar, slider_crank
 from zoo import inertial_frame
@@ -192,7 +190,7 @@ def test_how_near_rows_are_to_losing_rank_has_no_unit(size):
     rows = np.array([[[size, 0.0], [np.cos(a), np.sin(a)]] for a in angles])
 
     def near(rows):
-        return is_near((rows @ rows.swapaxes(1, 2)).reshape(len(rows), -1))
+        return DriftCheck.nearly_loses_rank((rows @ rows.swapaxes(1, 2)).reshape(len(rows), -1))
 
     assert not near(rows)
     rows[3, 1] = np.cos(0.03), np.sin(0.03)
@@ -452,11 +450,11 @@ def test_a_projected_ensemble_passes_and_is_judged_near_singular_places(monkeypa
     system, options = two_cranks(constraints="project")
     assert (system.integrate_ensemble(**options).status == 0).all()
     judged = []
-    monkeypatch.setattr(work, "judge", lambda ran, part: judged.append(ran.nearness))
+    monkeypatch.setattr(DriftCheck, "report", lambda check, _: judged.append(check.nearness))
     system.integrate_ensemble(**options)
     # The other sample kept the rows that were left out, far from singular places.
     (nearness,) = judged
-    assert nearness < NEAR_SINGULAR
+    assert nearness < DriftCheck.NEAR_SINGULAR
 
 
 def test_an_ensemble_in_other_processes_is_looked_at():
@@ -470,10 +468,10 @@ def test_an_ensemble_in_other_processes_is_looked_at():
 def test_a_sound_ensemble_is_looked_at_once():
     system = slider_crank(2.0).system
     judged = []
-    real = work.judge
+    real = DriftCheck.report
     times = np.linspace(0.0, 3.0, 201)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(work, "judge", lambda *a: judged.append(a) or real(*a))
+        patch.setattr(DriftCheck, "report", lambda *a: judged.append(a) or real(*a))
         evaluate, counted = Batch.evaluate, []
 
         def count(batch, program, times, states):

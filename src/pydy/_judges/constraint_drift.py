@@ -34,17 +34,10 @@ from pydy._problem import TOGETHER, At, EnergyModel, Problem
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
-    NEAR_SINGULAR,
-    TRIED,
+    ConstraintResiduals,
+    DriftCheck,
+    DriftReport,
     Options,
-    Ran,
-    allowed_after,
-    contradicted,
-    described,
-    judge,
-    left_by_rounding,
-    looked_at,
-    warn_of_reset,
 )
 from pydy.trajectory import EventRecord
 
@@ -64,8 +57,8 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     told = not held and look(at, redundant=False)
     equations = at.definition.equations
     unimplied = () if told else equations.unimplied
-    if unimplied and (found := contradicted(at.values(rates))):
-        why = contradiction(equations, float(at.t[0]), *found[1:])
+    if unimplied and (report := DriftReport.contradiction(at.values(rates))):
+        why = contradiction(equations, float(at.t[0]), **report.details)
         raise ValueError(f"No motion satisfies all constraints. {why}")
     if held and not any(equations.left_out):
         return False
@@ -114,7 +107,7 @@ def check_resets(
         time = np.array([record.time])
         if off := violations(at(time, record.after[None]), before=at(time, record.before[None])):
             told.add(record.name)
-            warn_of_reset(record.name, off)
+            ConstraintResiduals.warn_of_reset(record.name, off)
 
 
 def satisfied_to_rounding(at: At) -> np.ndarray:
@@ -126,7 +119,7 @@ def satisfied_to_rounding(at: At) -> np.ndarray:
 
 def first_violation(at: At, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
     """Return the first tried state that has `violations`, and these."""
-    tried = evenly(len(at.x), TRIED)
+    tried = evenly(len(at.x), DriftCheck.MOST_STATES)
     for k in tried[~satisfied_to_rounding(at.some(tried))]:
         if told := violations(at.some([k]), blocks=blocks):
             return int(k), told
@@ -149,7 +142,7 @@ def violations(
     if satisfied_to_rounding(at)[0]:
         return ""
     judged = _judged(at, redundant, before, blocks)
-    return described(float(at.t[0]), *judged, ConstraintNames(at.definition.equations))
+    return judged.describe(float(at.t[0]), ConstraintNames(at.definition.equations))
 
 
 def violates_constraints(at: At, redundant: bool = True) -> bool:
@@ -163,13 +156,14 @@ def _judged(
     redundant: bool,
     before: At | None = None,
     blocks: tuple[bool, bool] = (True, True),
-) -> tuple[np.ndarray, np.ndarray]:
+) -> ConstraintResiduals:
     """Return the residuals of a state, zero where rows do not count, and the allowed ones."""
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     inherited = None if before is None else evaluated_rows(before, "bounds")[0][0]
     equations, (q, v) = at.definition.equations, blocks
-    looked_at = _rows_of(equations, q, q and redundant, v, v and redundant)
-    return np.where(looked_at, residuals, 0.0), allowed_after(DIGITS * bounds, inherited)
+    counted = _rows_of(equations, q, q and redundant, v, v and redundant)
+    judged = ConstraintResiduals(np.where(counted, residuals, 0.0), DIGITS * bounds)
+    return judged.after_reset(inherited)
 
 
 def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
@@ -226,7 +220,7 @@ def check_samples(
     def told(numbers: np.ndarray) -> bool:
         if not len(numbers):
             return False
-        numbers = numbers[evenly(len(numbers), TRIED)]
+        numbers = numbers[evenly(len(numbers), DriftCheck.MOST_STATES)]
         for number, own in zip(numbers, _each(some(numbers)), strict=True):
             places = np.unravel_index(number, shape)
             whose = f" of sample {', '.join(map(str, places))}" if shape else ""
@@ -241,7 +235,8 @@ def check_samples(
         with np.errstate(invalid="ignore"):  # what overflows is off
             shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)
         off = np.flatnonzero(shares > DIGITS)
-        if told(numbers[off[np.argsort(-shares[off], kind="stable")[:TRIED]]]):
+        worst = np.argsort(-shares[off], kind="stable")[: DriftCheck.MOST_STATES]
+        if told(numbers[off[worst]]):
             return
     equations = looked_at.definition.equations
     if equations.unimplied or any(equations.left_out):
@@ -300,7 +295,7 @@ def slopes_of(definition: Definition, plan: SpecifiedsPlan) -> Slopes:
 
 
 def rates(assembly: Assembly) -> dict[str, list[int]]:
-    """Return 'contradictions' of `kept.Part`."""
+    """Return 'contradictions' of `DriftQuantities`."""
     graph, equations = assembly.graph, assembly.equations
     assert equations is not None
     rows = rates_along(assembly, [assembly.holonomic[k] for k in equations.unimplied])
@@ -370,19 +365,22 @@ def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
 def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray, np.ndarray]:
     """Return the residuals of all constraints, (m, rows), and the scales of their rounding errors.
 
-    That is 'sizes', the terms of the last sum, which are quickly found, or 'bounds' on rounding
-    errors with what a search leaves of states that are zero; see `left_by_rounding`. Rows are the
-    holonomic constraints, those left out behind the others, then the velocity constraints.
+    These are 'sizes', the terms of the last sum, which are quickly computed, or 'bounds' on
+    rounding errors with the residuals that a projection leaves; see `ConstraintResiduals.rounding`.
+    Rows are the holonomic constraints, followed by those left out, then the velocity constraints.
     """
     found = at.values(sized if what == "sizes" else bounded)
     sizes = found["sizes"]
     if what == "bounds":
-        sizes = sizes + left_by_rounding(found, sizes, at.x) / DIGITS
+        sizes = sizes + ConstraintResiduals.rounding(found, sizes, at.x) / DIGITS
     return found["rows"], sizes
 
 
 def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, list[int]]:
-    """Return ``slopes``, ``solved``, ``per_unit`` of `Part`; `count` rows hold all states."""
+    """Return ``slopes``, ``solved`` and ``per_unit`` of `DriftQuantities`.
+
+    The first `count` rows are solved for all states, the others for the speeds.
+    """
     graph, n = assembly.graph, assembly.sizes[0]
     states = [graph.input("x", k) for k in range(n)]
     moving, cells = {*assembly.speeds}, dense_jacobian(graph, rows, states)
@@ -400,7 +398,7 @@ def _velocity_slopes(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
-    """Return 'rows' of `kept.Part`: all constraints, and the terms of their last sums."""
+    """Return 'rows' of `DriftQuantities`: all constraints, and the terms of their last sums."""
     holonomic, velocity = assembly.with_left_out()
     parts = (holonomic, len(assembly.holonomic)), (velocity, len(assembly.velocity))
     sizes = [n for rows, kept in parts for n in _sizes(assembly.graph, rows, kept, inherited)]
@@ -408,7 +406,7 @@ def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
 
 
 def bounded(assembly: Assembly) -> dict[str, list[int]]:
-    """Return 'bounds' of `kept.Part`: the same with bounds on rounding errors."""
+    """Return 'bounds' of `DriftQuantities`: the same with bounds on rounding errors."""
     found = sized(assembly, inherited=True)
     return {**found, **measured(assembly, found["rows"], len(assembly.with_left_out()[0]))}
 
@@ -445,7 +443,7 @@ def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[in
 def part_of(
     problem: Problem, slopes: Slopes, name: str
 ) -> Callable[[Assembly], dict[str, list[int]]] | None:
-    """Return the function that makes a part of `kept.Part` of an Assembly, or None."""
+    """Return the function that makes a part of `DriftQuantities` of an Assembly, or None."""
     if name == "contradictions" and not problem.definition.equations.unimplied:
         return None
     if name in PARTS:
@@ -460,15 +458,15 @@ def part_of(
 
 
 def _part(motion: Motion, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
-    """Return values along a motion; see `kept.Part`."""
+    """Return values along a motion; see `DriftQuantities`."""
     problem = motion.problem
     made = part_of(problem, slopes_of(problem.definition, problem.plan), name)
     return {} if made is None else problem.at(t, x).values(made)
 
 
-def _looked_at(motion: Motion, projected: bool) -> Ran:
+def _drift_check(motion: Motion, projected: bool) -> DriftCheck:
     """Return a few states of a motion, with the solver's errors and steps."""
-    few = looked_at(motion.states, projected)
+    few = DriftCheck.selected(motion.states, projected)
     steps, statistics = None, motion.statistics
     if "step" not in motion.options and motion.errors_known:
         known = statistics.get("nst", statistics.get("steps"))
@@ -476,7 +474,7 @@ def _looked_at(motion: Motion, projected: bool) -> Ran:
     given = [motion.options.get(name) for name in ("rtol", "atol")]
     defaults = Options.rtol, Options.atol
     rtol, atol = (d if g is None else g for g, d in zip(given, defaults, strict=True))
-    return Ran(
+    return DriftCheck(
         motion.times[few],
         np.ascontiguousarray(motion.states[few]),
         steps,
@@ -493,29 +491,29 @@ def check_drift(motion: Motion) -> None:
     """Refuse a motion that left the constraints, or changed its energy without a cause."""
     equations, projected = motion.problem.definition.equations, "constraints" in motion.options
     statistics = motion.statistics
-    sound = statistics["nearness"] >= NEAR_SINGULAR if projected else False
+    sound = statistics["nearness"] >= DriftCheck.NEAR_SINGULAR if projected else False
     if sound and not equations.beyond_projection:
         return
-    ran = _looked_at(motion, projected)
-    verdict = judge(ran, partial(_part, motion))
-    if verdict is None:
+    check = _drift_check(motion, projected)
+    report = check.report(partial(_part, motion))
+    if report is None:
         return
-    details, t = verdict.details, float(ran.times[verdict.place])
+    details, t = report.details, float(check.times[report.index])
     if "unimplied" in details:
         status = text = f"cannot keep all constraints. {contradiction(equations, t, **details)}"
     else:
         if "row" in details:
             names = constraint_names(equations, redundant=True)
             details = {**details, "row": names[details["row"]]}
-        status = verdict.outcome.text.format(**details)
-        text = f"{status} at t = {t!r}. {verdict.outcome.remedy}"
+        status = report.outcome.text.format(**details)
+        text = f"{status} at t = {t!r}. {report.outcome.remedy}"
     error = IntegrationError(
         f"`{motion.method}` {text}",
         motion.times,
         motion.states,
         t,
-        ran.states[verdict.place],
-        {**statistics, "method": motion.method, "code": int(verdict.outcome), "status": status},
+        check.states[report.index],
+        {**statistics, "method": motion.method, "code": int(report.outcome), "status": status},
     )
     error.motion = motion
     raise error
@@ -536,7 +534,7 @@ def drift_programs(problem: Problem, model: CompiledModel, plan: SpecifiedsPlan)
 
 
 class DriftPrograms:
-    """The parts of `kept.Part` as Programs, which can be sent to other processes."""
+    """The parts of `DriftQuantities` as Programs, which can be sent to other processes."""
 
     def __init__(self, problem: Problem, model: CompiledModel, slopes: Slopes) -> None:
         self._now, self._model, self._slopes = problem, model, slopes
@@ -580,7 +578,7 @@ def products(assembly: Assembly) -> dict[str, list[int]]:
 
 @dataclass(frozen=True)
 class Slopes:
-    """'slopes' of `kept.Part`.
+    """'slopes' of `DriftQuantities`.
 
     The `inputs` are the places of specifieds whose rates are known, with those of the rates, or
     None where they are zero.

@@ -69,7 +69,7 @@ from pydy.control.tuning import (
     STEADY,
     STILL,
 )
-from pydy.solvers import Outcome, contradicted
+from pydy.solvers import DriftReport, Outcome
 
 
 @dataclass(frozen=True, eq=False)
@@ -393,10 +393,10 @@ class _Joined:
             values = replace(at, p=p, r=r).values(rates)
             # Where nothing moves, rates are rounding: terms count as on the whole motion.
             values["sizes"] = np.broadcast_to(values["sizes"].max(axis=0), values["sizes"].shape)
-            if not (wrong := contradicted(values)):
+            if not (report := DriftReport.contradiction(values)):
                 continue
-            k, t = wrong[0], float(times[wrong[0]])
-            status = f"cannot keep all constraints. {contradiction(equations, t, *wrong[1:])}"
+            k, t = report.index, float(times[report.index])
+            status = f"cannot keep all constraints. {contradiction(equations, t, **report.details)}"
             info = {"code": int(Outcome.LEFT_CONSTRAINTS), "status": status}
             raise IntegrationError(f"`collocation` {status}", times, states, t, states[k], info)
 

@@ -131,7 +131,8 @@ class EnsembleSensitivities:
 class Kept:
     """The checks of whether motions kept their constraints and energy."""
 
-    programs: Any  # of `kept.Part` by name, None where unknown; 'screen' is both rows and products
+    # `DriftQuantities` by name, None where unknown; 'screen' is both rows and products.
+    programs: Any
     redundant: bool  # whether constraints were left out
     every: bool  # whether rows that projection does not hold are looked at: see `check_drift`
     mended: bool  # whether motions are brought back onto the constraints

@@ -22,18 +22,9 @@ from pydy._rank import DIGITS
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers import (
-    NEAR_SINGULAR,
-    TRIED,
+    ConstraintResiduals,
+    DriftCheck,
     Outcome,
-    Ran,
-    allowed_after,
-    beyond_digits,
-    described,
-    is_near,
-    judge,
-    left_by_rounding,
-    looked_at,
-    warn_of_reset,
 )
 
 SMALLEST_BLOCK = 64
@@ -174,7 +165,7 @@ class Work:
         model, times = self.model, self.model.times
         if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
             # Steps do not depend on the outputs. A few show what assumptions the states leave.
-            times = times[evenly(len(times), 2 if self.assumed is None else TRIED)]
+            times = times[evenly(len(times), 2 if self.assumed is None else DriftCheck.MOST_STATES)]
         logs = model.kept is not None or _EventTimes in map(type, self.reductions)
         batch = Batch(model, *samples.rows(), stopped, logs)
         results = batch.run(times, states)
@@ -253,15 +244,16 @@ class Work:
         )
         for k, (_, record) in enumerate(records):
             own = {name: values[k] for name, values in after.items()}
-            left = left_by_rounding(own, own["sizes"], record.after[None])
-            allowed = allowed_after(DIGITS * own["sizes"] + left, before["rows"][k])[0]
-            off = described(record.time, own["rows"][0], allowed, kept.names)
+            rounding = ConstraintResiduals.rounding(own, own["sizes"], record.after[None])
+            residuals = ConstraintResiduals(own["rows"][0], (DIGITS * own["sizes"] + rounding)[0])
+            off = residuals.after_reset(before["rows"][k][0]).describe(record.time, kept.names)
             if off and self._first(f"reset of {record.name}"):
-                warn_of_reset(record.name, off, "In one sample or more, the")
+                where = "In one sample or more, the"
+                ConstraintResiduals.warn_of_reset(record.name, off, where)
 
     def _tell_jumps(self, batch: Batch, times: np.ndarray, watched: Watched) -> None:
         """Warn of the first of some samples that pass a jump, of which derivatives know nothing."""
-        for k in evenly(len(batch.x), TRIED).tolist():
+        for k in evenly(len(batch.x), DriftCheck.MOST_STATES).tolist():
             if "jumps" in self.told or batch.stopped():
                 return
             motion = batch.passed(k, times)
@@ -483,12 +475,12 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     told = results.told
     ended = np.isin(told["status"], (Outcome.FINISHED, Outcome.TERMINATED))
     if projected:
-        ended &= kept.every | (told["nearness"] < NEAR_SINGULAR)
+        ended &= kept.every | (told["nearness"] < DriftCheck.NEAR_SINGULAR)
     suspects = np.flatnonzero(ended)
     if not projected:
         suspects = _suspects(batch, kept.programs, suspects, results.states, times)
     for samples in _alike(results.states, suspects):
-        places = looked_at(results.states[:, samples[0]].T, projected)
+        places = DriftCheck.selected(results.states[:, samples[0]].T, projected)
         at, own = times[places], samples
         if projected and len(places):
             own = own[_unsure(batch, results, own, places, at)]
@@ -497,7 +489,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
             states = _along(results, some, places)
             part_of = _together(batch.some(some), kept.programs, at, states)
             for j, k in enumerate(some.tolist()):
-                ran = Ran(
+                check = DriftCheck(
                     at,
                     states[j],
                     float(told["steps"][k]) if model.options.step is None else None,
@@ -508,9 +500,10 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                     [(e.time, e.after) for e in results.resets(k)],
                     kept.redundant,
                 )
-                verdict = judge(ran, partial(part_of, j))
-                if verdict is not None:
-                    _lose(results, k, times, places[max(0, verdict.place - 1)] + 1, verdict.outcome)
+                report = check.report(partial(part_of, j))
+                if report is not None:
+                    reached = places[max(0, report.index - 1)] + 1
+                    _lose(results, k, times, reached, report.outcome)
 
 
 def _alike(states: np.ndarray, samples: np.ndarray) -> list[np.ndarray]:
@@ -528,13 +521,13 @@ def _along(results: Results, samples: np.ndarray, places: np.ndarray) -> np.ndar
 def _unsure(
     batch: Batch, results: Results, samples: np.ndarray, places: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
-    """Return of which projected samples `judge` may tell something; most are sound at a glance.
+    """Return which projected samples `DriftCheck.report` must examine; most are sound.
 
     Those kept all constraints to six digits, far from where they lose rank.
     """
     kept = batch.model.kept
     assert kept is not None
-    unsure: np.ndarray = results.told["nearness"][samples] < NEAR_SINGULAR
+    unsure: np.ndarray = results.told["nearness"][samples] < DriftCheck.NEAR_SINGULAR
     if kept.programs["contradictions"] is not None:
         return np.ones(len(samples), dtype=bool)
     if (program := kept.programs["rows"]) is not None and kept.redundant:
@@ -543,14 +536,16 @@ def _unsure(
             some = samples[start : start + number]
             states = _along(results, some, places)
             found = _values(batch, kept.programs, "rows", some.tolist(), times, states)
-            unsure[start : start + number] |= beyond_digits(found["rows"], found["sizes"])
+            unsure[start : start + number] |= DriftCheck.exceeds_six_digits(
+                found["rows"], found["sizes"]
+            )
     return unsure
 
 
 def _together(
     batch: Batch, programs: Any, times: np.ndarray, states: np.ndarray
 ) -> Callable[..., dict[str, np.ndarray]]:
-    """Return functions that give `kept.Part` for each of m samples, of states (m, f, n).
+    """Return functions that give `DriftQuantities` for each of m samples, of states (m, f, n).
 
     What is asked of one at these times is found for all.
     """
@@ -603,7 +598,7 @@ def _suspects(
         return ended
     program = programs["screen"]
     assert program is not None
-    few = looked_at(states[:, whole[0]].T, projected=False)
+    few = DriftCheck.selected(states[:, whole[0]].T, projected=False)
     # A million residuals and derivatives at a time.
     number = max(1, 1_000_000 // (len(few) * max(1, len(program.outputs))))
     suspects = [np.setdiff1d(ended, whole)]
@@ -612,9 +607,9 @@ def _suspects(
         x = np.ascontiguousarray(states[:, places][:, :, few])
         out = batch.some(places).evaluate(program, times[few], x)
         found = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
-        suspect = beyond_digits(found["rows"], found["sizes"])
+        suspect = DriftCheck.exceeds_six_digits(found["rows"], found["sizes"])
         if batch.model.options.step is None:
-            suspect |= is_near(found["products"])
+            suspect |= DriftCheck.nearly_loses_rank(found["products"])
         suspects.append(places[suspect])
     return np.unique(np.concatenate(suspects))
 

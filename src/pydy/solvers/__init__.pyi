@@ -1,14 +1,7 @@
 from .constraint_drift import (
-    Ran as Ran,
-    allowed_after as allowed_after,
-    beyond_digits as beyond_digits,
-    contradicted as contradicted,
-    described as described,
-    is_near as is_near,
-    judge as judge,
-    left_by_rounding as left_by_rounding,
-    looked_at as looked_at,
-    warn_of_reset as warn_of_reset,
+    ConstraintResiduals as ConstraintResiduals,
+    DriftCheck as DriftCheck,
+    DriftReport as DriftReport,
 )
 from .constraints import CompiledConstraints as CompiledConstraints, satisfied as satisfied
 from .core.declarations import included as included, layout_header as layout_header
@@ -65,11 +58,9 @@ from .tuning import (
     LANES as LANES,
     LARGEST_IN_LANES as LARGEST_IN_LANES,
     MANY_STEPS as MANY_STEPS,
-    NEAR_SINGULAR as NEAR_SINGULAR,
     NO_LATER as NO_LATER,
     ROUNDING as ROUNDING,
     ROUNDINGS as ROUNDINGS,
     SOUND as SOUND,
     STARTING_MOVE as STARTING_MOVE,
-    TRIED as TRIED,
 )

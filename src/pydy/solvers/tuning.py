@@ -130,12 +130,6 @@ of this (RADAU5 does the same)."""
 SLOW = 1e-3
 """The rate of convergence above which the Jacobian is evaluated anew (RADAU5's THET)."""
 
-TRIED = 64
-"""Samples of an ensemble, or states along a trajectory, whose constraints are looked at.
-
-One is enough to warn; 64 take milliseconds, and are spread over all.
-"""
-
 EXCESS = 3.0
 """What errors of long steps, and of states between them, make of residuals, in units of the
 tolerances. Stabilised residuals come up to half of it, energies to a third.
