@@ -22,7 +22,7 @@ from harness.report import save
 from trees import HUMANOID, definition, rods, tree
 
 from pydy._backends.registry import compile_program
-from pydy._graph.collector import collector_paused
+from pydy._collector import collector_paused
 from pydy._graph.lowering import lower
 from pydy.examples import whipple_bicycle
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart

@@ -5,14 +5,14 @@ import sympy as sm
 
 from pydy._assembly.assembly import Assembly
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import run
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph, input_nodes
-from pydy._graph.operations import OPERATIONS
-from pydy._graph.program import Program, Tape
 from pydy._graph.solve.ldl import UnrolledLDL
 from pydy._mechanics.form import Formed, forms
 from pydy._mechanics.reader import Multibody
+from pydy._program.interpret import run
+from pydy._program.operations import OPERATIONS
+from pydy._program.program import Program, Tape
 
 __all__ = [
     "BINARY",

@@ -16,7 +16,7 @@ from harness.program import assembly_of
 from harness.samples import samples
 from harness.written_down import arm_written_down, pendulum_written_down, rods_written_down
 
-from pydy._graph.interpret import run
+from pydy._program.interpret import run
 from pydy.system import System
 
 

@@ -17,7 +17,7 @@ from llvmlite import binding
 
 import optima
 from pydy import _forks
-from pydy._graph.collector import collector_paused
+from pydy._collector import collector_paused
 from pydy.control import OptimalControl, ipopt
 from pydy.errors import OptimizationError
 

@@ -20,8 +20,8 @@ from harness.program import assembly_of
 
 import zoo
 from pydy._graph.passes import names, rewriting
-from pydy._graph.program import Program
 from pydy._graph.tuning import COLUMNS_TOGETHER
+from pydy._program.program import Program
 from pydy.system import System
 
 # Operations at every call in M and F that were written out, and with the solve for the

@@ -26,7 +26,7 @@ if str(SRC) not in sys.path:
     sys.path.insert(0, str(SRC))
 
 from pydy import _array_layout  # noqa: E402
-from pydy._graph import tuning as graph  # noqa: E402
+from pydy._program import tuning as program  # noqa: E402
 from pydy.solvers.core import declarations  # noqa: E402
 
 SOLVERS, GATES = SRC / "pydy/solvers/ir", SRC / "pydy/_backends/core"
@@ -71,7 +71,7 @@ def header(source: Path, text: str | None = None) -> str:
         return declarations.layout_header(text)
     offsets = [name for name in _array_layout.__all__ if name.isupper()]
     found = {name: getattr(_array_layout, name) for name in offsets}
-    found |= {name: getattr(graph, name) for name in ("SINGULAR", "INDEPENDENT", "REDUNDANT")}
+    found |= {name: getattr(program, name) for name in ("SINGULAR", "INDEPENDENT", "REDUNDANT")}
     return "".join(
         f"#define {name} {float(x).hex() if isinstance(x, float) else x}\n"
         for name, x in found.items()

@@ -12,8 +12,8 @@ from graphs import P, T, X, program_of
 from pydy._assembly import model
 from pydy._assembly.system import Form, assemble_form
 from pydy._graph import passes
-from pydy._graph.operations import OPERATIONS
-from pydy._graph.program import Program
+from pydy._program.operations import OPERATIONS
+from pydy._program.program import Program
 
 SCRIPT = """
 import json

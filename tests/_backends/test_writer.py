@@ -9,7 +9,7 @@ import pytest
 from graphs import everything, solves
 from pydy._backends.c.source import C
 from pydy._backends.writer import Writer, stages
-from pydy._graph.interpret import run
+from pydy._program.interpret import run
 from pydy.export.model import resource
 from pydy.export.writing import DIALECTS, python_function
 from pydy.models import n_link_pendulum_on_cart

@@ -154,7 +154,7 @@ def test_programs_of_derivatives_agree_with_the_jacobian(kind):
         "hessian-vector": lambda: H @ vectors,
     }[kind]()
     given = {"vector-jacobian": vectors[:2], "jacobian": None, "gradient": None}.get(kind, vectors)
-    from pydy._graph.interpret import run
+    from pydy._program.interpret import run
 
     r = np.empty((1, 0)) if given is None else given.reshape(1, -1)
     out, _ = run(program, np.zeros(1), np.array([POINT]), r, np.array([2.0, 3.0, 4.0]))

@@ -6,7 +6,7 @@ import pytest
 import zoo
 from cases import system_of
 from pydy._graph.columns import Columns
-from pydy._graph.interpret import run
+from pydy._program.interpret import run
 from pydy.models import n_link_pendulum_on_cart
 
 DIRECTIONS = (None, ("p", 0), ("p", 2), None, ("p", 0))

@@ -13,7 +13,7 @@ from pydy._backends.llvm.native import LLVMBackend
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.from_sympy import HANDLERS, Formula, NodeExpression, SymPyReader
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._program.operations import OPERATIONS
 
 x, y, z, w = X
 f = sm.Function("f")

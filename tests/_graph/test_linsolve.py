@@ -5,8 +5,8 @@ import pytest
 
 from graphs import on_tape, solve_program
 from pydy._backends.llvm.native import LLVMBackend
-from pydy._graph.interpret import run
 from pydy._graph.node import Graph
+from pydy._program.interpret import run
 
 ENGINES = ["interpreted", "compiled"]
 UNROLLED, LOOP = {}, {"off": frozenset({"ldl", "lu"})}

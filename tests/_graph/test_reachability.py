@@ -7,9 +7,9 @@ import pytest
 import sympy as sm
 
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._graph.reachability import reach
+from pydy._program.interpret import evaluator
 
 X, Y, A, FORCE = sm.symbols("x y a force")
 

@@ -6,10 +6,10 @@ import pytest
 import sympy as sm
 
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator, run
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds, sizes_of_terms
+from pydy._program.interpret import evaluator, run
 
 EPS = 2.0**-52
 X = sm.symbols("x y z")

@@ -7,18 +7,12 @@ import pytest
 
 import zoo
 from cases import system_of
-from pydy._graph.interpret import run
 from pydy._graph.node import Graph
-from pydy._graph.program import Program
-from pydy._graph.tangent import (
-    Tangent,
-    jacobian_tangent,
-    parts_of,
-    program_from_bytes,
-    supports,
-    worthwhile_parts,
-)
+from pydy._graph.tangent import jacobian_tangent, parts_of, supports, worthwhile_parts
 from pydy._graph.tuning import COLUMNS_TOGETHER, FROM_OPERATIONS
+from pydy._program.interpret import run
+from pydy._program.program import Program
+from pydy._program.tangent import Tangent, program_from_bytes
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from pydy._graph.interpret import run
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._mechanics.reduction import divided
+from pydy._program.interpret import run
 
 PATTERNS = {
     "one": ["1"],

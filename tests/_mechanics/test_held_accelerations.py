@@ -5,10 +5,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._mechanics.definition import equations_of_definition
 from pydy._mechanics.held_accelerations import Constraints, accelerations_of_held, solved_soundly
+from pydy._program.interpret import evaluator
 from pydy.mechanics import Definition
 from pydy.system import System
 from singular import defined_windows

@@ -6,11 +6,11 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from graphs import form
-from pydy._graph.interpret import run
 from pydy._graph.lowering import lower
 from pydy._mechanics.form import moving
 from pydy._mechanics.inertia import lumped
 from pydy._mechanics.kane import multibody_of_kane
+from pydy._program.interpret import run
 from zoo import inertial_frame
 
 

@@ -8,10 +8,10 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import run
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._mechanics.planes import Detours, plane_rotations, split
+from pydy._program.interpret import run
 
 SEQUENCES = ["".join(s) for s in itertools.product("123", repeat=3) if s[0] != s[1] != s[2]]
 Q = me.dynamicsymbols("q:3")

@@ -9,7 +9,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._graph.interpret import run
+from pydy._program.interpret import run
 from pydy.system import System
 from zoo import inertial_frame
 

@@ -5,11 +5,11 @@ import pytest
 import sympy as sm
 
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph, input_nodes
-from pydy._graph.operations import SHIPPED
 from pydy._mechanics.to_sympy import exact, written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
+from pydy._program.interpret import evaluator
+from pydy._program.operations import SHIPPED
 
 A, B, C = sm.symbols("a b c")
 

@@ -5,10 +5,10 @@ import itertools
 import numpy as np
 import pytest
 
-from pydy._graph.interpret import run
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._mechanics.planes import joined_turns, turn_of
+from pydy._program.interpret import run
 
 SIGNS = list(itertools.product((1.0, -1.0), repeat=3))
 

@@ -13,7 +13,7 @@ import sympy.physics.mechanics as me
 import loops
 from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 from pydy._errors import IntegrationError, PyDyUserWarning
-from pydy._graph.interpret import run as interpret
+from pydy._program.interpret import run as interpret
 from pydy.ensemble.model import Batch, Model
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition

@@ -9,7 +9,7 @@ import pytest
 
 import departures
 from exported_models import ball, hostile, pendulum
-from pydy._graph.operations import SHIPPED
+from pydy._program.operations import SHIPPED
 from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
 
 

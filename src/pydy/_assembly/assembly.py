@@ -9,12 +9,10 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
 
+from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
-    Program,
     SymPyReader,
-    Tangent,
-    collector_paused,
     derivative_program,
     hessian,
     jacobian_tangent,
@@ -25,6 +23,7 @@ from pydy._graph import (
     worthwhile_parts,
 )
 from pydy._mechanics import Equations, find_symbols, flat
+from pydy._program import Program, Tangent
 
 _BLOCKS = (
     "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",

@@ -14,6 +14,7 @@ import sympy as sm
 
 import pydy._assembly
 import pydy._graph
+import pydy._program
 from pydy import _cache_folder
 from pydy._assembly.assembly import Assembly, every_input
 from pydy._assembly.definition import Definition, Layout
@@ -21,11 +22,12 @@ from pydy._backends import compile_program, compiled_by, strict
 from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
-from pydy._graph import (
+from pydy._graph import ONCE, ROUND
+from pydy._kernel import Kernel
+from pydy._names import numbers_of, some, unique_names
+from pydy._program import (
     KNOWN,
-    ONCE,
     OPERATIONS,
-    ROUND,
     SHIPPED,
     SOLVES,
     Program,
@@ -34,8 +36,6 @@ from pydy._graph import (
     program_from_bytes,
     run,
 )
-from pydy._kernel import Kernel
-from pydy._names import numbers_of, some, unique_names
 
 # How often a Program is interpreted before it is compiled: an operation takes about a microsecond
 # each time, and some 50 to be compiled. Who waits for both waits twice as long as need be at most.
@@ -122,7 +122,7 @@ def with_external_solver(
 def _made_by() -> bytes:
     """Return a digest of everything except the equations that determines a Program."""
     sha = hashlib.sha256(sys.version.encode())
-    for package in (pydy._assembly, pydy._graph):
+    for package in (pydy._assembly, pydy._graph, pydy._program):
         for source in sorted(Path(str(package.__file__)).parent.rglob("*.py")):
             sha.update(source.read_bytes())
     return sha.digest()

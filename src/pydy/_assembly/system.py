@@ -8,10 +8,10 @@ from typing import Any
 
 from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
+from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
     SymPyReader,
-    collector_paused,
     dense_rows,
     input_nodes,
     jacobian,

@@ -6,7 +6,7 @@ A back end is a class with one method::
         def __init__(self, **options): ...
         def compile(self, program: Program) -> Kernel: ...
 
-With an attribute ``tangents = True`` it is given derivatives as a `pydy._graph.tangent.Tangent`,
+With an attribute ``tangents = True`` it is given derivatives as a `pydy._program.tangent.Tangent`,
 whose columns it may compute side by side. Without it all columns are written out in one Program.
 
 An attribute ``force_c_contiguous``, if it has one, says whether a generated function copies states
@@ -24,8 +24,8 @@ from typing import Any
 import numpy as np
 
 from pydy._backends.registry import compile_program
-from pydy._graph import Program
 from pydy._kernel import Call, Kernel
+from pydy._program import Program
 
 
 def strict(program: Program, x: Any, r: Any, p: Any) -> bool:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 from pydy._backends.base import kernel_of
-from pydy._graph import Program, remember, run
 from pydy._kernel import Kernel
+from pydy._program import Program, remember, run
 
 
 class NumPyBackend:

@@ -12,9 +12,9 @@ import numpy as np
 from pydy._checks import shown
 from pydy._errors import warn_user
 from pydy._forks import whole
-from pydy._graph import Program, Tangent, run
 from pydy._kernel import Kernel
 from pydy._names import nearest
+from pydy._program import Program, Tangent, run
 
 _AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
 

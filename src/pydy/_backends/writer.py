@@ -12,7 +12,14 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from pydy._graph import OPERATIONS, TRUTHS, Operation, Program, is_constrained, operands
+from pydy._program import (
+    OPERATIONS,
+    TRUTHS,
+    Operation,
+    Program,
+    is_constrained,
+    operands,
+)
 
 
 class Each(NamedTuple):
@@ -38,9 +45,9 @@ class Dialect:
     # computed, and 'c truth', a truth value of it
     inputs: Mapping[str, str]
     # For 'factor', 'solve', 'guard' and 'constrained' (a guard whose system has constraints, see
-    # `pydy._graph.interpret.constrained`), an expression, or lines that define an array ``{name}``.
-    # Their fields are described in `Writer`. The fallback of a guard that is an expression is
-    # computed whether it is needed or not.
+    # `pydy._program.interpret.constrained`), an expression, or lines that define an array
+    # ``{name}``. Their fields are described in `Writer`. The fallback of a guard that is an
+    # expression is computed whether it is needed or not.
     rules: Mapping[str, str | Template]
     item: str = "{vector}[{k}]"  # of a solution
     let: str = "{name} = {value}"  # gives a value a name

@@ -17,7 +17,7 @@ from pydy._checks import Places, describe, merged, one_or_more, real_array, show
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._evaluation.evaluation import variables
 from pydy._evaluation.function import Function
-from pydy._graph import Program, SymPyReader, derivative_program, simplify, substitute
+from pydy._graph import SymPyReader, derivative_program, simplify, substitute
 from pydy._judges import first_violation, warn_of_missing_derivatives
 from pydy._kernel import Kernel
 from pydy._mechanics import (
@@ -31,6 +31,7 @@ from pydy._mechanics import (
 )
 from pydy._names import name_of
 from pydy._problem import At, Problem
+from pydy._program import Program
 
 
 def _states(

@@ -13,11 +13,12 @@ import sympy as sm
 from pydy._assembly import Assembly, CompiledModel, Definition, every_input
 from pydy._checks import listed, one_or_more, real_array, shown
 from pydy._evaluation.function import Function
-from pydy._graph import Graph, Program, derivative_program, simplify
+from pydy._graph import Graph, derivative_program, simplify
 from pydy._judges import warn_of_left_out, warn_of_missing_derivatives
 from pydy._kernel import Kernel
 from pydy._mechanics import find_symbols
 from pydy._problem import Problem
+from pydy._program import Program
 from pydy._states import GROUPS, located, members
 
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}

@@ -15,7 +15,6 @@ import sympy as sm
 
 from pydy._assembly import Assembly, Definition, followed, stored_program
 from pydy._checks import choice, describe
-from pydy._graph import Program
 from pydy._judges import warn_of_missing_derivatives
 from pydy._mechanics import find_symbols
 from pydy._motion import (
@@ -28,6 +27,7 @@ from pydy._motion import (
 )
 from pydy._names import name_of, unique_names
 from pydy._problem import Problem
+from pydy._program import Program
 from pydy.codegen import SpecifiedsPlan
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ import numpy as np
 from pydy._assembly import CompiledModel
 from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
-from pydy._graph import Program
 from pydy._judges import explain, warn_not_finite
 from pydy._kernel import Kernel
 from pydy._problem import TOGETHER, At, Problem, samples
+from pydy._program import Program
 
 
 def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:

@@ -18,8 +18,8 @@ from operator import or_
 
 from pydy._graph.derivative import definite, times, undefined
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, symmetric
 from pydy._graph.roots import is_steep, of_half_power, slope
+from pydy._program import OPERATIONS, symmetric
 
 Terms = list[tuple[int, float]]
 

@@ -17,8 +17,8 @@ from pydy._graph.derivative import directional
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
-from pydy._graph.program import Program
-from pydy._graph.tangent import Along, Tangent, tangent
+from pydy._graph.tangent import Along, tangent
+from pydy._program import Program, Tangent
 
 
 @dataclass(frozen=True)

@@ -21,8 +21,8 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, SOLVES, is_symmetric, symmetric
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
+from pydy._program import OPERATIONS, SOLVES, is_symmetric, symmetric
 
 Row = dict[int, int]
 

@@ -21,9 +21,8 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.derivative import directional
 from pydy._graph.node import Graph
-from pydy._graph.of_scipy import operation_of
-from pydy._graph.operations import named_in_sympy
 from pydy._graph.rewrite import again, rebuild, transplanted
+from pydy._program import named_in_sympy, operation_of
 
 Handler = Callable[[Graph, Any, list[int]], int]
 

@@ -1,6 +1,6 @@
 """Which nodes are equal as functions, told by exact values.
 
-Every node is evaluated in arithmetic modulo a prime (`pydy._graph.modular`), at a random
+Every node is evaluated in arithmetic modulo a prime (`pydy._modular`), at a random
 point. The sine and cosine of an argument are a random point of the unit circle; any other function
 is a random number for each value of its arguments. Angle sums and the like are so not seen, and
 nothing is that does not hold.
@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pydy._graph.modular import PRIME, arbitrary, inverse, residue
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, symmetric
+from pydy._modular import PRIME, arbitrary, inverse, residue
+from pydy._program import OPERATIONS, symmetric
 
 
 def vanish(graph: Graph, nodes: Sequence[int]) -> bool:

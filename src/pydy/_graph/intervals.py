@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
 from pydy._graph.tuning import INTERVAL_SLACK
+from pydy._program import OPERATIONS
 
 Interval = tuple[Any, Any]  # lower and upper bounds: numbers, or arrays (m,)
 

@@ -11,10 +11,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import TRUTHS
 from pydy._graph.passes.share import is_pair, share_pairs
-from pydy._graph.program import NEVER_PUT_OFF, Program, Tape
 from pydy._graph.solve.choose import Factor, factorised
+from pydy._program import NEVER_PUT_OFF, TRUTHS, Program, Tape
 
 
 def lower(

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from pydy._collector import collector_paused
 from pydy._graph.adjoint import adjoints
-from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense, directional, jacobian
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
-from pydy._graph.program import Program
+from pydy._program import Program
 
 KINDS = ("jacobian", "jacobian-vector", "vector-jacobian", "gradient", "hessian-vector")
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, with_operands
+from pydy._program import OPERATIONS, with_operands
 
 
 def rebuild(

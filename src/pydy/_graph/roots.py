@@ -21,7 +21,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._program import OPERATIONS
 
 _STEEP = ("sqrt", "pow", "asin", "acos", "acosh")
 _SMOOTH = ("sin", "cos", "sinh", "cosh", "exp")  # stationary, or one, where these sums vanish

@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from pydy._graph.derivative import Rows, jacobian
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, SOLVES, TRUTHS
+from pydy._program import OPERATIONS, SOLVES, TRUTHS
 
 # Functions of pure numbers: one is large beside nothing, in whatever units.
 _OF_NUMBERS = frozenset(

@@ -1,10 +1,4 @@
-"""Derivatives along directions: what these share, apart from the code of one of them.
-
-The derivative of f along a direction is linear in it. A `Tangent` is a Program of every value that
-all directions need, computed once, and Programs of the derivative along one direction, which a back
-end runs for several directions side by side with the shared values spread over all. Unit vectors
-give the columns of a Jacobian, the sensitivities S = ∂x/∂θ their derivatives by time, any vectors
-products.
+"""Make Tangents: separate what all directions share from the code of one of them.
 
 Written out, all columns of a Jacobian make a Program that grows with their number: its code is slow
 to compile and does not fit the processor's caches. Columns that depend on much the same make a part
@@ -13,192 +7,30 @@ of it, with a Program of its own.
 
 from __future__ import annotations
 
-import hashlib
-import marshal
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import reduce
 from operator import or_
 from typing import NamedTuple
 
 import numpy as np
 
-from pydy._forks import cached_property
-from pydy._graph.collector import collector_paused
+from pydy._collector import collector_paused
 from pydy._graph.derivative import Rows
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, TRUTHS, operands, with_operands
 from pydy._graph.passes.factor import factor_sums
-from pydy._graph.program import Block, Program, Tape
 from pydy._graph.tuning import ANOTHER_PART, COLUMNS_TOGETHER, FROM_OPERATIONS, LESS_WORK
-
-_MARK = b"tangent"
-
-
-@dataclass(frozen=True)
-class Part:
-    """Columns next to each other."""
-
-    first: int
-    count: int
-    # One column: x is its seed, r the shared values, p its direction in `Tangent.directions`.
-    program: Program
-
-
-@dataclass(frozen=True, eq=False)
-class Tangent:
-    """Derivatives along directions, with the attributes of a Program that kernels need."""
-
-    shared: Program  # the values that come first among the outputs, if any, and a block 'shared'
-    parts: tuple[Part, ...]  # columns of no part are zero
-    shape: tuple[int, int]  # rows and columns of the derivatives
-    # (d, columns): the numbers p of each column, whose seed follows the states in x, a matrix row
-    # after row. None: seeds are unit vectors of each part's variables.
-    directions: np.ndarray | None = None
-
-    @property
-    def values(self) -> int:
-        """How many outputs come before the derivatives."""
-        return self.shared.blocks[-1].start
-
-    @property
-    def num_states(self) -> int:
-        """Number of states x, with the seeds."""
-        seeds = 0 if self.directions is None else self.parts[0].program.num_states
-        return self.shared.num_states + seeds * self.shape[1]
-
-    @property
-    def num_specifieds(self) -> int:
-        """Number of specifieds r."""
-        return self.shared.num_specifieds
-
-    @property
-    def num_constants(self) -> int:
-        """Number of constants p."""
-        return self.shared.num_constants
-
-    @property
-    def num_operations(self) -> int:
-        """Number of operations for all columns."""
-        parts = (part.count * part.program.num_operations for part in self.parts)
-        return self.shared.num_operations + sum(parts)
-
-    @property
-    def ops(self) -> tuple[str, ...]:
-        """The operations of the shared part and of each other one."""
-        return sum((part.program.ops for part in self.parts), self.shared.ops)
-
-    @property
-    def carried(self) -> range:
-        """An upper bound on the number of values passed from the set-up to the run stage."""
-        # Vectors of columns may be filled up: to less than twice as many.
-        parts = (2 * part.count * len(part.program.carried) for part in self.parts)
-        return range(len(self.shared.carried) + sum(parts))
-
-    @property
-    def outputs(self) -> range:
-        """The outputs, in number."""
-        return range(self.values + self.shape[0] * self.shape[1])
-
-    @property
-    def blocks(self) -> tuple[Block, ...]:
-        """The values, and the derivatives."""
-        columns = Block("jacobian", self.shape, self.values, len(self.outputs))
-        return (*self.shared.blocks[:-1], columns)
-
-    @cached_property
-    def digest(self) -> str:
-        """SHA-256 of everything that determines the results."""
-        parts = (f"{p.first} {p.count} {p.program.digest}" for p in self.parts)
-        directions = None if self.directions is None else self.directions.tolist()
-        text = (self.shared.digest, *parts, repr(self.shape), repr(directions))
-        return hashlib.sha256(" ".join(text).encode()).hexdigest()
-
-    @property
-    def operation_count(self) -> dict[str, Counter[str]]:
-        """Operations by kind; a part counts once for every column."""
-        counts = {stage: own.copy() for stage, own in self.shared.operation_count.items()}
-        for part in self.parts:
-            for stage, own in part.program.operation_count.items():
-                for op, number in own.items():
-                    counts[stage][op] += number * part.count
-        return counts
-
-    def written_out(self) -> Program:
-        """Return the Program of all columns in turn, for back ends that do not take Tangents."""
-        tape, n = Tape(), self.shared.num_states
-        values = _copied(tape, self.shared, {})
-        zero = tape.const(0.0)
-        cells = [[zero] * self.shape[1] for _ in range(self.shape[0])]
-        for part in self.parts:
-            shared = {("r", k): node for k, node in enumerate(values[self.values :])}
-            for j in range(part.count):
-                column, size = part.first + j, part.program.num_states
-                if self.directions is None:
-                    given = {("x", i): tape.const(float(i == j)) for i in range(size)}
-                else:
-                    places = (n + i * self.shape[1] + column for i in range(size))
-                    given = {("x", i): tape.make("input", "x", k) for i, k in enumerate(places)}
-                    numbers = enumerate(self.directions[:, column])
-                    given.update({("p", i): tape.const(number) for i, number in numbers})
-                outputs = _copied(tape, part.program, shared | given)
-                for row, node in zip(cells, outputs, strict=True):
-                    row[column] = node
-        sizes = (self.num_states, self.num_specifieds, self.num_constants)
-        blocks = [(b.name, b.shape, values[b.start : b.stop]) for b in self.shared.blocks[:-1]]
-        blocks.append(("jacobian", self.shape, [node for row in cells for node in row]))
-        return Program.from_tape(tape, sizes, blocks)
-
-    def to_bytes(self) -> bytes:
-        """Return the Tangent as bytes, for this version of Python."""
-        parts = tuple((part.first, part.count, part.program.to_bytes()) for part in self.parts)
-        table = self.directions
-        directions = None if table is None else (table.shape, table.tobytes())
-        return _MARK + marshal.dumps((self.shared.to_bytes(), parts, self.shape, directions))
-
-    @classmethod
-    def from_bytes(cls, data: bytes) -> Tangent:
-        """Return the Tangent that `to_bytes` wrote."""
-        shared, parts, shape, table = marshal.loads(data[len(_MARK) :])
-        made = tuple(Part(first, count, Program.from_bytes(one)) for first, count, one in parts)
-        directions = None if table is None else np.frombuffer(table[1]).reshape(table[0])
-        return cls(Program.from_bytes(shared), made, shape, directions)
-
-    def __str__(self) -> str:
-        texts = [str(self.shared)]
-        for part in self.parts:
-            last = part.first + part.count - 1
-            texts.append(f"For each of the columns {part.first} to {last}:\n{part.program}")
-        return "\n\n".join(texts)
-
-
-def program_from_bytes(data: bytes) -> Program | Tangent:
-    """Return the Program or Tangent whose `to_bytes` wrote this."""
-    return (Tangent if data.startswith(_MARK) else Program).from_bytes(data)
-
-
-def _copied(tape: Tape, program: Program, given: Mapping[tuple[str, int], int]) -> list[int]:
-    """Write a Program on a tape, with nodes in place of some inputs; return its outputs."""
-    new: dict[int, int] = {}
-    behind = {k: guard for guard, nodes in program.fallback.items() for k in nodes}
-    for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
-        tape.behind = behind.get(k)
-        tape.called = k not in behind
-        if op == "input":
-            new[k] = given[args] if args in given else tape.make(op, *args)
-        elif op == "const":
-            new[k] = tape.const(*args)
-        elif op in ("add", "sub", "mul", "div", "neg"):
-            new[k] = getattr(tape, op)(*(new[n] for n in args))
-        else:
-            new[k] = tape.make(op, *with_operands(op, args, new))
-    tape.behind, tape.called = None, True
-    one, zero = tape.const(1.0), tape.const(0.0)
-    nodes = [new[k] for k in program.outputs]
-    return [tape.make("select", k, one, zero) if tape.ops[k] in TRUTHS else k for k in nodes]
-
+from pydy._program import (
+    OPERATIONS,
+    TRUTHS,
+    Part,
+    Program,
+    Tangent,
+    Tape,
+    operands,
+    with_operands,
+)
 
 # -- One direction apart from what all share -------------------------------------------------------
 

@@ -19,11 +19,8 @@ from typing import Any
 import numpy as np
 
 from pydy._graph.derivative import jacobian
-from pydy._graph.interpret import evaluator
 from pydy._graph.intervals import bounded, bounds
 from pydy._graph.node import Graph
-from pydy._graph.operations import operands
-from pydy._graph.program import Program
 from pydy._graph.tuning import (
     BEYOND_ENDS,
     DIVISIONS,
@@ -36,6 +33,7 @@ from pydy._graph.tuning import (
     STORED_SEARCHES,
     WIDENINGS,
 )
+from pydy._program import Program, evaluator, operands
 from pydy.inputs import merged_jumps
 
 _COMPARED = frozenset(("lt", "le", "min", "max"))

@@ -5,17 +5,6 @@ Counts are those of `tests/test_operation_counts.py`, at every call of a whole r
 
 from __future__ import annotations
 
-import re
-
-# A matrix of n rows is singular where a pivot is not above n times this of its scale: what
-# rounding leaves of a pivot that is zero (Higham, Accuracy and Stability, 2nd ed., §9.3). Every
-# solve uses it.
-SINGULAR = 2.0**-52
-
-# Marks on the diagonal of constraints in a system of `pydy._graph.interpret.constrained`: no entry
-# of a user's matrix, and exact in single precision.
-INDEPENDENT, REDUNDANT = -(2.0**120), -(2.0**121)
-
 # -- rewriting ------------------------------------------------------------------------------------
 
 # Terms of a sum that is multiplied out, by how often it is used. Sums that are used twice: 893 and
@@ -44,13 +33,6 @@ FROM_OPERATIONS = 500
 # share is written to memory and read again. The frozen bicycle, with 1.45, gains nothing in parts:
 # it builds in 1.17 and runs in 0.90 of the time.
 LESS_WORK = 1.5
-
-
-def numbered(text: str) -> str:
-    """Write the numbers of solves into code, C, JavaScript or Python, in place of their names."""
-    return re.sub(
-        r"\b(INDEPENDENT|REDUNDANT|SINGULAR)\b", lambda name: repr(globals()[name[0]]), text
-    )
 
 
 # -- times at which a Program switches by time alone -----------------------------------------------

@@ -18,9 +18,7 @@ from pydy._assembly import CompiledModel, Definition, stored_program
 from pydy._checks import describe
 from pydy._graph import (
     Columns,
-    Program,
     Rows,
-    Tangent,
     dense_jacobian,
     factor_sums,
     lower,
@@ -31,6 +29,7 @@ from pydy._judges import explain_columns
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._motion import SolveIvp, of_states, with_all
 from pydy._problem import Problem
+from pydy._program import Program, Tangent
 from pydy._states import follow
 from pydy.codegen import SpecifiedsPlan
 from pydy.inputs import SampledInput

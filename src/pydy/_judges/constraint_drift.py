@@ -18,7 +18,6 @@ from pydy._assembly import Assembly, CompiledModel, Definition, Layout
 from pydy._errors import IntegrationError, warn_user
 from pydy._graph import (
     Graph,
-    Program,
     dense,
     dense_jacobian,
     directional,
@@ -31,6 +30,7 @@ from pydy._interpolation import evenly
 from pydy._mechanics import Equations, find_symbols
 from pydy._motion import ConstraintNames, Motion, constraint_names
 from pydy._problem import TOGETHER, At, EnergyModel, Problem
+from pydy._program import Program
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
@@ -498,7 +498,7 @@ def check_drift(motion: Motion) -> None:
     report = check.report(partial(_part, motion))
     if report is None:
         return
-    details, t = report.details, float(check.times[report.index])
+    details, t = report.details, float(check.times[report.row])
     if "unimplied" in details:
         status = text = f"cannot keep all constraints. {contradiction(equations, t, **details)}"
     else:
@@ -512,7 +512,7 @@ def check_drift(motion: Motion) -> None:
         motion.times,
         motion.states,
         t,
-        check.states[report.index],
+        check.states[report.row],
         {**statistics, "method": motion.method, "code": int(report.outcome), "status": status},
     )
     error.motion = motion

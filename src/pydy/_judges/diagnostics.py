@@ -38,7 +38,9 @@ def explain(
     error: IntegrationError | SingularMatrixError, at: Callable[[np.ndarray, np.ndarray], At]
 ) -> None:
     """Put the cause into the message of an error, in place of general advice."""
-    code = error.info.get("code") if isinstance(error, IntegrationError) else Outcome.SINGULAR
+    code: Any = Outcome.SINGULAR
+    if isinstance(error, IntegrationError):
+        code = error.info.get("code")
     if code in _DIAGNOSED:
         cause = diagnosis_of(at(np.array([error.time]), np.array([error.state])))
         if cause:
@@ -48,7 +50,8 @@ def explain(
 def explain_columns(error: Any, columns: np.ndarray) -> None:
     """Put into the message of an error that sensitivities left the range of floats, if they did."""
     largest = np.abs(columns).max(initial=0.0)
-    if not largest <= _LARGEST and (code := getattr(error, "info", {}).get("code")) in [*Outcome]:
+    code: Any = getattr(error, "info", {}).get("code")
+    if not largest <= _LARGEST and code in [*Outcome]:
         error.args = (
             f"{str(error).removesuffix(Outcome(code).remedy)}The sensitivities grow to "
             f"{largest:.3g} there, whose squares are out of the range of floats: the motion is "

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from pydy._graph import NodeExpression, collector_paused, jacobian_rows, substitute
+from pydy._collector import collector_paused
+from pydy._graph import NodeExpression, jacobian_rows, substitute
 from pydy._mechanics.closures import LoopShares, loop_points
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.equations import Equations

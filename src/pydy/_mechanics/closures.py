@@ -32,13 +32,14 @@ import numpy as np
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point
 
-from pydy._graph import Graph, evaluator, jacobian_rows, substitute
+from pydy._graph import Graph, jacobian_rows, substitute
 from pydy._mechanics.components import dot, flat, identity, turned
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody, Tree, breadth_first_from, is_rigid, places
 from pydy._mechanics.symbols import find_symbols
+from pydy._program import evaluator
 from pydy._rank import HALF, ROUNDED, or_one
 
 _STATES = 4  # generic states at which rates are compared, for each of two sets of constants

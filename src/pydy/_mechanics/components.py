@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._graph import Graph, dense_jacobian, evaluator
+from pydy._graph import Graph, dense_jacobian
+from pydy._program import evaluator
 from pydy._rank import ROUNDED
 
 _STATES = 3

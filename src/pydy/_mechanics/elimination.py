@@ -19,11 +19,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
-from pydy._graph import SINGULAR, Graph, Row, signatures, substitute
+from pydy._graph import Graph, Row, signatures, substitute
 from pydy._mechanics.components import dot, transposed
 from pydy._mechanics.inertia import Inertia, Load
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
+from pydy._rank import ROUNDING
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,7 @@ def eliminated(
     limits = _sizes(push)
     sound = graph.boolean(True)
     for speed, pivot in pivots:
-        limit = graph.sum([(limits[speed], len(speeds) * SINGULAR)])
+        limit = graph.sum([(limits[speed], len(speeds) * ROUNDING)])
         floor = fixed.get(speed, graph.zero)
         # What the bodies at the joint itself weigh is part of the pivot: checked once per binding.
         if floor != graph.zero and graph.constant[floor] and graph.constant[limit]:

@@ -12,7 +12,8 @@ from typing import Any
 import sympy as sm
 from sympy.physics.vector import vlatex
 
-from pydy._graph import Graph, SymPyReader, collector_paused, dense_jacobian, input_nodes, simplify
+from pydy._collector import collector_paused
+from pydy._graph import Graph, SymPyReader, dense_jacobian, input_nodes, simplify
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.inverse import BodyDynamics
 from pydy._mechanics.symbols import find_symbols, replace_symbols

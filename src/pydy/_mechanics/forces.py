@@ -21,10 +21,10 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
+from pydy._collector import collector_paused
 from pydy._forks import cached_property
 from pydy._graph import (
     NodeExpression,
-    collector_paused,
     dense_rows,
     jacobian,
     jacobian_rows,

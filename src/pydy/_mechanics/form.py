@@ -16,11 +16,11 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
+from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
     NodeExpression,
     SymPyReader,
-    collector_paused,
     hessian,
     input_nodes,
     input_symbols,

@@ -20,11 +20,10 @@ from dataclasses import replace
 import numpy as np
 import sympy as sm
 
+from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
-    collector_paused,
     difference_basis,
-    evaluator,
     jacobian_rows,
     lower,
     operation_count,
@@ -46,6 +45,7 @@ from pydy._mechanics.generic import (
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import rate_of
 from pydy._mechanics.tuning import CANCELLED, NEARLY_DEPENDENT
+from pydy._program import evaluator
 from pydy._rank import HALF, is_zero
 
 _LOG = logging.getLogger("pydy")

@@ -19,7 +19,6 @@ from pydy._graph import (
     Graph,
     SymPyReader,
     dense_jacobian,
-    evaluator,
     input_nodes,
     jacobian,
     per_unit,
@@ -30,6 +29,7 @@ from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.reader import numbers_in_places
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import FULL_STEPS, OPEN
+from pydy._program import evaluator
 from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
 _STEPS = 50

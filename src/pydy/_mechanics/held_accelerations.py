@@ -3,10 +3,11 @@
 With M u' = F + Jᵀ λ and J u' + b = 0 the multipliers solve S λ = r, with S = J M⁻¹ Jᵀ and
 r = −(J M⁻¹ F + b). Rows that are independent at generic states are enough, until a pivot of S is
 small: the condition of S is the square of that of J. There the system is solved as it is, by
-elimination with the largest pivots of all rows (`pydy._graph.interpret.constrained`). The rows are
-in units of their rounding errors: what is left of one is zero if it is below that, in any units of
-length and mass, and its multiplier too. No more rows are taken than are independent at generic
-states: beside these, redundant ones hold to errors of the state that are larger than rounding.
+elimination with the largest pivots of all rows (`pydy._program.interpret.constrained`). The rows
+are in units of their rounding errors: what is left of one is zero if it is below that, in any
+units of length and mass, and its multiplier too. No more rows are taken than are independent at
+generic states: beside these, redundant ones hold to errors of the state that are larger than
+rounding.
 
 A mechanism that passes a singular position has finite multipliers there, and does so with states
 that keep the constraints to a tolerance only. With Δ, what rows that are nearly singular change of
@@ -24,17 +25,11 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from pydy._graph import (
-    INDEPENDENT,
-    REDUNDANT,
-    SINGULAR,
-    Graph,
-    elimination_order,
-    rounding_bounds,
-    substitute,
-)
+from pydy._graph import Graph, elimination_order, rounding_bounds, substitute
 from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
+from pydy._program import INDEPENDENT, REDUNDANT
+from pydy._rank import ROUNDING
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
@@ -124,7 +119,7 @@ def accelerations(
         """Return the largest of some values, in units of their rows; rows of rounding have none."""
         found, bounds = g.zero, rounding_bounds(g, values) if rounded else [g.zero] * len(values)
         for value, bound, (size, nothing) in zip(values, bounds, sizes, strict=True):
-            whole = g.sum([(g.call("abs", value), 1.0), (bound, SINGULAR)])
+            whole = g.sum([(g.call("abs", value), 1.0), (bound, ROUNDING)])
             share = g.call("select", nothing, g.zero, g.div(whole, size))
             found = g.call("max", found, share)
         return found
@@ -178,7 +173,7 @@ def _roundings(
             if graph.zero not in (x, weight)
         ]
         size = graph.call("sqrt", graph.sum(heavy or [(x, 1.0) for x in squares]))
-        units.append(graph.sum([(size, SINGULAR)]))
+        units.append(graph.sum([(size, ROUNDING)]))
     return units
 
 

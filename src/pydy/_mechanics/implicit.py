@@ -18,11 +18,12 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import Places, check_mapping, describe, number, shown
-from pydy._graph import Graph, NodeExpression, inverse, jacobian, signatures, substitute
+from pydy._graph import Graph, NodeExpression, jacobian, signatures, substitute
 from pydy._mechanics.components import flat
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
+from pydy._modular import inverse
 
 
 class Implicit:

@@ -19,11 +19,11 @@ from typing import Any, NamedTuple
 
 from sympy.physics.mechanics import Point
 
+from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
     NodeExpression,
     SymPyReader,
-    collector_paused,
     jacobian,
     jacobian_rows,
     operation_count,

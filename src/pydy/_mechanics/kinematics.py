@@ -16,7 +16,14 @@ from typing import Any
 
 from sympy.physics.mechanics import Point
 
-from pydy._graph import Graph, Row, Rows, input_nodes, input_symbols, signatures
+from pydy._graph import (
+    Graph,
+    Row,
+    Rows,
+    input_nodes,
+    input_symbols,
+    signatures,
+)
 from pydy._mechanics.components import flat, in_rows, transposed, turned, unrounded
 from pydy._mechanics.frames import Frames
 from pydy._mechanics.planes import Detours

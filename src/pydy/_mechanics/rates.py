@@ -13,9 +13,10 @@ from typing import Any
 import sympy as sm
 
 from pydy._checks import describe
-from pydy._graph import PRIME, Graph, NodeExpression, SymPyReader, input_nodes, inverse, signatures
+from pydy._graph import Graph, NodeExpression, SymPyReader, input_nodes, signatures
 from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
+from pydy._modular import PRIME, inverse
 
 
 def solve_rates(

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph import Graph, evaluator, jacobian_rows, substitute
+from pydy._graph import Graph, jacobian_rows, substitute
 from pydy._mechanics.components import dot, identity, turned
 from pydy._mechanics.held_accelerations import (
     Constraints,
@@ -38,6 +38,7 @@ from pydy._mechanics.tuning import (
     SOUND_PIVOT,
     SOUND_SHARE,
 )
+from pydy._program import evaluator
 
 # Of states, time, specifieds and constants: those differ from state to state too.
 _RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}

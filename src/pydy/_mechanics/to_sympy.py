@@ -10,7 +10,8 @@ from typing import Any
 import sympy as sm
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import OPERATIONS, Graph
+from pydy._graph import Graph
+from pydy._program import OPERATIONS
 
 
 def exact(value: float) -> Any:

@@ -21,9 +21,10 @@ from typing import Any
 
 import sympy as sm
 
-from pydy._graph import TRUTHS, Graph
+from pydy._graph import Graph
 from pydy._mechanics.to_sympy import applied, exact
 from pydy._mechanics.tuning import READABLE
+from pydy._program import TRUTHS
 from pydy._rank import ROUNDED
 
 Powers = tuple[tuple[Any, int], ...]  # of angles or factors, none zero, in order

@@ -19,7 +19,7 @@ import numpy as np
 from sympy.physics.mechanics import Force
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import Graph, evaluator, vanish
+from pydy._graph import Graph, vanish
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving
@@ -30,6 +30,7 @@ from pydy._mechanics.reader import (
     warn_of_reversed,
     wrapped_force_pulls,
 )
+from pydy._program import evaluator
 from pydy._rank import HALF
 
 _STATES = 4

@@ -9,10 +9,8 @@ from typing import Any, Literal
 from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import Places, describe, typed
 from pydy._graph import (
-    FLAT,
     Graph,
     NodeExpression,
-    Program,
     dense_jacobian,
     directional,
     jacobian,
@@ -21,6 +19,7 @@ from pydy._graph import (
     rounding_bounds,
 )
 from pydy._mechanics import Equations
+from pydy._program import FLAT, Program
 from pydy.solvers import (
     SOLVERS,
     CompiledConstraints,

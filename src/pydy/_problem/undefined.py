@@ -9,10 +9,11 @@ import numpy as np
 from pydy._assembly import Assembly
 from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import OPERATIONS, Graph, evaluator, input_symbols
+from pydy._graph import Graph, input_symbols
 from pydy._mechanics import written
 from pydy._names import numbers_of
 from pydy._problem.problem import At
+from pydy._program import OPERATIONS, evaluator
 
 _SCALARS = {"sum", "prod", "const", "input", *OPERATIONS}
 

@@ -17,7 +17,7 @@ from pydy._errors import (
     warn_user,
 )
 from pydy._forks import cached_property
-from pydy._graph import Direction, Program, derivative_program, simplify
+from pydy._graph import Direction, derivative_program, simplify
 from pydy._integration import (
     AugmentedSystem,
     Parameter,
@@ -33,6 +33,7 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._motion import Motion, PreparedIntegration, Segment, with_all
 from pydy._optional import progress_of
 from pydy._problem import Problem
+from pydy._program import Program
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy.inputs import SampledInput
 from pydy.solvers import (

@@ -11,10 +11,10 @@ import numpy as np
 from pydy._assembly import Definition
 from pydy._checks import check_mapping, describe, limits, listed, number, refuse_twice
 from pydy._errors import EquilibriumError, warn_user
-from pydy._graph import run
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import some, unique_names
 from pydy._problem import Problem
+from pydy._program import run
 from pydy._rank import or_one
 from pydy._states import GROUPS, ForcesWithoutConstraints, Point, located
 from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, left_ahead, solve_equilibrium

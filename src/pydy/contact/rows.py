@@ -22,7 +22,6 @@ from pydy._graph import (
     Graph,
     SymPyReader,
     dense_jacobian,
-    evaluator,
     jacobian_rows,
     lower,
     rounding_bounds,
@@ -32,6 +31,7 @@ from pydy._graph import (
 )
 from pydy._kernel import Kernel
 from pydy._mechanics import Equations, Formed, dot, find_symbols
+from pydy._program import evaluator
 from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact, InfeasibleError
 from pydy.contact.smooth import Switched, switched

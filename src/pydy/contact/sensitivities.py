@@ -22,11 +22,12 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._graph import directional, evaluator
+from pydy._graph import directional
 from pydy._integration import AugmentedSystem, SensitivityRequest, simulate
 from pydy._motion import Motion, Segment
 from pydy._names import column_names
 from pydy._problem import Problem
+from pydy._program import evaluator
 from pydy._rank import DEPENDENT, ROUNDING
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow, Phase

@@ -16,8 +16,9 @@ import sympy as sm
 from sympy.core.relational import Relational
 
 from pydy._checks import shown
-from pydy._graph import Graph, SymPyReader, dense_jacobian, evaluator, rounding_bounds, substitute
+from pydy._graph import Graph, SymPyReader, dense_jacobian, rounding_bounds, substitute
 from pydy._mechanics import find_symbols, replace_symbols
+from pydy._program import evaluator
 from pydy._rank import ROUNDING
 from pydy.contact.tuning import DRAWS, WITHIN
 

@@ -26,12 +26,12 @@ from pydy._graph import (
     Graph,
     SymPyReader,
     dense_jacobian,
-    evaluator,
     rounding_bounds,
     sides,
     substitute,
     switches,
 )
+from pydy._program import evaluator
 from pydy._rank import HALF, ROUNDING
 from pydy.control.transcription import TranscribedProblem
 from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS

@@ -34,7 +34,6 @@ from pydy._backends import LLVMBackend, sweep_by_columns
 from pydy._forks import cached_property
 from pydy._graph import (
     Graph,
-    Program,
     SymPyReader,
     adjoints,
     factor_sums,
@@ -43,9 +42,9 @@ from pydy._graph import (
     rounding_bounds,
     simplify,
     substitute,
-    with_operands,
 )
 from pydy._kernel import Kernel
+from pydy._program import Program, with_operands
 from pydy._rank import DIGITS
 from pydy.control.tuning import KEPT
 

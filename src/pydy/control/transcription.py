@@ -12,8 +12,8 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
+from pydy._collector import collector_paused
 from pydy._forks import cached_property
-from pydy._graph import collector_paused
 from pydy._rank import or_one
 from pydy.control.kernel import Equations, Functions, Point
 from pydy.control.nlp import Nlp, Piece, pieces_at

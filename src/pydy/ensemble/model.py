@@ -13,9 +13,10 @@ import numpy as np
 from pydy import _forks
 from pydy._backends import compile_program
 from pydy._forks import cached_property
-from pydy._graph import Program, Tangent, TimeSwitches
+from pydy._graph import TimeSwitches
 from pydy._judges import Passed, Watched
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._program import Program, Tangent
 from pydy._states import follow
 from pydy.solvers import (
     LANES,

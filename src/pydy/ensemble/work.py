@@ -13,11 +13,11 @@ from pydy._assembly import Assumptions, errors_of
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
 from pydy._errors import warn_not_finite, warn_user
-from pydy._graph import run as interpret
 from pydy._interpolation import evenly
 from pydy._judges import Watched, jump_message
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
+from pydy._program import run as interpret
 from pydy._rank import DIGITS
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
@@ -502,7 +502,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                 )
                 report = check.report(partial(part_of, j))
                 if report is not None:
-                    reached = places[max(0, report.index - 1)] + 1
+                    reached = places[max(0, report.row - 1)] + 1
                     _lose(results, k, times, reached, report.outcome)
 
 

@@ -10,7 +10,7 @@ from operator import attrgetter
 from typing import Any
 
 from pydy._backends import HELPERS, Dialect, Each, Template, Writer, stages
-from pydy._graph import Program, numbered
+from pydy._program import Program, numbered
 from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers import (
     ALPHA,

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from pydy._forks import cached_property
-from pydy._graph import Program
 from pydy._names import untaken
+from pydy._program import Program
 
 # -- The hand-written parts of what is exported ----------------------------------------------------
 

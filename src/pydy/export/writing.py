@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 from pydy._backends import Dialect, Template, Writer, stages
 from pydy._checks import Check, checked, file_of, flag, instance, one_of
 from pydy._files import write_files
-from pydy._graph import (
+from pydy._names import nearest
+from pydy._program import (
     Operation,
     Program,
     Tape,
@@ -24,7 +25,6 @@ from pydy._graph import (
     singular,
     with_operands,
 )
-from pydy._names import nearest
 from pydy._version import __version__
 from pydy.export.c import c_header, c_model_source, with_c_names
 from pydy.export.fmu import fmu_archive

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import describe
-from pydy._graph import Program, derivative_program
+from pydy._graph import derivative_program
 from pydy._kernel import Kernel
 from pydy._problem import Problem
+from pydy._program import Program
 from pydy.codegen import SpecifiedsPlan
 from pydy.layers.layer import Given, Part
 

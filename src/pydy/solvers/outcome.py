@@ -21,7 +21,7 @@ class Outcome(IntEnum):
     remedy: str
     """What the user can do, in sentences; empty if nothing is to be done."""
 
-    def __new__(cls, code: int, text: str, remedy: str = "") -> Outcome:  # noqa: D102
+    def __new__(cls, code: int, text: str = "", remedy: str = "") -> Outcome:  # noqa: D102
         member = int.__new__(cls, code)
         member._value_, member.text, member.remedy = code, text, remedy
         return member

@@ -12,8 +12,9 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import Places, choice, number, positive, refuse_twice, shown, text
-from pydy._graph import Graph, Program, SymPyReader, input_nodes, lower, run, simplify
+from pydy._graph import Graph, SymPyReader, input_nodes, lower, simplify
 from pydy._names import label_parts, name_of, nearest, some
+from pydy._program import Program, run
 from pydy._rank import ROUNDED, or_one
 from pydy.export import Model, Variable, javascript_object
 from pydy.viz.animation import Animation, Item, followed

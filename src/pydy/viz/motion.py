@@ -26,9 +26,11 @@ from pydy._checks import (
     refuse_twice,
     typed,
 )
-from pydy._graph import Graph, Program, SymPyReader, collector_paused, input_nodes, lower, simplify
+from pydy._collector import collector_paused
+from pydy._graph import Graph, SymPyReader, input_nodes, lower, simplify
 from pydy._mechanics import find_symbols, flat, identity, in_rows, transposed, turned
 from pydy._names import name_of
+from pydy._program import Program
 from pydy._rank import DIGITS
 
 # -- Where everything is: the poses of all visuals from one compiled Program -----------------------

@@ -15,8 +15,8 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point, RigidBody, Vector, dynamicsymbols
 
-from pydy._graph import run
 from pydy._mechanics import breadth_first_from, find_symbols, given_velocity, oriented, places
+from pydy._program import run
 from pydy._rank import HALF, rank_of
 from pydy.viz.motion import Geometry, Names, pose_program
 

@@ -20,8 +20,8 @@ import sympy.physics.mechanics as me
 from graphs import ELEMENTARY, everything, solves
 from pydy._backends.c.cython_ import CythonBackend
 from pydy._errors import GeneratorError, PyDyUserWarning
-from pydy._graph.interpret import run
-from pydy._graph.program import Program, Tape
+from pydy._program.interpret import run
+from pydy._program.program import Program, Tape
 from pydy.codegen.ode_function_generators import generate_ode_function
 
 NAN, INF = np.nan, np.inf

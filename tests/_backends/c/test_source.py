@@ -9,7 +9,7 @@ import pytest
 
 from graphs import everything, solves
 from pydy._backends.c.source import c_source
-from pydy._graph.interpret import run
+from pydy._program.interpret import run
 
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-shared", "-fPIC"]
 

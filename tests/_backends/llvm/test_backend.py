@@ -25,9 +25,9 @@ from graphs import (
 from pydy._backends.llvm import ir, jit
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.text import kernel_text
-from pydy._graph.interpret import run
 from pydy._graph.node import Graph
-from pydy._graph.program import Program, Tape
+from pydy._program.interpret import run
+from pydy._program.program import Program, Tape
 
 LANES = [1, 2, 4, 8]
 NAN, INF = np.nan, np.inf

@@ -169,7 +169,7 @@ from pydy.solvers.run import shipped
 
 package = Path(pydy.__file__).parent
 if sys.argv[1] == "old":  # another version is installed from here on
-    for path in (*package.rglob("emit.py"), *package.rglob("lower.py")):
+    for path in (*package.rglob("emit.py"), *package.rglob("lowering.py")):
         path.write_text(path.read_text() + "# the next version\\n")
     for path in package.rglob("*.ll"):
         path.rename(path.with_suffix(".away"))

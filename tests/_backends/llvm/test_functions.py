@@ -22,9 +22,9 @@ from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.sources import _repeats, leaves_out_fallbacks
 from pydy._backends.tuning import LARGE
 from pydy._graph.columns import Columns
-from pydy._graph.interpret import run
 from pydy._graph.node import Graph
 from pydy._graph.tangent import jacobian_tangent
+from pydy._program.interpret import run
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 

@@ -12,10 +12,10 @@ from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.adjoint import adjoints
 from pydy._graph.derivative import jacobian
-from pydy._graph.interpret import run
 from pydy._graph.node import Graph
 from pydy._graph.simplification import operation_count, simplify
-from pydy._graph.tuning import INDEPENDENT
+from pydy._program.interpret import run
+from pydy._program.tuning import INDEPENDENT
 
 BACKENDS = {
     "llvm": LLVMBackend(lanes=1),

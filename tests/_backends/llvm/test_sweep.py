@@ -6,7 +6,7 @@ import sympy as sm
 
 from graphs import P, T, X, program_of, solve_program
 from pydy._backends.llvm.native import LLVMBackend
-from pydy._graph.program import Program, Tape
+from pydy._program.program import Program, Tape
 
 MODEL = program_of([X[0] * P[0] + T, X[1] - X[3], sm.sin(X[2]), X[0] / X[1], P[1] * X[3]])
 

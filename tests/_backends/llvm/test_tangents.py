@@ -16,9 +16,10 @@ from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compile_program
 from pydy._graph.columns import Columns
 from pydy._graph.derivative import dense_jacobian
-from pydy._graph.interpret import run
 from pydy._graph.node import Graph
-from pydy._graph.tangent import Tangent, jacobian_tangent
+from pydy._graph.tangent import jacobian_tangent
+from pydy._program.interpret import run
+from pydy._program.tangent import Tangent
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 

@@ -27,11 +27,11 @@ from pydy._backends.llvm.native import native_kernel
 from pydy._backends.registry import compile_program
 from pydy._cache_folder import unsafe
 from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
-from pydy._graph import Program
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel
 from pydy._names import printable
 from pydy._processes import started
+from pydy._program import Program
 
 
 class CythonBackend:

@@ -11,7 +11,7 @@ from operator import attrgetter
 from pathlib import Path
 
 from pydy._backends.writer import Dialect, Each, Writer, stages
-from pydy._graph import Program, numbered
+from pydy._program import Program, numbered
 
 # -- the language ---------------------------------------------------------------------------------
 

@@ -16,7 +16,15 @@ from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_together
 from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import SPARSE, TEMPORARY
-from pydy._graph import ANGLES, OPERATIONS, TRUTHS, Program, is_constrained, is_symmetric, operands
+from pydy._program import (
+    ANGLES,
+    OPERATIONS,
+    TRUTHS,
+    Program,
+    is_constrained,
+    is_symmetric,
+    operands,
+)
 
 # -- Linear solves as part of a stage: matrices for fallbacks, the guards, and their solutions -----
 

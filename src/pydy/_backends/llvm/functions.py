@@ -27,7 +27,7 @@ from pydy._backends.llvm.sources import (
     source_without_fallbacks,
 )
 from pydy._backends.llvm.text import COMPLETE
-from pydy._graph import Program, Tangent
+from pydy._program import Program, Tangent
 
 
 class NativeFunctions:

@@ -28,8 +28,8 @@ from pydy._backends.llvm.text import size_with_constants
 from pydy._backends.registry import compile_program
 from pydy._backends.tuning import SWEPT
 from pydy._forks import once
-from pydy._graph import Program, Tangent
 from pydy._kernel import Kernel
+from pydy._program import Program, Tangent
 
 # -- Functions of Python ---------------------------------------------------------------------------
 

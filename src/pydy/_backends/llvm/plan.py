@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from pydy._backends.llvm.ir import Function
-from pydy._graph import Program, operands
+from pydy._program import Program, operands
 
 Place = str | tuple[str, int]
 

@@ -29,7 +29,8 @@ from pydy._backends.tuning import (
     SHORT,
     TEMPORARY,
 )
-from pydy._graph import ANGLES, SOLVES, Program, Tangent, collector_paused
+from pydy._collector import collector_paused
+from pydy._program import ANGLES, SOLVES, Program, Tangent
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ from pydy._backends.llvm.ir import (
 from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.targets import target
-from pydy._graph import ANGLES, SOLVES, Part, Program, Tangent
+from pydy._program import ANGLES, SOLVES, Part, Program, Tangent
 
 
 class Fallbacks(Enum):

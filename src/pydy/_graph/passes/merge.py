@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pydy._graph.identities import evaluated
-from pydy._graph.modular import PRIME
 from pydy._graph.node import Graph
-from pydy._graph.operations import ANGLES, SOLVES
 from pydy._graph.passes.expand import is_exact
 from pydy._graph.rewrite import again, replaced
+from pydy._modular import PRIME
+from pydy._program import ANGLES, SOLVES
 
 
 def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:

@@ -11,9 +11,8 @@ from itertools import pairwise
 from typing import Protocol
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import symmetric
-from pydy._graph.program import Tape
 from pydy._graph.solve import ldl, lu
+from pydy._program import Tape, symmetric
 
 
 class Factor(Protocol):

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from pydy._graph.operations import symmetric
-from pydy._graph.program import Tape
-from pydy._graph.tuning import SINGULAR, UNROLL_LIMIT
+from pydy._graph.tuning import UNROLL_LIMIT
+from pydy._program import Tape, symmetric
+from pydy._rank import ROUNDING
 
 
 def unrolled(tape: Tape, n: int, entries: list[int]) -> UnrolledLDL | None:
@@ -80,7 +80,7 @@ class UnrolledLDL:
         lower: list[list[int]] = [[zero] * n for _ in range(n)]
         scaled: list[list[int]] = [[zero] * n for _ in range(n)]  # L · D
         self.inverse: list[int] = []
-        one, tolerance = tape.const(1.0), tape.const(n * SINGULAR)
+        one, tolerance = tape.const(1.0), tape.const(n * ROUNDING)
         self.sound = tape.make("bool", True)
         for j in range(n):
             pivot = cell[j][j]

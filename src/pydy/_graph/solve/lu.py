@@ -7,10 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from pydy._graph.interpret import run
-from pydy._graph.program import Program, Tape
-from pydy._graph.tuning import SINGULAR, UNROLL_LIMIT
-from pydy._rank import HALF, SOUND
+from pydy._graph.tuning import UNROLL_LIMIT
+from pydy._program import Program, Tape, run
+from pydy._rank import HALF, ROUNDING, SOUND
 
 
 def unrolled(
@@ -195,7 +194,7 @@ class UnrolledLU:
         n, tape, zero = self.n, self.tape, self.zero
         # The backward error of a solution that is taken. Four in a hundred states of a bicycle are
         # beyond 4 n·eps, six in a thousand beyond 32, and a fallback holds up all lanes of a batch.
-        tolerance = tape.const(32 * n * SINGULAR)
+        tolerance = tape.const(32 * n * ROUNDING)
         sizes = [self._size(value) for value in x]
         sound = self.sound
         for i in range(n):

@@ -11,15 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, is_constrained, symmetric
-from pydy._graph.program import Program
-from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
+from pydy._program.nodes import Nodes
+from pydy._program.operations import OPERATIONS, is_constrained, symmetric
+from pydy._program.program import Program
+from pydy._program.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
 Evaluator = Callable[[Mapping[int, Any], int], np.ndarray]
 
 
-def evaluator(graph: Graph, nodes: Sequence[int]) -> Evaluator:
+def evaluator(graph: Nodes, nodes: Sequence[int]) -> Evaluator:
     """Return a function that evaluates nodes of a graph at m samples.
 
     It takes a number or m numbers for each input node, and m. It returns an array of shape
@@ -61,7 +61,7 @@ class _Samples:
 
     def __init__(
         self,
-        nodes: Graph | Program,
+        nodes: Nodes | Program,
         leaf: Callable[[int], Any],
         m: int,
         fallback: Mapping[int, Iterable[int]],

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from pydy._graph.interpret import evaluator, run
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes import rewriting
-from pydy._graph.tuning import INDEPENDENT
+from pydy._program.interpret import evaluator, run
+from pydy._program.tuning import INDEPENDENT
 
 
 def both(graph, nodes, x):

@@ -6,7 +6,7 @@ import pytest
 import sympy as sm
 
 from graphs import P, T, X, program_of, solve_program
-from pydy._graph.program import listing
+from pydy._program.program import listing
 
 x, y, *_ = X
 a, b, _ = P

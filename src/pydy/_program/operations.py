@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.modular import cosine, sine
-from pydy._graph.tuning import INDEPENDENT, REDUNDANT
+from pydy._modular import cosine, sine
+from pydy._program.tuning import INDEPENDENT, REDUNDANT
 
 Nodes = tuple[int, ...]
 Args = tuple[Any, ...]
@@ -43,7 +43,7 @@ class Operation:
     rewrite: Callable[[Any, Nodes, Sequence[Any]], int | None] | None = None
     parity: int = 0  # 1 for an even function, −1 for an odd one: signs then leave the argument
     truth: bool = False  # whether the result is a truth value
-    # Its value modulo `pydy._graph.modular.PRIME` from the operands' values. Without it, a number
+    # Its value modulo `pydy._modular.PRIME` from the operands' values. Without it, a number
     # that depends on the operands' values alone.
     modular: Callable[..., int] | None = None
     sympy: str = ""  # the name of the SymPy class with the same arguments
@@ -355,7 +355,7 @@ def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
     """Return whether a guard solves a constrained system, by the mark of its last row.
 
     Rows so marked on the diagonal are constraints, in units of their rounding errors; as many as
-    are marked `INDEPENDENT` are so at generic states (`pydy._graph.interpret.constrained`).
+    are marked `INDEPENDENT` are so at generic states (`pydy._program.interpret.constrained`).
     """
     marks = (INDEPENDENT,), (REDUNDANT,)
     return bool(entries) and nodes.ops[entries[-1]] == "const" and nodes.args[entries[-1]] in marks

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph.operations import Nodes, Operation, register
 from pydy._names import few
+from pydy._program.operations import Nodes, Operation, register
 
 _PREFIX = "scipy "
 KNOWN: dict[str, str] = {}

@@ -30,8 +30,8 @@ from math import prod
 from typing import TYPE_CHECKING, Any
 
 from pydy._forks import cached_property
-from pydy._graph.node import Nodes
-from pydy._graph.operations import ANGLES, OPERATIONS, SOLVES, operands, with_operands
+from pydy._program.nodes import Nodes
+from pydy._program.operations import ANGLES, OPERATIONS, SOLVES, operands, with_operands
 
 if TYPE_CHECKING:
     import numpy as np

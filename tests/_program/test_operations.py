@@ -10,13 +10,13 @@ from graphs import ELEMENTARY, on_tape
 from pydy._backends.c.cython_ import CythonBackend
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
-from pydy._graph import operations
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._graph.of_scipy import KNOWN
-from pydy._graph.operations import OPERATIONS, Operation, operands, register, with_operands
+from pydy._program import operations
+from pydy._program.of_scipy import KNOWN
+from pydy._program.operations import OPERATIONS, Operation, operands, register, with_operands
 
 
 class cbrt(sm.Function):  # noqa: N801 - as SymPy names its functions

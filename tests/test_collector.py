@@ -5,7 +5,7 @@ import weakref
 
 import pytest
 
-from pydy._graph.collector import collector_paused
+from pydy._collector import collector_paused
 
 
 def test_what_was_built_is_not_walked_through_at_once():

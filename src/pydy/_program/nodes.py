@@ -1,0 +1,75 @@
+"""Operations on earlier ones, each stored once (hash-consing)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from pydy._program.operations import SOLVES, operands
+
+# Solves report failures, which only calls can do.
+_REPORTING = SOLVES | {"item"}
+
+
+class Nodes:
+    """Hash-consed operations on earlier ones, in topological order."""
+
+    def __init__(self) -> None:
+        self.ops: list[str] = []  # the kind of each node
+        self.args: list[tuple[Any, ...]] = []  # its operands, and what else it takes
+        self.constant: list[bool] = []  # whether it depends on inputs 'p' and numbers alone
+        self._operands: list[tuple[int, ...]] = []
+        self._known: dict[tuple[Any, ...], int] = {}
+
+    def node(self, op: str, args: tuple[Any, ...], apart: int | None = None) -> int:
+        """Return the node for `op` on `args` as they are, without any rewriting.
+
+        Given `apart`, it is another one than without, unless it depends on constants alone.
+        """
+        key: tuple[Any, ...] = (op, args)
+        if apart is not None and not self._is_constant(op, args, operands(op, args)):
+            key = (op, args, apart)
+        node = self._known.get(key)
+        if node is None:
+            node = len(self.ops)
+            self._known[key] = node
+            self.ops.append(op)
+            self.args.append(args)
+            needs = operands(op, args)
+            self._operands.append(needs)
+            self.constant.append(self._is_constant(op, args, needs))
+        return node
+
+    def _is_constant(self, op: str, args: tuple[Any, ...], needs: tuple[int, ...]) -> bool:
+        if op == "input":
+            return bool(args[0] == "p")
+        return op not in _REPORTING and all(map(self.constant.__getitem__, needs))
+
+    def operands(self, node: int) -> tuple[int, ...]:
+        """Return the nodes that `node` refers to, in order."""
+        return self._operands[node]
+
+    def reachable(self, roots: Iterable[int], *, fallbacks: bool = True) -> list[int]:
+        """Return every node the roots need, in topological (ascending) order.
+
+        Without `fallbacks`, systems that guards fall back to do not count; those always solved do.
+        """
+        ops, needs = self.ops, self._operands
+        never = self._known.get(("bool", (False,)))
+        wanted = bytearray(len(needs))
+        for node in roots:
+            wanted[node] = 1
+        order = []
+        # From the last: what a node refers to stands before it.
+        node = wanted.rfind(1)
+        while node >= 0:
+            order.append(node)
+            operands = needs[node]
+            if not fallbacks and ops[node] == "guard" and self.args[node][3] != never:
+                sound, fast = self.args[node][3:]
+                operands = (sound, *fast)
+            for other in operands:
+                wanted[other] = 1
+            node = wanted.rfind(1, 0, node)
+        order.reverse()
+        return order
