@@ -57,7 +57,7 @@ KANE_PRIVATE = {
 }
 
 
-VECTOR_MODULE = "pydy._mechanics.reader"
+VECTOR_MODULE = "pydy._mechanics.frame_tree"
 VECTOR_PRIVATE = {
     *("_dcm_dict", "_ang_vel_dict", "_ang_acc_dict", "_pos_dict", "_vel_dict", "_acc_dict"),
 }

@@ -41,6 +41,12 @@ def place_of(key: Any, names: Sequence[str], what: str) -> int:
     return list(names).index(name)
 
 
+def item_of_name(items: Sequence[Any], key: Any) -> Any:
+    """Return the item with a name; keys that name no item, or several, as they are."""
+    matching = [item for item in items if isinstance(key, str) and name_of(item) == key]
+    return matching[0] if len(matching) == 1 else key
+
+
 def untaken(name: str, taken: Container[str], between: str = "_") -> str:
     """Return a name, numbered if it is already taken."""
     if name not in taken:

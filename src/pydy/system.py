@@ -68,11 +68,10 @@ from pydy._mechanics import (
     Implicit,
     Multipliers,
     Reaction,
+    Reactions,
     equations_to_read,
     extract,
     method_of,
-    multipliers,
-    reaction,
 )
 from pydy._motion import SolveIvp, is_odeint, native_solver, resolve_ode_solver
 from pydy._names import name_of, nearest, some
@@ -1438,7 +1437,7 @@ class System:
         """
         if self._equations.forgotten:
             warn_of_missing_derivatives(self._now())
-        return multipliers(self._equations, self._forces)
+        return Reactions(self._equations, self._forces).multipliers()
 
     def reaction(
         self, bodies: Any, point: Any = None, *, frame: Any = None, loads: Iterable[Any] = ()
@@ -1497,7 +1496,8 @@ class System:
         >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2] + 0.0
         array([ 0., 30.])
         """
-        found = reaction(self._equations, self._forces, bodies, point, frame, loads)
+        reactions = Reactions(self._equations, self._forces)
+        found = reactions.reaction(bodies, point, frame, loads)
         if self._equations.forgotten:
             warn_of_missing_derivatives(self._now())
         return found

@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 from by_hand import derived, state
 from cases import close
 from oracle import Oracle
-from pydy._mechanics.reader import Tree
+from pydy._mechanics.frame_tree import FrameTree
 from pydy.system import System
 from zoo import Model, T, _numbers, inertial_frame
 
@@ -84,7 +84,7 @@ def test_of_equally_short_ways_to_the_inertial_frame_the_first_is_taken():
     own.set_ang_vel(right, u[2] * frame.x)
     own.set_ang_vel(left, u[3] * frame.x)
     assert own.ang_vel_in(frame) == (u[1] + u[2]) * frame.x
-    assert Tree(frame).turns_in(own) is right
+    assert FrameTree(frame).turns_in(own) is right
 
 
 @pytest.mark.parametrize("oriented", [True, False])

@@ -6,8 +6,9 @@ import sympy.physics.mechanics as me
 
 import by_hand
 from graphs import form
+from pydy._mechanics.frame_tree import FrameTree, velocity_in
 from pydy._mechanics.kane import multibody_of_kane
-from pydy._mechanics.reader import Tree, check_bodies, read_loads, velocity_in
+from pydy._mechanics.reader import check_bodies, read_loads
 from pydy.system import System
 from zoo import inertial_frame
 
@@ -119,7 +120,7 @@ def test_a_method_without_kinematic_equations_is_refused():
 def test_a_velocity_whose_components_are_speeds_is_not_replaced_by_the_rate_of_its_place():
     model = by_hand.satellite()
     centre, tip = (body.masscenter for body in model.kane.bodies)
-    ways = Tree(model.kane._inertial).paths([centre, tip], {})
+    ways = FrameTree(model.kane._inertial).paths([centre, tip], {})
     assert ways[centre] == (None, ())
     assert ways[tip][0] is centre
 

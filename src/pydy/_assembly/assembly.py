@@ -22,7 +22,7 @@ from pydy._graph import (
     substitute,
     worthwhile_parts,
 )
-from pydy._mechanics import Equations, find_symbols, flat
+from pydy._mechanics import Equations, find_symbols
 from pydy._program import Program, Tangent
 
 _BLOCKS = (
@@ -107,7 +107,7 @@ class Assembly:
             return []
         energy = mechanism.energy
         node = self.reader("the kinetic energy", [energy])(energy)
-        cells = flat(hessian(self.graph, node, self.speeds)[1])
+        cells = [c for row in hessian(self.graph, node, self.speeds)[1] for c in row]
         return substitute(self.graph, cells, self.given)
 
     def fork(self) -> Assembly:

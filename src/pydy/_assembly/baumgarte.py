@@ -22,11 +22,8 @@ from pydy._graph import (
     substitute,
 )
 from pydy._mechanics import (
-    Constraints,
-    accelerations,
-    accelerations_of_held,
-    evaluator_of,
-    generic_inputs,
+    AccelerationConstraints,
+    generic_values,
 )
 from pydy._rank import DEPENDENT, HALF, ROUNDED
 
@@ -59,13 +56,14 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
             return dense(graph, directional(graph, nodes, motion), 1)
 
         along = jacobian_rows(graph, dt(holonomic), speeds)
-        places = list(zip(holonomic, along, strict=True))
-        held = Constraints(rows, pull, count, [dt(row) for row in rows], velocity, places)
-        nothing = [graph.zero] * n
+        positions = list(zip(holonomic, along, strict=True))
+        row_rates = [dt(row) for row in rows]
+        constraints = AccelerationConstraints(rows, pull, count, row_rates, velocity, positions)
+        no_force = [graph.zero] * n
         if massive:
-            pulled = accelerations_of_held(graph, matrix, nothing, held)
+            pulled = constraints.accelerations(graph, matrix, no_force)
         else:
-            pulled = accelerations(graph, matrix, nothing, held, graph.boolean(False), nothing)
+            pulled = constraints.accelerations_at_any_rank(graph, matrix, no_force)
         after = [graph.add(a, b) for a, b in zip(before, pulled, strict=True)]
     else:
         rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
@@ -109,8 +107,7 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
         blocks.append((name, (len(nodes), len(by)), cells))
     below = [assembly.mass_matrix[k * n + j] for k in _constraint_rows(assembly) for j in range(n)]
     blocks.append(("rows", (count, n), below))
-    inputs = generic_inputs(assembly.sizes, 3 + len(holonomic))
-    parts = evaluator_of(graph, blocks)(*inputs)
+    parts = generic_values(graph, blocks, assembly.sizes, 3 + len(holonomic))
     if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=HALF, atol=ROUNDED):
         raise ValueError(
             "`constraints='baumgarte'` needs acceleration constraints that are the rates of "

@@ -23,13 +23,11 @@ from pydy._kernel import Kernel
 from pydy._mechanics import (
     BodyDynamics,
     Equations,
+    FrameTree,
     Multibody,
     checked_vector,
-    distances,
-    named,
-    places,
 )
-from pydy._names import name_of
+from pydy._names import item_of_name, name_of
 from pydy._problem import At, Problem
 from pydy._program import Program
 
@@ -278,7 +276,7 @@ def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]
     bodies, known = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
     if isinstance(where, str) and where in known:
         return (*known[where],)
-    body = named(bodies, where)
+    body = item_of_name(bodies, where)
     if isinstance(body, RigidBody):
         return body.frame, body.masscenter
     if isinstance(body, Particle):
@@ -308,7 +306,7 @@ def _origin(body: Multibody, point: Any) -> Any:
             f"No point at rest in `{body.frame}` is connected with the bodies, so that positions "
             f"have no origin. Say `O.set_vel({body.frame}, 0)` of one."
         )
-    if point not in distances(origin, places):
+    if point not in FrameTree.points_from([origin]):
         raise ValueError(
             f"`where` is the point {point}, whose place beside {origin} is not known. Locate it "
             f"with `{point}.set_pos(...)` from a point of the bodies."

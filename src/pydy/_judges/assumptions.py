@@ -15,7 +15,12 @@ import sympy as sm
 
 from pydy._assembly import Assembly
 from pydy._errors import warn_user
-from pydy._mechanics import Equations, find_symbols, orientation_rows, rotations
+from pydy._mechanics import (
+    Equations,
+    FrameTree,
+    find_symbols,
+    orthogonality_residuals,
+)
 from pydy._motion import EvaluationRecorder, Motion, is_odeint
 from pydy._names import name_of, numbers_of
 from pydy._problem import TYPED, At
@@ -77,7 +82,7 @@ _UNITS = [[sm.Rational(n, 10) for n in numbers] for numbers in ((5, 5, 5, 5), (1
 def orientations(equations: Equations) -> tuple[Any, ...]:
     """Return the matrices of orientations by four coordinates, at unit length rotations."""
     made_from = equations.mechanism or equations.multibody
-    matrices = () if made_from is None else rotations(made_from.frame)
+    matrices = () if made_from is None else FrameTree(made_from.frame).rotation_matrices()
     return tuple(m for m in matrices if _is_of_quaternion(m, equations.coordinates))
 
 
@@ -103,7 +108,7 @@ class _Orientations:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         read = assembly.reader("the orientations", self.matrices)
-        return {str(k): orientation_rows([m], read) for k, m in enumerate(self.matrices)}
+        return {str(k): orthogonality_residuals([m], read) for k, m in enumerate(self.matrices)}
 
 
 def check_orientations(at: At, matrices: tuple[Any, ...]) -> None:

@@ -34,7 +34,7 @@ Matrix = list[Vec]
 def hinge_axis(kinematics: Kinematics, frame: Any, before: Any) -> int | None:
     """Return which axis a frame has in common at all times with the one that it turns in."""
     k, g = kinematics, kinematics.graph
-    if frame not in k.tree.oriented or frame is k.inertial:
+    if frame not in k.tree.frame_depth or frame is k.inertial:
         return None
     if k.frames.parent(frame) is not before or k.frames.base(frame) is not before:
         return None
@@ -52,7 +52,7 @@ def in_a_plane(kinematics: Kinematics) -> bool:
     k = kinematics
     frames = {frame for point in k.placed() for _, frame in k.parts(point)}
     frames |= {body.frame for body in k.body.bodies if is_rigid(body)}
-    if not frames <= k.tree.oriented.keys():
+    if not frames <= k.tree.frame_depth.keys():
         return False
     turning = {f for frame in frames for f in k.frames.way_in(frame)} - {k.inertial}
     axes = {hinge_axis(k, f, k.frames.parent(f)) for f in turning}
@@ -81,7 +81,7 @@ def move_along_axes(kinematics: Kinematics) -> None:
     k, g = kinematics, kinematics.graph
     joints = _joints(k)
     shifts: dict[Any, int] = {}
-    for point in sorted(joints, key=lambda p: k.tree.oriented[joints[p].frame]):
+    for point in sorted(joints, key=lambda p: k.tree.frame_depth[joints[p].frame]):
         joint = joints[point]
         n = joint.shortened
         own = joint.place[n]
@@ -157,7 +157,7 @@ def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
         (frame,) = frames
         if frame is None or frame is before or frame is k.inertial:
             continue
-        if frame not in k.tree.oriented:
+        if frame not in k.tree.frame_depth:
             continue
         inner = k.frames.parent(frame)
         axis = hinge_axis(k, frame, inner)
@@ -251,7 +251,7 @@ class _Alignment:
         k = self.kinematics
         ground = _Body(k.inertial, frames={k.inertial: self.unit})
         self.bodies[k.inertial] = ground
-        order = sorted(self._needed(), key=lambda f: k.tree.oriented[f])
+        order = sorted(self._needed(), key=lambda f: k.tree.frame_depth[f])
         found = [body for f in order if (body := self._classified(f))]
         if not any(self._oblique(body) for body in found):
             return
@@ -271,7 +271,7 @@ class _Alignment:
             frames |= {f for vector in k.way(point)[1] for _, f in vector.args}
         found: dict[Any, None] = {}
         for frame in sorted(frames, key=str):
-            while frame in k.tree.oriented and frame is not k.inertial and frame not in found:
+            while frame in k.tree.frame_depth and frame is not k.inertial and frame not in found:
                 found[frame] = None
                 frame = k.tree.parent(frame)
         return list(found)
@@ -283,7 +283,7 @@ class _Alignment:
         k, g = self.kinematics, self.graph
         before = k.tree.parent(frame)
         body = _Body(frame, before, frames={frame: self.unit})
-        if frame in k.tree.turning and k.tree.turns_in(frame) is before:
+        if frame in k.tree.spin_depth and k.tree.turns_in(frame) is before:
             matrix = k.frames.given(frame, before)
             spin = k.tree.relative_spin(frame, before)
             if all(g.constant[n] for row in matrix for n in row) and not spin.args:
@@ -426,7 +426,7 @@ class _Alignment:
         axes = body.root if own == self.unit else Axes(f"{body.root} in line with its hinge")
         spin = [g.zero] * 3
         spin[index] = g.sum([(body.speed, sign)])
-        depth = k.tree.oriented[body.root]
+        depth = k.tree.frame_depth[body.root]
         k.frames.insert(axes, home, about(g, index, *circle), spin, depth)
         self._write(body, axes, own)
 
@@ -436,7 +436,7 @@ class _Alignment:
             return home
         k = self.kinematics
         axes = Axes(f"{body.root} before it turns")
-        k.frames.insert(axes, home, matrix, None, k.tree.oriented[body.root])
+        k.frames.insert(axes, home, matrix, None, k.tree.frame_depth[body.root])
         return axes
 
     def _write(self, body: _Body, axes: Any, own: Matrix) -> None:

@@ -35,9 +35,11 @@ from sympy.physics.mechanics import Point
 from pydy._graph import Graph, jacobian_rows, substitute
 from pydy._mechanics.components import dot, flat, identity, turned
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.frame_tree import FrameTree, breadth_first
 from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.reader import Multibody, Tree, breadth_first_from, is_rigid, places
+from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.symbols import find_symbols
 from pydy._program import evaluator
 from pydy._rank import HALF, ROUNDED, or_one
@@ -50,15 +52,15 @@ def loop_points(body: Multibody) -> dict[Any, Any]:
 
     Points of other mechanisms that hang on the same origin move with other functions of time.
     """
-    tree = Tree(body.frame)
+    tree = FrameTree(body.frame)
     written = find_symbols((*body.holonomic, *body.velocity, *body.coordinate_derivatives))
     known = {s for s in written if isinstance(s, AppliedUndef)} | {*body.coordinates}
 
     def near(point: Any) -> list[Any]:
         return [
             other
-            for other, way in places(point).items()
-            if all(frame in tree.oriented and frame in tree.turning for _, frame in way.args)
+            for other, way in FrameTree.positions(point).items()
+            if all(frame in tree.frame_depth and frame in tree.spin_depth for _, frame in way.args)
             and {s for part, _ in way.args for s in part.atoms(AppliedUndef)} <= known
         ]
 
@@ -66,7 +68,7 @@ def loop_points(body: Multibody) -> dict[Any, Any]:
     at_loads = [where for where, _ in body.loads if isinstance(where, Point)]
     for root in (*(b.masscenter for b in body.bodies), *at_loads):
         if root not in found:
-            found |= breadth_first_from([root], near)
+            found |= breadth_first([root], near)
     return found
 
 
@@ -114,10 +116,10 @@ class LoopShares:
         for point, before in points.items():
             self._place[point], self._root[point] = [g.zero] * 3, point
             if before is not None:
-                step = k.vector(places(point)[before], k.inertial)
+                step = k.vector(FrameTree.positions(point)[before], k.inertial)
                 self._place[point] = k.plus(self._place[before], step)
                 self._root[point] = self._root[before]
-        frames = [f for f in k.tree.oriented if f in k.tree.turning]
+        frames = [f for f in k.tree.frame_depth if f in k.tree.spin_depth]
         self._axes = {f: [k.expressed(e, f, k.inertial) for e in identity(g)] for f in frames}
         self._motion = {w: k.expressed(v, f, k.inertial) for w, (f, v) in self._moving(points)}
         self._motion |= {w: k.expressed(v, f, k.inertial) for w, (f, v) in self._moving(frames)}

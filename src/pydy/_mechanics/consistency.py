@@ -27,11 +27,12 @@ from pydy._graph import dense_jacobian, jacobian, rounding_bounds, signatures
 from pydy._mechanics.components import flat, identity, numbers_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving
-from pydy._mechanics.frames import orientation_rows, rotations
+from pydy._mechanics.frame_tree import FrameTree
+from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.inertia import points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.rates import connected
-from pydy._mechanics.reader import is_rigid, places
+from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, ROUNDED, or_one
 
@@ -60,11 +61,11 @@ def check_velocities(equations: Equations) -> None:
     bodies = body.bodies if equations.mechanism is None else equations.mechanism.bodies
     k = moving(replace(body, bodies=bodies), in_bodies=False)
     strange = {k.read(s): s for s in functions}
-    held = orientation_rows(rotations(body.frame), k.read)
+    held = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
     frames = [item.frame for item in bodies if is_rigid(item)]
     for where in dict.fromkeys([*(at for at, _ in k.body.loads), *points_of(k), *frames]):
         is_frame = isinstance(where, ReferenceFrame)
-        if is_frame and where not in k.tree.oriented:
+        if is_frame and where not in k.tree.frame_depth:
             continue
         velocity = k.spin(where)[0] if is_frame else k.motion(where)[1]
         found = [strange[n] for n in k.graph.reachable(velocity) if n in strange]
@@ -102,7 +103,7 @@ def _place_of(k: Kinematics, where: Any) -> Vec:
     """Return the components that orient a frame, or locate a point from another one."""
     if isinstance(where, ReferenceFrame):
         return [*k.vector(where.x, k.inertial), *k.vector(where.y, k.inertial)]
-    fixed = (way for p, way in places(where).items() if k.tree.velocity(p) == 0)
+    fixed = (way for p, way in FrameTree.positions(where).items() if k.tree.velocity(p) == 0)
     nodes = [n for way in fixed for n in k.vector(way, k.inertial)]
     while (base := k.way(where)[0]) is not None:
         nodes += [n for r, frame in k.parts(where) for n in k.expressed(r, frame, k.inertial)]
@@ -120,7 +121,7 @@ def warn_of_kinematics(equations: Equations) -> None:
         return
     try:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
-        turns = [orientation_rows([matrix], k.read) for matrix in rotations(body.frame)]
+        turns = [orthogonality_residuals([matrix], k.read) for matrix in k.tree.rotation_matrices()]
         # A quaternion's matrix has three rows: its columns' lengths are one. More are of cosines.
         every = [] if any(len(rows) > 3 for rows in turns) else [*_frames(k), *_points(k)]
     except (NotImplementedError, TypeError, ValueError):
@@ -155,7 +156,7 @@ def _frames(k: Kinematics) -> Iterator[Moved]:
     """Yield the frames that orient the bodies, with their parents where known."""
     seen = {k.inertial}
     for frame in (item.frame for item in k.body.bodies if is_rigid(item)):
-        while frame not in seen and frame in k.tree.oriented:
+        while frame not in seen and frame in k.tree.frame_depth:
             seen.add(frame)
             parent = k.tree.parent(frame)
             if k.tree.turns_in(frame) is parent:
@@ -193,7 +194,7 @@ def _from_rest(k: Kinematics, point: Any) -> dict[Any, tuple[Vec, Any]]:
         if getattr(k.tree.velocity(other), "args", None) == []:
             break
         if k.tree.velocity(other) is not None:
-            ways = places(other).items()
+            ways = FrameTree.positions(other).items()
             near = [p for p, way in ways if {f for _, f in way.args} <= {k.inertial}]
             todo += [p for p in near if p not in before]
             before |= {p: other for p in near if p not in before}
@@ -202,7 +203,7 @@ def _from_rest(k: Kinematics, point: Any) -> dict[Any, tuple[Vec, Any]]:
     found: dict[Any, tuple[Vec, Any]] = {}
     place = [k.graph.zero] * 3
     while (after := before[other]) is not None:
-        place = k.plus(place, k.vector(places(after)[other], k.inertial))
+        place = k.plus(place, k.vector(FrameTree.positions(after)[other], k.inertial))
         found[after] = place, other
         other = after
     return found

@@ -25,8 +25,9 @@ from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import equations_of
 from pydy._mechanics.implicit import Implicit
+from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.rates import solve_rates
-from pydy._mechanics.reader import Multibody, activation_states, check_bodies, read_loads
+from pydy._mechanics.reader import activation_states, check_bodies, read_loads
 from pydy._mechanics.symbols import find_symbols, rate_of
 
 _COORDINATES = "pass all of them in `coordinates`, and the dependent ones also in"

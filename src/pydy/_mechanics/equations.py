@@ -16,8 +16,9 @@ from sympy.physics.mechanics import Particle, ReferenceFrame
 from pydy._forks import cached_property
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.form import Formed
+from pydy._mechanics.frame_tree import velocity_in
 from pydy._mechanics.implicit import blocks_of
-from pydy._mechanics.reader import Multibody, velocity_in
+from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._names import name_of
 

@@ -32,22 +32,16 @@ from pydy._graph import (
     signatures,
     substitute,
 )
+from pydy._mechanics.acceleration_constraints import multipliers_of
 from pydy._mechanics.components import numbers_of, turned
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import lagranges_equations, moving
-from pydy._mechanics.frames import orientation_rows, rotations
-from pydy._mechanics.held_accelerations import multipliers_of
+from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
+from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.inertia import euler, loads_and_inertias, newton
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.reader import (
-    Multibody,
-    distances,
-    given_velocity,
-    is_rigid,
-    oriented,
-    places,
-    steps_to,
-)
+from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.reader import is_rigid
 from pydy._rank import ROUNDED, is_zero
 
 
@@ -193,7 +187,7 @@ class ConstraintForces:
             line = self._located_by(where)
             at_rest = all(n == k.graph.zero for n in k.at(where)[1])
             if at_rest and not any(b.masscenter in line for b in rigid):
-                steps = [places(p)[before] for p, before in pairwise(line)]
+                steps = [FrameTree.positions(p)[before] for p, before in pairwise(line)]
                 still[where] = {f for step in steps for _, f in step.args}
             else:
                 rest.append(where)
@@ -219,7 +213,7 @@ class ConstraintForces:
 
         At a hinge are two bodies as well, which turn in different ways.
         """
-        away = distances(point, places) if len(bodies) > 1 else {}
+        away = distances(point, FrameTree.positions) if len(bodies) > 1 else {}
         pairs = [
             (far, [self._spin(near.frame), self._spin(far.frame, -1.0)])
             for near, far in permutations(bodies, 2)
@@ -232,8 +226,8 @@ class ConstraintForces:
     def _located_by(self, point: Any) -> list[Any]:
         """Return a point, the one it was located from, and so on, as far as their order tells."""
         line = [point]
-        while (before := next(iter(places(point)), None)) not in (None, *line):
-            first = next(iter(places(before))) is point
+        while (before := next(iter(FrameTree.positions(point)), None)) not in (None, *line):
+            first = next(iter(FrameTree.positions(before))) is point
             if first and given_velocity(point, self.body.frame) is not None:
                 break
             line.append(before)
@@ -258,7 +252,7 @@ class ConstraintForces:
                 alike[frame].append((own, body))
         found = {}
         for frame, both in alike.items():
-            away = distances(frame, oriented)
+            away = distances(frame, FrameTree.orientations)
             nearest = min((away[own] for own, _ in both), default=0)
             found[frame] = [body for own, body in both if away[own] == nearest]
         return found
@@ -272,7 +266,7 @@ class ConstraintForces:
     def _slip(self, body: Any, point: Any) -> list[Vec]:
         """Return vectors whose sum is zero if a point moves as a point of the body would."""
         k, g = self._kinematics, self._kinematics.graph
-        away = distances(body.masscenter, places)
+        away = distances(body.masscenter, FrameTree.positions)
         if point not in away:
             return [[g.one] * 3]
         ways = [k.vector(step, k.inertial) for step in steps_to(point, away)]
@@ -293,7 +287,7 @@ class ConstraintForces:
         if not flat:
             return [True] * len(sums)
         k = self._kinematics
-        held = orientation_rows(rotations(k.inertial), k.read)
+        held = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
         values = numbers_of(k.graph, flat, held)
         values, found = values.reshape(len(values), -1, 3), []
         for vectors in sums:

@@ -36,7 +36,7 @@ from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.implicit import check_forces
 from pydy._mechanics.inertia import Inertia, loads_and_inertias, lumped, points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.reader import Multibody
+from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reduction import reduced
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import SAME_DIRECTION

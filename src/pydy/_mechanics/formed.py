@@ -42,7 +42,7 @@ from pydy._mechanics.generic import (
     evaluator_of,
     row_units,
 )
-from pydy._mechanics.reader import Multibody
+from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import rate_of
 from pydy._mechanics.tuning import CANCELLED, NEARLY_DEPENDENT
 from pydy._program import evaluator

@@ -11,8 +11,9 @@ import numpy as np
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph import Graph, SymPyReader, signatures
 from pydy._mechanics.components import identity, numbers_of, turned, unrounded
+from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.planes import plane_rotations
-from pydy._mechanics.reader import InputReader, Tree, distances, oriented
+from pydy._mechanics.reader import InputReader
 from pydy._rank import ROUNDED
 
 Vec = list[int]
@@ -26,7 +27,7 @@ class Frames:
     matrices that give components in a frame from those in its parent.
     """
 
-    def __init__(self, graph: Graph, tree: Tree, read: InputReader) -> None:
+    def __init__(self, graph: Graph, tree: FrameTree, read: InputReader) -> None:
         self.graph, self.tree, self.read = graph, tree, read
         self.above: dict[Any, Any] = {}
         self.turns: dict[Any, Vec | None] = {}
@@ -37,7 +38,7 @@ class Frames:
     def insert(self, axes: Any, above: Any, step: list[Vec], turns: Vec | None, depth: int) -> None:
         """Add axes after others; `turns` is their angular velocity, None if fixed."""
         self.above[axes], self.steps[axes], self.turns[axes] = above, step, turns
-        self.tree.oriented[axes] = depth
+        self.tree.frame_depth[axes] = depth
 
     def write(self, frame: Any, axes: Any, matrix: list[Vec] | None) -> None:
         """Write components of a frame in other axes that are fixed in it."""
@@ -96,18 +97,11 @@ class Frames:
         return [self.read.all(matrix.row(i)) for i in range(3)]
 
 
-def rotations(inertial: Any) -> list[Any]:
-    """Return the matrices of all orientations, from the inertial frame outwards."""
-    away = distances(inertial, oriented)
-    pairs = [(m, away[f] > away[frame]) for frame in away for f, m in oriented(frame).items()]
-    return [m.as_immutable() for m, outwards in pairs if outwards]  # one may be the user's own
+def orthogonality_residuals(matrices: Iterable[Any], read: SymPyReader) -> list[int]:
+    """Return the entries of Rᵀ R - 1 that do not vanish identically, of all matrices R.
 
-
-def orientation_rows(matrices: Iterable[Any], read: SymPyReader) -> list[int]:
-    """Return rows that vanish where matrices are rotations.
-
-    There are some for quaternions, whose squares have the sum one; angles give rotations always.
-    Matrices that cannot be read are nobody's whose motion is known.
+    Those of a quaternion vanish at unit length only, those of angles always. A matrix with
+    functions that cannot be read belongs to no body whose motion is computed.
     """
     g, rows = read.graph, []
     for matrix in matrices:

@@ -25,8 +25,8 @@ from pydy._graph import (
     rounding_bounds,
 )
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.frames import orientation_rows, rotations
-from pydy._mechanics.reader import numbers_in_places
+from pydy._mechanics.frame_tree import FrameTree, numbers_in_places
+from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import FULL_STEPS, OPEN
 from pydy._program import evaluator
@@ -57,7 +57,7 @@ class GenericStates:
         t, q, u = equations.time, equations.coordinates, equations.speeds
         states = [*q, *u]
         made_from = self._made_from = equations.mechanism or equations.multibody
-        turns = [] if made_from is None else rotations(made_from.frame)
+        turns = [] if made_from is None else FrameTree(made_from.frame).rotation_matrices()
         # The rates of what residuals with speeds give hold u', which moves no constraint.
         idle = {*equations.speed_rates} & {*find_symbols(equations.coordinate_derivatives)}
         known = {*states, *equations.zeros, t, *equations.coordinate_rates, *idle}
@@ -100,7 +100,7 @@ class GenericStates:
             for k, (node, value) in zip(rows, forces.items(), strict=True):
                 self.holonomic[k] = graph.sum([(node, 1.0)], -value)
         self.velocity = self.read.all(equations.velocity)
-        self._turning = orientation_rows(turns, self.read)
+        self._turning = orthogonality_residuals(turns, self.read)
 
     @cached_property
     def placed(self) -> list[float]:
@@ -222,8 +222,7 @@ class GenericStates:
 
         All numbers but time have the same `sign`.
         """
-        t, x, r, p = generic_inputs(self._sizes, 3)
-        return evaluator_of(self.graph, blocks)(t, sign * x, sign * r, sign * p)
+        return generic_values(self.graph, blocks, self._sizes, 3, sign)
 
     def _held(self) -> list[int]:
         """Return the rows that a state keeps, whatever the speeds.
@@ -427,6 +426,18 @@ def generic_inputs(sizes: tuple[int, int, int], trials: int) -> Inputs:
     r = np.array([rng.uniform(0.5, 1.5, s) for rng in rngs])
     t = np.array([rng.uniform(0.1, 1.0) for rng in rngs])
     return t, x, r, np.array([rng.uniform(0.5, 1.5, k) for rng in rngs])
+
+
+def generic_values(
+    graph: Graph,
+    blocks: Sequence[Block],
+    sizes: tuple[int, int, int],
+    trials: int,
+    sign: float = 1.0,
+) -> dict[str, np.ndarray]:
+    """Return the values of blocks at `generic_inputs`; all inputs but time are of one sign."""
+    t, x, r, p = generic_inputs(sizes, trials)
+    return evaluator_of(graph, blocks)(t, sign * x, sign * r, sign * p)
 
 
 def evaluator_of(

@@ -21,7 +21,7 @@ from pydy._checks import Places, check_mapping, describe, number, shown
 from pydy._graph import Graph, NodeExpression, jacobian, signatures, substitute
 from pydy._mechanics.components import flat
 from pydy._mechanics.kinematics import Kinematics
-from pydy._mechanics.reader import Multibody
+from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
 from pydy._modular import inverse
 
@@ -145,7 +145,7 @@ def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
     found = [z for z, rate in rates if not moved.isdisjoint(find_symbols([rate]))]
     if not found:
         return
-    held = find_symbols([*body.places, *body.velocity])
+    held = find_symbols([*body.position_constraints, *body.velocity])
     if "a" in graph.inputs_of([kinetic]) or not held.keys().isdisjoint(found):
         raise ValueError(
             f"A position, velocity or constraint holds {describe(found)}, whose residuals hold "

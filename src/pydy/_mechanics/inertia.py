@@ -158,7 +158,7 @@ def inertia_seen(
         change = [kinematics.plus(a, b) for a, b in zip(change, both, strict=True)]
     if not vanish(kinematics.graph, flat(change)):
         return home, tensor, change
-    while home in kinematics.tree.oriented:
+    while home in kinematics.tree.frame_depth:
         if (parent := kinematics.frames.parent(home)) is None:
             break
         # In the parent's axes: R' I R, with the axes here as the rows of R.
@@ -358,14 +358,14 @@ class _Lumps:
     # -- joints -----------------------------------------------------------------------------------
 
     def _hand_all_on(self) -> None:
-        turns = self.kinematics.tree.oriented
+        turns = self.kinematics.tree.frame_depth
         for key in sorted(self.lumps, key=lambda key: -turns.get(key[0], 0)):
             self._hand_on(*key)
 
     def _hand_on(self, frame: Any, point: Any) -> None:
         """Move the inertia that a joint does not displace to the body before."""
         k, g = self.kinematics, self.graph
-        inner = before = k.frames.parent(frame) if frame in k.tree.oriented else None
+        inner = before = k.frames.parent(frame) if frame in k.tree.frame_depth else None
         while k.frames.is_fixed(before):
             before = k.frames.parent(before)
         host = before

@@ -39,16 +39,11 @@ from pydy._mechanics.form import (
     moving,
     useful_axes,
 )
+from pydy._mechanics.frame_tree import FrameTree, distances, steps_to
 from pydy._mechanics.inertia import Load, lumped, weights_of
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.reader import (
-    Multibody,
-    breadth_first_from,
-    distances,
-    is_rigid,
-    places,
-    steps_to,
-)
+from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.reader import is_rigid
 
 
 class Found(NamedTuple):
@@ -244,7 +239,7 @@ class BodyDynamics:
         """Return the way from a point to another, in the axes of the inertial frame."""
         kinematics = moving(body, in_bodies=True)
         total = [kinematics.graph.zero] * 3
-        for step in steps_to(point, distances(origin, places)):
+        for step in steps_to(point, distances(origin, FrameTree.positions)):
             total = kinematics.plus(total, kinematics.vector(step, body.frame))
         return self.in_symbols(kinematics, total)
 
@@ -356,9 +351,9 @@ def _places_of(kinematics: Kinematics, points: Sequence[Any]) -> dict[Any, Any]:
         if first in found:
             continue
         way = {first: [kinematics.graph.zero] * 3}
-        for point, before in breadth_first_from([first]).items():
+        for point, before in FrameTree.points_from([first]).items():
             if before is not None:
-                step = kinematics.vector(places(point)[before], kinematics.inertial)
+                step = kinematics.vector(FrameTree.positions(point)[before], kinematics.inertial)
                 way[point] = kinematics.plus(way[before], step)
         here = [point for point in dict.fromkeys(points) if point in way]
         numbers = iter(signatures(kinematics.graph, [n for point in here for n in way[point]]))

@@ -14,8 +14,9 @@ from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, without_idle
 from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
 from pydy._mechanics.implicit import Implicit
+from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.rates import divide_alike, solve_rates
-from pydy._mechanics.reader import Multibody, activation_states, check_bodies, read_loads
+from pydy._mechanics.reader import activation_states, check_bodies, read_loads
 
 
 def multibody_of_kane(kane: KanesMethod) -> Multibody:

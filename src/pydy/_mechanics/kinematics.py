@@ -25,9 +25,11 @@ from pydy._graph import (
     signatures,
 )
 from pydy._mechanics.components import flat, in_rows, transposed, turned, unrounded
+from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.frames import Frames
+from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.planes import Detours
-from pydy._mechanics.reader import InputReader, Multibody, Tree, checked_vector
+from pydy._mechanics.reader import InputReader, checked_vector
 
 Vec = list[int]
 # The frame of the components, velocity, acceleration at u' = 0.
@@ -89,7 +91,7 @@ class Kinematics:
         self.groups: list[list[int]] = []
         self.detours = Detours()
         self._referred = referred
-        self.tree = Tree(body.frame)
+        self.tree = FrameTree(body.frame)
         self.frames = Frames(g, self.tree, self.read)
         self._cosines: dict[Any, list[Vec]] = {}
         self._spins: dict[Any, tuple[Vec, Vec]] = {}

@@ -31,16 +31,10 @@ from pydy._graph import Graph, dense_jacobian, rounding_bounds, sides, switches
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.distance import beside_constants, may_depend_on
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.frames import orientation_rows, rotations
+from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to, velocity_in
+from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.generic import Block, GenericStates
-from pydy._mechanics.reader import (
-    InputReader,
-    distances,
-    given_velocity,
-    places,
-    steps_to,
-    velocity_in,
-)
+from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import NEAR
 from pydy._mechanics.work import forces_of_power, has_quotients
@@ -132,12 +126,13 @@ class _Search:
         self.coordinates = {*equations.coordinates} - equations.given_by_speeds
         self.taken: list[tuple[Any, Any]] = []  # energies, and powers of the loads that have them
         self.fixed = cache(self._fixed)
-        self.away = cache(lambda point: distances(point, places))
+        self.away = cache(lambda point: distances(point, FrameTree.positions))
         self.line = cache(self._line)
         # Loads are tried again with fewer beside them: one alone that failed fails again.
         self.antiderivative = cache(self._antiderivative)
         read = InputReader(Graph(), {}, ())
-        self.turns = [m for m in rotations(self.frame) if orientation_rows([m], read)]
+        matrices = FrameTree(self.frame).rotation_matrices()
+        self.turns = [m for m in matrices if orthogonality_residuals([m], read)]
 
     def result(self) -> Potential:
         loads = [load for load in self.mechanism.loads if self._moves(load[0])]
@@ -220,7 +215,11 @@ class _Search:
         nearest_first = self.away(point)
         still = [p for p in nearest_first if given_velocity(p, self.frame) == 0]
         for other in still:  # and what is placed from them without a velocity of its own
-            still += [p for p in places(other) if p not in still and self._is_beside(p, other)]
+            still += [
+                p
+                for p in FrameTree.positions(other)
+                if p not in still and self._is_beside(p, other)
+            ]
         return still
 
     def _line(self, start: Point, end: Point) -> Vector | None:
@@ -574,7 +573,7 @@ def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
     """
     graph = Graph()
     read = InputReader(graph, {}, ())
-    nodes, held = read.all(expressions), orientation_rows(turns, read)
+    nodes, held = read.all(expressions), orthogonality_residuals(turns, read)
     rows = [numbers_of(graph, nodes, held)]
     for switch in switches(graph, nodes):
         before = numbers_of(graph, [switch], held)[0, 0]

@@ -14,7 +14,7 @@ from pydy._checks import describe, instance, listed, shown, text
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
-from pydy._names import name_of
+from pydy._names import item_of_name, name_of
 
 
 class Multipliers(dict[Any, Any]):
@@ -62,46 +62,93 @@ class Reaction:
         return found
 
 
-def _forces(equations: Equations, *, bodies: bool) -> ConstraintForces:
-    forces = equations.constraint_forces
-    if bodies and forces is not None and forces.body.lagrangian is not None:
-        raise ValueError(
-            "Reactions follow from the bodies and the loads on each of them, but a Lagrangian does "
-            "not tell which bodies its potential energy acts on. Give a `pydy.mechanics.Definition`"
-            " or a KanesMethod with `bodies` and all loads, gravity included. The multipliers of a "
-            "LagrangesMethod's constraints are in `constraint_forces`."
-        )
-    if forces is None or (bodies and not forces.body.bodies):
-        raise ValueError(
-            "Constraint forces follow from bodies and loads, but `eom_method` holds no bodies: "
-            "construct a KanesMethod with `bodies=` and `forcelist=`, or call its "
-            "`kanes_equations(bodies, loads)`."
-        )
-    return forces
+class Reactions:
+    """The multipliers and reactions of equations of motion, with noncontributing forces.
+
+    `auxiliary_forces` are the symbols of the noncontributing forces.
+    """
+
+    def __init__(self, equations: Equations, auxiliary_forces: Sequence[Any]) -> None:
+        self.equations, self.auxiliary_forces = equations, auxiliary_forces
+
+    def multipliers(self) -> Multipliers:
+        """Return the multipliers of the constraints."""
+        if not self.equations.velocity:
+            return Multipliers()
+        return Multipliers(self._forces(bodies=False).multipliers(self.auxiliary_forces))
+
+    def reaction(
+        self, bodies: Any, point: Any, frame: Any, further_loads: Iterable[Any]
+    ) -> Reaction:
+        """Return the force and torque on a group of bodies; see `System.reaction`."""
+        forces = self._forces(bodies=True)
+        all_bodies = forces.body.bodies
+        if isinstance(bodies, str) and bodies not in map(name_of, all_bodies):
+            bodies = item_of_name(self._joints, bodies)
+        if isinstance(bodies, Joint):
+            point = bodies.child_point if point is None else point
+            bodies = self._bodies_beyond(bodies, all_bodies)
+        members = [_member(all_bodies, item) for item in _as_list(bodies)]
+        if not any(item in all_bodies for item in members):
+            raise ValueError(
+                f"`bodies` must hold one body of the system or more: {describe(list(all_bodies))}."
+            )
+        instance(point, Point, "`point`")
+        if frame is None:
+            frame = forces.body.frame
+        instance(frame, ReferenceFrame, "`frame`")
+        loads = read_loads(listed("loads", further_loads, "loads"))
+        for where, _ in loads:
+            if isinstance(where, Point):
+                _check_located(where, point)
+        for item in members:
+            if not isinstance(item, ReferenceFrame):
+                _check_located(item if isinstance(item, Point) else item.masscenter, point)
+        name = f"reaction_{point}"
+        force, torque = forces.reaction(members, point, frame, loads, name, self.auxiliary_forces)
+        return Reaction(force, torque, frame)
+
+    def _forces(self, *, bodies: bool) -> ConstraintForces:
+        forces = self.equations.constraint_forces
+        if bodies and forces is not None and forces.body.lagrangian is not None:
+            raise ValueError(
+                "Reactions follow from the bodies and the loads on each of them, but a Lagrangian "
+                "does not tell which bodies its potential energy acts on. Give a "
+                "`pydy.mechanics.Definition` or a KanesMethod with `bodies` and all loads, gravity "
+                "included. The multipliers of a LagrangesMethod's constraints are in "
+                "`constraint_forces`."
+            )
+        if forces is None or (bodies and not forces.body.bodies):
+            raise ValueError(
+                "Constraint forces follow from bodies and loads, but `eom_method` holds no bodies: "
+                "construct a KanesMethod with `bodies=` and `forcelist=`, or call its "
+                "`kanes_equations(bodies, loads)`."
+            )
+        return forces
+
+    @property
+    def _joints(self) -> tuple[Any, ...]:
+        mechanism = self.equations.mechanism
+        return () if mechanism is None else mechanism.joints
+
+    def _bodies_beyond(self, joint: Any, bodies: Sequence[Any]) -> list[Any]:
+        """Return the child of a joint, and the bodies that further joints attach to it."""
+        joints = self._joints
+        if not any(joint is other for other in joints):
+            raise ValueError(
+                f"The joint {joint.name} is not one of the joints of `eom_method`: "
+                f"{describe([other.name for other in joints])}. Give all bodies beyond it instead."
+            )
+        points = [joint.child.masscenter]
+        for point in points:
+            for other in joints:
+                ends = [other.parent.masscenter, other.child.masscenter]
+                if other is not joint and point in ends:
+                    points += [end for end in ends if end not in points]
+        return [body for body in bodies if body.masscenter in points]
 
 
-def _joints(equations: Equations) -> tuple[Any, ...]:
-    return equations.mechanism.joints if equations.mechanism is not None else ()
-
-
-def _beyond(equations: Equations, forces: ConstraintForces, joint: Any) -> list[Any]:
-    """Return the bodies beyond a joint: its child, and those that further joints attach to it."""
-    joints = _joints(equations)
-    if not any(joint is other for other in joints):
-        raise ValueError(
-            f"The joint {joint.name} is not one of the joints of `eom_method`: "
-            f"{describe([other.name for other in joints])}. Give all bodies beyond it instead."
-        )
-    points = [joint.child.masscenter]
-    for point in points:
-        for other in joints:
-            ends = [other.parent.masscenter, other.child.masscenter]
-            if other is not joint and point in ends:
-                points += [end for end in ends if end not in points]
-    return [body for body in forces.body.bodies if body.masscenter in points]
-
-
-def _several(bodies: Any) -> list[Any]:
+def _as_list(bodies: Any) -> list[Any]:
     if isinstance(bodies, (str, RigidBody, Particle)):
         return [bodies]
     if not isinstance(bodies, Iterable):
@@ -112,18 +159,18 @@ def _several(bodies: Any) -> list[Any]:
     return listed("bodies", bodies)
 
 
-def _member(forces: ConstraintForces, item: Any) -> Any:
-    bodies = forces.body.bodies
-    found = named(bodies, item)
-    if isinstance(item, (Point, ReferenceFrame)) or any(found is body for body in bodies):
-        return found
+def _member(bodies: Sequence[Any], item: Any) -> Any:
+    """Return a body by its name, or a body, point or frame as it is."""
+    member = item_of_name(bodies, item)
+    if isinstance(item, (Point, ReferenceFrame)) or any(member is body for body in bodies):
+        return member
     raise ValueError(
         f"`bodies` has {shown(item)}, which is not one of the system's bodies: "
         f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name; or a joint alone."
     )
 
 
-def _check_way(item: Any, point: Any) -> None:
+def _check_located(item: Any, point: Any) -> None:
     try:
         item.pos_from(point)
     except ValueError:
@@ -131,53 +178,3 @@ def _check_way(item: Any, point: Any) -> None:
             f"`point` is {point}, but the position of {item} from there is not known. Use "
             f"`{point}.set_pos(...)`, from a point that is located from the bodies."
         ) from None
-
-
-def named(items: Sequence[Any], key: Any) -> Any:
-    """Return the one of some bodies or joints that has a name; other keys as they are."""
-    found = [item for item in items if isinstance(key, str) and name_of(item) == key]
-    return found[0] if len(found) == 1 else key
-
-
-def multipliers(equations: Equations, auxiliary_forces: Sequence[Any]) -> Multipliers:
-    """Return the multipliers of the constraints, with names of noncontributing forces."""
-    if not equations.velocity:
-        return Multipliers()
-    return Multipliers(_forces(equations, bodies=False).multipliers(auxiliary_forces))
-
-
-def reaction(
-    equations: Equations,
-    auxiliary_forces: Sequence[Any],
-    bodies: Any,
-    point: Any,
-    frame: Any,
-    loads: Iterable[Any],
-) -> Reaction:
-    """Return the force and torque on a group of bodies; see `System.reaction`."""
-    forces = _forces(equations, bodies=True)
-    if isinstance(bodies, str) and bodies not in map(name_of, forces.body.bodies):
-        bodies = named(_joints(equations), bodies)
-    if isinstance(bodies, Joint):
-        point = bodies.child_point if point is None else point
-        bodies = _beyond(equations, forces, bodies)
-    members = [_member(forces, item) for item in _several(bodies)]
-    own = forces.body.bodies
-    if not any(item in own for item in members):
-        raise ValueError(
-            f"`bodies` must hold one body of the system or more: {describe(list(own))}."
-        )
-    instance(point, Point, "`point`")
-    if frame is None:
-        frame = forces.body.frame
-    instance(frame, ReferenceFrame, "`frame`")
-    more = read_loads(listed("loads", loads, "loads"))
-    for where, _ in more:
-        if isinstance(where, Point):
-            _check_way(where, point)
-    for item in members:
-        if not isinstance(item, ReferenceFrame):
-            _check_way(item if isinstance(item, Point) else item.masscenter, point)
-    name = f"reaction_{point}"
-    found = forces.reaction(members, point, frame, more, name, auxiliary_forces)
-    return Reaction(*found, frame)

@@ -18,14 +18,12 @@ from typing import Any
 import numpy as np
 
 from pydy._graph import Graph, jacobian_rows, substitute
-from pydy._mechanics.components import dot, identity, turned
-from pydy._mechanics.held_accelerations import (
-    Constraints,
-    accelerations,
-    accelerations_of_held,
+from pydy._mechanics.acceleration_constraints import (
+    AccelerationConstraints,
     solved_soundly,
     usual_sizes,
 )
+from pydy._mechanics.components import dot, identity, turned
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.tuning import (
     CLEAR,
@@ -67,9 +65,9 @@ def reduced(
     whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
     if given or moved:
         return *whole, None
-    bound = _held(kinematics, rows, drift)
+    bound = _all_constraints(kinematics, rows, drift)
     if kinematics.body.changing and definite(g, matrix):
-        return *whole, accelerations_of_held(g, matrix, forcing, bound)
+        return *whole, bound.accelerations(g, matrix, forcing)
     base = [g.zero] * p + solved[p]
     basis = _Basis(g, moves, upper, base, _nearly_parallel(g, matrix, rows))
     sound = g.boolean(True)
@@ -89,7 +87,7 @@ def reduced(
             limit = g.sum([(basis.sizes[i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
             sound = g.call("and", sound, g.call("not", g.call("lt", matrix[i][i], limit)))
     found = basis.combined(shares)
-    return *whole, accelerations(g, matrix, forcing, bound, sound, found)
+    return *whole, bound.accelerations_at_any_rank(g, matrix, forcing, sound, found)
 
 
 class _Basis:
@@ -162,7 +160,9 @@ class _Basis:
         ]
 
 
-def _held(kinematics: Kinematics, rows: list[list[int]], drift: list[int]) -> Constraints:
+def _all_constraints(
+    kinematics: Kinematics, rows: list[list[int]], drift: list[int]
+) -> AccelerationConstraints:
     """Return the constraints with the redundant ones, and their residuals."""
     body, read, dt = kinematics.body, kinematics.read, kinematics.dt
     velocity = body.velocity
@@ -170,11 +170,11 @@ def _held(kinematics: Kinematics, rows: list[list[int]], drift: list[int]) -> Co
         more, pull = _constraints(kinematics, body.redundant)
         velocity, rows, drift = (*velocity, *body.redundant), [*rows, *more], [*drift, *pull]
     rates = [dt(row) for row in rows]
-    places = read.all(body.places)
+    places = read.all(body.position_constraints)
     along = jacobian_rows(kinematics.graph, dt(places), kinematics.speeds)
     d = len(body.velocity)
     pairs = list(zip(places, along, strict=True))
-    return Constraints(rows, drift, d, rates, read.all(velocity), pairs)
+    return AccelerationConstraints(rows, drift, d, rates, read.all(velocity), pairs)
 
 
 def _constraints(

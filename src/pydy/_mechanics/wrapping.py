@@ -23,13 +23,8 @@ from pydy._graph import Graph, vanish
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving
-from pydy._mechanics.reader import (
-    InputReader,
-    Multibody,
-    is_reversed,
-    warn_of_reversed,
-    wrapped_force_pulls,
-)
+from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.reader import InputReader, is_reversed, warn_of_reversed, wrapped_force_pulls
 from pydy._program import evaluator
 from pydy._rank import HALF
 

@@ -14,11 +14,9 @@ from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._mechanics import (
     Equations,
-    distances,
+    FrameTree,
     find_potential,
     find_symbols,
-    oriented,
-    places,
     replace_symbols,
 )
 from pydy.codegen import checked_expression
@@ -95,11 +93,11 @@ class EnergyModel:
             parts += [body.potential_energy for body in mechanism.bodies]
             points = [body.masscenter for body in mechanism.bodies]
             for point in points:
-                points += [other for other in places(point) if other not in points]
-            steps = [vector for point in points for vector in places(point).values()]
+                points += [other for other in FrameTree.positions(point) if other not in points]
+            steps = [vector for point in points for vector in FrameTree.positions(point).values()]
             parts += [part for vector in steps for own, _ in vector.args for part in own]
-            frames = distances(mechanism.frame, oriented)
-            parts += [entry for frame in frames for m in oriented(frame).values() for entry in m]
+            turns = map(FrameTree.orientations, FrameTree(mechanism.frame).frame_depth)
+            parts += [entry for turn in turns for matrix in turn.values() for entry in matrix]
         found = find_symbols(sm.sympify(part) for part in parts)
         states = {*equations.coordinates, *equations.speeds, *equations.zeros, equations.time}
         states.update((*equations.coordinate_rates, *equations.speed_rates))

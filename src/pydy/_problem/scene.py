@@ -12,7 +12,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbol
 from pydy._assembly import Assembly, Definition
 from pydy._checks import flag, instance
 from pydy._graph import NodeExpression
-from pydy._mechanics import Equations, Mechanism, find_symbols, given_velocity
+from pydy._mechanics import Equations, FrameTree, Mechanism, find_symbols
 from pydy._rank import HALF
 from pydy.viz import (
     Geometry,
@@ -113,7 +113,7 @@ def _resting(mechanism: Mechanism, frame: Any, origin: Any) -> Any:
 
     An origin whose velocity nobody set is one where zero was chosen, unless a body is there.
     """
-    velocity = given_velocity(origin, mechanism.frame)
+    velocity = FrameTree(mechanism.frame).velocity(origin)
     centres = [body.masscenter for body in mechanism.bodies]
     chosen = velocity is None and frame is mechanism.frame and origin not in centres
     if chosen or velocity == Vector(0):
@@ -144,7 +144,7 @@ def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[An
 def _rests(where: Any, frame: Any) -> bool:
     """Return whether a load's point or frame was said to rest in the inertial frame."""
     if isinstance(where, Point):
-        return bool(given_velocity(where, frame) == Vector(0))
+        return bool(FrameTree(frame).velocity(where) == Vector(0))
     return where is frame
 
 

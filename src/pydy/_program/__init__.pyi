@@ -28,4 +28,9 @@ from .operations import (
 )
 from .program import NEVER_PUT_OFF as NEVER_PUT_OFF, Program as Program, Tape as Tape
 from .tangent import Part as Part, Tangent as Tangent, program_from_bytes as program_from_bytes
-from .tuning import INDEPENDENT as INDEPENDENT, REDUNDANT as REDUNDANT, numbered as numbered
+from .tuning import (
+    INDEPENDENT as INDEPENDENT,
+    REDUNDANT as REDUNDANT,
+    SINGULAR as SINGULAR,
+    numbered as numbered,
+)

@@ -12,7 +12,7 @@ from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
-from pydy._mechanics import breadth_first_from, given_velocity
+from pydy._mechanics import FrameTree
 from pydy._rank import DIGITS, HALF
 from pydy.viz.outlines import Outline
 from pydy.viz.shapes import (
@@ -164,8 +164,9 @@ def _round_shape(moments: list[float], mass: float) -> Shape | None:
 
 def find_origin(frame: Any, points: Iterable[Any]) -> Any:
     """Return a point that was said to rest in `frame`, connected with the given ones, or None."""
-    every = breadth_first_from([*points])
-    return next((p for p in every if given_velocity(p, frame) == Vector(0)), None)
+    tree = FrameTree(frame)
+    connected = tree.points_from([*points])
+    return next((p for p in connected if tree.velocity(p) == Vector(0)), None)
 
 
 _GREY = "#7d8796"  # to be seen on white and on nearly black

@@ -28,7 +28,7 @@ from pydy._checks import (
 )
 from pydy._collector import collector_paused
 from pydy._graph import Graph, SymPyReader, input_nodes, lower, simplify
-from pydy._mechanics import find_symbols, flat, identity, in_rows, transposed, turned
+from pydy._mechanics import dot, find_symbols
 from pydy._names import name_of
 from pydy._program import Program
 from pydy._rank import DIGITS
@@ -114,13 +114,14 @@ class _Poses:
         # A trajectory from a file has names in the place of symbols.
         self.by_name = {s: node for s, node in atoms.items() if isinstance(s, str)}
         self.read = SymPyReader(graph, atoms, "the scene")
-        self.rotations: dict[Any, Matrix3] = {geometry.reference: identity(graph)}
+        unit = [[graph.one if i == j else graph.zero for j in range(3)] for i in range(3)]
+        self.rotations: dict[Any, Matrix3] = {geometry.reference: unit}
 
     @collector_paused()
     def program(self) -> Program:
         geometry, graph, names = self.geometry, self.graph, self.names
         parts = {
-            "rotations": [c for f in geometry.frames for c in flat(self.rotation(f))],
+            "rotations": [c for f in geometry.frames for row in self.rotation(f) for c in row],
             "positions": [c for p in geometry.points for c in self.position(p)],
             "vectors": [
                 c for v in geometry.vectors for c in self.components(v, f"the arrow `{v}`")
@@ -150,9 +151,10 @@ class _Poses:
                     step = self.nodes(
                         before.dcm(after), f"the orientation of frame `{after}` in `{before}`"
                     )
-                    columns = transposed(in_rows(step))
+                    columns = [step[k::3] for k in range(3)]
                     self.rotations[after] = [
-                        turned(self.graph, columns, row) for row in self.rotations[before]
+                        [dot(self.graph, column, row) for column in columns]
+                        for row in self.rotations[before]
                     ]
         return self.rotations[frame]
 

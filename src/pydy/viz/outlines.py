@@ -15,7 +15,10 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point, RigidBody, Vector, dynamicsymbols
 
-from pydy._mechanics import breadth_first_from, find_symbols, given_velocity, oriented, places
+from pydy._mechanics import (
+    FrameTree,
+    find_symbols,
+)
 from pydy._program import run
 from pydy._rank import HALF, rank_of
 from pydy.viz.motion import Geometry, Names, pose_program
@@ -86,7 +89,7 @@ class _Numbers:
     def evaluate(self, names: Names, values: Mapping[Any, float]) -> None:
         """Evaluate all of them; `names` and `values` as in `outline`."""
         known = {*names.states, *names.specifieds, *names.definitions, names.time}
-        turns = (e for f in self.frames for m in oriented(f).values() for e in m)
+        turns = (e for f in self.frames for m in FrameTree.orientations(f).values() for e in m)
         parts = [c for v in self.vectors.values() for m, _ in v.args for c in m]
         found = find_symbols([*parts, *self.expressions.values(), *turns])
         constants = {s: 1.0 for s in found if isinstance(s, sm.Symbol) and s not in known}
@@ -142,7 +145,7 @@ class _Outliner:
         self.frame, self.origin, self.bodies, self.names = frame, origin, bodies, names
         self.loads = [(w, v) for w, v in loads if isinstance(w, Point) and v != Vector(0)]
         self.values, self.potential = values, potential
-        self.above = breadth_first_from([origin])
+        self.above = FrameTree.points_from([origin])
         self.centres = {body.masscenter for body in bodies}
         self.rigid = [body for body in bodies if isinstance(body, RigidBody)]
         self.groups: dict[Any, Any] = {}
@@ -209,14 +212,14 @@ class _Outliner:
 
     def _prepare(self) -> None:
         vectors, expressions = self.numbers.vectors, self.numbers.expressions
-        around = [(other, c) for c in self.centres for other in places(c)]
+        around = [(other, c) for c in self.centres for other in FrameTree.positions(c)]
         # All that hangs on the origin may be a point of a body, or of another mechanism.
         every = [(a, b) for b, a in self.above.items() if a is not None]
-        related = {*breadth_first_from([self.frame], oriented)}
+        related = {*FrameTree(self.frame).frame_depth}
         for a, b in (*self.edges, *around, *every):
             # SymPy gives NaN times a vector no components.
-            if all(f in related and m is not sm.nan for m, f in places(b)[a].args):
-                vectors[a, b] = places(b)[a]
+            if all(f in related and m is not sm.nan for m, f in FrameTree.positions(b)[a].args):
+                vectors[a, b] = FrameTree.positions(b)[a]
         for a, b in self.edges:
             for symbol in _varying(vectors[a, b]):
                 vectors[a, b, symbol] = _slope(vectors[a, b], symbol)
@@ -225,9 +228,9 @@ class _Outliner:
             for symbol in _functions(force):
                 vectors["stiffness", k, symbol] = _slope(force, symbol)
         for body in self.rigid:
-            for other, way in places(body.masscenter).items():
+            for other, way in FrameTree.positions(body.masscenter).items():
                 if other not in self.centres:
-                    velocity = given_velocity(body.masscenter, self.frame)
+                    velocity = FrameTree(self.frame).velocity(body.masscenter)
                     if velocity is not None:
                         spin = body.frame.ang_vel_in(self.frame)
                         vectors["slip", body.name, other] = velocity - spin.cross(way)
@@ -245,7 +248,7 @@ class _Outliner:
             todo = [frame]
             self.groups[frame] = frame
             while todo:
-                for other, matrix in oriented(todo.pop()).items():
+                for other, matrix in FrameTree.orientations(todo.pop()).items():
                     if other not in self.groups and self.names.time not in matrix.free_symbols:
                         self.groups[other] = frame
                         todo.append(other)
@@ -253,7 +256,7 @@ class _Outliner:
 
     def _is_fixed(self, a: Any, b: Any, frame: Any) -> bool:
         """Return whether the vector from a to b is constant in a frame, as it was written."""
-        vector = places(b)[a]
+        vector = FrameTree.positions(b)[a]
         own = self._group(frame)
         return all(self._group(f) is own for _, f in vector.args) and not any(
             self.names.time in part.free_symbols for part, _ in vector.args
@@ -274,7 +277,7 @@ class _Outliner:
         before, todo = {start: None}, [start]
         while todo:
             a = todo.pop(0)
-            for b in places(a):
+            for b in FrameTree.positions(a):
                 if b not in before and joined(a, b):
                     before[b] = a
                     todo.append(b)
@@ -341,7 +344,7 @@ class _Outliner:
         fixed = {p for points in self.members.values() for p in points}
         for body in self.rigid:
             centre = body.masscenter
-            for other in places(centre):
+            for other in FrameTree.positions(centre):
                 if body in self.result.wheels or other in fixed | self.centres:
                     continue
                 away = self.numbers.vector((other, centre))
@@ -354,7 +357,7 @@ class _Outliner:
                 if flat.sum() > 1:
                     continue
                 axis = "xyz"[int(flat.argmax())] if flat.any() else None
-                vector = places(centre)[other]
+                vector = FrameTree.positions(centre)[other]
                 radius: Any = sm.sqrt(vector.dot(vector))
                 if self.names.time in radius.free_symbols:  # written with angles that cancel
                     radius = self._of_constants(radius, float(np.linalg.norm(away[0])))
@@ -387,7 +390,7 @@ class _Outliner:
 
     def _touches(self, body: Any, other: Any) -> bool:
         """Return whether a point is a contact: nothing hangs on it, or the body rolls there."""
-        if len(places(other)) == 1 and other is not self.origin:
+        if len(FrameTree.positions(other)) == 1 and other is not self.origin:
             return True
         if ("slip", body.name, other) not in self.numbers.vectors:
             return False
@@ -470,7 +473,7 @@ class _Outliner:
         """
         found = []
         length = np.linalg.norm(way, axis=1)
-        for symbol in _varying(places(b)[a]):
+        for symbol in _varying(FrameTree.positions(b)[a]):
             slope = self.numbers.vector((a, b, symbol))
             size = np.linalg.norm(slope, axis=1) * length
             across = np.linalg.norm(np.cross(slope, way), axis=1)
@@ -515,7 +518,11 @@ class _Outliner:
             if a in self.ground and b not in self.ground:
                 ends[a] = None
         if closed:
-            ends |= {p: None for p in self.ground if len(places(p)) == 1 and p is not self.origin}
+            ends |= {
+                p: None
+                for p in self.ground
+                if len(FrameTree.positions(p)) == 1 and p is not self.origin
+            }
         known = [self._offset(body.masscenter, self.ground) for body in self.result.resting]
         for point in ends:  # one where several points coincide
             offset = self._offset(point, self.ground)

@@ -28,121 +28,120 @@ import numpy as np
 from pydy._graph import Graph, elimination_order, rounding_bounds, substitute
 from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
-from pydy._program import INDEPENDENT, REDUNDANT
-from pydy._rank import ROUNDING
+from pydy._program import INDEPENDENT, REDUNDANT, SINGULAR
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
 
 
 @dataclass(frozen=True)
-class Constraints:
+class AccelerationConstraints:
     """Constraints of accelerations, J u' + b = 0, with the residuals of their integrals."""
 
     rows: Sequence[list[int]]  # Rows may depend on each other, but must not contradict each other
-    drift: Sequence[int]
+    bias: Sequence[int]
     rank: int  # so many rows, the first, are independent at generic states
-    # What tells it: J', the residuals J u, those of the holonomic constraints, and their
-    # derivatives along the speeds.
-    rates: Sequence[list[int]] = ()
-    left: Sequence[int] = ()
-    places: Sequence[tuple[int, list[int]]] = ()
+    # The rank at a state follows from J', the residuals J u, and those of the holonomic constraints
+    # with their derivatives along the speeds.
+    row_rates: Sequence[list[int]] = ()
+    velocity_residuals: Sequence[int] = ()
+    position_residuals: Sequence[tuple[int, list[int]]] = ()
 
-
-def accelerations_of_held(
-    graph: Graph, matrix: list[list[int]], forcing: list[int], held: Constraints
-) -> list[int]:
-    """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is mostly definite."""
-    first, heavy = held.rows[: held.rank], graph.boolean(True)
-    eliminated = _Elimination(graph, matrix)
-    if eliminated.is_short:
-        free, *moved = [eliminated.solution(column) for column in (forcing, *first)]
-        for k, pivot in enumerate(eliminated.pivots):
-            heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
-    else:
-        # What is massless by its value moves with a mass of one, and is not sound.
-        solvable = [list(line) for line in matrix]
-        for k, line in enumerate(matrix):
-            massless = graph.call("eq", line[k], graph.zero)
-            mass = graph.call("select", massless, graph.one, graph.zero)
-            solvable[k][k] = graph.add(line[k], mass)
-            heavy = graph.call("and", heavy, graph.call("not", massless))
-        free, *moved = graph.solve(solvable, [forcing, *first], "ldl")
-    weights = _mobilities(graph, matrix)
-    for row in held.rows:
-        # What is light and tied to what is heavy would be found as a difference of large numbers.
-        shares = [graph.mul(w, graph.powi(c, 2)) for w, c in zip(weights, row, strict=True)]
-        for k, share in enumerate(shares):
-            others = [(n, 1.0) for j, n in enumerate(shares) if j != k and n != graph.zero]
-            if others and share != graph.zero:
-                heavy = graph.call("and", heavy, _is_above(graph, graph.sum(others), share, LIGHT))
-    square = _products(graph, first, moved)
-    right = [
-        graph.sum([(dot(graph, row, free), -1.0), (b, -1.0)])
-        for row, b in zip(first, held.drift, strict=False)
-    ]
-    usual = _usual(graph, _squares(graph, held.rows, weights))
-    sizes = [graph.add(square[i][i], usual[i]) for i in range(held.rank)]
-    found, sound = solved_soundly(graph, square, right, sizes)
-    sound = graph.call("and", heavy, sound)
-    fast = [
-        graph.sum([(free[i], 1.0), (dot(graph, [row[i] for row in moved], found), 1.0)])
-        for i in range(len(free))
-    ]
-    return accelerations(graph, matrix, forcing, held, sound, fast)
-
-
-def accelerations(
-    g: Graph,
-    matrix: Sequence[list[int]],
-    forcing: Sequence[int],
-    held: Constraints,
-    sound: int,
-    fast: Sequence[int],
-) -> list[int]:
-    """Return `fast` where it is sound, else u' by the system of all rows; see the module."""
-    rows, n = held.rows, len(forcing)
-    weights = _mobilities(g, matrix)
-    own = _squares(g, rows, weights)
-    usual = _usual(g, own)
-    units = _roundings(g, matrix, rows)
-    exact = _constrained(g, matrix, forcing, held, units)
-    coarse = _constrained(g, matrix, forcing, held, [
-        g.sum([(g.call("sqrt", g.add(size, other)), SOUND_PIVOT / (n + len(rows)))])
-        for size, other in zip(own, usual, strict=True)
-    ])  # fmt: skip
-    change = [g.sub(a, b) for a, b in zip(exact, coarse, strict=True)]
-
-    def largest(
-        values: Sequence[int], sizes: Sequence[tuple[int, int]], *, rounded: bool = False
-    ) -> int:
-        """Return the largest of some values, in units of their rows; rows of rounding have none."""
-        found, bounds = g.zero, rounding_bounds(g, values) if rounded else [g.zero] * len(values)
-        for value, bound, (size, nothing) in zip(values, bounds, sizes, strict=True):
-            whole = g.sum([(g.call("abs", value), 1.0), (bound, ROUNDING)])
-            share = g.call("select", nothing, g.zero, g.div(whole, size))
-            found = g.call("max", found, share)
-        return found
-
-    def sizes_of(own: Sequence[int], units: Sequence[int]) -> list[tuple[int, int]]:
-        sizes = [g.call("sqrt", size) for size in own]
-        limits = [g.sum([(unit, float(n))]) for unit in units]
-        return [
-            (size, g.call("le", size, limit)) for size, limit in zip(sizes, limits, strict=True)
+    def accelerations(self, graph: Graph, matrix: list[list[int]], forcing: list[int]) -> list[int]:
+        """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is mostly definite."""
+        first, heavy = self.rows[: self.rank], graph.boolean(True)
+        eliminated = _Elimination(graph, matrix)
+        if eliminated.is_short:
+            free, *moved = [eliminated.solution(column) for column in (forcing, *first)]
+            for k, pivot in enumerate(eliminated.pivots):
+                heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
+        else:
+            # What is massless by its value moves with a mass of one, and is not sound.
+            solvable = [list(line) for line in matrix]
+            for k, line in enumerate(matrix):
+                massless = graph.call("eq", line[k], graph.zero)
+                mass = graph.call("select", massless, graph.one, graph.zero)
+                solvable[k][k] = graph.add(line[k], mass)
+                heavy = graph.call("and", heavy, graph.call("not", massless))
+            free, *moved = graph.solve(solvable, [forcing, *first], "ldl")
+        weights = _mobilities(graph, matrix)
+        for row in self.rows:
+            # A light speed tied to a heavy one would be a difference of large numbers.
+            shares = [graph.mul(w, graph.powi(c, 2)) for w, c in zip(weights, row, strict=True)]
+            for k, share in enumerate(shares):
+                others = [(n, 1.0) for j, n in enumerate(shares) if j != k and n != graph.zero]
+                if others and share != graph.zero:
+                    is_heavy = _is_above(graph, graph.sum(others), share, LIGHT)
+                    heavy = graph.call("and", heavy, is_heavy)
+        square = _products(graph, first, moved)
+        right = [
+            graph.sum([(dot(graph, row, free), -1.0), (b, -1.0)])
+            for row, b in zip(first, self.bias, strict=False)
         ]
+        usual = _usual(graph, _squares(graph, self.rows, weights))
+        sizes = [graph.add(square[i][i], usual[i]) for i in range(self.rank)]
+        found, sound = solved_soundly(graph, square, right, sizes)
+        sound = graph.call("and", heavy, sound)
+        fast = [
+            graph.sum([(free[i], 1.0), (dot(graph, [row[i] for row in moved], found), 1.0)])
+            for i in range(len(free))
+        ]
+        return self.accelerations_at_any_rank(graph, matrix, forcing, sound, fast)
 
-    sizes, along = sizes_of(own, units), [row for _, row in held.places]
-    broken = largest([dot(g, row, change) for row in rows], sizes)
-    rate = largest([dot(g, row, change) for row in held.rates], sizes)
-    motion = largest(held.left, sizes, rounded=True)
-    sizes = sizes_of(_squares(g, along, weights), _roundings(g, matrix, along))
-    place = largest([node for node, _ in held.places], sizes, rounded=True)
-    uncertain = g.add(g.mul(place, g.powi(rate, 2)), g.mul(motion, rate, broken))
-    # Twice what residuals make of accelerations, four times over, since they are bounds: what is no
-    # larger may as well be left out.
-    loose = g.call("lt", g.powi(broken, 3), g.sum([(uncertain, 8.0)]))
-    chosen = [g.call("select", loose, b, a) for a, b in zip(exact, coarse, strict=True)]
-    return g.guard([[g.one]], chosen, sound, list(fast))
+    def accelerations_at_any_rank(
+        self,
+        g: Graph,
+        matrix: Sequence[list[int]],
+        forcing: Sequence[int],
+        sound: int | None = None,
+        fast: Sequence[int] | None = None,
+    ) -> list[int]:
+        """Return `fast` where it is `sound`, else u' by the system of all rows; see the module."""
+        sound = g.boolean(False) if sound is None else sound
+        fast = [g.zero] * len(forcing) if fast is None else fast
+        rows, n = self.rows, len(forcing)
+        weights = _mobilities(g, matrix)
+        own = _squares(g, rows, weights)
+        usual = _usual(g, own)
+        units = _roundings(g, matrix, rows)
+        exact = _constrained(g, matrix, forcing, self, units)
+        coarse = _constrained(g, matrix, forcing, self, [
+            g.sum([(g.call("sqrt", g.add(size, other)), SOUND_PIVOT / (n + len(rows)))])
+            for size, other in zip(own, usual, strict=True)
+        ])  # fmt: skip
+        change = [g.sub(a, b) for a, b in zip(exact, coarse, strict=True)]
+
+        def largest(
+            values: Sequence[int], sizes: Sequence[tuple[int, int]], *, rounded: bool = False
+        ) -> int:
+            """Return the largest value, in units of its row; rows of rounding errors have none."""
+            found = g.zero
+            bounds = rounding_bounds(g, values) if rounded else [g.zero] * len(values)
+            for value, bound, (size, nothing) in zip(values, bounds, sizes, strict=True):
+                whole = g.sum([(g.call("abs", value), 1.0), (bound, SINGULAR)])
+                share = g.call("select", nothing, g.zero, g.div(whole, size))
+                found = g.call("max", found, share)
+            return found
+
+        def sizes_of(own: Sequence[int], units: Sequence[int]) -> list[tuple[int, int]]:
+            sizes = [g.call("sqrt", size) for size in own]
+            limits = [g.sum([(unit, float(n))]) for unit in units]
+            return [
+                (size, g.call("le", size, limit)) for size, limit in zip(sizes, limits, strict=True)
+            ]
+
+        sizes, along = sizes_of(own, units), [row for _, row in self.position_residuals]
+        broken = largest([dot(g, row, change) for row in rows], sizes)
+        rate = largest([dot(g, row, change) for row in self.row_rates], sizes)
+        motion = largest(self.velocity_residuals, sizes, rounded=True)
+        sizes = sizes_of(_squares(g, along, weights), _roundings(g, matrix, along))
+        place = largest([node for node, _ in self.position_residuals], sizes, rounded=True)
+        uncertain = g.add(g.mul(place, g.powi(rate, 2)), g.mul(motion, rate, broken))
+        # Twice the acceleration that the residuals may cause, times four since they are bounds: a
+        # change that is no larger may as well be left out.
+        loose = g.call("lt", g.powi(broken, 3), g.sum([(uncertain, 8.0)]))
+        chosen = [g.call("select", loose, b, a) for a, b in zip(exact, coarse, strict=True)]
+        return g.guard([[g.one]], chosen, sound, list(fast))
 
 
 def _mobilities(graph: Graph, matrix: Sequence[list[int]]) -> list[int]:
@@ -173,7 +172,7 @@ def _roundings(
             if graph.zero not in (x, weight)
         ]
         size = graph.call("sqrt", graph.sum(heavy or [(x, 1.0) for x in squares]))
-        units.append(graph.sum([(size, ROUNDING)]))
+        units.append(graph.sum([(size, SINGULAR)]))
     return units
 
 
@@ -181,27 +180,31 @@ def _constrained(
     graph: Graph,
     matrix: Sequence[list[int]],
     forcing: Sequence[int],
-    held: Constraints,
+    constraints: AccelerationConstraints,
     units: Sequence[int],
     sound: int | None = None,
     fast: Sequence[int] | None = None,
 ) -> list[int]:
     """Return `fast` where it is sound, else the solution with rows scaled by their rounding."""
-    n, d = len(forcing), len(held.rows)
+    n, d = len(forcing), len(constraints.rows)
     zero, one = graph.zero, graph.one
     shares = [
         graph.call("select", graph.call("eq", unit, zero), one, graph.powi(unit, -1))
         for unit in units
     ]
-    pairs = zip(held.rows, shares, strict=True)
-    scaled = [[graph.mul(c, share) for c in row] for row, share in pairs]
+    scaled = [
+        [graph.mul(c, share) for c in row]
+        for row, share in zip(constraints.rows, shares, strict=True)
+    ]
     system = [
         *([*line, *(graph.neg(row[i]) for row in scaled)] for i, line in enumerate(matrix)),
         *([*row, *[zero] * d] for row in scaled),
     ]
     for k in range(d):
-        system[n + k][n + k] = graph.const(INDEPENDENT if k < held.rank else REDUNDANT)
-    pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in zip(held.drift, shares, strict=True)]
+        system[n + k][n + k] = graph.const(INDEPENDENT if k < constraints.rank else REDUNDANT)
+    pull = [
+        graph.sum([(graph.mul(b, c), -1.0)]) for b, c in zip(constraints.bias, shares, strict=True)
+    ]
     sound = graph.boolean(False) if sound is None else sound
     fast = [*(fast or [zero] * n), *[zero] * d]
     return graph.guard(system, [*forcing, *pull], sound, fast)[:n]
@@ -221,9 +224,9 @@ def multipliers_of(
         fast, sound = solved_soundly(graph, square, right, sizes)
     columns = transposed(rows)
     unit = identity(graph, m)
-    held = Constraints(columns, [graph.neg(f) for f in force], rank)
+    constraints = AccelerationConstraints(columns, [graph.neg(f) for f in force], rank)
     units = _roundings(graph, unit, columns)
-    return _constrained(graph, unit, [graph.zero] * m, held, units, sound, fast)
+    return _constrained(graph, unit, [graph.zero] * m, constraints, units, sound, fast)
 
 
 def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> list[list[int]]:

@@ -6,8 +6,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._graph.node import Graph
+from pydy._mechanics.acceleration_constraints import AccelerationConstraints, solved_soundly
 from pydy._mechanics.definition import equations_of_definition
-from pydy._mechanics.held_accelerations import Constraints, accelerations_of_held, solved_soundly
 from pydy._program.interpret import evaluator
 from pydy.mechanics import Definition
 from pydy.system import System
@@ -102,8 +102,8 @@ def test_rows_have_a_size_where_a_quaternion_is_of_another_length():
     e = [g.input("x", k) for k in range(4)]
     mass = g.sum([(g.powi(n, 2), -0.641) for n in e], 1.641)
     row = [g.one, g.zero]
-    held = Constraints([row], [g.zero], 1, [row], [g.zero], [])
-    found = accelerations_of_held(g, [[mass, g.zero], [g.zero, g.one]], [g.one, e[1]], held)
+    constraints = AccelerationConstraints([row], [g.zero], 1, [row], [g.zero], [])
+    found = constraints.accelerations(g, [[mass, g.zero], [g.zero, g.one]], [g.one, e[1]])
     roots = [n for n in g.reachable(found) if g.ops[n] == "sqrt"]
     assert roots
     values = evaluator(g, roots)(dict(zip(e, (0.5, -0.5, 0.7, 0.1), strict=True)), 1)

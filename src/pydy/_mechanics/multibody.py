@@ -1,0 +1,115 @@
+"""Bodies, loads and kinematics: what equations of motion are formed from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from pydy._forks import cached_property
+from pydy._mechanics.frame_tree import FrameTree
+from pydy._mechanics.reader import is_rigid
+from pydy._mechanics.symbols import rate_of
+
+
+@dataclass(frozen=True, eq=False)
+class Multibody:
+    """Bodies, loads and kinematics, from which equations of motion are formed."""
+
+    frame: Any  # the inertial frame
+    bodies: tuple[Any, ...]
+    loads: tuple[tuple[Any, Any], ...]
+    time: Any
+    coordinates: tuple[Any, ...]  # in the order of the states, like the speeds
+    speeds: tuple[Any, ...]
+    coordinate_rates: tuple[Any, ...]
+    coordinate_derivatives: tuple[Any, ...]  # q' in q, u and t
+    holonomic: tuple[Any, ...] = ()  # configuration constraints, zero when satisfied
+    velocity: tuple[Any, ...] = ()  # velocity constraints, one for each dependent speed
+    # Their derivatives, in u' and the states; empty where they are just that.
+    acceleration: tuple[Any, ...] = ()
+    auxiliary: tuple[Any, ...] = ()  # auxiliary speeds
+    # Of the coordinates and speeds; the speeds in the order of the velocity constraints.
+    dependent_coordinates: tuple[Any, ...] = ()
+    dependent_speeds: tuple[Any, ...] = ()
+    chosen: tuple[Any, ...] = ()  # those of the dependent ones that the user did not name
+    # In place of bodies; the speeds are then the derivatives of the coordinates.
+    lagrangian: Any = None
+    # More velocity constraints, which follow from the others at generic states.
+    redundant: tuple[Any, ...] = ()
+    # More holonomic constraints, which follow from the others wherever their speeds do.
+    closed: tuple[Any, ...] = ()
+    # Whether no choice of dependent speeds is to be relied on: the rank of the constraints,
+    # or what they can be solved for, may change as the system moves.
+    changing: bool = False
+    implicit: Any = None  # the `Implicit` that gave some coordinates and holonomic constraints
+    activations: tuple[Any, ...] = ()  # states of musculotendons that are specifieds here
+    # The bodies as they were when they were first read, which SymPy lets change afterwards.
+    noted: tuple[tuple[Any, tuple[Any, ...]], ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.noted:
+            noted = tuple((body, _noted(body)) for body in self.bodies)
+            object.__setattr__(self, "noted", noted)
+
+    @property
+    def position_constraints(self) -> list[Any]:
+        """The holonomic constraints, except the residuals of an `Implicit`."""
+        given = set() if self.implicit is None else {*self.implicit.residuals.values()}
+        return [e for e in (*self.holonomic, *self.closed) if e not in given]
+
+    def check_unchanged(self) -> None:
+        """Refuse bodies that changed since they were read: later derivations would contradict."""
+        for body, before in self.noted:
+            names = ("mass", "inertia", "mass center", "frame", "position", "orientation")
+            for name, old, new in zip(names, before, _noted(body), strict=True):
+                if isinstance(old, dict):  # SymPy adds neighbours as it goes
+                    new = {key: new.get(key) for key in old}
+                if old is not new and old != new:
+                    said = "" if isinstance(old, dict) else f" from {old} to {new}"
+                    raise ValueError(
+                        f"The {name} of the body `{body.name}` has been changed{said} since the "
+                        "System was made. Its equations of motion are those from before: make a "
+                        "new System, or undo the change. For values that vary, use constants."
+                    )
+
+    @cached_property
+    def speed_rates(self) -> tuple[Any, ...]:
+        """The derivatives of the speeds."""
+        return tuple(rate_of(u, self.time) for u in self.speeds)
+
+    @cached_property
+    def dependent_columns(self) -> tuple[int, ...]:
+        """The positions of the dependent speeds among the speeds, in their own order."""
+        return tuple(self.speeds.index(u) for u in self.dependent_speeds)
+
+    @property
+    def independent_first(self) -> Multibody:
+        """The same with the dependent coordinates and speeds last, as equations are formed."""
+        coordinates = _last(self.coordinates, self.dependent_coordinates)
+        speeds = _last(self.speeds, self.dependent_speeds)
+        if (coordinates, speeds) == (self.coordinates, self.speeds):
+            return self
+        order = [self.coordinates.index(q) for q in coordinates]
+        return replace(
+            self,
+            coordinates=coordinates,
+            speeds=speeds,
+            coordinate_rates=tuple(self.coordinate_rates[k] for k in order),
+            coordinate_derivatives=tuple(self.coordinate_derivatives[k] for k in order),
+        )
+
+
+def _last(symbols: Sequence[Any], dependent: Sequence[Any]) -> tuple[Any, ...]:
+    """Return the symbols with the dependent ones last."""
+    return (*(s for s in symbols if s not in dependent), *dependent)
+
+
+def _noted(body: Any) -> tuple[Any, ...]:
+    """Return a record of a body's properties for `Multibody.check_unchanged`."""
+    point = body.masscenter
+    positions = {**FrameTree.positions(point)}
+    if not is_rigid(body):
+        return body.mass, None, point, None, positions, {}
+    orientations = {**FrameTree.orientations(body.frame)}
+    return body.mass, body.inertia, point, body.frame, positions, orientations
