@@ -30,7 +30,7 @@ from pydy._processes import output_of, started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, plain_text, resource
-from pydy.solvers import DEPTH, included, layout_header, method_arrays
+from pydy.solvers import method_arrays, portable_sources
 
 _METHOD = "dop853"
 
@@ -68,16 +68,11 @@ def fmu_archive(model: Model, fmi: str = "3.0", binary: bool = True) -> bytes:
 
 def _sources(model: Model, fmi: str) -> dict[str, str]:
     head = [f"{model.title}: exported by pydy {__version__}."]
-    loop = {
-        "fmu_core.c": resource("fmu_core.c"),
-        "fmu_solver.c": resource("fmu_solver.c"),
-        **included("advance.c", "scan_events.c", "departure.h"),
-    }
+    ours = {name: resource(name) for name in ("fmu_core.c", "fmu_solver.c")}
     return {
         "all.c": _unit(),
         "fmi.c": resource("fmi.c"),
-        **loop,
-        "layout.h": layout_header("\n".join(loop.values()), plain=True),
+        **portable_sources("advance.c", "scan_events.c", "departure.h", texts=ours),
         "config.h": "\n".join([c_header(model, head), *_config(model, fmi)]),
         "model.c": c_model_source(model, head),
     }
@@ -111,7 +106,7 @@ def _config(model: Model, fmi: str) -> Iterator[str]:
         "NE": len(model.events),
     }
     arrays = method_arrays(_METHOD, len(model.states))
-    sizes["NVECTORS"], sizes["NPARTS"] = len(arrays.nodes), int(arrays.shape[DEPTH])
+    sizes["NVECTORS"], sizes["NPARTS"] = len(arrays.nodes), arrays.depth
     for name, size in sizes.items():
         yield f"#define {name} {size}"
     yield f"#define NPREPARED {model.name.upper()}_PREPARED"

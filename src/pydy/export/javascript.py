@@ -12,19 +12,7 @@ from typing import Any
 from pydy._backends import HELPERS, Dialect, Each, Template, Writer, stages
 from pydy._program import Program, numbered
 from pydy.export.model import Model, Variable, plain_text, resource
-from pydy.solvers import (
-    ALPHA,
-    BETA,
-    EXPONENT,
-    HALF,
-    HALVINGS,
-    ROUNDINGS,
-    SOUND,
-    STARTING_MOVE,
-    included,
-    method_arrays,
-    tableau_of,
-)
+from pydy.solvers import method_arrays, native_constants, portable_sources, tableau_of
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of
@@ -184,7 +172,6 @@ def _functions(
 
 
 METHOD = "dop853"
-_NUMBERS = {"ROUNDINGS": repr(ROUNDINGS), "HALVINGS": repr(HALVINGS)}
 
 
 def literal(value: Any) -> str:
@@ -227,13 +214,14 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         f"\n  {name}: (t, x, r, out) => {name}(t, x, r, {name}_c, out),\n"
         f"  {name}_size: {len(programs[name].outputs)}," for name in extra
     )  # fmt: skip
+    constants = _constants("ROUNDINGS", "HALVINGS")
     parts = {
         "PRELUDE": PRELUDE,
         "CODE": code,
         "KEPT": kept,
         "BOUND": bound,
         "INTEGRATOR": re.sub(
-            r"\{\{([A-Z]+)\}\}", lambda m: _NUMBERS[m[1]], resource("integrator.js")
+            r"\{\{([A-Z]+)\}\}", lambda m: constants[m[1]], resource("integrator.js")
         ),
         "PROJECTION": _projection() if model.constraints else "",
         "METHOD": literal(_method()),
@@ -277,14 +265,18 @@ _EVENTS = """{
       }"""
 
 
+def _constants(*names: str) -> dict[str, str]:
+    """Return constants of the native solvers as literals."""
+    constants = native_constants()
+    return {name: repr(constants[name]) for name in names}
+
+
 def _projection() -> str:
     """Return what holds constraints, with the factorisation of the native solvers."""
-    header = included("projection.h")["projection.h"]
+    header = portable_sources("projection.h")["projection.h"]
     algebra = header[header.index("INLINE void set_identity") : header.index("/* Compute `step`")]
     parts = {
-        "SOUND": repr(SOUND),
-        "HALF": repr(HALF),
-        "STARTING_MOVE": repr(STARTING_MOVE),
+        **_constants("SOUND", "HALF", "STARTING_MOVE"),
         "ALGEBRA": _script(algebra),
     }
     return re.sub(r"\{\{([A-Z_]+)\}\}", lambda m: parts[m[1]], resource("projection.js"))
@@ -297,7 +289,7 @@ def _variables(variables: Sequence[Variable]) -> list[dict[str, Any]]:
 def _method() -> dict[str, Any]:
     """Return the tableau and the constants of the step-size control."""
     tableau = tableau_of(METHOD)
-    control = method_arrays(METHOD, 8).control
+    method = method_arrays(METHOD, 8)
 
     def rows(part: Any) -> list[Any]:
         return [[list(row), list(row.values())] for row in part]
@@ -310,7 +302,7 @@ def _method() -> dict[str, Any]:
         "dense": rows(tableau.dense_stages),
         "interpolant": rows(tableau.interpolant),
         "endInEstimate": any(len(tableau.stages) in row for row in tableau.errors),
-        "exponent": float(control[EXPONENT]),
-        "alpha": float(control[ALPHA]),
-        "beta": float(control[BETA]),
+        "exponent": method.exponent,
+        "alpha": method.alpha,
+        "beta": method.beta,
     }

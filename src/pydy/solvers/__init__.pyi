@@ -4,7 +4,10 @@ from .constraint_drift import (
     DriftReport as DriftReport,
 )
 from .constraints import CompiledConstraints as CompiledConstraints, satisfied as satisfied
-from .core.declarations import included as included, layout_header as layout_header
+from .core.declarations import (
+    native_constants as native_constants,
+    portable_sources as portable_sources,
+)
 from .events import (
     CompiledEvents as CompiledEvents,
     Event as Event,
@@ -13,7 +16,6 @@ from .events import (
     identified as identified,
     jumped_to as jumped_to,
 )
-from .layout import ALPHA as ALPHA, BETA as BETA, DEPTH as DEPTH, EXPONENT as EXPONENT
 from .options import (
     Begun as Begun,
     Options as Options,
@@ -53,14 +55,9 @@ from .solver import (
 )
 from .tableaus import Tableau as Tableau, method_arrays as method_arrays, tableau_of as tableau_of
 from .tuning import (
-    HALF as HALF,
-    HALVINGS as HALVINGS,
     LANES as LANES,
     LARGEST_IN_LANES as LARGEST_IN_LANES,
     MANY_STEPS as MANY_STEPS,
     NO_LATER as NO_LATER,
     ROUNDING as ROUNDING,
-    ROUNDINGS as ROUNDINGS,
-    SOUND as SOUND,
-    STARTING_MOVE as STARTING_MOVE,
 )

@@ -91,6 +91,26 @@ class Method(NamedTuple):
     nodes: Numbers
     control: Numbers
 
+    @property
+    def depth(self) -> int:
+        """The number of coefficient vectors of the interpolant."""
+        return int(self.shape[DEPTH])
+
+    @property
+    def exponent(self) -> float:
+        """The exponent of the error in step-size control without memory."""
+        return float(self.control[EXPONENT])
+
+    @property
+    def alpha(self) -> float:
+        """The exponent of the latest error in the PI controller."""
+        return float(self.control[ALPHA])
+
+    @property
+    def beta(self) -> float:
+        """The exponent of the previous error in the PI controller."""
+        return float(self.control[BETA])
+
 
 class Problem(NamedTuple):
     """The right-hand side ``x' = f(t, x; r(t), c)``."""

@@ -1,13 +1,13 @@
-"""The header ``layout.h`` of the loops in C, written from the tuples and numbers of Python.
+"""The C sources of the loops, and their header ``layout.h``, written from Python's definitions.
 
 A table of addresses (`pydy.solvers.layout`) *is* a C struct: for each array its address, its
-length, and its number of columns. What the arrays hold is said where the tuples are defined.
+length, and its number of columns. The tuples' definitions say what the arrays hold.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 from types import ModuleType
@@ -40,19 +40,28 @@ _BEGIN = """\
 
 def included(*names: str, folder: Path | None = None) -> dict[str, str]:
     """Return the texts of C files and of their includes, except ``layout.h``."""
-    found: dict[str, str] = {}
-    left = [*names]
-    while left:
-        name = left.pop()
-        if name in found or name == "layout.h":
+    texts: dict[str, str] = {}
+    pending = [*names]
+    while pending:
+        name = pending.pop()
+        if name in texts or name == "layout.h":
             continue
-        found[name] = text = ((folder or FOLDER) / name).read_text(encoding="utf-8")
-        left += re.findall(r'^#include "(.*)"$', text, re.MULTILINE)
-    return dict(sorted(found.items()))
+        texts[name] = text = ((folder or FOLDER) / name).read_text(encoding="utf-8")
+        pending += re.findall(r'^#include "(.*)"$', text, re.MULTILINE)
+    return dict(sorted(texts.items()))
+
+
+def portable_sources(*names: str, texts: Mapping[str, str] | None = None) -> dict[str, str]:
+    """Return C files with their includes and ``layout.h``, for any C99 compiler.
+
+    Other `texts` that use the header come first.
+    """
+    sources = {**(texts or {}), **included(*names)}
+    return {**sources, "layout.h": layout_header("\n".join(sources.values()), plain=True)}
 
 
 def layout_header(text: str | None = None, plain: bool = False) -> str:
-    """Write ``layout.h``: all constants and structs, or those that a `text` uses.
+    """Write ``layout.h``: all constants and structs, or only the constants that a `text` uses.
 
     A `plain` header is for any C99 compiler: blocks of one number, and explicit methods only.
     """
@@ -63,33 +72,33 @@ def layout_header(text: str | None = None, plain: bool = False) -> str:
     kinds: dict[Any, None] = dict.fromkeys(chain.from_iterable(parts))
     structs = [*map(_struct, kinds)]
     items = {name: item for name, item in _ITEMS.items() if any(name in s for s in structs)}
-    numbers = {**dict(_numbers()), **({"BLOCK": "1"} if plain else {})}
-    named = numbers.keys() if text is None else set(re.findall(r"\w+", text))
-    lines = [f"#define {name} {value}" for name, value in numbers.items() if name in named]
+    constants = {name: _exact(value) for name, value in native_constants().items()}
+    if plain:
+        constants["BLOCK"] = "1"
+    used = constants.keys() if text is None else set(re.findall(r"\w+", text))
+    lines = [f"#define {name} {value}" for name, value in constants.items() if name in used]
     for name, item in items.items():
         lines.append(f"typedef struct {{ {item} *at; int64_t size, columns; }} {name};")
     lines += [*structs, *(_table(name, parts) for name, parts in tables.items())]
     return "\n".join([_BEGIN, *lines, "", "#endif", ""])
 
 
-def _numbers() -> Iterator[tuple[str, str]]:
-    """Yield the constants: codes, thresholds, and indices of array elements."""
-    places = _named(layout)
-    # Thresholds of that name reach C in the array that has a place for them.
-    thresholds = {name: x for name, x in _named(tuning).items() if name not in places}
+def native_constants() -> dict[str, Any]:
+    """Return the constants of the loops: thresholds, outcomes, and indices of array elements."""
+    indices = _numeric(layout)
+    # A threshold with the name of an index reaches C as that element of an array.
+    thresholds = {name: x for name, x in _numeric(tuning).items() if name not in indices}
     outcomes = {outcome.name: int(outcome) for outcome in Outcome}
-    for numbers in (thresholds, outcomes, places):
-        for name, value in numbers.items():
-            yield name, _exact(value)
-    for name in ("T", "TI", "NODES", "ERROR", "REAL", "INTERPOLANT"):
-        yield f"RADAU_{name}", _exact(getattr(radau, name))
-    yield "RADAU_PAIR", _exact((radau.COMPLEX.real, radau.COMPLEX.imag))
+    names = ("T", "TI", "NODES", "ERROR", "REAL", "INTERPOLANT")
+    method = {f"RADAU_{name}": getattr(radau, name) for name in names}
+    method["RADAU_PAIR"] = (radau.COMPLEX.real, radau.COMPLEX.imag)
+    return {**thresholds, **outcomes, **indices, **method}
 
 
-def _named(module: ModuleType) -> dict[str, int | float]:
+def _numeric(module: ModuleType) -> dict[str, int | float]:
     """Return the numeric constants of a module: names in capitals."""
-    found = vars(module).items()
-    return {name: x for name, x in found if name.isupper() and isinstance(x, int | float)}
+    constants = vars(module).items()
+    return {name: x for name, x in constants if name.isupper() and isinstance(x, int | float)}
 
 
 def _exact(value: Any) -> str:

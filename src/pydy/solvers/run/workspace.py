@@ -70,7 +70,7 @@ def _method(name: str, length: int) -> tuple[Method, list[int]]:
 
 def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
     """Reserve a method's vectors of some length in one block of memory; return their rows too."""
-    stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
+    stages, depth = max(1, len(method.nodes)), method.depth
     counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
     flat = lined_up(sum(counts) * length)
     start, first = address(flat), 0
