@@ -185,6 +185,16 @@ def real_array(value: Any, what: str) -> np.ndarray:
     return array.astype(float, order="C")
 
 
+def tolerance(value: Any, what: str) -> Any:
+    """Check a tolerance: a number or an array (n,), finite and not negative."""
+    array = real_array(value, what)
+    if not (np.isfinite(array).all() and (array >= 0.0).all()):
+        raise ValueError(f"{what} must be finite and not negative, got {array}.")
+    if array.ndim > 1:
+        raise ValueError(f"{what} must be one-dimensional, got the shape {array.shape}.")
+    return array if array.ndim else float(array)
+
+
 def vector(value: Any, size: int, what: str) -> np.ndarray:
     """Return a value as a float array of shape (size,)."""
     array = real_array(value, what)

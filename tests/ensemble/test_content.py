@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pydy.ensemble.content import digest
-from pydy.solvers.sensitivities import Sized
+from pydy.solvers.sensitivities import ParameterSize
 
 
 @pytest.mark.parametrize(
@@ -20,13 +20,13 @@ from pydy.solvers.sensitivities import Sized
         np.zeros((0, 3)),
         np.array(1.0),
         np.float64(1.0),
-        Sized("x", 3),
+        ParameterSize("x", 3),
     ],
     ids=repr,
 )
 def test_equal_content_is_equal_whatever_object_holds_it(value):
     again = value.copy(order="F") if isinstance(value, np.ndarray) else eval(
-        repr(value), {"np": np, "Sized": Sized}
+        repr(value), {"np": np, "ParameterSize": ParameterSize}
     )  # fmt: skip
     assert digest(again) == digest(value)
 

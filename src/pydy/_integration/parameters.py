@@ -14,7 +14,7 @@ from pydy._checks import one_or_more, refuse_twice
 from pydy._states import located, members
 from pydy.codegen import SpecifiedsPlan
 from pydy.inputs import SampledInput
-from pydy.solvers import Sized
+from pydy.solvers import ParameterSize
 
 
 @dataclass(frozen=True)
@@ -32,11 +32,11 @@ class Parameter:
         return 1 if self.samples is None else len(self.samples.times)
 
     @property
-    def sized(self) -> Sized:
+    def sized(self) -> ParameterSize:
         """The source of its size."""
         group = {"constants": "p", "states": "x", "specifieds": "r"}[self.kind]
         most = None if self.samples is None else float(np.abs(self.samples.values).max())
-        return Sized(group, self.place, self.count, most)
+        return ParameterSize(group, self.place, self.count, most)
 
 
 def read_parameters(

@@ -37,10 +37,9 @@ from pydy.solvers import (
     CompiledSensitivities,
     Event,
     Options,
-    Sized,
+    ParameterSize,
     Solver,
     read_options,
-    scales_of,
     tableau_of,
 )
 
@@ -155,7 +154,7 @@ class AugmentedSystem:
         """Tell whether the step control looks at the sensitivities too: of samples, always."""
         return wanted or mean_spacing(self.parameters) is not None
 
-    def sized(self, options: Mapping[str, Any]) -> tuple[Sized, ...]:
+    def sized(self, options: Mapping[str, Any]) -> tuple[ParameterSize, ...]:
         """Return the parameters' sizes.
 
         States with absolute tolerances of their own are as small, where they pass through zero, as
@@ -163,7 +162,7 @@ class AugmentedSystem:
         """
         found = tuple(parameter.sized for parameter in self.parameters)
         least = least_sizes(options, self.columns.states).tolist()
-        return tuple(s._replace(least=least[s.place]) if s.group == "x" else s for s in found)
+        return tuple(s._replace(least=least[s.index]) if s.group == "x" else s for s in found)
 
     @property
     def whole(self) -> AugmentedSystem:
@@ -257,7 +256,9 @@ class AugmentedSystem:
         It may be `wanted` that the step control looks at them.
         """
         columns, model = self.columns, self.model
-        sizes = scales_of(self.sized(options), x, self.plan.inputs.values, self.p, columns.count)
+        sizes = ParameterSize.scales(
+            self.sized(options), x, self.plan.inputs.values, self.p, columns.count
+        )
         return CompiledSensitivities(
             columns.states,
             columns.sources,

@@ -16,17 +16,17 @@ from pydy._motion.events_and_constraints import (
     compile_events,
     with_residuals_held,
 )
+from pydy._motion.scipy_options import named_for_odeint
 from pydy._motion.scipy_solvers import SolveIvp, is_odeint, odeint_options
 from pydy._problem import Model, Problem
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
+    CompiledEvents,
     Event,
     Options,
     Prepared,
     Solver,
     check_option_names,
-    identified,
-    named_for_odeint,
 )
 
 _PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
@@ -48,7 +48,7 @@ class PreparedIntegration:
         given: dict[str, Any],
     ) -> None:
         self._plan, self._solver, self._given = plan, solver, dict(given)
-        self._events = identified(given.get("events"))
+        self._events = CompiledEvents.key(given.get("events"))
         self.constrained = model.definition.equations.constrained
         # whether the motion is brought back onto the constraints
         self.enforced = given.get("constraints") is not None
@@ -128,7 +128,7 @@ class PreparedIntegration:
     def _alike(self, name: str, value: Any) -> bool:
         known = self._given[name]
         if name == "events":
-            return self._events is not None and self._events == identified(value)
+            return self._events is not None and self._events == CompiledEvents.key(value)
         return type(value) in _PLAIN and type(value) is type(known) and bool(value == known)
 
     def retuned(

@@ -17,8 +17,9 @@ import scipy
 
 from pydy._checks import descends, listed, monotonic, shown
 from pydy._errors import IntegrationError
+from pydy._motion.scipy_options import check_scipy_options
 from pydy._names import nearest, numbers_of, unique_names
-from pydy.solvers import SOLVERS, Outcome, Solver, check_option_names, check_scipy_options
+from pydy.solvers import SOLVERS, Outcome, Solver, check_option_names
 from pydy.trajectory import EventRecord
 
 # -- LSODA, behind both, has one memory: runs cannot be nested ------------------------------------

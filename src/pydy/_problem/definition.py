@@ -36,7 +36,7 @@ from pydy._mechanics import Equations, find_symbols, sort_symbols
 from pydy._names import name_of, told_apart, untaken
 from pydy._problem.energy import EnergyModel
 from pydy.codegen import checked_expression, one_format, symbolic_entries
-from pydy.solvers import Event, identified
+from pydy.solvers import CompiledEvents, Event
 
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
 
@@ -211,7 +211,7 @@ class DefinitionBuilder:
 
     def constants_of(self, definition: Definition, events: Any) -> list[Any]:
         """Return the symbols of events and their resets that nothing else is called."""
-        own, held = identified(events), self._held
+        own, held = CompiledEvents.key(events), self._held
         if own is not None and held is not None and held[:2] == (definition, own):
             return held[2]
         events = events if isinstance(events, (list, tuple)) else [events]

@@ -23,7 +23,7 @@ from pydy._problem.model import Model
 from pydy._rank import ROUNDED
 from pydy.codegen import SpecifiedsPlan
 from pydy.inputs import jumps_of
-from pydy.solvers import satisfied
+from pydy.solvers import CompiledConstraints
 from pydy.trajectory import Columns, Trajectory
 
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
@@ -159,14 +159,14 @@ def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
 
     z: np.ndarray = x[places]
     left, slopes, bounds = values(z)
-    if not satisfied(left, bounds):
+    if not CompiledConstraints.satisfied(left, bounds):
         z = scipy.optimize.root(lambda z: values(z)[0], z, jac=lambda z: values(z)[1]).x
         for _ in range(5):  # two do
             left, slopes, bounds = values(z)
-            if satisfied(left, bounds) or not np.isfinite(slopes).all():
+            if CompiledConstraints.satisfied(left, bounds) or not np.isfinite(slopes).all():
                 break
             z = z - np.linalg.lstsq(slopes, left)[0]
-    if not satisfied(left, bounds):
+    if not CompiledConstraints.satisfied(left, bounds):
         k = int(np.argmax(np.where(np.isfinite(left), np.abs(left), np.inf)))
         equations = at.definition.equations
         residual = equations.holonomic[parts.rows[k]]

@@ -30,7 +30,7 @@ from pydy._rank import (
     unrounded,
 )
 from pydy._states.states import point_at
-from pydy.solvers import satisfied
+from pydy.solvers import CompiledConstraints
 
 
 def check_dependents(
@@ -143,7 +143,7 @@ def _refined(
     left, rounding = np.split(bounded(z), 2)
     for _ in range(20):
         gradient = slopes(z)
-        if satisfied(left, rounding) or not np.isfinite(gradient).all():
+        if CompiledConstraints.satisfied(left, rounding) or not np.isfinite(gradient).all():
             break
         after = z - least_step(gradient, left)
         values, bounds = np.split(bounded(after), 2)
@@ -192,7 +192,7 @@ def _solve_coordinates(
     )
     solution.x = solution.x * units
     left, rounding = np.split(value(bounded, placed(solution.x)), 2)
-    met = satisfied(left, rounding)
+    met = CompiledConstraints.satisfied(left, rounding)
     if solution.success and not met:
         solution.x = _refined(lambda z: value(bounded, placed(z)), slopes_at, solution.x)
         left, rounding = np.split(value(bounded, placed(solution.x)), 2)

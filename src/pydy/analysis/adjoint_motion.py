@@ -40,13 +40,9 @@ from pydy.solvers import (
     CompiledConstraints,
     CompiledSensitivities,
     Outcome,
-    Sized,
+    ParameterSize,
     Solver,
-    forcing_time,
-    jumped_to,
     read_options,
-    resolved,
-    scales_of,
 )
 from pydy.trajectory import EventRecord
 
@@ -261,12 +257,15 @@ class Task:
         model, width = self.whole, len(whole)
         direction = Direction(width, self.wanted)
         call = self.call_whole(direction_kernel(model, direction))
-        sized = [Sized("x", k, least=s) for k, s in enumerate(least_sizes(options, width).tolist())]
+        sized = [
+            ParameterSize("x", k, least=s)
+            for k, s in enumerate(least_sizes(options, width).tolist())
+        ]
         sized += [one.sized._replace(columns=1) for one in (*self._plain, *self.sampled)]
         own = self.sensitive
-        parts = scales_of(sized, whole, own.plan.inputs.values, own.p, len(sized)) * generic(
-            len(sized)
-        )
+        parts = ParameterSize.scales(
+            sized, whole, own.plan.inputs.values, own.p, len(sized)
+        ) * generic(len(sized))
         column, weights = parts[:width], parts[width:]
         column[own.columns.states :] = 0.0  # integrals begin at zero
         every = with_all(model, own.definition)
@@ -630,13 +629,15 @@ class MotionSegment:
         part = kernel.program.by_block(out)
         time = np.zeros(len(part["crossing"]))
         # Where an input that jumps makes it happen, its time is given.
-        if forcing_time(call, events, record.index, x, t) is None:
+        if events.forcing_time(call, record.index, x, t) is None:
             rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
             tolerances = self.options.atol, self.options.rtol
             atol, rtol = (np.broadcast_to(one, len(self.last))[:n] for one in tolerances)
             depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
-            error, lower = resolved(depth, part["crossing"][:n], x, rtol, atol)
-            value = jumped_to(call, events, record.index, x, t, error)
+            error, lower = CompiledSensitivities.event_resolution(
+                depth, part["crossing"][:n], x, rtol, atol
+            )
+            value = events.value_after_jump(call, record.index, x, t, error)
             if value is None and depth > error:
                 time = -part["crossing"] / rate
             elif untimed:

@@ -45,7 +45,7 @@ from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import contact_trajectory
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
-from pydy.solvers import Begun, Options, Outcome, Solver, dop853, radau, read_options
+from pydy.solvers import SOLVERS, Begun, Options, Outcome, Solver, read_options
 from pydy.trajectory import EventRecord
 
 _NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
@@ -523,8 +523,8 @@ class Run:
             options["first_step"] = 16.0 * self.resolution(state.t)
             if at_once or self.carried is not None:
                 options["atol"] = RESOLVED**2 * self.atol
-                return dop853
-            return radau
+                return SOLVERS["dop853"]
+            return SOLVERS["radau"]
         if self.carried is not None:
             raise NotImplementedError(
                 "`sensitivities` where a body begins to slide in a plane without an acceleration, "

@@ -25,9 +25,7 @@ from pydy.solvers import (
     CompiledSensitivities,
     Options,
     Outcome,
-    Sized,
-    bounds,
-    scales_of,
+    ParameterSize,
 )
 from pydy.trajectory import EventRecord
 
@@ -54,7 +52,7 @@ class EnsembleSensitivities:
     # (places, SampledInput): the derivatives of sampled inputs by their samples, at the end
     # of r
     sampled: tuple[tuple[np.ndarray, Any], ...]
-    sized: tuple[Sized, ...]  # the parameters
+    sized: tuple[ParameterSize, ...]  # the parameters
     controlled: bool  # whether the step control looks at the sensitivities
     sources: np.ndarray  # (k, 2): see `solvers.sensitivities`
     jumps: tuple[tuple[Program, tuple[int, ...]], ...]  # what each event does, and to which states
@@ -120,7 +118,7 @@ class EnsembleSensitivities:
         return CompiledSensitivities(
             n,
             self.sources,
-            scales_of(self.sized, x[:n], r, p, columns),
+            ParameterSize.scales(self.sized, x[:n], r, p, columns),
             x[:n],
             self.controlled,
             lambda k: (kernel(self.jumps[k][0]), self.jumps[k][1]),
@@ -367,9 +365,9 @@ class Batch:
             return None
         (n, columns), options = beside.start.shape, self.model.options
         x = self.x[:, :n]
-        scales = scales_of(beside.sized, x, self.r, self.p, columns)
+        scales = ParameterSize.scales(beside.sized, x, self.r, self.p, columns)
         rtol, atol = (np.broadcast_to(a, n) for a in (options.rtol, options.atol))
-        return bounds(rtol, atol, x, scales)
+        return CompiledSensitivities.bounding_tolerances(rtol, atol, x, scales)
 
     def _integrated(self, times: np.ndarray, states: np.ndarray) -> Results:
         """Integrate, several samples at a time if possible."""

@@ -3,27 +3,18 @@ from .constraint_drift import (
     DriftCheck as DriftCheck,
     DriftReport as DriftReport,
 )
-from .constraints import CompiledConstraints as CompiledConstraints, satisfied as satisfied
+from .constraints import CompiledConstraints as CompiledConstraints
 from .core.declarations import (
     native_constants as native_constants,
     portable_sources as portable_sources,
 )
-from .events import (
-    CompiledEvents as CompiledEvents,
-    Event as Event,
-    Turn as Turn,
-    forcing_time as forcing_time,
-    identified as identified,
-    jumped_to as jumped_to,
-)
+from .events import CompiledEvents as CompiledEvents, Event as Event, Turn as Turn
 from .options import (
     Begun as Begun,
     Options as Options,
     SolverOptions as SolverOptions,
     StepOptions as StepOptions,
     check_option_names as check_option_names,
-    check_scipy_options as check_scipy_options,
-    named_for_odeint as named_for_odeint,
     read_options as read_options,
 )
 from .outcome import Outcome as Outcome
@@ -38,10 +29,7 @@ from .run.lanes import (
 from .run.problem import tables_of as tables_of
 from .sensitivities import (
     CompiledSensitivities as CompiledSensitivities,
-    Sized as Sized,
-    bounds as bounds,
-    resolved as resolved,
-    scales_of as scales_of,
+    ParameterSize as ParameterSize,
 )
 from .solver import (
     SOLVERS as SOLVERS,

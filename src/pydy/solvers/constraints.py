@@ -12,15 +12,6 @@ from pydy._kernel import Kernel
 from pydy.solvers.tuning import DEPENDENT, HALF, ROUNDING, ROUNDINGS
 
 
-def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
-    """Return whether residuals are within their rounding errors.
-
-    The bounds on their rounding errors are in units of 2⁻⁵²; see `pydy._graph.rounding`.
-    """
-    allowed = ROUNDINGS * ROUNDING * bounds + np.finfo(float).tiny  # what underflows is nothing
-    return bool((np.abs(residuals) <= allowed).all())
-
-
 @dataclass(frozen=True, eq=False)
 class CompiledConstraints:
     """The constraints of a system as the projection needs them."""
@@ -44,6 +35,15 @@ class CompiledConstraints:
     names: Sequence[str]  # what to call the holonomic residuals, then the velocity residuals
     # How many of the holonomic, and of the velocity constraints are redundant: the last of each.
     left_out: tuple[int, int] = (0, 0)
+
+    @staticmethod
+    def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
+        """Return whether residuals are within their rounding errors.
+
+        The bounds on their rounding errors are in units of 2⁻⁵²; see `pydy._graph.rounding`.
+        """
+        allowed = ROUNDINGS * ROUNDING * bounds + np.finfo(float).tiny  # an underflow is no error
+        return bool((np.abs(residuals) <= allowed).all())
 
     def moved(self, before: np.ndarray, after: np.ndarray, span: float) -> np.ndarray:
         """Return how far states (..., n) have moved, in units of what they are beside their kind.

@@ -119,17 +119,6 @@ def _check_expression(value: Any, what: str) -> None:
         raise TypeError(f"{what} must be a SymPy expression or a number, got {typed(value)}.")
 
 
-def identified(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
-    """Return a key that identifies a user's events even if a reset is edited in place.
-
-    None if they come from an iterator, which reading would exhaust.
-    """
-    several = [events] if isinstance(events, Event) else events
-    if type(several) not in (list, tuple) or {*map(type, several)} - {Event, Turn}:
-        return None
-    return [(event, dict(event.reset)) for event in several]
-
-
 @dataclass(frozen=True, eq=False)
 class CompiledEvents:
     """Events as Kernels."""
@@ -152,73 +141,80 @@ class CompiledEvents:
     # Whether an expression may be zero all along a stretch, as Max(0, x) is; if any may.
     may_rest: tuple[bool, ...] = ()
 
+    @staticmethod
+    def key(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
+        """Return what identifies a user's events, even if a reset is edited in place.
 
-def stretches(events: CompiledEvents, rests: np.ndarray, span: float) -> list[str]:
-    """Return what to say of expressions that stayed at zero, from ``Watch.rests`` and a span."""
-    told = []
-    for k in np.flatnonzero(events.may_rest):
-        first, last = rests[2 * k : 2 * k + 2].tolist()
-        # What is shorter may be rounding.
-        if first < last and last - first <= CLOSE**2 * max(abs(last), span):
-            continue
-        if first <= last:  # neither is NaN
-            when = f"from t = {first:.6g} to {last:.6g}, at least"
-            when = f"at and beside t = {first:.6g}" if first == last else when
-            told.append(
-                f"The expression of the event `{events.names[k]}` is exactly zero {when}: there no "
-                "sign tells when the event happens, and its times are arbitrary. Pass an "
-                "expression that passes through zero, such as `x` in place of `Max(0, x)`."
-            )
-    return told
+        None if they come from an iterator, which reading would exhaust.
+        """
+        several = [events] if isinstance(events, Event) else events
+        if type(several) not in (list, tuple) or {*map(type, several)} - {Event, Turn}:
+            return None
+        return [(event, dict(event.reset)) for event in several]
 
+    def zero_interval_warnings(self, intervals: np.ndarray, span: float) -> list[str]:
+        """Return warnings of expressions that stayed at zero, from ``Watch.rests`` and a span."""
+        warnings = []
+        for k in np.flatnonzero(self.may_rest):
+            first, last = intervals[2 * k : 2 * k + 2].tolist()
+            # A shorter interval may be rounding.
+            if first < last and last - first <= CLOSE**2 * max(abs(last), span):
+                continue
+            if first <= last:  # neither is NaN
+                when = f"from t = {first:.6g} to {last:.6g}, at least"
+                when = f"at and beside t = {first:.6g}" if first == last else when
+                warnings.append(
+                    f"The expression of the event `{self.names[k]}` is exactly zero {when}: there "
+                    "no sign tells when the event happens, and its times are arbitrary. Pass an "
+                    "expression that passes through zero, such as `x` in place of `Max(0, x)`."
+                )
+        return warnings
 
-def forcing_time(
-    call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float
-) -> float | None:
-    """Return the time of the sample or switch whose jump makes an event happen, or None.
+    def forcing_time(self, call: KernelCall, event: int, x: np.ndarray, t: float) -> float | None:
+        """Return the time of the sample or switch whose jump makes an event happen, or None.
 
-    The expression then does not pass through zero: it has a sign before and another one after, and
-    the event's time depends on no state.
+        The expression then does not pass through zero: its sign differs before and after the jump,
+        and the event's time depends on no state. The state x is that before the event, which was
+        located at t.
+        """
+        jumps: dict[float, list[Any]] = {}
+        for columns, samples in call.sampled:
+            time = float(samples.breaks[np.abs(samples.breaks - t).argmin()])
+            near = abs(time - t) <= ROUNDINGS * ROUNDING * abs(t)
+            if samples.interpolation == "previous" and near:
+                jumps[time] = [*jumps.get(time, ()), (columns, samples)]
+        inputs = self.values.program.num_specifieds
+        state, r = x[: self.values.program.num_states], call.inputs_at(x, t)
+        both = np.stack([state, state])
+        for time, jumping in jumps.items():
+            rows = np.stack([r, r])
+            for columns, samples in jumping:
+                rows[:, columns] = samples.rows(np.array([np.nextafter(time, -np.inf), time]))
+            rows, times = rows[:, :inputs], np.full(2, time)
+            values = self.values.evaluate(times, both, rows, call.p)[0][:, event]
+            if values[0] * values[1] < 0.0:
+                return time
+        reach = ROUNDINGS * ROUNDING * abs(t)
+        switched = () if call.switched is None else call.switched
+        for _, earlier, later in (row for row in switched if abs(row[0] - t) <= reach):
+            times = np.array([earlier, later])
+            rows = np.stack([call.inputs_at(x, time)[:inputs] for time in times])
+            values = self.values.evaluate(times, both, rows, call.p)[0][:, event]
+            if values[0] * values[1] < 0.0:
+                return float(later)
+        return None
 
-    The state x is that before it, t when it was found.
-    """
-    near: dict[float, list[Any]] = {}
-    for columns, samples in call.sampled:
-        moment = float(samples.breaks[np.abs(samples.breaks - t).argmin()])
-        if samples.interpolation == "previous" and abs(moment - t) <= ROUNDINGS * ROUNDING * abs(t):
-            near[moment] = [*near.get(moment, ()), (columns, samples)]
-    program, kernel = events.values.program, events.values
-    state, r = x[: program.num_states], call.inputs_at(x, t)
-    for moment, jumping in near.items():
-        rows = np.stack([r, r])
-        for columns, samples in jumping:
-            rows[:, columns] = samples.rows(np.array([np.nextafter(moment, -np.inf), moment]))
-        rows, times = rows[:, : program.num_specifieds], np.full(2, moment)
-        found = kernel.evaluate(times, np.stack([state, state]), rows, call.p)[0][:, event]
-        if found[0] * found[1] < 0.0:
-            return moment
-    reach = ROUNDINGS * ROUNDING * abs(t)
-    switched = () if call.switched is None else call.switched
-    for _, earlier, later in (row for row in switched if abs(row[0] - t) <= reach):
-        sides, both = np.array([earlier, later]), np.stack([state, state])
-        rows = np.stack([call.inputs_at(x, side)[: program.num_specifieds] for side in sides])
-        found = kernel.evaluate(sides, both, rows, call.p)[0][:, event]
-        if found[0] * found[1] < 0.0:
-            return float(later)
-    return None
+    def value_after_jump(
+        self, call: KernelCall, event: int, x: np.ndarray, t: float, error: float
+    ) -> float | None:
+        """Return the value of an event's expression where it happens, or None if that is zero.
 
-
-def jumped_to(
-    call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float, error: float
-) -> float | None:
-    """Return the value of an event's expression where it happens, or None if that is zero.
-
-    Zero means: within the resolution of time and expression, and the `error` that the tolerances
-    of the states allow; else the expression has jumped.
-    """
-    k = len(events.names)
-    told = call.evaluate(events.rates, x, t)
-    value = float(call.evaluate(events.values, x, t)[event])
-    time = ROUNDINGS * ROUNDING * abs(t) * abs(float(told[event]))
-    rounding = ROUNDINGS * ROUNDING * float(told[k + event])
-    return value if CLOSE * abs(value) > time + rounding + error else None
+        Zero means: within the resolution of time and expression, and the `error` that the
+        tolerances of the states allow; else the expression has jumped.
+        """
+        rates_and_bounds = call.evaluate(self.rates, x, t)
+        value = float(call.evaluate(self.values, x, t)[event])
+        rate, bound = map(float, rates_and_bounds[[event, len(self.names) + event]])
+        time = ROUNDINGS * ROUNDING * abs(t) * abs(rate)
+        rounding = ROUNDINGS * ROUNDING * bound
+        return value if CLOSE * abs(value) > time + rounding + error else None

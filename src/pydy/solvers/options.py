@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
-from pydy._checks import Check, checked, flag, number, optional, positive, real_array, shown, whole
+from pydy._checks import Check, checked, flag, number, optional, positive, shown, tolerance
 from pydy._names import nearest
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
@@ -77,15 +76,6 @@ class Options:
     begun: Begun | None = None  # None: the motion starts at the first time
 
 
-def _tolerance(value: Any, what: str) -> Any:
-    tolerance = real_array(value, what)
-    if not (np.isfinite(tolerance).all() and (tolerance >= 0.0).all()):
-        raise ValueError(f"{what} must be finite and not negative, got {tolerance}.")
-    if tolerance.ndim > 1:
-        raise ValueError(f"{what} must be one-dimensional, got the shape {tolerance.shape}.")
-    return tolerance if tolerance.ndim else float(tolerance)
-
-
 def _max_step(value: Any, what: str) -> float:
     return np.inf if value is None else positive(value, what)
 
@@ -120,7 +110,7 @@ _NATIVE: dict[str, Check] = {
     "begun": _compiled(Begun, "simulate"),
     **dict.fromkeys(("first_step", "step"), optional(positive)),
     "max_step": _max_step,
-    **dict.fromkeys(("rtol", "atol"), _tolerance),
+    **dict.fromkeys(("rtol", "atol"), tolerance),
     "max_steps": _max_steps,
 }
 
@@ -142,26 +132,6 @@ _SAME = (
     # Of methods with steps of one size: the largest.
     *(("max_step", "step"), ("hmax", "step")),
 )
-_FOR_ODEINT = {"max_step": "hmax", "first_step": "h0", "min_step": "hmin"}
-
-
-def named_for_odeint(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return options with odeint's names in place of those of the other solvers.
-
-    No limit, which is 0 there, is infinity or None.
-    """
-    named: dict[str, Any] = {}
-    for name, value in given.items():
-        own = _FOR_ODEINT.get(name, name)
-        if own != name and own in given:
-            raise TypeError(
-                f"`{name}` and `{own}` are the same option of `odeint`: give one of them."
-            )
-        unlimited = value is None or (isinstance(value, float) and value == np.inf)
-        if own != name and unlimited:
-            value = 0.0
-        named[own] = value
-    return named
 
 
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
@@ -175,45 +145,3 @@ def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, An
             f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
             f"{hint or nearest(unknown[0], names, or_all=False)}".rstrip()
         )
-
-
-def _jacobian(value: Any, what: str) -> Any:
-    """Check the Jacobian of `solve_ivp`: a function, or a matrix, which may be sparse."""
-    shape = () if isinstance(value, str) else getattr(value, "shape", np.shape(value))
-    if value is None or callable(value) or len(shape) == 2:
-        return value
-    raise TypeError(
-        f"{what} must be a function {what[1:-1]}(t, x), a matrix of shape (n, n), or None to find "
-        f"it by differences, got {shown(value)}."
-    )
-
-
-def _gradient(value: Any, what: str) -> Any:
-    """Check the Jacobian of `odeint`."""
-    if value is None or callable(value):
-        return value
-    raise TypeError(
-        f"{what} must be a function {what[1:-1]}(x, t), or None to find the Jacobian by "
-        f"differences, got {shown(value)}."
-    )
-
-
-_SCIPY: dict[str, Check] = {
-    **dict.fromkeys(("rtol", "atol"), optional(_tolerance)),
-    "tcrit": optional(real_array),
-    "max_step": positive,
-    "first_step": optional(positive),
-    # Zero lets the solver choose.
-    "hmax": partial(positive, zero=True),
-    **dict.fromkeys(("h0", "hmin", "min_step"), partial(positive, zero=True, finite=True)),
-    **dict.fromkeys(("mxstep", "mxhnil", "mxordn", "mxords"), partial(whole, least=0)),
-    **dict.fromkeys(("ml", "mu", "lband", "uband"), optional(partial(whole, least=0))),
-    **dict.fromkeys(("col_deriv", "printmessg", "dense_output", "ixpr"), flag),
-    "jac": _jacobian,
-    "Dfun": _gradient,
-}
-
-
-def check_scipy_options(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Check options of SciPy's solvers, whose own errors do not name the wrong one."""
-    return checked(_SCIPY, given)

@@ -32,36 +32,9 @@ class Jump(NamedTuple):
     after: np.ndarray  # (n, k): derivatives of the states after it, at a fixed time
     depth: float  # how far the motion goes beyond zero, at most: ġ² / 2|g̈|
     error: float  # what the tolerances of the integration make of the expression that is zero
-    lower: str  # which of them to lower for a motion that is to go beyond zero: see `resolved`
-
-
-def resolved(
-    depth: float, slopes: np.ndarray, x: np.ndarray, rtol: np.ndarray, atol: np.ndarray
-) -> tuple[float, str]:
-    """Return what the tolerances make of an event's expression, and the start of a remedy.
-
-    The expression has these `slopes` by the states x, and the motion goes by `depth` beyond zero.
-    The remedy names the tolerances to lower, unless none would resolve that depth.
-    """
-    by_atol = float(np.abs(slopes) @ atol)
-    by_rtol = float(np.abs(slopes) @ (rtol * np.abs(x)))
-    error = by_atol + by_rtol
-    if not 0.0 < depth <= error:
-        return error, "Omit"
-    # One is enough if the share of the other one is small.
-    several = {"atol": (atol, by_atol, by_rtol), "rtol": (rtol, by_rtol, by_atol)}
-    wanted = {
-        name: (values, (depth - other) / share)
-        for name, (values, share, other) in several.items()
-        if other < depth / 2.0
-    } or {name: (values, depth / error) for name, (values, *_) in several.items()}
-    if "rtol" in wanted and np.max(rtol) * wanted["rtol"][1] < ROUNDING:
-        return error, "Omit"
-    changes = [
-        f"`{name}` from {np.max(values):.2g} to less than {np.max(values) * factor:.2g}"
-        for name, (values, factor) in wanted.items()
-    ]
-    return error, f"If it is to cross there, lower {' and '.join(changes)}. Otherwise omit"
+    lower: (
+        str  # which of them to lower for a motion that is to go beyond zero: see `event_resolution`
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +48,7 @@ class CompiledSensitivities:
     scales: np.ndarray  # (k,): the sizes of the parameters
     start: np.ndarray  # (n,): the states at the beginning
     # Whether the step control looks at the sensitivities too: the error allowed in ∂x/∂θ is then
-    # that of x over the size of θ. Else they only bound the steps: see `bounds`.
+    # that of x over the size of θ. Else they only bound the steps: see `bounding_tolerances`.
     controlled: bool
     # The Kernel of what an event does to derivatives, and which states it changes.
     events: Callable[[int], tuple[Kernel, Sequence[int]]]
@@ -95,7 +68,7 @@ class CompiledSensitivities:
         if self.controlled:
             own = np.repeat(rtol, self.columns), (atol[:, None] / self.scales).ravel()
         else:
-            own = bounds(rtol, atol, self.start, self.scales)
+            own = self.bounding_tolerances(rtol, atol, self.start, self.scales)
         return np.append(rtol, own[0]), np.append(atol, own[1])
 
     def table(self, whole: np.ndarray) -> np.ndarray:
@@ -130,7 +103,7 @@ class CompiledSensitivities:
         if forced:
             moment, depth = np.zeros(self.columns), np.inf
         rtol, atol = tolerances
-        error, lower = resolved(depth, part["crossing"][:n], whole[:n], rtol, atol)
+        error, lower = self.event_resolution(depth, part["crossing"][:n], whole[:n], rtol, atol)
         if not changed:
             return Jump(moment, table, depth, error, lower)
         moved = table.copy()
@@ -148,51 +121,84 @@ class CompiledSensitivities:
             found: np.ndarray = rows[:, :n] @ table + by_input * np.append(r, 1.0)[weight]
         return found
 
+    @staticmethod
+    def event_resolution(
+        depth: float, slopes: np.ndarray, x: np.ndarray, rtol: np.ndarray, atol: np.ndarray
+    ) -> tuple[float, str]:
+        """Return the error of an event's expression due to tolerances, and the start of a remedy.
 
-def bounds(
-    rtol: np.ndarray, atol: np.ndarray, start: np.ndarray, scales: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return tolerances of sensitivities that only bound the step, (n k,) and (..., n k).
+        The expression has these `slopes` by the states x, and the motion goes by `depth` beyond
+        zero. The remedy names the tolerances to lower, unless none would resolve that depth.
+        """
+        by_atol = float(np.abs(slopes) @ atol)
+        by_rtol = float(np.abs(slopes) @ (rtol * np.abs(x)))
+        error = by_atol + by_rtol
+        if not 0.0 < depth <= error:
+            return error, "Omit"
+        # Lowering one is enough if the contribution of the other is small.
+        contributions = {"atol": (atol, by_atol, by_rtol), "rtol": (rtol, by_rtol, by_atol)}
+        factors = {
+            name: (tolerance, (depth - rest) / part)
+            for name, (tolerance, part, rest) in contributions.items()
+            if rest < depth / 2.0
+        } or {name: (tolerance, depth / error) for name, (tolerance, *_) in contributions.items()}
+        if "rtol" in factors and np.max(rtol) * factors["rtol"][1] < ROUNDING:
+            return error, "Omit"
+        changes = [
+            f"`{name}` from {np.max(tolerance):.2g} to less than {np.max(tolerance) * factor:.2g}"
+            for name, (tolerance, factor) in factors.items()
+        ]
+        return error, f"If it is to cross there, lower {' and '.join(changes)}. Otherwise omit"
 
-    They are made of those of the states (n,), the states at the start (..., n) and the sizes of the
-    parameters (..., k). Roundings make what should be zero: where the absolute tolerance of a state
-    is zero, and it begins at zero, nothing is known of the size of these, and nothing is bounded.
-    """
-    k = scales.shape[-1]
-    relative = np.minimum(BOUND * np.maximum(rtol, ROUNDING), np.maximum(rtol, BOUND_CAP))
-    absolute = np.maximum(BOUND * atol, rtol * np.abs(start))
-    absolute = np.where(absolute > 0.0, absolute, np.inf)[..., None] / scales[..., None, :]
-    return np.repeat(relative, k), absolute.reshape(*start.shape[:-1], k * len(atol))
+    @staticmethod
+    def bounding_tolerances(
+        rtol: np.ndarray, atol: np.ndarray, start: np.ndarray, scales: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return tolerances of sensitivities that only bound the step, (n k,) and (..., n k).
+
+        They follow from those of the states (n,), the states at the start (..., n) and the sizes of
+        the parameters (..., k). A state that begins at zero with an absolute tolerance of zero has
+        no known size: its sensitivities, which may be rounding errors, bound nothing.
+        """
+        k = scales.shape[-1]
+        relative = np.minimum(BOUND * np.maximum(rtol, ROUNDING), np.maximum(rtol, BOUND_CAP))
+        absolute = np.maximum(BOUND * atol, rtol * np.abs(start))
+        absolute = np.where(absolute > 0.0, absolute, np.inf)[..., None] / scales[..., None, :]
+        return np.repeat(relative, k), absolute.reshape(*start.shape[:-1], k * len(atol))
 
 
-class Sized(NamedTuple):
-    """The source of a parameter's size."""
+class ParameterSize(NamedTuple):
+    """Where the size of a parameter comes from: the unit of the derivatives by it."""
 
-    group: str  # 'x', 'r' or 'p': it is an initial condition, a specified or a constant
-    place: int
+    group: str  # 'x', 'r' or 'p': an initial condition, a specified or a constant
+    index: int  # in that array
     columns: int = 1  # one, or the number of samples
-    size: float | None = None  # the largest of the samples
+    largest: float | None = None  # of the samples
     least: float = 1.0  # the least size of an initial condition
 
+    @staticmethod
+    def scales(
+        parameters: Sequence[ParameterSize],
+        x: np.ndarray,
+        r: np.ndarray,
+        p: np.ndarray,
+        columns: int,
+    ) -> np.ndarray:
+        """Return the sizes of parameters, shape (..., columns), from arrays of shape (..., n).
 
-def scales_of(
-    parameters: Sequence[Sized], x: np.ndarray, r: np.ndarray, p: np.ndarray, columns: int
-) -> np.ndarray:
-    """Return the sizes of parameters, shape (..., columns), from arrays of shape (..., n).
-
-    An initial condition passes through zero, so that what it is at the start says little: it has a
-    least size. Else a derivative by a speed of 1e-17 would have no error to speak of. Columns that
-    are left over have the size 1.
-    """
-    arrays = {"x": x, "r": r, "p": p}
-    scales, column = np.ones((*x.shape[:-1], columns)), 0
-    for parameter in parameters:
-        own = np.abs(arrays[parameter.group][..., parameter.place])
-        if parameter.size is not None:
-            own = np.full_like(own, parameter.size)
-        elif parameter.group == "x":
-            own = np.maximum(own, parameter.least)
-        own = np.where(own > 0.0, own, 1.0)
-        scales[..., column : column + parameter.columns] = own[..., None]
-        column += parameter.columns
-    return scales
+        An initial condition has a least size, as it may be near zero at the start by chance: the
+        error of a derivative by a speed of 1e-17 would not be controlled at all. Columns without a
+        parameter have the size 1.
+        """
+        arrays = {"x": x, "r": r, "p": p}
+        scales, column = np.ones((*x.shape[:-1], columns)), 0
+        for parameter in parameters:
+            sizes = np.abs(arrays[parameter.group][..., parameter.index])
+            if parameter.largest is not None:
+                sizes = np.full_like(sizes, parameter.largest)
+            elif parameter.group == "x":
+                sizes = np.maximum(sizes, parameter.least)
+            sizes = np.where(sizes > 0.0, sizes, 1.0)
+            scales[..., column : column + parameter.columns] = sizes[..., None]
+            column += parameter.columns
+        return scales

@@ -31,7 +31,7 @@ from pydy._names import few, numbers_of
 from pydy._optional import bar_of
 from pydy.solvers import layout as at
 from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.events import CompiledEvents, forcing_time, jumped_to, stretches
+from pydy.solvers.events import CompiledEvents
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import Outcome
 from pydy.solvers.reflection import reflected, reversed_times
@@ -463,7 +463,7 @@ class Integration(Workspace):
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
         self._happened(fired, t)
         before = self.memory.x[: self.n].copy()
-        moments = {k: forcing_time(call, wanted, k, before, t) for k in fired}
+        moments = {k: wanted.forcing_time(call, k, before, t) for k in fired}
         zero = set(fired)
         for k in fired:
             after, n = before, self.states
@@ -597,7 +597,7 @@ class Integration(Workspace):
             for k in self.idle
             if k not in again
         ]
-        return [*self.set_off.values(), *unused, *stretches(wanted, rests, self.span)]
+        return [*self.set_off.values(), *unused, *wanted.zero_interval_warnings(rests, self.span)]
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts
@@ -621,9 +621,9 @@ class Integration(Workspace):
             return record
         assert self.call is not None
         rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
-        forced = forcing_time(self.call, wanted, event, before, t) is not None
+        forced = wanted.forcing_time(self.call, event, before, t) is not None
         jump = beside.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
-        value = None if forced else jumped_to(self.call, wanted, event, before, t, jump.error)
+        value = None if forced else wanted.value_after_jump(self.call, event, before, t, jump.error)
         if value is not None or not jump.depth > jump.error:
             acting = acting and event not in beside.untimed
             if acting and value is not None:

@@ -13,7 +13,6 @@ from pydy._kernel import Kernel
 from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers import layout as at
 from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.events import stretches
 from pydy.solvers.layout import (
     Alone,
     Evaluation,
@@ -226,7 +225,7 @@ class LanesWatched(LanesBeside):
         """Return what to say of expressions that stayed at zero in some samples."""
         span, rests = float(self._times[-1] - self._times[0]), self.watch.rests[samples]
         rows = rests[~np.isnan(rests).all(axis=1)]
-        return [told for row in rows for told in stretches(self._events, row, span)]
+        return [w for row in rows for w in self._events.zero_interval_warnings(row, span)]
 
     def records(self) -> dict[int, list[EventRecord]]:
         """Return the events of each sample, if they were noted."""
