@@ -15,7 +15,7 @@ from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.system import assemble_system
 from pydy._kernel import Kernel
-from pydy._mechanics.equations import Equations
+from pydy._mechanics.equations import Equations, KinematicEquations, MassAndForcing
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import make_backend, rates_function
 
@@ -28,12 +28,16 @@ def equations_of(model: Model) -> Equations:
         time=t,
         coordinates=tuple(model.coordinates),
         speeds=tuple(model.speeds),
-        coordinate_rates=tuple(q.diff(t) for q in model.coordinates),
-        speed_rates=tuple(u.diff(t) for u in model.speeds),
-        coordinate_derivatives=tuple(model.coordinate_derivatives),
-        mass_matrix=sm.Matrix(n, n, model.mass_matrix),
-        forcing=tuple(model.forcing),
-        positive_definite=model.positive_definite,
+        kinematics=KinematicEquations(
+            coordinate_rates=tuple(q.diff(t) for q in model.coordinates),
+            speed_rates=tuple(u.diff(t) for u in model.speeds),
+            coordinate_derivatives=tuple(model.coordinate_derivatives),
+        ),
+        matrices=MassAndForcing(
+            mass_matrix=sm.Matrix(n, n, model.mass_matrix),
+            forcing=tuple(model.forcing),
+            positive_definite=model.positive_definite,
+        ),
     )
 
 

@@ -430,7 +430,7 @@ class System:
     @property
     def constraints(self) -> Any:
         """Column matrix of the holonomic, then the nonholonomic constraint expressions."""
-        rows = [*self._equations.holonomic, *self._equations.nonholonomic]
+        rows = [*self._equations.constraints.holonomic, *self._equations.constraints.nonholonomic]
         return sm.Matrix(rows) if rows else sm.Matrix()
 
     @property
@@ -511,14 +511,15 @@ class System:
     )
     num_outputs = property(lambda self: len(self.outputs_symbols), doc="Number of outputs.")
     num_holonomic_constraints = property(
-        lambda self: len(self._equations.holonomic), doc="Number of configuration constraints."
+        lambda self: len(self._equations.constraints.holonomic),
+        doc="Number of configuration constraints.",
     )
     num_velocity_constraints = property(
-        lambda self: len(self._equations.velocity),
+        lambda self: len(self._equations.constraints.velocity),
         doc="Number of velocity constraints, including differentiated holonomic ones.",
     )
     num_nonholonomic_constraints = property(
-        lambda self: len(self._equations.nonholonomic),
+        lambda self: len(self._equations.constraints.nonholonomic),
         doc="Number of motion constraints beyond the differentiated configuration constraints: a "
         "difference of ranks, whatever axes the constraints are written in.",
     )
@@ -733,7 +734,7 @@ class System:
         """
         kwargs = checked_options(kwargs)
         made = generate(self._definition, self._eom_method, kwargs)
-        if self._equations.forgotten:
+        if self._equations.constraints.undifferentiated_holonomic:
             warn_of_missing_derivatives(self._now())
         function = made.function(any_layout=self._ode_solver is not None)
         self._options, self._generated = kwargs, [made]
@@ -1385,7 +1386,7 @@ class System:
         c1 = cos(q1)
         s1 = sin(q1)
         """
-        if self._equations.forgotten:
+        if self._equations.constraints.undifferentiated_holonomic:
             warn_of_missing_derivatives(self._now())
         made = equations_to_read(self._equations, tuple(self._forces))
         return made if flag(short, "`short`") else made.without_names()
@@ -1435,7 +1436,7 @@ class System:
         >>> system.evaluate_outputs([0.0, -2.0, 1.0, 0.0])[0].round(12)  # 3*10 + 3*1**2/2
         np.float64(31.5)
         """
-        if self._equations.forgotten:
+        if self._equations.constraints.undifferentiated_holonomic:
             warn_of_missing_derivatives(self._now())
         return Reactions(self._equations, self._forces).multipliers()
 
@@ -1498,7 +1499,7 @@ class System:
         """
         reactions = Reactions(self._equations, self._forces)
         found = reactions.reaction(bodies, point, frame, loads)
-        if self._equations.forgotten:
+        if self._equations.constraints.undifferentiated_holonomic:
             warn_of_missing_derivatives(self._now())
         return found
 

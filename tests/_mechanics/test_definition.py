@@ -63,7 +63,7 @@ def test_what_depends_is_chosen(name):
     model = MODELS[name]()
     system = System(Definition(**content(model.kane)))
     system.constants = {s: model.constants[s] for s in system.constants_symbols}
-    free = set(system.speeds) - set(system._equations.dependent_speeds)
+    free = set(system.speeds) - set(system._equations.dependents.speeds)
     assert len(free) == len(model.kane.u) - len(model.kane._udep)
     system.initial_conditions = {s: v for s, v in model.start.items() if s in system.states}
     other = System(model.kane, system.constants)

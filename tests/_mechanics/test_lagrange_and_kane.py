@@ -182,7 +182,7 @@ def test_both_give_the_same_accelerations(name):
     numbered(lagrange, numbers)
     numbered(kane, numbers)
     q, names = kane.coordinates, {u: sm.Dummy() for u in kane.speeds}
-    rates = dict(zip(q, kane._equations.coordinate_derivatives, strict=True))
+    rates = dict(zip(q, kane._equations.kinematics.coordinate_derivatives, strict=True))
     written = {c.diff(T): rate for c, rate in rates.items()}
     kane.outputs = {f"a_{c.name}": rates[c].diff(T).subs(written) for c in q}
     for _ in range(3):

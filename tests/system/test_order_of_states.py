@@ -75,7 +75,7 @@ def test_the_dependent_ones_may_stand_anywhere(order, chosen):
         initial_conditions=START,
     )
     assert system.states == [*order, *speeds]
-    assert set(system._equations.dependent_speeds) == {vz}
+    assert set(system._equations.dependents.speeds) == {vz}
     system.set_dependent_initial_conditions()
     at = dict(system.initial_conditions)
     found = dict(zip(system.states, system.evaluate_ode(), strict=True))

@@ -90,12 +90,15 @@ class Assembly:
     @property
     def following(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """The places of holonomic residuals, and of the coordinates that they alone give."""
-        return ((), ()) if self.equations is None else self.equations.following
+        if self.equations is None:
+            return (), ()
+        residuals = self.equations.constraints.residuals
+        return residuals.rows, residuals.columns
 
     def with_left_out(self) -> tuple[list[int], list[int]]:
         """Return the holonomic and velocity constraints, each with its redundant ones last."""
         assert self.equations is not None
-        closed, redundant = self.equations.left_out
+        closed, redundant = self.equations.constraints.redundant
         holonomic = [*self.holonomic, *self.read(closed, "the holonomic constraints")]
         return holonomic, [*self.velocity, *self.read(redundant, "the velocity constraints")]
 

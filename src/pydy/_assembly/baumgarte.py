@@ -87,7 +87,7 @@ def _constraint_rows(assembly: Assembly) -> Sequence[int]:
     """Return which rows of the mass matrix are the acceleration constraints, in their order."""
     n, equations = len(assembly.speeds), assembly.equations
     last = range(n - len(assembly.velocity), n)
-    return last if equations is None else equations.dependent_columns
+    return last if equations is None else equations.dependents.speed_columns
 
 
 def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np.ndarray:

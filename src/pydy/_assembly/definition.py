@@ -132,7 +132,7 @@ class Definition:
         return [
             f"the residual of {kind} constraint {k}"
             for kind in kinds
-            for k, _ in enumerate(getattr(equations, kind))
+            for k, _ in enumerate(getattr(equations.constraints, kind))
         ]
 
 

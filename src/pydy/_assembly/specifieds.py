@@ -123,15 +123,16 @@ def _resolve(
         graph, p=layout.constants, t=[equations.time], r=layout.specifieds, x=layout.states
     )
     inputs = {s: atoms[s] for s in layout.specifieds}
-    atoms.update((z, graph.zero) for z in equations.zeros)
+    atoms.update((z, graph.zero) for z in equations.kinematics.zeros)
     read = SymPyReader(graph, atoms)
     for formula in formulas:
         if not formula.order:
             found = find_symbols([formula.source])
-            if kinematics is None and any(s in found for s in equations.coordinate_rates):
-                kinematics = read.all(equations.coordinate_derivatives)
+            has_rates = any(s in found for s in equations.kinematics.coordinate_rates)
+            if kinematics is None and has_rates:
+                kinematics = read.all(equations.kinematics.coordinate_derivatives)
             _refuse_unknown(formula, found, definition)
-    for rate, node in zip(equations.coordinate_rates, kinematics or (), strict=False):
+    for rate, node in zip(equations.kinematics.coordinate_rates, kinematics or (), strict=False):
         read.define(rate, node)
     own = {inputs[f.symbol]: f for f in formulas}
     nodes: dict[Any, int] = {}
@@ -186,10 +187,10 @@ def _derivative(
 
 def _refuse_unknown(formula: _Formula, found: Mapping[Any, Any], definition: Definition) -> None:
     layout, equations = definition.layout, definition.equations
-    known = {*layout.states, *layout.specifieds, *layout.constants, *equations.zeros}
-    known.update((equations.time, *equations.coordinate_rates))
+    known = {*layout.states, *layout.specifieds, *layout.constants, *equations.kinematics.zeros}
+    known.update((equations.time, *equations.kinematics.coordinate_rates))
     for symbol in found:
-        if symbol in equations.speed_rates:
+        if symbol in equations.kinematics.speed_rates:
             raise ValueError(
                 f"`specifieds` for {formula.symbol} holds `{symbol}`, for which the equations are "
                 "solved. Write loads that depend on accelerations into the loads of the "

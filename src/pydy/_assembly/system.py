@@ -94,7 +94,7 @@ class Group:
 
 def auxiliary_groups(equations: Equations, groups: Sequence[Group]) -> list[bool]:
     """Return which groups are implicit: those that contain their own names and speeds' rates."""
-    rates = set(equations.speed_rates)
+    rates = set(equations.kinematics.speed_rates)
     flags = []
     for group in groups:
         found = find_symbols(group.expressions)
@@ -184,20 +184,20 @@ def assemble_system(
     q, u, t = equations.coordinates, equations.speeds, equations.time
     atoms = input_nodes(graph, p=constants, t=[t], r=specifieds, x=[*q, *u, *auxiliaries])
     accelerations = [graph.input("a", k) for k in range(len(u))]
-    atoms.update((z, graph.zero) for z in equations.zeros)
+    atoms.update((z, graph.zero) for z in equations.kinematics.zeros)
     read = SymPyReader(graph, atoms, "the equations of motion")
     if formed is None:
-        kinematics = read.all(equations.coordinate_derivatives)
+        kinematics = read.all(equations.kinematics.coordinate_derivatives)
     else:
         kinematics = formed.rates
-    for rate, node in zip(equations.coordinate_rates, kinematics, strict=True):
+    for rate, node in zip(equations.kinematics.coordinate_rates, kinematics, strict=True):
         read.define(rate, node)
     known = dict(read.atoms)
-    for rate, node in zip(equations.speed_rates, accelerations, strict=True):
+    for rate, node in zip(equations.kinematics.speed_rates, accelerations, strict=True):
         read.define(rate, node)
     if formed is None:
-        matrix = read.all(equations.mass_matrix)
-        forcing = read.all(equations.forcing)
+        matrix = read.all(equations.matrices.mass_matrix)
+        forcing = read.all(equations.matrices.forcing)
     else:
         matrix = [node for row in formed.matrix for node in row]
         forcing = formed.forcing
@@ -205,15 +205,15 @@ def assemble_system(
         graph, equations, matrix, forcing, accelerations
     )
     read.what = "the constraints"
-    holonomic = read.all(equations.holonomic)
-    velocity = read.all(equations.velocity)
-    nonholonomic = read.all(equations.nonholonomic)
+    holonomic = read.all(equations.constraints.holonomic)
+    velocity = read.all(equations.constraints.velocity)
+    nonholonomic = read.all(equations.constraints.nonholonomic)
     n = len(u)
     sizes = (len(q) + n + len(auxiliaries), len(specifieds), len(constants))
     if formed is not None and formed.accelerations is not None:
         solved = formed.accelerations
     else:
-        kind = "ldl" if equations.positive_definite and not moved else "lu"
+        kind = "ldl" if equations.matrices.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
         if formed is None or moved:
             solved = solve_accelerations(graph, rows, forcing, kind)
@@ -239,11 +239,11 @@ def assemble_system(
     # What events and the like may hold. A user's solver finds u' from M and F, which what is read
     # later cannot wait for.
     if not external:
-        known.update(zip(equations.speed_rates, solved, strict=True))
+        known.update(zip(equations.kinematics.speed_rates, solved, strict=True))
         outputs = iter(blocks["outputs"])
         for group in groups:
             found = {name: next(outputs) for name in group.names}
-            if group.expressions == equations.auxiliary_equations:
+            if group.expressions == equations.auxiliary.residuals:
                 known.update(found)  # the noncontributing forces
     ready = None
     if formed is not None and formed.simplified is not None and not off:
@@ -269,7 +269,7 @@ def assemble_system(
 
 def check_accelerations(equations: Equations, constants: Any, specifieds: Any) -> None:
     """Refuse equations of motion that are nonlinear in the derivatives of the speeds."""
-    if any(rate in equations.symbols for rate in equations.speed_rates):
+    if any(rate in equations.symbols for rate in equations.kinematics.speed_rates):
         assemble_system(equations, (), (), specifieds, constants)
 
 
@@ -288,7 +288,7 @@ def _collect_accelerations(
     rows = jacobian(graph, forcing, accelerations)
     cells = [d for row in rows for d in row.values()]
     if present & set(graph.reachable([*cells, *matrix])):
-        names = describe(equations.speed_rates)
+        names = describe(equations.kinematics.speed_rates)
         raise ValueError(
             f"The equations of motion are nonlinear in the derivatives of the speeds ({names}) in "
             f"the term `{_nonlinear_term(equations)}`. Loads may depend on accelerations linearly "
@@ -304,11 +304,11 @@ def _collect_accelerations(
 
 def _nonlinear_term(equations: Equations) -> Any:
     """Return the first additive term that is not linear in the derivatives of the speeds."""
-    rates = equations.speed_rates
+    rates = equations.kinematics.speed_rates
     loads = equations.mechanism.loads if equations.formed and equations.mechanism else ()
     parts = [e for _, vector in loads for column, _ in vector.args for e in column]
-    for expression in (*equations.forcing, *equations.mass_matrix, *parts):
+    for expression in (*equations.matrices.forcing, *equations.matrices.mass_matrix, *parts):
         for term in expression.expand().as_ordered_terms():
             if any(term.diff(a).has(*rates) for a in rates):
                 return term
-    return equations.forcing
+    return equations.matrices.forcing

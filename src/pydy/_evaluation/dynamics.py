@@ -91,7 +91,7 @@ def _columns(
 def accelerations_of(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
     """Return accelerations and their speeds: all of them, or the independent ones."""
     n = len(equations.speeds)
-    independent = equations.independent_columns
+    independent = equations.dependents.independent_columns
     free = len(independent)
     if value is None:
         return np.zeros(free), independent
@@ -170,12 +170,13 @@ class Quantity(NamedTuple):
         equations, assembly = definition.equations, model.assembly.fork()
         g, (n, s, c) = assembly.graph, assembly.sizes
         atoms, count = dict(assembly.atoms), len(self.accelerations)
-        atoms.update(dict.fromkeys(equations.speed_rates, g.zero))
+        atoms.update(dict.fromkeys(equations.kinematics.speed_rates, g.zero))
         for k, place in enumerate(self.accelerations):
-            atoms[equations.speed_rates[place]] = g.input("x", n + k)
+            atoms[equations.kinematics.speed_rates[place]] = g.input("x", n + k)
         found = self.expressions(BodyDynamics(atoms, definition.forces, silent))
         if isinstance(found, str):
-            nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], found)
+            rates = [atoms[rate] for rate in equations.kinematics.speed_rates]
+            nodes = _of_method(assembly, rates, found)
         else:
             read = SymPyReader(g, atoms, f"the {self.name}")
             nodes = substitute(g, found.read(read), assembly.given)
@@ -229,7 +230,7 @@ def bodies_of(equations: Equations) -> Multibody:
 
 def without_bodies(equations: Equations) -> bool:
     """Return whether only the method's own equations are known, without velocity constraints."""
-    return equations.formed is None and not equations.velocity
+    return equations.formed is None and not equations.constraints.velocity
 
 
 def required_forces(
@@ -254,10 +255,10 @@ def chosen_speeds(equations: Equations, at: Any) -> tuple[int, ...] | None:
     """Return which speeds a user's `at` means."""
     if at is None:
         return None
-    speeds, held = equations.speeds, len(equations.velocity)
+    speeds, held = equations.speeds, len(equations.constraints.velocity)
     free = len(speeds) - held
     if isinstance(at, str) and at == "independent":
-        return equations.independent_columns
+        return equations.dependents.independent_columns
     known = Places(speeds, "speeds of the system")
     found = tuple(known.find(one, "at") for one in one_or_more("at", at))
     if len({*found}) != len(found) or len(found) != free:
@@ -347,9 +348,9 @@ def evaluate(
         lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
         by,
         more=at[2].shape[-1],
-        look=look if equations.constrained else None,
+        look=look if equations.constraints.are_present else None,
         skips_unread_inputs=True,
-        solve=all({*places} <= {*left[0]} for _, places in equations.residual_blocks),
+        solve=all({*places} <= {*left[0]} for _, places in equations.constraints.residuals.blocks),
     )
     return f(t, x, r, p).reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
 
@@ -384,7 +385,9 @@ def mass_matrix(equations: Equations) -> Quantity:
     n = len(equations.speeds)
 
     def expressions(dynamics: BodyDynamics) -> Any:
-        return dynamics.mass_matrix(bodies_of(equations)) if equations.velocity else "matrix"
+        if not equations.constraints.velocity:
+            return "matrix"
+        return dynamics.mass_matrix(bodies_of(equations))
 
     return Quantity("mass matrix", (), (n, n), expressions)
 

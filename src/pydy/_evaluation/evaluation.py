@@ -131,7 +131,7 @@ def evaluate_block(
     names = partial(problem.definition.row_names, block)
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
     look = None
-    if wrt is None and any(blocks) and any(problem.definition.equations.left_out):
+    if wrt is None and any(blocks) and any(problem.definition.equations.constraints.redundant):
         look = partial(warn_of_left_out, blocks=blocks)
     x, t, r, p = given
     return Function(problem, kernel, names, wrt or (), look=look)(t, x, r, p)

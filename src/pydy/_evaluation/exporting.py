@@ -41,9 +41,9 @@ def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
     equations, count = problem.definition.equations, problem.coordinate_count
     places, solved = problem.dependent, problem.solved_for
     q, u = [k for k in places if k < count], [k for k in places if k >= count]
-    if solved is None and len(q) < len(equations.holonomic):
+    if solved is None and len(q) < len(equations.constraints.holonomic):
         q = list(range(count))
-    if solved is None and len(u) < len(equations.velocity):
+    if solved is None and len(u) < len(equations.constraints.velocity):
         u = list(range(count, count + len(equations.speeds)))
     return q, u
 
@@ -80,10 +80,11 @@ def _input_places(
 
 def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
     """Refuse resets after which residuals give other unknowns: exported code does not solve."""
-    implicit = definition.equations.implicit
+    implicit = definition.equations.constraints.residuals.implicit
     if implicit is None:
         return
-    held = {*find_symbols(map(definition.equations.in_states, implicit.residuals.values()))}
+    in_states = definition.equations.kinematics.in_states
+    held = {*find_symbols(map(in_states, implicit.residuals.values()))}
     for event in events:
         if moved := [s for s in event.reset if s in held]:
             raise ValueError(
@@ -119,7 +120,7 @@ def _held(problem: Problem) -> dict[str, Any]:
         "coordinates": len(equations.coordinates),
         "speeds": len(equations.speeds),
         "weighted": int(equations.mechanism is not None and bool(equations.mechanism.bodies)),
-        "following": equations.following[1],
+        "following": equations.constraints.residuals.columns,
     }
 
 
@@ -211,7 +212,7 @@ def exported_model(
         start=start,
         stop=float(times[-1]) if len(times) > 1 else start + 1.0,
         constraints=held or {},
-        unknowns=definition.equations.following[1],
+        unknowns=definition.equations.constraints.residuals.columns,
     )
 
 
@@ -223,7 +224,7 @@ def live_system(
 
     definition, plan = problem.definition, problem.plan
     equations = definition.equations
-    constrained = bool(equations.holonomic or equations.velocity)
+    constrained = bool(equations.constraints.holonomic or equations.constraints.velocity)
     if constraints == "auto":
         constraints = "project" if constrained else None
     exported = exported_model(

@@ -116,7 +116,8 @@ class Function:
 
     def _look_for_inputs(self, code: CompiledModel, program: Any) -> bool:
         definition = self.problem.definition
-        if definition.equations.implicit is not None or "specifieds" in definition.assumptions:
+        implicit = definition.equations.constraints.residuals.implicit
+        if implicit is not None or "specifieds" in definition.assumptions:
             return True
         if not isinstance(program, Program) or any(
             op == "input" and args[0] == "r"

@@ -89,5 +89,9 @@ def shortened(value: Any) -> str:
 
 
 def _counts(equations: Any) -> str:
-    counts = {kind: len(getattr(equations, kind)) for kind in ("holonomic", "nonholonomic")}
+    constraints = equations.constraints
+    counts = {
+        "holonomic": len(constraints.holonomic),
+        "nonholonomic": len(constraints.nonholonomic),
+    }
     return ", ".join(f"{number} {kind}" for kind, number in counts.items() if number)

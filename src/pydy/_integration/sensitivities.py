@@ -309,8 +309,8 @@ class AugmentedSystem:
     @property
     def tied(self) -> list[str]:
         """The blocks of constraints that initial conditions satisfy."""
-        equations = self.definition.equations
-        return [block for block in ("holonomic", "velocity") if getattr(equations, block)]
+        constraints = self.definition.equations.constraints
+        return [block for block in ("holonomic", "velocity") if getattr(constraints, block)]
 
     @property
     def unknowns(self) -> list[range]:

@@ -56,11 +56,11 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     )  # nothing is told of it
     told = not held and look(at, redundant=False)
     equations = at.definition.equations
-    unimplied = () if told else equations.unimplied
+    unimplied = () if told else equations.constraints.unenforced_holonomic
     if unimplied and (report := DriftReport.contradiction(at.values(rates))):
         why = contradiction(equations, float(at.t[0]), **report.details)
         raise ValueError(f"No motion satisfies all constraints. {why}")
-    if held and not any(equations.left_out):
+    if held and not any(equations.constraints.redundant):
         return False
     if not told:
         check_redundant(at)
@@ -83,8 +83,9 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
 def _check_constant(at: At) -> None:
     """Refuse a constraint of constants alone that is not zero: no motion can satisfy it."""
     equations = at.definition.equations
-    closed, redundant = equations.left_out
-    rows = [*equations.holonomic, *closed, *equations.velocity, *redundant]
+    constraints = equations.constraints
+    closed, redundant = constraints.redundant
+    rows = [*constraints.holonomic, *closed, *constraints.velocity, *redundant]
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     constants = set(at.definition.constants)
     for k in np.flatnonzero(np.abs(residuals) > DIGITS * bounds):
@@ -168,8 +169,9 @@ def _judged(
 
 def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
     """Tell which rows are wanted: holonomic, of these left out, velocity, of these left out."""
-    closed, redundant = equations.left_out
-    parts = equations.holonomic, closed, equations.velocity, redundant
+    constraints = equations.constraints
+    closed, redundant = constraints.redundant
+    parts = constraints.holonomic, closed, constraints.velocity, redundant
     return np.repeat(wanted, [len(part) for part in parts])
 
 
@@ -239,7 +241,7 @@ def check_samples(
         if told(numbers[off[worst]]):
             return
     equations = looked_at.definition.equations
-    if equations.unimplied or any(equations.left_out):
+    if equations.constraints.unenforced_holonomic or any(equations.constraints.redundant):
         told(np.arange(total))
 
 
@@ -248,7 +250,7 @@ def check_samples(
 
 def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -> str:
     """Say that velocity constraints hold, but do not keep one of the `unimplied` holonomic ones."""
-    name = constraint_names(equations)[equations.unimplied[unimplied]]
+    name = constraint_names(equations)[equations.constraints.unenforced_holonomic[unimplied]]
     return (
         f"At t = {t!r} the velocity constraints hold, but with these speeds the rate of the "
         f"{name}, is {rate:.3g}. Correct it, or the velocity constraints "
@@ -298,7 +300,8 @@ def rates(assembly: Assembly) -> dict[str, list[int]]:
     """Return 'contradictions' of `DriftQuantities`."""
     graph, equations = assembly.graph, assembly.equations
     assert equations is not None
-    rows = rates_along(assembly, [assembly.holonomic[k] for k in equations.unimplied])
+    unenforced = equations.constraints.unenforced_holonomic
+    rows = rates_along(assembly, [assembly.holonomic[k] for k in unenforced])
     return {
         "rates": rows,
         "sizes": rounding_bounds(graph, rows, True),
@@ -316,7 +319,7 @@ def rates(assembly: Assembly) -> dict[str, list[int]]:
 def check_redundant(at: At) -> None:
     """Refuse a state where constraints left out do not hold, or not follow from others."""
     equations, t = at.definition.equations, float(at.t[0])
-    left_out = equations.left_out
+    left_out = equations.constraints.redundant
     if not any(left_out):
         return
     n = len(equations.coordinates)
@@ -332,11 +335,11 @@ def check_redundant(at: At) -> None:
     slopes = at.values(_velocity_slopes)["slopes"].reshape(-1, at.x.shape[1])[:, n:]
     # The state is known to six digits: what is singular there leaves half of them.
     needed = rank(slopes, least=DIGITS**0.5)
-    if needed > len(equations.velocity):
+    if needed > len(equations.constraints.velocity):
         raise ValueError(
             f"At t = {t!r} there are {needed} independent velocity constraints, but only "
-            f"{len(equations.velocity)} were kept: at the states that were tried, the others "
-            "followed from them. "
+            f"{len(equations.constraints.velocity)} were kept: at the states that were tried, the "
+            "others followed from them. "
             "The linkage can be assembled in another way, in which they do. Say which is meant: "
             "`pydy.mechanics.Definition(..., configuration=system.initial_conditions)`."
         )
@@ -444,7 +447,8 @@ def part_of(
     problem: Problem, slopes: Slopes, name: str
 ) -> Callable[[Assembly], dict[str, list[int]]] | None:
     """Return the function that makes a part of `DriftQuantities` of an Assembly, or None."""
-    if name == "contradictions" and not problem.definition.equations.unimplied:
+    constraints = problem.definition.equations.constraints
+    if name == "contradictions" and not constraints.unenforced_holonomic:
         return None
     if name in PARTS:
         return PARTS[name]
@@ -483,7 +487,7 @@ def _drift_check(motion: Motion, projected: bool) -> DriftCheck:
         statistics["nearness"] if projected else None,
         motion.projected,
         [(e.time, e.after) for e in motion.events if (e.after != e.before).any()],
-        any(motion.problem.definition.equations.left_out),
+        any(motion.problem.definition.equations.constraints.redundant),
     )
 
 
@@ -492,7 +496,7 @@ def check_drift(motion: Motion) -> None:
     equations, projected = motion.problem.definition.equations, "constraints" in motion.options
     statistics = motion.statistics
     sound = statistics["nearness"] >= DriftCheck.NEAR_SINGULAR if projected else False
-    if sound and not equations.beyond_projection:
+    if sound and not equations.constraints.has_unprojected_rows:
         return
     check = _drift_check(motion, projected)
     report = check.report(partial(_part, motion))

@@ -85,7 +85,7 @@ def diagnosis_of(at: At, outputs: bool = False) -> str | None:
             "angular velocities of frames hold these speeds, and that bodies have mass and inertia."
         )
     values = {name: part[0] for name, part in at.values(_parts).items()}
-    rows = values["slopes"].reshape(len(equations.velocity), len(equations.speeds))
+    rows = values["slopes"].reshape(len(equations.constraints.velocity), len(equations.speeds))
     return (
         _in_kinematics(at, values["kinematics"])
         or (_in_constraints(equations, rows, values["matrix"]) if len(rows) else None)
@@ -107,7 +107,8 @@ def _in_kinematics(at: At, kinematics: np.ndarray) -> str | None:
     if not wild.any():
         return None
     names = [q for q, bad in zip(equations.coordinates, wild, strict=True) if bad]
-    residuals = {} if equations.implicit is None else equations.implicit.residuals
+    implicit = equations.constraints.residuals.implicit
+    residuals = {} if implicit is None else implicit.residuals
     if given := [z for z in names if z in residuals]:
         return (
             f"The residuals of `implicit` cannot be solved for {describe(given)} there: their "
@@ -125,7 +126,7 @@ def _in_kinematics(at: At, kinematics: np.ndarray) -> str | None:
 def _in_constraints(equations: Any, rows: np.ndarray, matrix: np.ndarray) -> str | None:
     if not np.isfinite(rows).all():
         return "The velocity constraints divide by zero there. Write them without the quotient."
-    if not equations.dependent_speeds:
+    if not equations.dependents.speeds:
         return None
     cause = _bad_dependents(equations, rows)
     if not cause and not np.isfinite(matrix).all():
@@ -221,7 +222,7 @@ def _wild(kinematics: np.ndarray, elsewhere: np.ndarray) -> np.ndarray:
 
 def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
     """Suggest other dependent speeds where the constraints cannot be solved for these."""
-    speeds, chosen = equations.speeds, equations.dependent_speeds
+    speeds, chosen = equations.speeds, equations.dependents.speeds
     scaled = equilibrated(rows, exact=True)[0]
     sizes = np.linalg.svd(scaled[:, [speeds.index(u) for u in chosen]], compute_uv=False)
     if len(chosen) == len(rows) and sizes[-1] > DIGITS * sizes[0]:

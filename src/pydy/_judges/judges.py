@@ -36,7 +36,7 @@ def judge_motion(motion: Motion) -> None:
         warn_of_pulses(motion)
     if problem.judges_assumptions and len(motion.times):
         check_assumptions(motion)
-    if problem.definition.equations.constrained and len(motion.times):
+    if problem.definition.equations.constraints.are_present and len(motion.times):
         if isinstance(motion.solver, Solver) and not motion.projected:
             check_resets(motion.events, problem.at)
         check_drift(motion)

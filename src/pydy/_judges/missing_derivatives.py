@@ -17,15 +17,16 @@ from pydy._rank import HALF
 def warn_of_missing_derivatives(problem: Problem) -> None:
     """Warn of a holonomic constraint that no velocity constraint and no kinematics keeps."""
     equations = problem.definition.equations
-    if not equations.forgotten:
+    undifferentiated = equations.constraints.undifferentiated_holonomic
+    if not undifferentiated:
         return
-    places = [k for k in equations.forgotten if not _implied(problem, k)]
+    places = [k for k in undifferentiated if not _implied(problem, k)]
     if not places:
         return
-    k = places[0]
+    k, holonomic = places[0], equations.constraints.holonomic
     more = f" {len(places) - 1} other holonomic constraints neither." if len(places) > 1 else ""
     warn_user(
-        f"No velocity constraint keeps the holonomic constraint {k}, `{equations.holonomic[k]}` = "
+        f"No velocity constraint keeps the holonomic constraint {k}, `{holonomic[k]}` = "
         f"0: its derivative is missing, and the equations of motion are those of a system without "
         f"this constraint.{more} Give KanesMethod the derivative in `velocity_constraints` and a "
         "speed in `u_dependent`, or use a pydy.mechanics.Definition, which differentiates it."
@@ -40,8 +41,8 @@ def _implied(problem: Problem, place: int) -> bool:
     """
     equations, at = problem.definition.equations, problem.at(np.array([problem.t]), problem.x[None])
     found = at.values(rates)
-    count = len(equations.unimplied)
-    slope = found["slopes"].reshape(count, -1)[equations.unimplied.index(place)]
+    unenforced = equations.constraints.unenforced_holonomic
+    slope = found["slopes"].reshape(len(unenforced), -1)[unenforced.index(place)]
     rows = found["rows"].reshape(-1, slope.size)
     size = np.linalg.norm(slope)
     if not (np.isfinite(slope).all() and np.isfinite(rows).all() and size > 0.0 and rows.size):

@@ -202,9 +202,8 @@ def _constrained(
     ]
     for k in range(d):
         system[n + k][n + k] = graph.const(INDEPENDENT if k < constraints.rank else REDUNDANT)
-    pull = [
-        graph.sum([(graph.mul(b, c), -1.0)]) for b, c in zip(constraints.bias, shares, strict=True)
-    ]
+    bias = zip(constraints.bias, shares, strict=True)
+    pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in bias]
     sound = graph.boolean(False) if sound is None else sound
     fast = [*(fast or [zero] * n), *[zero] * d]
     return graph.guard(system, [*forcing, *pull], sound, fast)[:n]

@@ -39,13 +39,14 @@ def with_auxiliary(equations: Equations) -> Equations:
             if share is not None:
                 moved[j] = share
             elif not written:
-                return replace(
-                    equations, auxiliary_equations=(), auxiliary_unknown=body.velocity[j]
-                )
+                loop = body.velocity[j]
+                unresolved = replace(equations.auxiliary, residuals=(), unresolved_loop=loop)
+                return replace(equations, auxiliary=unresolved)
         loops = [j for j in loops if any(n != k.graph.zero for n in moved[j])]
-    if equations.auxiliary_equations and not loops:
+    if equations.auxiliary.residuals and not loops:
         return equations
-    return replace(equations, auxiliary_equations=tuple(_residuals(k, moved)))
+    auxiliary = replace(equations.auxiliary, residuals=tuple(_residuals(k, moved)))
+    return replace(equations, auxiliary=auxiliary)
 
 
 def _leaving_out(k: Kinematics, equations: Equations, moved: list[Vec]) -> list[int]:
@@ -55,7 +56,8 @@ def _leaving_out(k: Kinematics, equations: Equations, moved: list[Vec]) -> list[
 
 
 def _of_loop(equations: Equations, j: int) -> bool:
-    return not any(equations.velocity[j] is e for e in equations.nonholonomic)
+    constraints = equations.constraints
+    return not any(constraints.velocity[j] is e for e in constraints.nonholonomic)
 
 
 def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:

@@ -53,8 +53,9 @@ def check_velocities(equations: Equations) -> None:
     functions = [s for s in formed.specifieds if isinstance(s, AppliedUndef)]
     if not functions:
         return
-    said = (*body.coordinate_derivatives, *equations.holonomic, *equations.velocity)
-    given = find_symbols((*said, *(e for part in equations.left_out for e in part)))
+    rows = equations.constraints
+    written = *body.coordinate_derivatives, *rows.holonomic, *rows.velocity
+    given = find_symbols((*written, *rows.redundant.holonomic, *rows.redundant.velocity))
     functions = [s for s in functions if s not in given]
     if not functions:
         return

@@ -170,8 +170,9 @@ def _choose(
     if not samples:
         best = every[int(np.argmin(openness(every)))]["residuals"]
         sizes = np.abs(best) / units_of(every)
-        names = [f"holonomic constraint {k}, `{e}`" for k, e in enumerate(equations.holonomic)]
-        names += [f"velocity constraint {k}, `{e}`" for k, e in enumerate(equations.velocity)]
+        constraints = equations.constraints
+        names = [f"holonomic constraint {k}, `{e}`" for k, e in enumerate(constraints.holonomic)]
+        names += [f"velocity constraint {k}, `{e}`" for k, e in enumerate(constraints.velocity)]
         worst = [k for k in np.argsort(-sizes) if sizes[k] > _SHARE * sizes.max()]
         open_ones = few([f"the {names[k]}, is left at {best[k]:.3g}" for k in worst])
         raise ValueError(
@@ -189,7 +190,7 @@ def _choose(
         matrices, bounds = _known(states, samples, block)
         full, rank = _of_full_rank(matrices, bounds)
         varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
-        first = [k for k, s in enumerate(symbols) if s in equations.dependent_coordinates]
+        first = [k for k, s in enumerate(symbols) if s in equations.dependents.coordinates]
         for some in range(3, 0, -1):  # other ways of assembly may have no pivot in common
             own = matrices[full[:some]], bounds[full[:some]]
             choice = Chosen(own[0], varying=varying, bounds=own[1], first=first)
@@ -342,13 +343,14 @@ def _check_linear(equations: Equations, states: GenericStates) -> None:
     def held(nodes: Sequence[int]) -> bool:
         return not speeds.isdisjoint(states.graph.reachable(nodes))
 
-    for k, (e, node) in enumerate(zip(equations.holonomic, states.holonomic, strict=True)):
+    rows = equations.constraints
+    for k, (e, node) in enumerate(zip(rows.holonomic, states.holonomic, strict=True)):
         if held([node]):
             raise ValueError(
                 f"The holonomic constraint {k}, `{e}`, holds speeds or derivatives. Give it as a "
                 "velocity constraint."
             )
-    for k, (e, row) in enumerate(zip(equations.velocity, slopes, strict=True)):
+    for k, (e, row) in enumerate(zip(rows.velocity, slopes, strict=True)):
         if held([*row.values()]):
             raise ValueError(
                 f"The velocity constraint {k}, `{e}`, is not linear in the speeds. Replace it with "

@@ -14,10 +14,10 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, ReferenceFrame
 
 from pydy._forks import cached_property
+from pydy._mechanics.constraints import ConstraintEquations, DependentStates
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.form import Formed
 from pydy._mechanics.frame_tree import velocity_in
-from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._names import name_of
@@ -123,88 +123,14 @@ def _sum_of_products(a: Iterable[Any], b: Iterable[Any]) -> Any:
     return sm.Add(*(x * y for x, y in zip(a, b, strict=True) if x != 0 and y != 0))
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Equations:
-    """Equations of motion ``M u' = F`` with kinematics ``q' = G`` and constraints."""
+@dataclass(frozen=True, eq=False)
+class KinematicEquations:
+    """The kinematic differential equations q' = G(q, u, t) and the symbols of all rates."""
 
-    time: sm.Symbol
-    coordinates: tuple[Any, ...]
-    speeds: tuple[Any, ...]
-    coordinate_rates: tuple[Any, ...]  # The symbols q' and u'
-    speed_rates: tuple[Any, ...]
+    coordinate_rates: tuple[Any, ...]  # the symbols q'
+    speed_rates: tuple[Any, ...]  # the symbols u'
     coordinate_derivatives: tuple[Any, ...]  # q' in terms of q, u and t
-    mass_matrix: Any  # empty, like the forcing, where the equations are `formed`
-    forcing: tuple[Any, ...]
-    # Whether the mass matrix is symmetric positive definite by construction.
-    positive_definite: bool
-    holonomic: tuple[Any, ...] = ()  # configuration constraints, zero when satisfied
-    # All velocity-level constraints, differentiated holonomic ones included.
-    velocity: tuple[Any, ...] = ()
-    nonholonomic: tuple[Any, ...] = ()  # those of `velocity` that no holonomic constraint implies
-    # Anywhere among the coordinates and speeds; these in the order of the velocity constraints.
-    dependent_coordinates: tuple[Any, ...] = ()
-    dependent_speeds: tuple[Any, ...] = ()
-    # Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
-    auxiliary_speeds: tuple[Any, ...] = ()
-    auxiliary_equations: tuple[Any, ...] = ()
-    # The rate of a loop whose share in the auxiliary equations cannot be found; these are empty.
-    auxiliary_unknown: Any = None
-    zeros: tuple[Any, ...] = field(default=(), repr=False)
-    # The bodies and loads behind the equations, where the method knows them.
-    mechanism: Mechanism | None = field(default=None, repr=False)
-    # The equations of motion as nodes of a graph, formed from the bodies and loads.
-    formed: Formed | None = field(default=None, repr=False)
-    # What the equations of motion can be formed from, where the method knows it.
-    multibody: Multibody | None = field(default=None, repr=False)
-    # The `Implicit` whose residuals, among the holonomic ones, give some coordinates.
-    implicit: Any = field(default=None, repr=False)
-    # The places of the holonomic constraints whose rates the velocity constraints imply.
-    enforced: tuple[int, ...] = ()
-    # Those whose rates no velocity constraint and no kinematic equation implies.
-    forgotten: tuple[int, ...] = ()
-    # The velocity constraints that follow from those and from `nonholonomic`.
-    repeated: tuple[Any, ...] = ()
-
-    def __repr__(self) -> str:
-        q, u = (", ".join(map(name_of, part)) for part in (self.coordinates, self.speeds))
-        lines = [f"Equations: {q}; speeds {u}"]
-        if self.formed is not None:
-            made_from = self.mechanism or self.multibody  # a Lagrangian may come without bodies
-            counts = [len(made_from.bodies), len(made_from.loads)] if made_from else [0, 0]
-            lines.append("formed on the graph from {} bodies and {} loads".format(*counts))
-        else:
-            lines.append(f"a mass matrix {self.mass_matrix.shape} and {len(self.forcing)} forces")
-        for kind in ("holonomic", "velocity", "nonholonomic", "auxiliary_equations"):
-            rows = getattr(self, kind)
-            if rows:
-                what = "auxiliary equations" if "_" in kind else f"{kind} constraints"
-                lines.append(f"{len(rows)} {what}")
-        return "\n  ".join(lines)
-
-    @cached_property
-    def symbols(self) -> dict[Any, None]:
-        """The symbols, functions of time and derivatives that occur in the equations of motion."""
-        found = find_symbols(self.expressions)
-        if self.formed is not None:
-            found.update(dict.fromkeys(self.formed.symbols(self.speed_rates)))
-        return found
-
-    @property
-    def expressions(self) -> tuple[Any, ...]:
-        """The expressions in the equations of motion, as far as they are written as such.
-
-        Constraints that were left out as redundant are so with the right numbers only.
-        """
-        closed, redundant = self.left_out
-        return (
-            *self.coordinate_derivatives,
-            *self.mass_matrix,
-            *self.forcing,
-            *self.holonomic,
-            *self.velocity,
-            *closed,
-            *redundant,
-        )
+    zeros: tuple[Any, ...] = ()  # symbols that are zero in motion: auxiliary speeds, their rates
 
     def in_states(self, expression: Any) -> Any:
         """Return an expression in terms of the states, without auxiliary speeds.
@@ -214,106 +140,110 @@ class Equations:
         rates = zip(self.coordinate_rates, self.coordinate_derivatives, strict=True)
         return replace_symbols(expression, {**dict(rates), **dict.fromkeys(self.zeros, sm.S.Zero)})
 
-    @cached_property
-    def dependent_columns(self) -> tuple[int, ...]:
-        """The positions of the dependent speeds among the speeds, in their own order."""
-        return tuple(self.speeds.index(u) for u in self.dependent_speeds)
+
+@dataclass(frozen=True, eq=False)
+class MassAndForcing:
+    """M and F of a method object; both are empty if the equations are `formed` on a graph."""
+
+    mass_matrix: Any = ()
+    forcing: tuple[Any, ...] = ()
+    # Whether the mass matrix is symmetric positive definite by construction.
+    positive_definite: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class AuxiliaryEquations:
+    """The equations of noncontributing forces, which auxiliary speeds bring into evidence."""
+
+    speeds: tuple[Any, ...] = ()  # zero in motion
+    residuals: tuple[Any, ...] = ()  # one for each auxiliary speed
+    # The rate of a loop whose share in the residuals cannot be determined; these are empty then.
+    unresolved_loop: Any = None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Equations:
+    """Equations of motion ``M u' = F`` with kinematics ``q' = G`` and constraints."""
+
+    time: sm.Symbol
+    coordinates: tuple[Any, ...]
+    speeds: tuple[Any, ...]
+    kinematics: KinematicEquations
+    matrices: MassAndForcing
+    constraints: ConstraintEquations = field(default_factory=ConstraintEquations)
+    dependents: DependentStates = field(default_factory=DependentStates)
+    auxiliary: AuxiliaryEquations = field(default_factory=AuxiliaryEquations)
+    # The bodies and loads behind the equations, where the method knows them.
+    mechanism: Mechanism | None = None
+    # The equations of motion as nodes of a graph, formed from the bodies and loads.
+    formed: Formed | None = None
+    # What the equations of motion can be formed from, where the method knows it.
+    multibody: Multibody | None = None
+
+    def __repr__(self) -> str:
+        q, u = (", ".join(map(name_of, part)) for part in (self.coordinates, self.speeds))
+        lines = [f"Equations: {q}; speeds {u}"]
+        matrices, constraints = self.matrices, self.constraints
+        if self.formed is not None:
+            made_from = self.mechanism or self.multibody  # a Lagrangian may come without bodies
+            counts = [len(made_from.bodies), len(made_from.loads)] if made_from else [0, 0]
+            lines.append("formed on the graph from {} bodies and {} loads".format(*counts))
+        else:
+            shape, count = matrices.mass_matrix.shape, len(matrices.forcing)
+            lines.append(f"a mass matrix {shape} and {count} forces")
+        rows = {
+            "holonomic constraints": constraints.holonomic,
+            "velocity constraints": constraints.velocity,
+            "nonholonomic constraints": constraints.nonholonomic,
+            "auxiliary equations": self.auxiliary.residuals,
+        }
+        lines += [f"{len(own)} {kind}" for kind, own in rows.items() if own]
+        return "\n  ".join(lines)
 
     @cached_property
-    def independent_columns(self) -> tuple[int, ...]:
-        """The positions of the independent speeds among the speeds."""
-        dependent = {*self.dependent_columns}
-        return tuple(k for k in range(len(self.speeds)) if k not in dependent)
+    def symbols(self) -> dict[Any, None]:
+        """The symbols, functions of time and derivatives that occur in the equations of motion."""
+        found = find_symbols(self.expressions)
+        if self.formed is not None:
+            found.update(dict.fromkeys(self.formed.symbols(self.kinematics.speed_rates)))
+        return found
 
-    def check_unchanged(self) -> None:
-        """Raise where a body has been changed since these equations were made."""
-        if self.multibody is not None:
-            self.multibody.check_unchanged()
+    @property
+    def expressions(self) -> tuple[Any, ...]:
+        """The expressions in the equations of motion, as far as they are written as such.
 
-    @cached_property
-    def following(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """The positions of residuals in the holonomic constraints, and of their unknowns in q."""
-        if self.implicit is None:
-            return (), ()
-        rows = {*self.implicit.residuals.values()}
+        Constraints that were omitted as redundant are so with the right numbers only.
+        """
         return (
-            tuple(k for k, e in enumerate(self.holonomic) if e in rows),
-            tuple(k for k, q in enumerate(self.coordinates) if q in self.implicit.residuals),
+            *self.kinematics.coordinate_derivatives,
+            *self.matrices.mass_matrix,
+            *self.matrices.forcing,
+            *self.constraints.holonomic,
+            *self.constraints.velocity,
+            *self.constraints.redundant.holonomic,
+            *self.constraints.redundant.velocity,
         )
-
-    @property
-    def places_held(self) -> tuple[int, ...]:
-        """The places of holonomic constraints that a discretised motion has to hold as such.
-
-        The enforced ones, then the residuals.
-        """
-        return (*self.enforced, *self.following[0])
-
-    @cached_property
-    def given_by_speeds(self) -> frozenset[Any]:
-        """The coordinates that residuals give which hold speeds: forces of friction, say."""
-        found = {*self.speeds}
-        for rows, places in self.residual_blocks:
-            if found & {*find_symbols([self.holonomic[k] for k in rows])}:
-                found.update(self.coordinates[k] for k in places)
-        return frozenset(found - {*self.speeds})
-
-    @cached_property
-    def residual_blocks(self) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
-        """The positions of residuals and unknowns in blocks that are solved one after the other."""
-        rows, places = self.following
-        residuals = [self.holonomic[k] for k in rows]
-        blocks = blocks_of(residuals, [self.coordinates[k] for k in places])
-        return [
-            (tuple(rows[k] for k in own), tuple(places[k] for k in given)) for own, given in blocks
-        ]
-
-    @cached_property
-    def unimplied(self) -> tuple[int, ...]:
-        """The places of holonomic constraints whose rates may not follow from velocity constraints.
-
-        It is so at random states and constants; with others they may.
-        """
-        return tuple(k for k, _ in enumerate(self.holonomic) if k not in self.places_held)
-
-    @cached_property
-    def left_out(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-        """The holonomic and the velocity constraints that are redundant, in terms of the states."""
-        body = self.multibody
-        if body is None:
-            return (), ()
-        return body.closed, tuple(map(self.in_states, body.redundant))
-
-    @cached_property
-    def beyond_projection(self) -> bool:
-        """Whether there is more to keep than the rows that projection holds."""
-        return any(self.left_out) or bool(self.unimplied)
-
-    @property
-    def constrained(self) -> bool:
-        """Whether there are constraints, including redundant ones."""
-        return bool(self.holonomic or self.velocity or any(self.left_out))
 
     @cached_property
     def kinetic_energy(self) -> Any:
         """The kinetic energy in terms of q, u, t, constants and specifieds; None without bodies."""
         if self.mechanism is None or not self.mechanism.bodies:
             return None
-        self.check_unchanged()
-        return self.in_states(self.mechanism.kinetic_energy)
+        if self.multibody is not None:
+            self.multibody.check_unchanged()
+        return self.kinematics.in_states(self.mechanism.kinetic_energy)
 
     @cached_property
     def constraint_forces(self) -> ConstraintForces | None:
         """The equations of multipliers and reactions; None without bodies."""
         if self.multibody is None:
             return None
-        self.check_unchanged()
+        self.multibody.check_unchanged()
+        constraints = self.constraints
+        holonomic, nonholonomic = len(constraints.holonomic), len(constraints.nonholonomic)
         return ConstraintForces(
             self.multibody,
-            {k: self.holonomic[k] for k in self.enforced},
-            {len(self.holonomic) + k: e for k, e in enumerate(self.nonholonomic)},
-            {
-                len(self.holonomic) + len(self.nonholonomic) + k: e
-                for k, e in enumerate(self.repeated)
-            },
+            {k: constraints.holonomic[k] for k in constraints.implied_holonomic},
+            {holonomic + k: e for k, e in enumerate(constraints.nonholonomic)},
+            {holonomic + nonholonomic + k: e for k, e in enumerate(constraints.implied_velocity)},
         )

@@ -121,8 +121,9 @@ def _plain(expression: Any) -> str:
 def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> EquationsOfMotion:
     """Return the equations with short names."""
     q, u, n = equations.coordinates, equations.speeds, len(equations.speeds)
-    if equations.formed is None and not equations.velocity:  # the method's own alone are known
-        matrix, bias = [*equations.mass_matrix], [-f for f in equations.forcing]
+    kinematics, velocity = equations.kinematics, [*equations.constraints.velocity]
+    if equations.formed is None and not velocity:  # the method's own alone are known
+        matrix, bias = [*equations.matrices.mass_matrix], [-f for f in equations.matrices.forcing]
     else:
         body, dynamics = equations.multibody, BodyDynamics(None, forces, {})
         if body is None:
@@ -134,19 +135,18 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
         body.check_unchanged()
         matrix = dynamics.mass_matrix(body).expressions()
         bias = dynamics.inverse_dynamics(body).expressions()
-    rates = [*equations.coordinate_derivatives]
-    velocity = [*equations.velocity]
-    moving = {*equations.coordinate_rates, *equations.speed_rates, *equations.zeros}
+    rates = [*kinematics.coordinate_derivatives]
+    moving = {*kinematics.coordinate_rates, *kinematics.speed_rates, *kinematics.zeros}
     parts = [*matrix, *bias, *rates, *velocity]
     graph = Graph()
     order = (*q, *u, *(s for s in find_symbols(parts) if s not in moving))
     atoms = input_nodes(graph, x=dict.fromkeys(order))
     symbols = {node: symbol for symbol, node in atoms.items()}
-    atoms.update(dict.fromkeys(equations.zeros, graph.zero))
-    atoms.update(dict.fromkeys((s for s in equations.speed_rates if s not in atoms), graph.zero))
+    atoms.update(dict.fromkeys(kinematics.zeros, graph.zero))
+    atoms.update(dict.fromkeys((s for s in kinematics.speed_rates if s not in atoms), graph.zero))
     read = SymPyReader(graph, atoms, "the equations of motion")
     moved = read.all(rates)
-    for rate, node in zip(equations.coordinate_rates, moved, strict=True):
+    for rate, node in zip(kinematics.coordinate_rates, moved, strict=True):
         read.define(rate, node)
     nodes = [*read.all(matrix), *(graph.neg(node) for node in read.all(bias)), *moved]
     rows = read.all(velocity)

@@ -197,7 +197,7 @@ def method_of(eom_method: Any) -> Any:
 
 def symbolic_matrices(equations: Equations, eom_method: Any) -> tuple[Any, Any]:
     """Return the mass matrix and forcing as SymPy's expressions."""
-    if equations.formed is not None and not len(equations.mass_matrix):
+    if equations.formed is not None and not len(equations.matrices.mass_matrix):
         try:
             equations = extract(method_of(eom_method), "method")
         except ValueError:
@@ -206,4 +206,4 @@ def symbolic_matrices(equations: Equations, eom_method: Any) -> tuple[Any, Any]:
                 "motion were formed from the bodies. Call `kanes_equations()` of a KanesMethod "
                 "and hand that to System."
             ) from None
-    return equations.mass_matrix, equations.forcing
+    return equations.matrices.mass_matrix, equations.matrices.forcing

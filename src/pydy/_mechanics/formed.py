@@ -32,7 +32,19 @@ from pydy._graph import (
     solve_accelerations,
 )
 from pydy._mechanics.auxiliary import with_auxiliary
-from pydy._mechanics.equations import Equations, Mechanism
+from pydy._mechanics.constraints import (
+    ConstraintEquations,
+    DependentStates,
+    ImplicitResiduals,
+    RedundantConstraints,
+)
+from pydy._mechanics.equations import (
+    AuxiliaryEquations,
+    Equations,
+    KinematicEquations,
+    MassAndForcing,
+    Mechanism,
+)
 from pydy._mechanics.form import Formed, forms, useful_axes
 from pydy._mechanics.generic import (
     AROUND,
@@ -54,25 +66,30 @@ _LOG = logging.getLogger("pydy")
 def kinematics_of(body: Multibody) -> Equations:
     """Return the kinematics and constraints alone, without equations of motion."""
     auxiliary = body.auxiliary
+    kinematics = KinematicEquations(
+        body.coordinate_rates,
+        body.speed_rates,
+        body.coordinate_derivatives,
+        # In motion the auxiliary speeds are zero at all times.
+        zeros=(*auxiliary, *(rate_of(u, body.time) for u in auxiliary)),
+    )
+    multibody = body if body.bodies or body.lagrangian is not None else None
+    residuals = ImplicitResiduals(body.implicit, body.holonomic, body.coordinates, body.speeds)
+    constraints = ConstraintEquations(body.holonomic, body.velocity, residuals)
+    if multibody is not None:
+        velocity = tuple(map(kinematics.in_states, body.redundant))
+        redundant = RedundantConstraints(body.closed, velocity)
+        constraints = replace(constraints, redundant=redundant)
     return Equations(
         time=body.time,
         coordinates=body.coordinates,
         speeds=body.speeds,
-        coordinate_rates=body.coordinate_rates,
-        speed_rates=body.speed_rates,
-        coordinate_derivatives=body.coordinate_derivatives,
-        mass_matrix=(),
-        forcing=(),
-        positive_definite=not body.dependent_speeds,
-        holonomic=body.holonomic,
-        velocity=body.velocity,
-        dependent_coordinates=body.dependent_coordinates,
-        dependent_speeds=body.dependent_speeds,
-        auxiliary_speeds=auxiliary,
-        # In motion the auxiliary speeds are zero at all times.
-        implicit=body.implicit,
-        zeros=(*auxiliary, *(rate_of(u, body.time) for u in auxiliary)),
-        multibody=body if body.bodies or body.lagrangian is not None else None,
+        kinematics=kinematics,
+        matrices=MassAndForcing(positive_definite=not body.dependent_speeds),
+        constraints=constraints,
+        dependents=DependentStates(body.dependent_coordinates, body.dependent_speeds, body.speeds),
+        auxiliary=AuxiliaryEquations(auxiliary),
+        multibody=multibody,
     )
 
 
@@ -199,7 +216,7 @@ def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
         except (ValueError, TypeError, NotImplementedError) as error:
             why = str(error)
         else:
-            own = set(formed.symbols(equations.speed_rates))
+            own = set(formed.symbols(equations.kinematics.speed_rates))
             if more := [s for s in own if s not in equations.symbols]:
                 why = f"they hold {more[0]}, which the method's do not"
             elif not _agree(equations, formed):
@@ -213,7 +230,7 @@ def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
 def _unfit(equations: Equations, body: Multibody) -> str:
     if not body.bodies:
         return "it holds no bodies"
-    if any(rate in equations.symbols for rate in equations.speed_rates):
+    if any(rate in equations.symbols for rate in equations.kinematics.speed_rates):
         return "loads depend on accelerations"
     return ""
 
@@ -225,7 +242,7 @@ def _agree(equations: Equations, formed: Formed) -> bool:
     nearly singular.
     """
     n = len(equations.speeds)
-    written = [*equations.mass_matrix, *equations.forcing]
+    written = [*equations.matrices.mass_matrix, *equations.matrices.forcing]
     symbols = [*formed.constants, *formed.specifieds]
     states = GenericStates(equations, [*written, *symbols], "the equations of motion")
     inputs = states.consistent(2)
@@ -271,11 +288,17 @@ def _magnitudes(matrix: np.ndarray) -> np.ndarray:
 
 
 def classify(equations: Equations) -> Equations:
-    """Return the equations with `nonholonomic`, `enforced`, `forgotten`, `repeated` filled in."""
-    redundant = equations.left_out[1]
-    equations = replace(equations, repeated=redundant)
-    if not equations.holonomic:
-        return replace(equations, nonholonomic=equations.velocity)
+    """Return the equations with their constraints classified."""
+    return replace(equations, constraints=_classified(equations))
+
+
+def _classified(equations: Equations) -> ConstraintEquations:
+    """Return the constraints with nonholonomic, implied and undifferentiated ones identified."""
+    constraints = equations.constraints
+    redundant = constraints.redundant.velocity
+    constraints = replace(constraints, implied_velocity=redundant)
+    if not constraints.holonomic:
+        return replace(constraints, nonholonomic=constraints.velocity)
     states = GenericStates(equations, redundant, "the constraints")
     moving, rates = (list(nodes) for nodes in zip(*states.moving, strict=True))
     blocks = [
@@ -288,7 +311,7 @@ def classify(equations: Equations) -> Equations:
     blocks.append(("terms", blocks[2][1], rounding_bounds(states.graph, cells)))
     values = _clearest(states, blocks)
     if values is None:  # nothing can be evaluated
-        return replace(equations, nonholonomic=equations.velocity)
+        return replace(constraints, nonholonomic=constraints.velocity)
     rows, motion = values["gradient"] @ values["kinematics"], values["motion"]
     terms = np.abs(values["gradient"]) @ np.abs(values["kinematics"])
     sizes = np.linalg.norm(terms, axis=1)
@@ -298,24 +321,24 @@ def classify(equations: Equations) -> Equations:
     for row in motion:
         moves.extend(row)
     beyond = [bool(moves.beyond(row).any()) for row in rows]
-    enforced = tuple(k for k, row in enumerate(rows) if row.any() and not beyond[k])
-    given = equations.following[0]  # by residuals, which are solved
-    forgotten = tuple(k for k, lost in enumerate(beyond) if lost and k not in given)
+    implied = tuple(k for k, row in enumerate(rows) if row.any() and not beyond[k])
+    residuals = constraints.residuals.rows  # which are solved
+    undifferentiated = tuple(k for k, lost in enumerate(beyond) if lost and k not in residuals)
     chosen = _completing(rows, motion)
     # What was redundant may be the rate of a holonomic constraint, which stands for itself now, and
     # what was kept may be what is redundant beside it.
     others = [k for k in range(len(motion)) if redundant and k not in chosen]
     pool = [*zip(redundant, values["redundant"], strict=True)]
-    pool += [(equations.velocity[k], motion[k]) for k in others]
-    held = rows[list(enforced)]
-    alike = [max((_likeness(row, other) for row in held), default=0) for _, other in pool]
-    own = sorted(sorted(range(len(pool)), key=alike.__getitem__)[: len(redundant)])
+    pool += [(constraints.velocity[k], motion[k]) for k in others]
+    implied_rows = rows[list(implied)]
+    alike = [max((_likeness(row, other) for row in implied_rows), default=0) for _, other in pool]
+    implied_velocity = sorted(sorted(range(len(pool)), key=alike.__getitem__)[: len(redundant)])
     return replace(
-        equations,
-        nonholonomic=tuple(equations.velocity[k] for k in chosen),
-        enforced=enforced,
-        forgotten=forgotten,
-        repeated=tuple(pool[k][0] for k in own),
+        constraints,
+        nonholonomic=tuple(constraints.velocity[k] for k in chosen),
+        implied_holonomic=implied,
+        undifferentiated_holonomic=undifferentiated,
+        implied_velocity=tuple(pool[k][0] for k in implied_velocity),
     )
 
 

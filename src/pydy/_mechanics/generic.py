@@ -58,10 +58,12 @@ class GenericStates:
         states = [*q, *u]
         made_from = self._made_from = equations.mechanism or equations.multibody
         turns = [] if made_from is None else FrameTree(made_from.frame).rotation_matrices()
+        kinematics, constraints = equations.kinematics, equations.constraints
+        derivatives = kinematics.coordinate_derivatives
         # The rates of what residuals with speeds give hold u', which moves no constraint.
-        idle = {*equations.speed_rates} & {*find_symbols(equations.coordinate_derivatives)}
-        known = {*states, *equations.zeros, t, *equations.coordinate_rates, *idle}
-        said = *equations.holonomic, *equations.velocity, *equations.coordinate_derivatives
+        idle = {*kinematics.speed_rates} & {*find_symbols(derivatives)}
+        known = {*states, *kinematics.zeros, t, *kinematics.coordinate_rates, *idle}
+        said = *constraints.holonomic, *constraints.velocity, *derivatives
         found = find_symbols((*expressions, *said, *turns)).keys() - known
         found |= {rate_of(s, t) for s in found if isinstance(s, AppliedUndef)}
         others = sort_symbols(found)
@@ -71,35 +73,33 @@ class GenericStates:
         self.inputs = [*self.coordinates, *self.speeds, *self._others, time]
         self._symbols = t, *states, *others
         self._sizes = (len(states), len(others), 0)
-        atoms |= dict.fromkeys((*equations.zeros, *idle), graph.zero)
+        atoms |= dict.fromkeys((*kinematics.zeros, *idle), graph.zero)
         self.read = SymPyReader(graph, atoms, what)
-        rates = self.read.all(equations.coordinate_derivatives)
+        rates = self.read.all(derivatives)
         # What residuals with speeds give are forces, which no constraint holds: they stay put.
-        still = [
-            k
-            for k, e in enumerate(equations.coordinate_derivatives)
-            if not idle.isdisjoint(find_symbols([e]))
-        ]
+        still = [k for k, e in enumerate(derivatives) if not idle.isdisjoint(find_symbols([e]))]
         for k in still:
             rates[k] = graph.zero
-        for rate, node in zip(equations.coordinate_rates, rates, strict=True):
+        for rate, node in zip(kinematics.coordinate_rates, rates, strict=True):
             self.read.define(rate, node)
         # A prescribed motion y(t) moves a constraint through y'(t).
         self.moving = [*zip(self.coordinates, rates, strict=True), (time, graph.one)]
         self.moving += [(atoms[s], atoms[s.diff(t)]) for s in others if isinstance(s, AppliedUndef)]
         self._moved = {node for node, _ in self.moving}
-        self.holonomic = self.read.all(equations.holonomic)
+        self.holonomic = self.read.all(constraints.holonomic)
         if still:
-            forces = {self.coordinates[k]: equations.implicit.start[q[k]] for k in still}
+            implicit = constraints.residuals.implicit
+            start = {} if implicit is None else implicit.start
+            forces = {self.coordinates[k]: start[q[k]] for k in still}
             held = {*forces, *self.speeds}
             rows = [
                 k
-                for k in equations.following[0]
+                for k in constraints.residuals.rows
                 if not held.isdisjoint(graph.reachable([self.holonomic[k]]))
             ]
             for k, (node, value) in zip(rows, forces.items(), strict=True):
                 self.holonomic[k] = graph.sum([(node, 1.0)], -value)
-        self.velocity = self.read.all(equations.velocity)
+        self.velocity = self.read.all(constraints.velocity)
         self._turning = orthogonality_residuals(turns, self.read)
 
     @cached_property

@@ -100,12 +100,13 @@ def equations_of_kane(
     if formed:
         return equations_of(body)
     auxiliary = tuple(kane.auxiliary_eqs) if body.auxiliary else ()
+    base = kinematics_of(body)
+    forcing = without_idle(kane.forcing, auxiliary, {*body.coordinates, *body.speeds})
     base = classify(
         replace(
-            kinematics_of(body),
-            mass_matrix=kane.mass_matrix,
-            forcing=without_idle(kane.forcing, auxiliary, {*body.coordinates, *body.speeds}),
-            auxiliary_equations=auxiliary,
+            base,
+            matrices=replace(base.matrices, mass_matrix=kane.mass_matrix, forcing=forcing),
+            auxiliary=replace(base.auxiliary, residuals=auxiliary),
             mechanism=Mechanism(body.frame, body.bodies, body.loads),
         )
     )
@@ -119,7 +120,7 @@ _known: WeakKeyDictionary[KanesMethod, tuple[Any, Formed | None]] = WeakKeyDicti
 
 
 def _alike(kane: KanesMethod, base: Equations, body: Multibody) -> Formed | None:
-    now = *base.mass_matrix, *base.forcing
+    now = *base.matrices.mass_matrix, *base.matrices.forcing
     equations, found = _known.get(kane, (None, None))
     if equations != now:
         found = formed_alike(base, body)

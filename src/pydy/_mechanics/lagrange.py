@@ -61,7 +61,9 @@ def equations_of_lagrange(
                 "`form_lagranges_equations()` before it is handed to System."
             )
         base = replace(kinematics_of(body), mechanism=_mechanism(method, body))
-        return replace(base, mass_matrix=method.mass_matrix, forcing=tuple(method.forcing))
+        mass_matrix, forcing = method.mass_matrix, tuple(method.forcing)
+        matrices = replace(base.matrices, mass_matrix=mass_matrix, forcing=forcing)
+        return replace(base, matrices=matrices)
     if velocity:
         body = constrained(body, holonomic, velocity)
     base = replace(kinematics_of(body), mechanism=_mechanism(method, body))

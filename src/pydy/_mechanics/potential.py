@@ -96,7 +96,8 @@ def find_potential(equations: Equations) -> Potential:
     mechanism = equations.mechanism
     if mechanism is None:
         return Potential()
-    equations.check_unchanged()
+    if equations.multibody is not None:
+        equations.multibody.check_unchanged()
     with warnings.catch_warnings():
         # SymPy makes up velocities that nobody set, and warns where there are several ways.
         warnings.simplefilter("ignore", UserWarning)
@@ -108,8 +109,8 @@ def find_potential(equations: Equations) -> Potential:
 
 def _within(equations: Equations, mechanism: Mechanism) -> Any:
     """Return the potential energy that a Lagrangian holds, with the bodies' kinetic one."""
-    kinetic = equations.in_states(mechanism.kinetic_energy)
-    lagrangian = equations.in_states(mechanism.lagrangian)
+    kinetic = equations.kinematics.in_states(mechanism.kinetic_energy)
+    lagrangian = equations.kinematics.in_states(mechanism.lagrangian)
     if not has_momenta_of(equations, lagrangian, kinetic):
         raise ValueError(
             "Cannot determine the potential energy: the Lagrangian depends on the speeds in "
@@ -123,7 +124,8 @@ class _Search:
     def __init__(self, equations: Equations, mechanism: Mechanism) -> None:
         self.equations, self.mechanism = equations, mechanism
         self.frame = mechanism.frame
-        self.coordinates = {*equations.coordinates} - equations.given_by_speeds
+        forces = equations.constraints.residuals.unknowns_of_speeds
+        self.coordinates = {*equations.coordinates} - forces
         self.taken: list[tuple[Any, Any]] = []  # energies, and powers of the loads that have them
         self.fixed = cache(self._fixed)
         self.away = cache(lambda point: distances(point, FrameTree.positions))
@@ -149,7 +151,8 @@ class _Search:
             lost, unknown = self._closed(self._along_one_rate(terms))
         found, powers = sm.Add(*(energy for energy, _ in self.taken)), [p for _, p in self.taken]
         bodies = self.mechanism.bodies if self.mechanism.lagrangian is None else ()
-        own = self.equations.in_states(sm.Add(*(body.potential_energy for body in bodies)))
+        of_bodies = sm.Add(*(body.potential_energy for body in bodies))
+        own = self.equations.kinematics.in_states(of_bodies)
         everything = [*powers, *(self._power(t.where, t.vector) for t in unknown)]
         sound = not powers or is_potential_of(self.equations, found, powers)
         if sound and not unknown:
@@ -173,11 +176,12 @@ class _Search:
         return where.ang_vel_in(self.frame)
 
     def _power(self, where: Any, vector: Vector) -> Any:
-        return self.equations.in_states(self.mechanism.dot(self._velocity(where), vector))
+        power = self.mechanism.dot(self._velocity(where), vector)
+        return self.equations.kinematics.in_states(power)
 
     def _moves(self, where: Any) -> bool:
         """Whether a load there does work, other than on the fictitious auxiliary motion."""
-        in_states = self.equations.in_states
+        in_states = self.equations.kinematics.in_states
         return any(
             in_states(part) != 0 for parts, _ in self._velocity(where).args for part in parts
         )
@@ -474,7 +478,7 @@ class _Search:
 
         Those are the speeds themselves, or Dummies where rates are constant combinations of them.
         """
-        speeds, q_dot = self.equations.speeds, self.equations.coordinate_derivatives
+        speeds, q_dot = self.equations.speeds, self.equations.kinematics.coordinate_derivatives
         rates = dict(zip(self.equations.coordinates, q_dot, strict=True))
         plain = {rate: c for c, rate in rates.items() if rate in speeds}
         mixed = find_symbols(rate for rate in rates.values() if rate not in speeds)
@@ -495,7 +499,7 @@ class _Search:
     def _single(self) -> list[tuple[Any, Any, Any]]:
         """Coordinates with a speed and the constant factor of that speed in their rate."""
         found = []
-        rates = self.equations.coordinate_derivatives
+        rates = self.equations.kinematics.coordinate_derivatives
         for c, rate in zip(self.equations.coordinates, rates, strict=True):
             slopes = ((u, rate.diff(u)) for u in self.equations.speeds)
             found += [(c, u, slope) for u, slope in slopes if slope.is_number and slope][:1]

@@ -73,7 +73,7 @@ class Reactions:
 
     def multipliers(self) -> Multipliers:
         """Return the multipliers of the constraints."""
-        if not self.equations.velocity:
+        if not self.equations.constraints.velocity:
             return Multipliers()
         return Multipliers(self._forces(bodies=False).multipliers(self.auxiliary_forces))
 

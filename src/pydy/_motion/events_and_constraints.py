@@ -85,7 +85,8 @@ def with_residuals_held(
     definition: Definition, solver: Any, options: Mapping[str, Any]
 ) -> dict[str, Any]:
     """Return options of a simulation by which residuals of an `Implicit` are held to rounding."""
-    held = definition.equations.implicit is not None and isinstance(solver, Solver)
+    implicit = definition.equations.constraints.residuals.implicit
+    held = implicit is not None and isinstance(solver, Solver)
     more = held and options.get("constraints") is None
     return {**options, "constraints": "project"} if more else {**options}
 
@@ -220,7 +221,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     equations = definition.equations
     mechanism = equations.mechanism
     weighted = mechanism is not None and bool(mechanism.bodies)
-    model, (closed, redundant) = with_all(model, definition), equations.left_out
+    model, (closed, redundant) = with_all(model, definition), equations.constraints.redundant
     kernel = model.compiled_by(("projection",), lambda: projection_program(model.assembly))
     assembly = model.assembly
     moved = assembly.graph.inputs_of([*assembly.holonomic, *assembly.velocity])
@@ -230,10 +231,10 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
         velocity=len(assembly.velocity),
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
-        dependent_speeds=equations.dependent_columns,
+        dependent_speeds=equations.dependents.speed_columns,
         weighted=weighted,
-        judged="r" not in moved and ("t" in moved or bool(equations.following[1])),
-        following=equations.following[1],
+        judged="r" not in moved and ("t" in moved or bool(equations.constraints.residuals.columns)),
+        following=equations.constraints.residuals.columns,
         names=ConstraintNames(equations),
         left_out=(len(closed), len(redundant)),
     )
@@ -241,8 +242,9 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
 
 def constraint_names(equations: Equations, redundant: bool = False) -> tuple[str, ...]:
     """Return names of the holonomic, then the velocity constraints, including `redundant` ones."""
-    left_out = equations.left_out if redundant else ((), ())
-    kept = ("holonomic", equations.holonomic), ("velocity", equations.velocity)
+    constraints = equations.constraints
+    left_out = constraints.redundant if redundant else ((), ())
+    kept = ("holonomic", constraints.holonomic), ("velocity", constraints.velocity)
     names = []
     for (kind, rows), more in zip(kept, left_out, strict=True):
         for k, row in enumerate((*rows, *more)):
@@ -281,7 +283,7 @@ def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
         holonomic, velocity = own.with_left_out()
         return replace(own, holonomic=holonomic, velocity=velocity)
 
-    whole = not any(definition.equations.left_out)
+    whole = not any(definition.equations.constraints.redundant)
     return model if whole else model.changed("all constraints", change)
 
 

@@ -49,7 +49,7 @@ class PreparedIntegration:
     ) -> None:
         self._plan, self._solver, self._given = plan, solver, dict(given)
         self._events = CompiledEvents.key(given.get("events"))
-        self.constrained = model.definition.equations.constrained
+        self.constrained = model.definition.equations.constraints.are_present
         # whether the motion is brought back onto the constraints
         self.enforced = given.get("constraints") is not None
         self.never_jumps = False  # whether inputs and loads are known not to jump by time alone
@@ -72,9 +72,10 @@ class PreparedIntegration:
             options.pop(name, None) for name in ("constraints", "events", "gain")
         )
         constraints = choice(constraints, (None, "project", "baumgarte"), "`constraints`")
-        if constraints == "project" and not (equations.holonomic or equations.velocity):
+        rows = equations.constraints
+        if constraints == "project" and not (rows.holonomic or rows.velocity):
             raise ValueError("`constraints='project'` holds constraints, but the system has none.")
-        if constraints == "baumgarte" and not equations.velocity:
+        if constraints == "baumgarte" and not rows.velocity:
             raise ValueError(
                 "`constraints='baumgarte'` works on velocity constraints, but the system has none. "
                 "Give KanesMethod `velocity_constraints`, or use constraints='project'."
@@ -176,7 +177,7 @@ def prepare(
             "`times` must have at least two values before integrate() can be called, got "
             f"{len(times)}. Set `system.times`."
         )
-    if problem.definition.equations.implicit is not None:
+    if problem.definition.equations.constraints.residuals.implicit is not None:
         given = with_residuals_held(problem.definition, solver, given)
     stores = isinstance(solver, Solver) or (isinstance(solver, SolveIvp) and alone)
     if problem.judges_assumptions and stores and "dense_output" not in given:

@@ -84,7 +84,7 @@ class DefinitionBuilder:
         self._equations = equations
         self.energies = energies
         self._base = base
-        rows = (*equations.holonomic, *equations.nonholonomic)
+        rows = (*equations.constraints.holonomic, *equations.constraints.nonholonomic)
         # The constraints as outputs.
         self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
         self._key: tuple[dict[Any, Any], list[Any], Given] | None = None
@@ -117,7 +117,7 @@ class DefinitionBuilder:
         own, labels = self._labelled(outputs, forces) if outputs else ({}, {})
         groups = output_groups({**own, **self.residuals})
         if forces:
-            groups.append(Group(tuple(forces), equations.auxiliary_equations))
+            groups.append(Group(tuple(forces), equations.auxiliary.residuals))
         results = [n for group in groups for n in group.names]
         for k, name in enumerate(results):
             if name == equations.time:
@@ -192,9 +192,10 @@ class DefinitionBuilder:
     def _check_multipliers(self, found: Iterable[Any], known: Iterable[Any]) -> None:
         """Refuse symbols that print like multipliers, which would be new constants, 1."""
         equations = self._equations
-        if not equations.velocity or equations.multibody is None:
+        if not equations.constraints.velocity or equations.multibody is None:
             return
-        names = {f"lambda{k}" for k in range(len(self.residuals) + len(equations.repeated))}
+        count = len(self.residuals) + len(equations.constraints.implied_velocity)
+        names = {f"lambda{k}" for k in range(count)}
         for symbol in {*found} - {*known}:
             if name_of(symbol) in names:
                 raise ValueError(
@@ -222,7 +223,7 @@ class DefinitionBuilder:
         every = find_symbols(part for part in parts if isinstance(part, sm.Basic))
         forces = {*definition.forces}
         equations = definition.equations
-        unnamed = {*find_symbols(equations.auxiliary_equations)} - {*symbols, *equations.symbols}
+        unnamed = {*find_symbols(equations.auxiliary.residuals)} - {*symbols, *equations.symbols}
         for s in every:
             if s in unnamed and isinstance(s, AppliedUndef):
                 raise ValueError(
@@ -262,7 +263,7 @@ class DefinitionBuilder:
         """Return the user's outputs, then the residuals, then the noncontributing forces."""
         result = {**self.users(outputs, forces), **self.residuals}
         if forces:
-            result[tuple(forces)] = list(self._equations.auxiliary_equations)
+            result[tuple(forces)] = list(self._equations.auxiliary.residuals)
         return result
 
     def _warn(self, definition: Definition) -> None:
@@ -401,8 +402,9 @@ def sort_out(
     """Return constants and specifieds in expressions, by default the equations'."""
     t = equations.time
     states = {*equations.coordinates, *equations.speeds}
-    skip = {*states, *equations.zeros, *known, t}
-    skip.update((*equations.coordinate_rates, *equations.speed_rates))
+    kinematics = equations.kinematics
+    skip = {*states, *kinematics.zeros, *known, t}
+    skip.update((*kinematics.coordinate_rates, *kinematics.speed_rates))
     constants, specifieds = [], []
     if expressions is None:
         expressions, found = equations.expressions, equations.symbols
@@ -416,7 +418,7 @@ def sort_out(
             constants.append(symbol)
             continue
         function = symbol.expr if isinstance(symbol, sm.Derivative) else symbol
-        if function in states or function in equations.auxiliary_speeds:
+        if function in states or function in equations.auxiliary.speeds:
             raise _too_often(symbol, function, _term_with(symbol, expressions), equations)
         variables = symbol.variables if isinstance(symbol, sm.Derivative) else ()
         if (
@@ -441,7 +443,8 @@ def sort_out(
 
 def _too_often(symbol: Any, function: Any, term: Any, equations: Equations) -> ValueError:
     """Return an error for a second derivative of a coordinate or speed, with what to write."""
-    rates = dict(zip(equations.coordinates, equations.coordinate_derivatives, strict=True))
+    derivatives = equations.kinematics.coordinate_derivatives
+    rates = dict(zip(equations.coordinates, derivatives, strict=True))
     speed: Any = rates.get(function)
     t = equations.time
     remedy = "Rewrite it in terms of the speeds and their first derivatives."
@@ -525,12 +528,12 @@ def check_forces(equations: Equations, forces: Any) -> list[Any]:
     """Return the symbols of noncontributing forces that a user gave by themselves or by name."""
     if forces is None:
         return []
-    if equations.auxiliary_unknown is not None and forces != [] and forces != ():
+    if equations.auxiliary.unresolved_loop is not None and forces != [] and forces != ():
         raise ValueError(
             "`noncontributing_forces` cannot be computed: the velocity constraint "
-            f"`{shown(equations.auxiliary_unknown)}` = 0 closes a loop, holds no auxiliary speed, "
-            "and is the rate of no distance, component or angle between points and frames of the "
-            "mechanism, so that the loop's share in these forces is unknown. Pass "
+            f"`{shown(equations.auxiliary.unresolved_loop)}` = 0 closes a loop, holds no auxiliary "
+            "speed, and is the rate of no distance, component or angle between points and frames "
+            "of the mechanism, so that the loop's share in these forces is unknown. Pass "
             "`velocity_constraints` that are made of velocities of points, such as "
             "`(Q.vel(N) - D.vel(N)).dot(N.x)`, which hold the auxiliary speeds."
         )
@@ -538,12 +541,12 @@ def check_forces(equations: Equations, forces: Any) -> list[Any]:
     names = resolved(
         "noncontributing_forces",
         listed("noncontributing_forces", forces) if several else [forces],
-        find_symbols(equations.auxiliary_equations),
+        find_symbols(equations.auxiliary.residuals),
         "symbols of the auxiliary equations",
     )
     if not names:
         return names
-    wanted = len(equations.auxiliary_equations)
+    wanted = len(equations.auxiliary.residuals)
     if not wanted:
         raise RuntimeError(
             f"`noncontributing_forces` are {describe(names)}, but the KanesMethod has no auxiliary "
@@ -559,7 +562,7 @@ def check_forces(equations: Equations, forces: Any) -> list[Any]:
             raise TypeError(f"`noncontributing_forces` must be symbols, got {shown(name)}.")
     if len(set(names)) != len(names):
         raise ValueError(f"`noncontributing_forces` repeat a name: {describe(names)}.")
-    present = find_symbols(equations.auxiliary_equations)
+    present = find_symbols(equations.auxiliary.residuals)
     for name in names:
         if name not in present:
             raise ValueError(

@@ -99,8 +99,9 @@ class EnergyModel:
             turns = map(FrameTree.orientations, FrameTree(mechanism.frame).frame_depth)
             parts += [entry for turn in turns for matrix in turn.values() for entry in matrix]
         found = find_symbols(sm.sympify(part) for part in parts)
-        states = {*equations.coordinates, *equations.speeds, *equations.zeros, equations.time}
-        states.update((*equations.coordinate_rates, *equations.speed_rates))
+        kinematics = equations.kinematics
+        states = {*equations.coordinates, *equations.speeds, *kinematics.zeros, equations.time}
+        states.update((*kinematics.coordinate_rates, *kinematics.speed_rates))
         return tuple(s for s in found if s not in states)
 
     def expressions(self, layout: Layout) -> tuple[Any, Any]:
@@ -117,7 +118,7 @@ class EnergyModel:
         ones = dict.fromkeys({*self.symbols} - {*layout.constants}, sm.Float(1.0))
         found = replace_symbols(energy, ones) if ones else energy
         known = {*layout.states, *layout.constants, *layout.specifieds, self.equations.time}
-        known.update(self.equations.coordinate_rates)
+        known.update(self.equations.kinematics.coordinate_rates)
         missing = [s for s in find_symbols([found]) if s not in known]
         if missing:
             raise ValueError(
@@ -139,7 +140,7 @@ class EnergyModel:
         equations, mechanism = self.equations, self.equations.mechanism
         loads = () if mechanism is None else mechanism.loads
         parts = [e for _, vector in loads for column, _ in vector.args for e in column]
-        found = find_symbols(map(equations.in_states, parts))
+        found = find_symbols(map(equations.kinematics.in_states, parts))
         coordinates = set(equations.coordinates)
         return all(s in coordinates or (s.is_Symbol and s != equations.time) for s in found)
 

@@ -70,13 +70,13 @@ def compile_definition(
     equations = definition.equations
     if isinstance(solver, str):
         solved = solve_symbolically(*symbolic_matrices(equations, source), solver)
-        equations = replace(
-            equations,
-            formed=None,
+        matrices = replace(
+            equations.matrices,
             mass_matrix=sm.eye(len(solved)),
             forcing=tuple(solved),
             positive_definite=True,
         )
+        equations = replace(equations, formed=None, matrices=matrices)
         solver = None
     off = frozenset() if flag(options.get("cse", True), "`cse`") else rewriting()
     backend = make_backend(options.pop("generator", "llvm"), options)

@@ -106,7 +106,7 @@ class At:
 
     def with_unknowns(self, given: Any, rows: Callable[..., np.ndarray]) -> Self:
         """Return it with an Implicit's unknowns solved for, unless a whole state is `given`."""
-        if self.definition.equations.implicit is None:
+        if self.definition.equations.constraints.residuals.implicit is None:
             return self
         if not (given is None or isinstance(given, Mapping)):
             return self
@@ -143,7 +143,7 @@ class _Residuals:
 def solved_residuals(at: At) -> np.ndarray:
     """Solve an `Implicit` from a state and return the state with its unknowns."""
     x: np.ndarray = at.x[0].copy()
-    for rows, places in at.definition.equations.residual_blocks:
+    for rows, places in at.definition.equations.constraints.residuals.blocks:
         x[[*places]] = _solved_block(replace(at, x=x[None]), _Residuals(rows, places))
     return x
 
@@ -169,7 +169,7 @@ def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
     if not CompiledConstraints.satisfied(left, bounds):
         k = int(np.argmax(np.where(np.isfinite(left), np.abs(left), np.inf)))
         equations = at.definition.equations
-        residual = equations.holonomic[parts.rows[k]]
+        residual = equations.constraints.holonomic[parts.rows[k]]
         unknowns = [equations.coordinates[k] for k in places]
         raise ValueError(
             f"`implicit` finds no {describe(unknowns)} at t = "
@@ -247,7 +247,8 @@ class Problem:
         """The initial conditions in order; where residuals give some of them, these are solved."""
         given = self.user["initial_conditions"]
         x = read_numbers(self.definition, "initial_conditions", given, self.contradicted)
-        implicit, places = self.definition.equations.implicit, self.definition.places["states"]
+        implicit = self.definition.equations.constraints.residuals.implicit
+        places = self.definition.places["states"]
         if implicit is None:
             return x
         known = {places.find(key, "initial_conditions") for key in given}
@@ -276,7 +277,7 @@ class Problem:
     def dependent(self) -> tuple[int, ...]:
         """The places of the states that follow from the others by the constraints."""
         equations, states = self.definition.equations, self.definition.states
-        method = (*equations.dependent_coordinates, *equations.dependent_speeds)
+        method = (*equations.dependents.coordinates, *equations.dependents.speeds)
         chosen = method if self.solved_for is None else self.solved_for
         return tuple(states.index(symbol) for symbol in chosen)
 

@@ -50,7 +50,8 @@ def make_scene(
     loads = flag(options.pop("loads", False), "`loads`")
     mechanism = equations.mechanism
     bodies = mechanism.bodies if mechanism is not None else ()
-    equations.check_unchanged()
+    if equations.multibody is not None:
+        equations.multibody.check_unchanged()
     if not visuals and not bodies:
         raise ValueError(
             "`scene` needs visuals, such as Visual(Sphere(0.1), point): the System's `eom_method` "
@@ -64,16 +65,17 @@ def make_scene(
             up = up_in_lagrangian(mechanism, origin, names, constants)
         # Without gravity z is up and there is no ground to fall on.
         options = {"up": "z", "ground": False, **options} if up is None else {**options, "up": up}
-    rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)
+    kinematics = equations.kinematics
+    rates = zip(kinematics.coordinate_rates, kinematics.coordinate_derivatives, strict=True)
     definitions = _Definitions(equations, assembly)
-    definitions.update({**dict(rates), **dict.fromkeys(equations.zeros, 0)})
+    definitions.update({**dict(rates), **dict.fromkeys(kinematics.zeros, 0)})
     model = Model(definition.states, definitions, *moving)
     if not visuals:
         assert mechanism is not None
         names = Names(definition.states, definition.specifieds, definitions=dict(definitions))
         resting = _resting(mechanism, reference_frame, origin)
         places = mechanism, resting or origin, equations.coordinates
-        found = _outline(*places, names, constants, bool(equations.holonomic))
+        found = _outline(*places, names, constants, bool(equations.constraints.holonomic))
         if resting is None:  # what is fixed to a moving point does not rest
             found.supports, found.resting = [], []
         turned = reference_frame is not mechanism.frame
@@ -158,7 +160,7 @@ class _Definitions(dict[Any, Any]):
 
     def __init__(self, equations: Equations, assembly: Callable[[], Assembly]) -> None:
         super().__init__()
-        self._rates, self._assembly = equations.speed_rates, assembly
+        self._rates, self._assembly = equations.kinematics.speed_rates, assembly
 
     def __contains__(self, symbol: object) -> bool:
         return super().__contains__(symbol) or (

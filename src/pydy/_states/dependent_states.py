@@ -38,7 +38,7 @@ def check_dependents(
 ) -> tuple[list[int], list[int]]:
     """Return the places in x of the dependent coordinates and speeds."""
     equations = definition.equations
-    holonomic, velocity = len(equations.holonomic), len(equations.velocity)
+    holonomic, velocity = len(equations.constraints.holonomic), len(equations.constraints.velocity)
     if not holonomic and not velocity:
         raise ValueError(
             "The system has no constraints, so no initial condition depends on the others."
@@ -74,8 +74,8 @@ def default_dependents(problem: Problem, given: Iterable[Any]) -> list[Any]:
     equations = definition.equations
     found: list[Any] = []
     for block, symbols, own in (
-        ("holonomic", equations.coordinates, equations.dependent_coordinates),
-        ("velocity", equations.speeds, equations.dependent_speeds),
+        ("holonomic", equations.coordinates, equations.dependents.coordinates),
+        ("velocity", equations.speeds, equations.dependents.speeds),
     ):
         kept = set(given) - (set() if block == "velocity" else _guessed(definition))
         if not kept.isdisjoint(own):
@@ -110,7 +110,7 @@ def _guessed(definition: Definition) -> set[Any]:
     """Return the dependent coordinates that the user chose."""
     equations = definition.equations
     body = equations.multibody
-    return set(equations.dependent_coordinates) - set(() if body is None else body.chosen)
+    return set(equations.dependents.coordinates) - set(() if body is None else body.chosen)
 
 
 def _warn_of_changes(definition: Definition, given: Mapping[Any, float], x: np.ndarray) -> None:
@@ -299,6 +299,6 @@ def consistent(problem: Problem) -> Problem:
         names = [problem.definition.states[k] for k in problem.dependent]
         places = check_dependents(problem.definition, names)
         x = solve_dependents(problem, places, {}, False, {})
-    if problem.definition.equations.implicit is not None:
+    if problem.definition.equations.constraints.residuals.implicit is not None:
         x = solved_residuals(problem.at(np.array([problem.t]), x[None]))
     return problem if x is problem.x else problem.replace(x=x)

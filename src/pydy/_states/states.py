@@ -152,7 +152,8 @@ class Point(At):
     @property
     def blocks(self) -> list[str]:
         """The constraints there are."""
-        return [b for b in ("holonomic", "velocity") if getattr(self.definition.equations, b)]
+        constraints = self.definition.equations.constraints
+        return [b for b in ("holonomic", "velocity") if getattr(constraints, b)]
 
     def tangents(self) -> tuple[np.ndarray, np.ndarray]:
         """Return T, shape (m, n, k), and the places of the independent states."""
@@ -161,7 +162,7 @@ class Point(At):
         equations, moving = definition.equations, n - len(definition.auxiliaries)
         first = len(equations.coordinates)
         kinds = {"holonomic": range(first), "velocity": range(first, moving)}
-        dependent = (*equations.dependent_coordinates, *equations.dependent_speeds)
+        dependent = (*equations.dependents.coordinates, *equations.dependents.speeds)
         chosen = [definition.states.index(state) for state in dependent]
         free = np.arange(moving)  # integrals of outputs move nothing
         T = np.broadcast_to(np.eye(n)[:, :moving], (len(self.x), n, moving))

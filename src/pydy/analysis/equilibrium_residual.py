@@ -97,7 +97,8 @@ class EquilibriumResidual:
         self.made = problem.model.with_compiled_inputs(
             self.plan, perturbed=bool(own or self.plan.inputs.functions)
         )
-        self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
+        constraints = equations.constraints
+        self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(constraints, b))]
         self.t, self.within, self.told = (
             problem.t,
             float(np.ptp(np.append(problem.times, problem.t))),
@@ -187,7 +188,7 @@ class EquilibriumResidual:
         powers = np.zeros(len(self.titles))
         first = len(self.definition.equations.coordinates)
         powers[: len(self.rows)] = np.array(self.rows) >= first
-        held = len(self.definition.equations.holonomic)
+        held = len(self.definition.equations.constraints.holonomic)
         powers[len(self.rows) : len(self.rows) + held] = -1.0
         return [
             Sizes(slopes[i], z[i, :k], natural[i, :k], self.pairs(k), (rows[i], powers))

@@ -260,14 +260,15 @@ def linearize(
     point = point.with_unknowns(at, plan.inputs.rows)
     value, slopes, blocks = point.value, point.slopes, point.blocks
     T, free = point.tangents()
-    if definition.equations.constrained:
+    if definition.equations.constraints.are_present:
         _warn_of_violations(point)
     A = point.along("rates", T)[:, free]
     symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
     columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()
     kernel = made.compiled_jacobian("rates", "r") if columns else None
     by_input = np.zeros((len(x), n, s)) if kernel is None else value(kernel, s)
-    through, unknowns = _through_residuals(point, columns), [*definition.equations.following[1]]
+    residuals = definition.equations.constraints.residuals
+    through, unknowns = _through_residuals(point, columns), [*residuals.columns]
 
     def followed(block: str, by_input: np.ndarray) -> np.ndarray:
         """Return total derivatives by inputs, also those through an Implicit's unknowns."""
@@ -278,7 +279,7 @@ def linearize(
         by_block = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
         left = followed(block, by_block)
         if block == "holonomic":
-            left[:, definition.equations.following[0]] = 0.0
+            left[:, residuals.rows] = 0.0
         moved.append(left.any(axis=0))
     if any(rows.any() for rows in moved):
         _refuse_prescribed(definition, np.concatenate(moved), columns, inputs is None)
@@ -361,14 +362,16 @@ def _outputs(
         C = by_state[:, places] @ T
         D = by_input[:, places][:, :, columns]
         if through.size:
-            D = D + by_state[:, places][:, :, definition.equations.following[1]] @ through
+            unknowns = definition.equations.constraints.residuals.columns
+            D = D + by_state[:, places][:, :, unknowns] @ through
     titles = unique_names([*definition.states, *definition.outputs_symbols])
     return C, D, tuple(titles[place] for place in places)
 
 
 def _through_residuals(point: Point, columns: list[int]) -> np.ndarray:
     """Return derivatives of an Implicit's unknowns by some specifieds, (m, unknowns, k)."""
-    rows, places = map(list, point.definition.equations.following)
+    residuals = point.definition.equations.constraints.residuals
+    rows, places = [*residuals.rows], [*residuals.columns]
     if not (places and columns):
         return np.zeros((len(point.x), len(places), len(columns)))
     by_input = point.value(point.model.compiled_jacobian("holonomic", "r"), point.r.shape[1])

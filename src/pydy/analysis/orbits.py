@@ -174,7 +174,7 @@ class _Search:
         definition, dependent = problem.definition, problem.dependent
         equations, states = definition.equations, definition.places["states"]
         self.steady = sorted(states.columns(listed("moving", moving), "moving").tolist())
-        if not dependent and (equations.holonomic or equations.velocity):
+        if not dependent and (equations.constraints.holonomic or equations.constraints.velocity):
             raise ValueError(
                 "A periodic orbit can be searched for only where it is known which states follow "
                 "from the others by the constraints; none is named as dependent. Call "

@@ -115,12 +115,13 @@ class Mode:
             rest=forcing,
             start=[g.zero] * len(forcing),
         )
-        self.equations = replace(
-            base,
-            formed=own,
-            holonomic=(*base.holonomic, *gaps),
-            velocity=(*base.velocity, *(rows.speed_expressions[k] for k in held)),
+        constraints = base.constraints
+        constraints = replace(
+            constraints,
+            holonomic=(*constraints.holonomic, *gaps),
+            velocity=(*constraints.velocity, *(rows.speed_expressions[k] for k in held)),
         )
+        self.equations = replace(base, formed=own, constraints=constraints)
         self.outputs = self._outputs()
 
     def _solve(self, g: Graph, held: Sequence[int], every: Sequence[int]) -> None:
@@ -411,7 +412,8 @@ class Compiled:
         """Return which outputs of a mode are the trajectory's; note where all of them are."""
         made.places = {symbol: k for k, symbol in enumerate(definition.outputs_symbols)}
         base = self.definition
-        h, n = len(base.equations.holonomic), len(base.equations.nonholonomic)
+        constraints = base.equations.constraints
+        h, n = len(constraints.holonomic), len(constraints.nonholonomic)
         residuals = list(definition.residuals)
         kept = [*residuals[:h], *residuals[len(residuals) - n :]] if n else residuals[:h]
         users = base.symbols_by_kind["output"]

@@ -153,12 +153,12 @@ class ContactRows:
         states = (*e.coordinates, *e.speeds)
         self.symbols = self.formed.input_symbols(e.time, states)
         atoms = {symbol: node for node, symbol in self.symbols.items()}
-        atoms.update((z, g.zero) for z in e.zeros)
-        atoms.update(zip(e.coordinate_rates, self.formed.rates, strict=True))
+        atoms.update((z, g.zero) for z in e.kinematics.zeros)
+        atoms.update(zip(e.kinematics.coordinate_rates, self.formed.rates, strict=True))
         u = [g.input("x", len(e.coordinates) + k) for k in range(len(e.speeds))]
         du = [g.input("a", k) for k in range(len(u))]
         atoms.update(zip(e.speeds, u, strict=True))
-        atoms.update(zip(e.speed_rates, du, strict=True))
+        atoms.update(zip(e.kinematics.speed_rates, du, strict=True))
         read = SymPyReader(g, atoms, "the contacts")
         self.normal: list[int | None] = []
         self.tangent: list[list[int]] = []
@@ -177,7 +177,7 @@ class ContactRows:
             self.tangent.append([])
             frame = getattr(e.mechanism, "frame", None)
             for part in () if c.stick is None else c.stick.speeds(frame):
-                speed = e.in_states(sm.sympify(part))
+                speed = e.kinematics.in_states(sm.sympify(part))
                 speed = self._smooth(f"The sliding speed of {c.name!r}", speed, slopes=False)
                 _check_linear(e, speed, c.name)
                 self.tangent[-1].append(len(speeds))
@@ -227,7 +227,7 @@ class ContactRows:
         formed, g = self.formed, self.graph
         if formed.accelerations is not None:
             return list(formed.accelerations)
-        kind = "ldl" if self.equations.positive_definite else "lu"
+        kind = "ldl" if self.equations.matrices.positive_definite else "lu"
         beyond = solve_accelerations(g, formed.matrix, formed.rest, kind)
         return [g.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
 
@@ -238,12 +238,13 @@ class ContactRows:
         Jᵢ + Aᵀ J_d.
         """
         g, e, matrix = self.graph, self.equations, self.formed.matrix
-        dependent, columns = e.dependent_columns, [list(row) for row in self.jacobian]
+        dependent, independent = e.dependents.speed_columns, e.dependents.independent_columns
+        columns = [list(row) for row in self.jacobian]
         if dependent:
             below = [matrix[k] for k in dependent]
             held = [[row[j] for j in dependent] for row in below]
-            moved = [[g.neg(row[i]) for row in below] for i in e.independent_columns]
-            shares = dict(zip(e.independent_columns, g.solve(held, moved, "lu"), strict=True))
+            moved = [[g.neg(row[i]) for row in below] for i in independent]
+            shares = dict(zip(independent, g.solve(held, moved, "lu"), strict=True))
             columns = [
                 [
                     dot(g, shares[i], [row[j] for j in dependent], (row[i], 1.0))
@@ -253,7 +254,7 @@ class ContactRows:
                 ]
                 for row in columns
             ]
-        kind = "ldl" if e.positive_definite and not dependent else "lu"
+        kind = "ldl" if e.matrices.positive_definite and not dependent else "lu"
         return g.solve([list(row) for row in matrix], columns, kind)
 
     def _terms(self) -> list[int]:
@@ -264,7 +265,7 @@ class ContactRows:
         """
         g, matrix = self.graph, self.formed.matrix
         shares = self.moves
-        if self.equations.velocity:  # M is not symmetric
+        if self.equations.constraints.velocity:  # M is not symmetric
             turned = [list(column) for column in zip(*matrix, strict=True)]
             shares = g.solve(turned, [list(row) for row in self.jacobian], "lu")
         forces = sizes_of_terms(g, self.formed.forcing)
@@ -330,7 +331,8 @@ class ContactRows:
                 assert e.mechanism is not None
                 frame = e.mechanism.frame
                 vectors = [c.stick.velocity(frame), *c.stick.along]
-                nodes = read.all([e.in_states(x) for v in vectors for x in v.to_matrix(frame)])
+                in_states = e.kinematics.in_states
+                nodes = read.all([in_states(x) for v in vectors for x in v.to_matrix(frame)])
                 rows = [*self.jacobian[normal], *dense_jacobian(g, nodes[:3], u), *nodes[3:]]
                 found[i] = evaluator(g, rows)
         return found
@@ -348,7 +350,8 @@ class ContactRows:
             gap = sm.S.Zero if c.unilateral is None else c.unilateral.gap
             for f in sorted(gap.atoms(sm.atan2), key=sm.default_sort_key):
                 turned = (gap.xreplace({f: f + n * sm.pi}) for n in (0, 2, -2))
-                nodes = read.all([self.equations.in_states(part) for part in (*f.args, *turned)])
+                in_states = self.equations.kinematics.in_states
+                nodes = read.all([in_states(part) for part in (*f.args, *turned)])
                 found.setdefault(i, []).append((f, evaluator(read.graph, nodes)))
         return found
 
@@ -449,7 +452,7 @@ def _checked(equations: Equations) -> Formed:
         )
     if any(group == "a" for group, _ in formed.inputs()):
         raise NotImplementedError("Contacts are not supported with loads that depend on u'.")
-    if equations.auxiliary_speeds:
+    if equations.auxiliary.speeds:
         raise NotImplementedError(
             "Contacts are not supported with auxiliary speeds: their noncontributing forces would "
             "lack the contact forces."
@@ -459,15 +462,16 @@ def _checked(equations: Equations) -> Formed:
 
 def _rate(equations: Equations, gap: Any, name: str) -> Any:
     found = find_symbols([gap])
-    wrong = [s for s in found if s in equations.speeds or s in equations.coordinate_rates]
+    rates = (*equations.speeds, *equations.kinematics.coordinate_rates)
+    wrong = [s for s in found if s in rates]
     if wrong:
         raise ValueError(f"The gap of {name!r} must depend on coordinates, got {describe(wrong)}.")
     _check_known(equations, found, name)
-    return equations.in_states(sm.sympify(gap).diff(equations.time))
+    return equations.kinematics.in_states(sm.sympify(gap).diff(equations.time))
 
 
 def _check_known(equations: Equations, found: Any, name: str) -> None:
-    known = {*equations.coordinates, *equations.speeds, *equations.coordinate_rates}
+    known = {*equations.coordinates, *equations.speeds, *equations.kinematics.coordinate_rates}
     others = [s for s in found if isinstance(s, (AppliedUndef, sm.Derivative)) and s not in known]
     if others:
         raise NotImplementedError(

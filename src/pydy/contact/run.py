@@ -455,7 +455,8 @@ class Run:
         # Only events of the user's happen where the motion starts.
         later_part = self.segments or self.resumed
         options["begun"] = Begun(None if later_part else frozenset(range(len(kinds))))
-        if held or now.definition.equations.velocity:  # each part would begin with the drift so far
+        # Each part would begin with the drift so far.
+        if held or now.definition.equations.constraints.velocity:
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)
         if self.carried is not None:

@@ -377,7 +377,7 @@ class _Joined:
         """
         for e, made, places in zip(self.experiments, self.made, self.own, strict=True):
             equations = e.now.definition.equations
-            if not equations.unimplied:
+            if not equations.constraints.unenforced_holonomic:
                 continue
             states, _, numbers, duration = made.split(solution.z[places])
             times = np.minimum(e.begin + made.places[0] * duration, e.times[-1])

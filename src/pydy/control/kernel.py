@@ -92,12 +92,14 @@ class Equations:
         atoms = {
             **assembly.atoms,
             **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
-            **dict(zip(equations.speed_rates, slopes[nq:], strict=False)),
+            **dict(zip(equations.kinematics.speed_rates, slopes[nq:], strict=False)),
         }
         made = code.latest.setdefault("points", {})
         own = cls(graph, [], [], [], atoms, assembly.given, made)
         x = [graph.input("x", k) for k in range(nq + nu)]
-        places, motion = [assembly.holonomic[k] for k in equations.places_held], assembly.velocity
+        constraints = equations.constraints
+        places = [assembly.holonomic[k] for k in constraints.enforced_holonomic]
+        motion = assembly.velocity
         if motion:
             forces = equations.constraint_forces.unbalanced(definition.forces)
             unbalanced = own.read(graph, forces, "the equations of motion")
@@ -110,7 +112,7 @@ class Equations:
         terms = [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq)]
         terms += [[(node, -1.0)] for node in unbalanced]
         terms += [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq + nu, len(rates))]
-        enforced, solved = len(equations.enforced), equations.following[1]
+        enforced, solved = len(constraints.implied_holonomic), constraints.residuals.columns
         held = [graph.input("s", k) for k in range(enforced)]
         held += [graph.sum(terms[k]) for k in solved]
         terms = [[] if k in solved else parts for k, parts in enumerate(terms)]
@@ -127,7 +129,7 @@ class Equations:
                 terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
         constraints = [*places, *motion]
         residuals = [*(graph.sum(parts) for parts in terms), *constraints]
-        for i in equations.dependent_columns:  # these rows of M u' = F are the constraints
+        for i in equations.dependents.speed_columns:  # these rows of M u' = F are the constraints
             row = assembly.mass_matrix[i * nu : (i + 1) * nu]
             parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
             held.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))
@@ -172,7 +174,8 @@ def violated(at: Any) -> dict[int, float]:
 
     `at` is a start; the residuals of these holonomic constraints come by their places.
     """
-    found = at.values(_holonomic) if (places := at.definition.equations.unimplied) else {}
+    places = at.definition.equations.constraints.unenforced_holonomic
+    found = at.values(_holonomic) if places else {}
     rows = {k: [float(found[name][0, k]) for name in ("rows", "bounds")] for k in places}
     return {k: value for k, (value, bound) in rows.items() if abs(value) > DIGITS * bound}
 

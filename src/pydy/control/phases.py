@@ -96,8 +96,9 @@ class Phases(Search[PhasedTrajectory]):
             # The end of a phase satisfies the constraints, which need not hold after a link.
             follow = _followers(self._problems[-1], problem, link)
             equations, solved = problem._now.definition.equations, set[Any]()
-            if follow < len(equations.places_held):  # residuals give other unknowns then
-                solved = {equations.coordinates[z] for z in equations.following[1]}
+            constraints = equations.constraints
+            if follow < len(constraints.enforced_holonomic):  # residuals give other unknowns then
+                solved = {equations.coordinates[z] for z in constraints.residuals.columns}
             other._start = {
                 s: _OPEN if s in {*link, *solved} and s not in problem._begins else limits
                 for s, limits in problem._start.items()
@@ -169,7 +170,7 @@ def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:
     q, u = definition.equations.coordinates, definition.equations.speeds
     if any(link.get(s) != s for s in q):
         return 0
-    places = len(definition.equations.enforced)
+    places = len(definition.equations.constraints.implied_holonomic)
     return places if any(link.get(s) != s for s in u) else len(equations.constraints)
 
 

@@ -199,7 +199,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         self._begins = frozenset(self._start)
         # Those that follow from the constraints, where `start` changes others.
         equations = definition.equations
-        dependent = {*equations.dependent_coordinates, *equations.dependent_speeds}
+        dependent = {*equations.dependents.coordinates, *equations.dependents.speeds}
         left = dependent - {*self._start} if self._start else ()
         self._following = tuple(s for s in definition.states if s in left)
         for s, value in zip(definition.states, now.x.tolist(), strict=True):
@@ -236,7 +236,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 "'lbfgs'."
             )
         conditions = reader.boundary(boundary)
-        if equations.velocity and equations.constraint_forces is None:
+        if equations.constraints.velocity and equations.constraint_forces is None:
             raise NotImplementedError(
                 "The system has constraints, and equations without bodies. Optimal control of "
                 "constrained systems needs the bodies and loads: give them to the method, and "
@@ -320,7 +320,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         """Replace kinks of objective and conditions by smooth conditions, where these are equal."""
         p, definition = self._as_written, self._now.definition
         moving = {*self._controls, *self._free, self._symbol, *(i.symbol for i in p.instants)}
-        moving |= {*definition.states, *definition.equations.speed_rates}
+        moving |= {*definition.states, *definition.equations.kinematics.speed_rates}
         moving |= {*definition.outputs_symbols}
 
         def moves(kink: Any) -> bool:
@@ -624,11 +624,11 @@ class OptimalControl(Search[OptimalTrajectory]):
             kinks = self._at_guess(made, begin)
             begin = made.joined(x, u, [*constants, *kinks], duration)
         states = self._now.definition.states
-        dependent = [states.index(s) for s in equations.dependent_coordinates]
+        dependent = [states.index(s) for s in equations.dependents.coordinates]
         if dependent and set(dependent) <= set(moving):
             moving = dependent  # the others keep their straight lines
-        if equations.places_held and moving:
-            follow_constraints(made, begin, moving, len(equations.places_held))
+        if equations.constraints.enforced_holonomic and moving:
+            follow_constraints(made, begin, moving, len(equations.constraints.enforced_holonomic))
         x = made.split(begin)[0]  # which is a view
         for row in x if slopes.any() else ():
             row[slopes] = np.gradient(row[~slopes], made.mesh * duration)
@@ -786,8 +786,8 @@ def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
         for part in (equations.coordinates, equations.speeds, definition.auxiliaries)
     )
     constraints = (
-        *(f"constraint {k} of positions" for k in equations.places_held),
-        *(f"constraint {k} of velocities" for k in range(len(equations.velocity))),
+        *(f"constraint {k} of positions" for k in equations.constraints.enforced_holonomic),
+        *(f"constraint {k} of velocities" for k in range(len(equations.constraints.velocity))),
     )
     labels = (
         *(f"kinematics of {name}" for name in coordinates),

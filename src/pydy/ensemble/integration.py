@@ -75,16 +75,16 @@ def integrate_ensemble(
     else:
         names = ResultNames.latest(problem, sensitivities is not None)
     samples = read_samples(problem, plan, names, product, initial_conditions, constants, varied)
-    if definition.equations.implicit is not None:
+    if definition.equations.constraints.residuals.implicit is not None:
         options = with_residuals_held(definition, solver, options)
     constraints, code = None, problem.model.code
-    if definition.equations.constrained or sensitivities is not None:
+    if definition.equations.constraints.are_present or sensitivities is not None:
         code = problem.model.with_compiled_inputs(plan)
 
     def at(t: np.ndarray, x: np.ndarray) -> At:
         return At(definition, code, t, x, plan.inputs.rows(x, t), problem.p)
 
-    if definition.equations.constrained:
+    if definition.equations.constraints.are_present:
         mended = options.get("constraints") is not None
         check_samples(at, float(times[0]), (samples.x, samples.r, samples.p), samples.shape, mended)
         if motions is None:
@@ -185,8 +185,8 @@ def _constraint_checks(
     equations = problem.definition.equations
     return Kept(
         drift_programs(problem, code, plan),
-        any(equations.left_out),
-        equations.beyond_projection,
+        any(equations.constraints.redundant),
+        equations.constraints.has_unprojected_rows,
         options.get("constraints") is not None,
         ConstraintNames(equations) if "events" in options else (),
     )

@@ -56,7 +56,7 @@ class BlockFunction:
 
     def _check_unknowns(self) -> None:
         """Refuse to take the unknowns of an `Implicit` from before, where others follow."""
-        blocks = self.problem.definition.equations.residual_blocks
+        blocks = self.problem.definition.equations.constraints.residuals.blocks
         if not blocks or ("x" in self._part_of and self._part_of["x"].whole):
             return
         assembly, states = self._code.assembly, self.problem.definition.states

@@ -126,7 +126,8 @@ def _guess(problem: FitProblem, k: int, now: Problem) -> np.ndarray:
         if key in order and there.any():
             known[key] = np.interp(times, d.times[there], column[there])
     equations = now.definition.equations
-    rates = dict(zip(equations.coordinate_derivatives, equations.coordinates, strict=True))
+    derivatives = equations.kinematics.coordinate_derivatives
+    rates = dict(zip(derivatives, equations.coordinates, strict=True))
     for speed, coordinate in rates.items():
         if coordinate in known and speed in order and speed not in known:
             known[speed] = np.gradient(known[coordinate], times)

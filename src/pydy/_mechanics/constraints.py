@@ -1,0 +1,132 @@
+"""The constraints of equations of motion: which there are, and which follow from which."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from pydy._forks import cached_property
+from pydy._mechanics.implicit import Implicit, blocks_of
+from pydy._mechanics.symbols import find_symbols
+
+
+class RedundantConstraints(NamedTuple):
+    """Constraints that follow from the others at generic states, in terms of the states."""
+
+    holonomic: tuple[Any, ...] = ()
+    velocity: tuple[Any, ...] = ()
+
+
+class ImplicitResiduals:
+    """The holonomic constraints that are residuals of an `Implicit`, and their unknowns in q."""
+
+    def __init__(
+        self,
+        implicit: Implicit | None = None,
+        holonomic: Sequence[Any] = (),
+        coordinates: Sequence[Any] = (),
+        speeds: Sequence[Any] = (),
+    ) -> None:
+        self.implicit = implicit
+        self._holonomic, self._coordinates, self._speeds = holonomic, coordinates, speeds
+
+    @cached_property
+    def rows(self) -> tuple[int, ...]:
+        """The positions of the residuals among the holonomic constraints."""
+        if self.implicit is None:
+            return ()
+        residuals = {*self.implicit.residuals.values()}
+        return tuple(k for k, e in enumerate(self._holonomic) if e in residuals)
+
+    @cached_property
+    def columns(self) -> tuple[int, ...]:
+        """The positions of the unknowns among the coordinates."""
+        if self.implicit is None:
+            return ()
+        return tuple(k for k, q in enumerate(self._coordinates) if q in self.implicit.residuals)
+
+    @cached_property
+    def blocks(self) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
+        """The rows and columns of blocks that are solved one after the other."""
+        residuals = [self._holonomic[k] for k in self.rows]
+        blocks = blocks_of(residuals, [self._coordinates[k] for k in self.columns])
+        return [
+            (tuple(self.rows[k] for k in rows), tuple(self.columns[k] for k in columns))
+            for rows, columns in blocks
+        ]
+
+    @cached_property
+    def unknowns_of_speeds(self) -> frozenset[Any]:
+        """The unknowns whose residuals contain speeds: forces of friction, say."""
+        moving = {*self._speeds}
+        for rows, columns in self.blocks:
+            if moving & {*find_symbols([self._holonomic[k] for k in rows])}:
+                moving.update(self._coordinates[k] for k in columns)
+        return frozenset(moving - {*self._speeds})
+
+
+@dataclass(frozen=True, eq=False)
+class ConstraintEquations:
+    """Holonomic and velocity constraints, each zero when satisfied."""
+
+    holonomic: tuple[Any, ...] = ()
+    velocity: tuple[Any, ...] = ()  # differentiated holonomic constraints included
+    # Those of `holonomic` that give unknowns.
+    residuals: ImplicitResiduals = field(default_factory=ImplicitResiduals)
+    # In addition to these.
+    redundant: RedundantConstraints = field(default_factory=RedundantConstraints)
+    nonholonomic: tuple[Any, ...] = ()  # those of `velocity` that no holonomic constraint implies
+    # The positions of the holonomic constraints whose rates the velocity constraints imply.
+    implied_holonomic: tuple[int, ...] = ()
+    # Those whose rates no velocity constraint and no kinematic equation implies.
+    undifferentiated_holonomic: tuple[int, ...] = ()
+    # The velocity constraints that follow from `implied_holonomic` and from `nonholonomic`.
+    implied_velocity: tuple[Any, ...] = ()
+
+    @property
+    def are_present(self) -> bool:
+        """Whether there are constraints, including redundant ones."""
+        return bool(self.holonomic or self.velocity or any(self.redundant))
+
+    @property
+    def enforced_holonomic(self) -> tuple[int, ...]:
+        """The positions of holonomic constraints that a discretised motion has to satisfy as such.
+
+        The implied ones, then the residuals.
+        """
+        return (*self.implied_holonomic, *self.residuals.rows)
+
+    @cached_property
+    def unenforced_holonomic(self) -> tuple[int, ...]:
+        """The positions of the other holonomic constraints.
+
+        At random states and constants their rates do not follow from velocity constraints; with
+        others they may.
+        """
+        enforced = self.enforced_holonomic
+        return tuple(k for k, _ in enumerate(self.holonomic) if k not in enforced)
+
+    @cached_property
+    def has_unprojected_rows(self) -> bool:
+        """Whether there are more constraints to satisfy than projection enforces."""
+        return any(self.redundant) or bool(self.unenforced_holonomic)
+
+
+class DependentStates:
+    """The dependent coordinates and speeds, anywhere among the states.
+
+    The speeds are in the order of the velocity constraints.
+    """
+
+    def __init__(
+        self,
+        coordinates: tuple[Any, ...] = (),
+        speeds: tuple[Any, ...] = (),
+        all_speeds: Sequence[Any] = (),
+    ) -> None:
+        self.coordinates, self.speeds = coordinates, speeds
+        self.speed_columns = tuple(all_speeds.index(u) for u in speeds)
+        self.independent_columns = tuple(
+            k for k in range(len(all_speeds)) if k not in self.speed_columns
+        )
