@@ -9,7 +9,7 @@ from pydy._graph.lowering import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.solve.ldl import UnrolledLDL
 from pydy._mechanics.form import Formed, forms
-from pydy._mechanics.reader import Multibody
+from pydy._mechanics.multibody import Multibody
 from pydy._program.interpret import run
 from pydy._program.operations import OPERATIONS
 from pydy._program.program import Program, Tape

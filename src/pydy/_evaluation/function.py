@@ -75,7 +75,7 @@ class Function:
             perturbed = any(group == "r" for group, _ in self.by)
             code = problem.model.with_compiled_inputs(plan, perturbed=perturbed)
             # What is passed to the call is tried, and so checked.
-            skips = r is None and self.skips_unread_inputs and bool(plan.inputs.changing)
+            skips = r is None and self.skips_unread_inputs and bool(plan.changing)
             if skips and not self._reads_inputs(code):
                 numbers = np.zeros((1, len(definition.specifieds)))
         else:

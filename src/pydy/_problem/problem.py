@@ -421,7 +421,7 @@ class Problem:
         columns = assumptions["specifieds"].columns
         if r is None or callable(r) or isinstance(r, Mapping):
             plan = self.plan_with(r)
-            columns &= plan.inputs.changing
+            columns &= plan.changing
             columns -= {k for k, s in enumerate(plan.symbols) if s in plan.expressions}
         self.check_columns("specifieds", at.r, "The specified ", columns=columns)
         if r is None and self.plan.expressions:
@@ -450,7 +450,7 @@ class Problem:
         if (assumed := assumptions.get("specifieds")) is None:
             return
         plan = self.plan  # whose numbers and samples were judged when they were given
-        if columns := assumed.columns & plan.inputs.changing:
+        if columns := assumed.columns & plan.changing:
             finite = np.isfinite(states).all(axis=1)
             rows = np.full((len(times), len(plan.symbols)), np.nan)
             rows[finite] = self.specifieds(times[finite], states[finite])
@@ -546,7 +546,7 @@ def check_specifieds(
     if assumed is None or told is None:
         return
     places, what = definition.places["specifieds"], f"`{argument}` for "
-    numbers = plan.given - {plan.symbols[k] for k in plan.inputs.changing}
+    numbers = plan.given - {plan.symbols[k] for k in plan.changing}
     check_given(assumed, places, argument, plan.inputs.values[None], numbers, told)
     for columns, samples in plan.inputs.sampled:
         rows = np.full((len(samples.times), len(plan.symbols)), np.nan)
