@@ -9,6 +9,7 @@ from optional import optional
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
+from pydy.solvers.run.lanes import LaneSolver
 
 xr = optional("xarray")
 
@@ -134,7 +135,7 @@ def test_a_python_function_is_called_for_each_sample():
 def test_radau_serves_in_lanes_and_one_by_one_where_states_are_many(oscillator, monkeypatch):
     (x, _), found = oscillator.states, []
     for most in (2, 1):
-        monkeypatch.setattr("pydy.ensemble.model.LARGEST_IN_LANES", most)
+        monkeypatch.setattr(LaneSolver, "MOST_IMPLICIT_STATES", most)
         values = {"initial_conditions": {x: [1.0, 2.0]}, "ode_solver": "radau"}
         found.append(oscillator.integrate_ensemble(**values))
         assert found[-1].attrs["lanes"] == (8 if most == 2 else 1)

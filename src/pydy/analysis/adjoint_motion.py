@@ -388,7 +388,7 @@ class MotionSegment:
         self.options: Any = read
         width = n + more
         self.states = states = integration.run(whole)[:, :width]
-        for told in integration.stretches():
+        for told in integration.event_warnings():
             warn_user(told)
         self.info = info = integration.info()
         self.records: list[EventRecord] = info["events"]

@@ -24,7 +24,7 @@ from pydy.ensemble.names import ResultNames
 from pydy.ensemble.samples import PARAMETER, QUANTITY
 from pydy.ensemble.variations import read_samples, split_specifieds
 from pydy.ensemble.work import Work, read_reductions
-from pydy.solvers import LANES, SOLVERS, Options, Solver, read_options
+from pydy.solvers import SOLVERS, Options, Solver, read_options
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -215,9 +215,11 @@ def _read(definition: Definition, solver: Solver, options: Mapping[str, Any]) ->
 
 def _attributes(model: Model) -> dict[str, Any]:
     """Return the attributes of the Dataset: how its numbers were computed."""
+    from pydy.solvers import LaneSolver
+
     return {
         "ode_solver": model.method,
-        "lanes": LANES if model.in_lanes else 1,
+        "lanes": LaneSolver.LANES if model.in_lanes else 1,
         "rtol": np.asarray(model.options.rtol).tolist(),
         "atol": np.asarray(model.options.atol).tolist(),
         "pydy_version": __version__,

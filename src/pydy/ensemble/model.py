@@ -19,8 +19,6 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._program import Program, Tangent
 from pydy._states import follow
 from pydy.solvers import (
-    LANES,
-    LARGEST_IN_LANES,
     ROUNDING,
     CompiledSensitivities,
     Options,
@@ -30,7 +28,7 @@ from pydy.solvers import (
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
-    from pydy.solvers import Integration, LanesBeside
+    from pydy.solvers import Integration, LaneTasks
 
 # -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
 
@@ -192,11 +190,13 @@ class Model:
     @property
     def in_lanes(self) -> bool:
         """Whether trajectories are integrated several at a time."""
+        from pydy.solvers import LaneSolver
+
         beside, held = self.sensitivities, self.options.constraints is not None
         watched = self.options.events is not None
         asks = self.motions is not None or (watched and not self._watched_in_lanes)
         asks = asks or (beside is not None and (held or beside.controlled))
-        large = beside is not None or len(self.states) > LARGEST_IN_LANES
+        large = beside is not None or len(self.states) > LaneSolver.MOST_IMPLICIT_STATES
         asks = asks or (self.jacobian is not None and large)
         return not self.functions and not asks
 
@@ -360,7 +360,7 @@ class Batch:
         return results
 
     def _bounds(self) -> tuple[np.ndarray, np.ndarray] | None:
-        """Return the tolerances of sensitivities; see `integrate_samples`."""
+        """Return the tolerances of sensitivities; see `LaneSolver.integrate`."""
         if (beside := self.model.sensitivities) is None:
             return None
         (n, columns), options = beside.start.shape, self.model.options
@@ -371,7 +371,7 @@ class Batch:
 
     def _integrated(self, times: np.ndarray, states: np.ndarray) -> Results:
         """Integrate, several samples at a time if possible."""
-        from pydy.solvers import integrate_samples
+        from pydy.solvers import LaneSolver
 
         model, exact = self.model, np.min(self.model.options.rtol) < 10.0 * ROUNDING
         if not model.in_lanes or (exact and self._too_exact()):
@@ -386,20 +386,27 @@ class Batch:
             if found.unresolved:  # which a single trajectory warns of
                 return self._one_by_one(times, states)
             switched = found.rows
-        beside: LanesBeside | None = None
+        tasks: LaneTasks | None = None
         if model.options.constraints is not None or model.options.events is not None:
-            beside = self._lanes_beside(times)
-        counted, reached = integrate_samples(
-            _kernel(model.rates, LANES), model.method, self.x, self.r, self.p, model.sampled,
-            times, model.options, states, self.stopped, self._bounds(), beside,
-            None if model.jacobian is None else _kernel(model.jacobian, LANES), switched,
-        )  # fmt: skip
+            tasks = self._lane_tasks(times)
+        lanes = LaneSolver.LANES
+        solver = LaneSolver(
+            _kernel(model.rates, lanes),
+            model.method,
+            model.options,
+            model.sampled,
+            None if model.jacobian is None else _kernel(model.jacobian, lanes),
+            switched,
+        )
+        counted, reached = solver.integrate(
+            (self.x, self.r, self.p), times, states, self.stopped, self._bounds(), tasks
+        )
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
         results = Results(states, {**counts, "end_time": reached})
-        if beside is not None:
-            results.told["nearness"] = beside.nearness()
-            ended = beside.ended(counts["status"], states[:, :, -1:])
-            results.stretches, results.records = beside.stretches(ended), beside.records()
+        if tasks is not None:
+            results.told["nearness"] = tasks.nearness()
+            ended = tasks.ended(counts["status"], states[:, :, -1:])
+            results.stretches, results.records = tasks.event_warnings(ended), tasks.records()
             lost = np.flatnonzero(~ended)
             if lost.size:  # why, the solver of single trajectories tells
                 results.take(lost, self.some(lost)._one_by_one(times))
@@ -415,21 +422,22 @@ class Batch:
         atol = np.ravel(options.atol)[k if np.size(options.atol) > 1 else 0]
         return options.step is None and bool((atol < least).any())
 
-    def _lanes_beside(self, times: np.ndarray) -> LanesBeside:
-        """Return what lanes have to do beside their motions: to hold or to watch them, or both."""
+    def _lane_tasks(self, times: np.ndarray) -> LaneTasks:
+        """Return the constraints and events of the samples, for lanes."""
         from pydy._errors import IntegrationError
-        from pydy.solvers import LanesBeside, LanesWatched
+        from pydy.solvers import LaneSolver, LaneTasks
 
         held, watched = self.model.options.constraints, self.model.options.events
-        one, beside = self._single(0, times, None), LanesBeside(len(self.x))
+        one, tasks = self._single(0, times, None), LaneTasks(len(self.x))
+        lanes = LaneSolver.LANES
         if watched is not None:
-            samples, kernel = (self.r, self.p, self.model.sampled), partial(_kernel, lanes=LANES)
-            beside = LanesWatched(one, samples, times, kernel, self.logs)
+            samples, kernel = (self.r, self.p, self.model.sampled), partial(_kernel, lanes=lanes)
+            tasks = LaneTasks.with_events(one, samples, times, kernel, self.logs)
         if held is not None:
             with suppress(IntegrationError):  # redundant constraints are told of
                 one.begin(np.ascontiguousarray(self.x[0]))
-            beside.hold(held, _kernel(held.kernel.program, LANES))
-        return beside
+            tasks.add_constraints(held, _kernel(held.kernel.program, lanes))
+        return tasks
 
     def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
         """Return the integration of sample k, which may be that of the sample before."""
@@ -530,7 +538,7 @@ class Batch:
             try:
                 found = one.run(np.ascontiguousarray(x))
                 info = one.info()
-                results.stretches += one.stretches()
+                results.stretches += one.event_warnings()
             except IntegrationError as error:
                 found, info = one.reached(), error.info
             results.states[:, k, : len(found)] = found.T
@@ -544,10 +552,10 @@ class Batch:
         if program is None:
             return np.empty((0, *states.shape[1:]))
         if not self.model.functions:
-            from pydy.solvers import evaluate_samples
+            from pydy.solvers import LaneSolver
 
-            kernel = _kernel(program, LANES)
-            return evaluate_samples(kernel, self.r, self.p, self.model.sampled, times, states)
+            kernel = _kernel(program, LaneSolver.LANES)
+            return LaneSolver.evaluate(kernel, self.r, self.p, self.model.sampled, times, states)
         kernel = _kernel(program, 1)
         out = np.empty((len(program.outputs), *states.shape[1:]))
         for k, r in enumerate(self.r):

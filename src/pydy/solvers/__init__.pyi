@@ -20,12 +20,7 @@ from .options import (
 from .outcome import Outcome as Outcome
 from .run.backward import DiscreteAdjoint as DiscreteAdjoint
 from .run.integration import Integration as Integration
-from .run.lanes import (
-    LanesBeside as LanesBeside,
-    LanesWatched as LanesWatched,
-    evaluate_samples as evaluate_samples,
-    integrate_samples as integrate_samples,
-)
+from .run.lanes import LaneSolver as LaneSolver, LaneTasks as LaneTasks
 from .run.problem import tables_of as tables_of
 from .sensitivities import (
     CompiledSensitivities as CompiledSensitivities,
@@ -42,10 +37,4 @@ from .solver import (
     vern9 as vern9,
 )
 from .tableaus import Tableau as Tableau, method_arrays as method_arrays, tableau_of as tableau_of
-from .tuning import (
-    LANES as LANES,
-    LARGEST_IN_LANES as LARGEST_IN_LANES,
-    MANY_STEPS as MANY_STEPS,
-    NO_LATER as NO_LATER,
-    ROUNDING as ROUNDING,
-)
+from .tuning import MANY_STEPS as MANY_STEPS, NO_LATER as NO_LATER, ROUNDING as ROUNDING

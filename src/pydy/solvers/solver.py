@@ -318,7 +318,7 @@ class Prepared:
         events = self._integration.options.events
         run = self._integration
         if events is not None and (any(events.may_rest) or run.set_off or run.idle):
-            for told in run.stretches():
+            for told in run.event_warnings():
                 warn_user(told)
         if self._integration.code == Outcome.EVENTS_ACCUMULATE:
             info, event = self.info, self._integration.details["event"]

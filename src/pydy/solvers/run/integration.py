@@ -580,7 +580,7 @@ class Integration(Workspace):
                     "a small gap, do both in one reset, or use `pydy.contact.Contacts`.",
                 )
 
-    def stretches(self) -> list[str]:
+    def event_warnings(self) -> list[str]:
         """Return what to say of events that were zero, without a change of sign."""
         wanted = self.options.events
         if wanted is None:

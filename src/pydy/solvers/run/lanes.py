@@ -1,10 +1,11 @@
-"""Integrations of many samples from Python's side: arrays for the stepper of lanes."""
+"""The integration of many samples side by side: arrays for the stepper of lanes."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from time import perf_counter
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -38,59 +39,80 @@ from pydy.solvers.run.workspace import (
     seen_of,
 )
 from pydy.solvers.tableaus import method_arrays
-from pydy.solvers.tuning import LANES, LEAST_TOLERANCE, ROUNDING, STARTING_MOVE
+from pydy.solvers.tuning import LANES, LARGEST_IN_LANES, LEAST_TOLERANCE, ROUNDING, STARTING_MOVE
 from pydy.trajectory import EventRecord
 
-_NO_ONE = Alone(np.zeros(0, dtype=np.int64), np.zeros((0, 1), dtype=np.int64))
+SampledInputs = Sequence[tuple[np.ndarray, Any]]
+"""Sampled inputs, each with its columns in r."""
+
+_NO_RUNS = Alone(np.zeros(0, dtype=np.int64), np.zeros((0, 1), dtype=np.int64))
 _NO_EVENTS = LaneWatch(*[np.zeros(0)] * len(LaneWatch._fields))._replace(
     words=np.zeros(at.LANES_LOGGED + 1, dtype=np.int64)
 )
 
 
-class LanesBeside:
-    """What m lanes have to do beside the motions of their samples: here nothing, or to hold them.
+class LaneTasks:
+    """Constraints and events of m samples that are integrated in lanes: here neither, or both.
 
-    Each sample has a row of `seen`, what was noted of its projections.
+    Each sample has a row of `seen`, the record of its projections.
     """
 
-    alone, watch, held = _NO_ONE, _NO_EVENTS, NO_CONSTRAINTS
-    _wanted: CompiledConstraints | None = None
+    alone, watch, constraints = _NO_RUNS, _NO_EVENTS, NO_CONSTRAINTS
+    _compiled: CompiledConstraints | None = None
 
     def __init__(self, m: int) -> None:
         self.seen, self.prepared = np.zeros((m, 0)), list[tuple[int, int]]()
 
-    def hold(self, wanted: CompiledConstraints, kernel: Kernel) -> None:
-        """Hold motions on constraints, of which the `kernel` is that for lanes."""
+    @staticmethod
+    def with_events(
+        workspace: Workspace,
+        samples: tuple[np.ndarray, np.ndarray, SampledInputs],
+        times: np.ndarray,
+        kernel: Callable[[Any], Kernel],
+        logs: bool,
+    ) -> LaneTasks:
+        """Return tasks that detect events, and record them where `logs` is True.
+
+        The `workspace` is that of one sample alone. The `samples` are the inputs r and p, with a
+        row for each, and sampled data with their columns in r. `kernel` compiles Programs for
+        lanes.
+        """
+        return _EventTasks(workspace, samples, times, kernel, logs)
+
+    def add_constraints(self, compiled: CompiledConstraints, kernel: Kernel) -> None:
+        """Project motions onto constraints; the `kernel` is the one compiled for lanes."""
         n, (place, c, prepared) = kernel.program.num_states, _bound(kernel)
-        self.held, self._scratch = constraints_for(wanted, "project_lanes", (place, c), n, LANES)
-        self.seen, self._wanted = np.zeros((len(self.seen), seen_of(wanted, n))), wanted
+        self.constraints, self._scratch = constraints_for(
+            compiled, "project_lanes", (place, c), n, LANES
+        )
+        self.seen, self._compiled = np.zeros((len(self.seen), seen_of(compiled, n))), compiled
         self.prepared += prepared
 
-    def begin(self, x: np.ndarray, span: float, place: int) -> None:
-        """Move states (m, n) onto their constraints, with a table at some place.
+    def begin(self, x: np.ndarray, span: float, table: int) -> None:
+        """Project initial states (m, n) onto their constraints, with the table at an address.
 
-        NaN where a motion cannot begin: the solver of single trajectories tells why.
+        They become NaN if a motion cannot begin: the solver of single trajectories reports why.
         """
-        if self._wanted is not None:
+        if self._compiled is not None:
             before = x.copy()
-            function_of("begin_lanes")(place)
-            x[(self._wanted.moved(before, x, span) > STARTING_MOVE).any(axis=1)] = np.nan
+            function_of("begin_lanes")(table)
+            x[(self._compiled.moved(before, x, span) > STARTING_MOVE).any(axis=1)] = np.nan
 
     def nearness(self) -> np.ndarray:
         """Return how near the constraints of each sample came to losing rank."""
-        if self._wanted is None:
+        if self._compiled is None:
             return np.ones(len(self.seen))
         return np.where(self.seen[:, at.RANK] != 0.0, self.seen[:, at.NEARNESS], 1.0)
 
-    def look(self) -> None:
-        """Do what compiled code leaves to Python now and then."""
+    def empty_log(self) -> None:
+        """Copy the events that compiled code has recorded."""
 
     def ended(self, status: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return which samples have ended well, with states (n, m, 1) at the last time."""
+        """Return which samples need nothing more, from the states (n, m, 1) at the last time."""
         return np.asarray(status == Outcome.FINISHED)
 
-    def stretches(self, samples: np.ndarray) -> list[str]:
-        """Return what to say of expressions that stayed at zero in some samples."""
+    def event_warnings(self, samples: np.ndarray) -> list[str]:
+        """Return warnings of expressions that stayed at zero in some samples."""
         return []
 
     def records(self) -> dict[int, list[EventRecord]]:
@@ -98,23 +120,20 @@ class LanesBeside:
         return {}
 
 
-_NOTHING = LanesBeside(0)
+_NO_TASKS = LaneTasks(0)
 
 
-class LanesWatched(LanesBeside):
-    """Lanes that look for events, and do some of that one after another, as single trajectories do.
+class _EventTasks(LaneTasks):
+    """Lanes that detect events, and act on them one lane at a time, as single trajectories do.
 
-    Each has the arrays of the `workspace` of one trajectory, but for inputs and what is noted of
-    events, which are its own. `logs` tells whether events are noted.
-
-    The `samples` are the inputs r and p, with a row for each, and data in time with their places in
-    r. `kernel` compiles Programs for lanes.
+    Each lane has a copy of the arrays of the workspace of one trajectory, with its own inputs and
+    its own record of events.
     """
 
     def __init__(
         self,
         workspace: Workspace,
-        samples: tuple[np.ndarray, np.ndarray, Sequence[tuple[np.ndarray, Any]]],
+        samples: tuple[np.ndarray, np.ndarray, SampledInputs],
         times: np.ndarray,
         kernel: Callable[[Any], Kernel],
         logs: bool,
@@ -122,36 +141,38 @@ class LanesWatched(LanesBeside):
         events = workspace.options.events
         assert events is not None
         super().__init__(len(samples[0]))
-        self._own, runs, prepared = workspace.alone(LANES)
+        self._copies, runs, prepared = workspace.alone(LANES)
         self.alone = Alone(runs, prepared)
-        self._workspace = workspace  # which compiled code goes on using
+        self._workspace = workspace  # its memory is used by compiled code
         self._events, self._times, self._samples, self._logs = events, times, samples, logs
         self._kernels = kernel(events.values.program), kernel(events.rates.program)
-        self._taken: list[tuple[np.ndarray, ...]] = []
-        self._far = None
+        self._log: list[tuple[np.ndarray, ...]] = []
+        self._reach = None
         if workspace.watch.words[at.REACHER] != 0 and events.reach is not None:
-            self._far = kernel(events.reach.program)
+            self._reach = kernel(events.reach.program)
         self.watch = self._watch(workspace)
 
     def _watch(self, workspace: Workspace) -> LaneWatch:
-        own, m, n, number = workspace.watch, len(self.seen), workspace.n, len(self._events.names)
-        words = np.append(own.words, 0)
+        single, m, n = workspace.watch, len(self.seen), workspace.n
+        number, words = len(self._events.names), np.append(single.words, 0)
         words[at.WATCHER], c, self.prepared = _bound(self._kernels[0])
         reach_c = np.zeros(0)
-        if self._far is not None:
-            words[at.REACHER], reach_c, further = _bound(self._far)
-            self.prepared += further
-        program = self._kernels[0].program if self._far is None else self._far.program
+        if self._reach is not None:
+            words[at.REACHER], reach_c, prepared = _bound(self._reach)
+            self.prepared += prepared
+        program = self._kernels[0].program if self._reach is None else self._reach.program
         nodes = zip(program.ops, program.args, strict=True)
         inputs = {
-            args[1] - own.words[at.MOVES] for op, args in nodes if (op, *args[:1]) == ("input", "r")
+            args[1] - single.words[at.MOVES]
+            for op, args in nodes
+            if (op, *args[:1]) == ("input", "r")
         }
-        moving = sorted(inputs & {*range(own.words[at.MOVING])})
-        rows = 4 * LANES * (1 + len(own.log_times)) if self._logs else 0
+        moving = sorted(inputs & {*range(single.words[at.MOVING])})
+        rows = 4 * LANES * (1 + len(single.log_times)) if self._logs else 0
         return LaneWatch(
             words=words,
             c=c,
-            reach=lined_up(LANES * len(own.reach)),
+            reach=lined_up(LANES * len(single.reach)),
             reach_c=reach_c,
             moving=np.array(moving, dtype=np.int64),
             ends=lined_up(LANES * (at.PARTS + 1) * number),
@@ -168,23 +189,23 @@ class LanesWatched(LanesBeside):
             log_after=np.zeros((rows, n)),
         )
 
-    def begin(self, x: np.ndarray, span: float, place: int) -> None:
+    def begin(self, x: np.ndarray, span: float, table: int) -> None:
         """Also find the signs of events."""
-        super().begin(x, span, place)
-        values, rates, bounds = self._at(x.T[:, :, None], float(self._times[0]))
+        super().begin(x, span, table)
+        values, rates, bounds = self._values_at(x.T[:, :, None], float(self._times[0]))
         on = on_surface(values, bounds)
-        told = np.where(on, rates, values)
-        self.watch.began[:] = sides = np.sign(np.where(np.isfinite(told), told, 0.0))
-        wanted = np.array(self._events.directions)
-        self._zero = on & ((wanted == 0) | (wanted == sides))
-        # The solver of single trajectories acts, and finds the side where the rate is zero.
-        alone = self._zero & (np.array(self._workspace.watch.acting) == 1) | on & (rates == 0.0)
-        x[alone.any(axis=1)] = np.nan
+        signed = np.where(on, rates, values)
+        self.watch.began[:] = sides = np.sign(np.where(np.isfinite(signed), signed, 0.0))
+        directions = np.array(self._events.directions)
+        self._zero = on & ((directions == 0) | (directions == sides))
+        # Where an event acts, or the rate is zero, the solver of single trajectories is needed.
+        acts = self._zero & (np.array(self._workspace.watch.acting) == 1)
+        x[(acts | on & (rates == 0.0)).any(axis=1)] = np.nan
         self._x = x
         self.watch.first[:] = np.where(self._zero, self._times[0], -np.inf)
 
-    def _at(self, states: np.ndarray, t: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the events' expressions, their rates and bounds on their roundings, each (m, ·).
+    def _values_at(self, states: np.ndarray, t: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the events' expressions, rates and bounds on roundings, each (m, events).
 
         The states (n, m, 1) are those at a time.
         """
@@ -193,27 +214,29 @@ class LanesWatched(LanesBeside):
         for columns, data in sampled:
             r[:, columns] = data.at(t)
         states, times = np.ascontiguousarray(states), np.array([t])
-        found = [evaluate_samples(k, r, p, (), times, states)[..., 0].T for k in self._kernels]
-        number = found[0].shape[1]
-        return found[0], found[1][:, :number], found[1][:, number : 2 * number]
+        values, rates = (
+            LaneSolver.evaluate(k, r, p, (), times, states)[..., 0].T for k in self._kernels
+        )
+        number = values.shape[1]
+        return values, rates[:, :number], rates[:, number : 2 * number]
 
-    def look(self) -> None:
-        """Empty the log."""
+    def empty_log(self) -> None:
+        """Copy the events that compiled code has recorded."""
         watch = self.watch
         if number := int(watch.words[at.LANES_LOGGED]):
-            log = watch[LaneWatch._fields.index("log_samples") :]
-            self._taken.append(tuple(part[:number].copy() for part in log))
+            columns = watch[LaneWatch._fields.index("log_samples") :]
+            self._log.append(tuple(column[:number].copy() for column in columns))
             watch.words[at.LANES_LOGGED] = 0
 
     def ended(self, status: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the same, but for samples with an event at the last time, which needs Python."""
-        values, rates, _ = self._at(states, t := float(self._times[-1]))
+        """Return the same, without samples with an event at the last time, which needs Python."""
+        values, rates, _ = self._values_at(states, t := float(self._times[-1]))
         sides = self.watch.began
         with np.errstate(invalid="ignore"):  # infinite values without a side
-            ahead, away = values * sides, rates * sides
+            signed_values, signed_rates = values * sides, rates * sides
         near = 2.0 * ROUNDING * abs(t) * np.abs(rates)
-        reaches = ((values == 0.0) & ~(away > 0.0)) | (
-            (away < 0.0) & (ahead >= 0.0) & (ahead <= near)
+        reaches = ((values == 0.0) & ~(signed_rates > 0.0)) | (
+            (signed_rates < 0.0) & (signed_values >= 0.0) & (signed_values <= near)
         )
         fired = reaches & (sides != 0) & (sides != np.array(self._events.directions))
         done = super().ended(status, states) & ~fired.any(axis=1)
@@ -221,135 +244,145 @@ class LanesWatched(LanesBeside):
             done | (status == Outcome.TERMINATED) | (status == Outcome.EVENTS_ACCUMULATE)
         )
 
-    def stretches(self, samples: np.ndarray) -> list[str]:
-        """Return what to say of expressions that stayed at zero in some samples."""
+    def event_warnings(self, samples: np.ndarray) -> list[str]:
+        """Return warnings of expressions that stayed at zero in some samples."""
         span, rests = float(self._times[-1] - self._times[0]), self.watch.rests[samples]
         rows = rests[~np.isnan(rests).all(axis=1)]
         return [w for row in rows for w in self._events.zero_interval_warnings(row, span)]
 
     def records(self) -> dict[int, list[EventRecord]]:
-        """Return the events of each sample, if they were noted."""
-        found: dict[int, list[EventRecord]] = {k: [] for k in range(len(self._zero))}
+        """Return the events of each sample, if they were recorded."""
+        records: dict[int, list[EventRecord]] = {k: [] for k in range(len(self._zero))}
         t, names = float(self._times[0]), self._events.names
         if not self._logs:
             return {}
         for k, event in np.argwhere(self._zero).tolist():
             x = self._x[k]
-            found[k].append(EventRecord(t, names[event], event, x.copy(), x.copy()))
-        for part in self._taken:
-            samples, times, events = (column.tolist() for column in part[:3])
-            for k, t, event, x, after in zip(samples, times, events, *part[3:], strict=True):
-                found[k].append(EventRecord(t, names[event], event, x, after))
-        return found
+            records[k].append(EventRecord(t, names[event], event, x.copy(), x.copy()))
+        for log in self._log:
+            samples, times, events = (column.tolist() for column in log[:3])
+            for k, t, event, x, after in zip(samples, times, events, *log[3:], strict=True):
+                records[k].append(EventRecord(t, names[event], event, x, after))
+        return records
 
 
-def integrate_samples(
-    kernel: Kernel,
-    method: str,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    sampled: Sequence[tuple[np.ndarray, Any]],
-    times: np.ndarray,
-    options: Options,
-    states: np.ndarray,
-    stopped: Callable[[], bool] = lambda: False,
-    bounds: tuple[np.ndarray, np.ndarray] | None = None,
-    beside: LanesBeside | None = None,
-    jacobian: Kernel | None = None,
-    switched: np.ndarray | None = None,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Integrate m samples, `LANES` at a time; an implicit method needs the `jacobian`.
+@dataclass(frozen=True, eq=False)
+class LaneSolver:
+    """Integrates many samples of one model, `LANES` at a time.
 
-    The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
-    the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
-    sample lie side by side, and the next sample's follow. The error is controlled of all
-    components but the last, whose error `bounds` the step: they have relative tolerances (b,) and
-    absolute ones (m, b). Motions may be held on constraints and watched for events, by what is
-    `beside`; those that cannot begin are left out then, as not computed. Asked now and then whether
-    the work is `stopped`, True ends it with KeyboardInterrupt. The rows of `switched` say when the
-    Kernel switches by time alone, in all samples alike.
-
-    Returned are `Queue.counts` and the times up to which each sample was integrated.
+    The Kernels are compiled for lanes.
     """
-    step_lanes = function_of("step_lanes" if jacobian is None else "step_lanes_implicit")
-    m, n = x.shape
-    length = LANES * n
-    relative, absolute = bounds or (np.zeros(0), np.zeros((m, 0)))
-    controlled = n - len(relative)
-    arrays = method_arrays(method, length)
-    memory, memory_rows = memory_for(arrays, length)
-    memory.rtol[:controlled], memory.rtol[controlled:n] = options.rtol, relative
-    memory.atol[:controlled] = np.maximum(options.atol, LEAST_TOLERANCE)
-    lanes = Lanes(*lined_up(len(Lanes._fields), LANES))._replace(
-        samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
-    )
-    own = beside or _NOTHING
-    queue = Queue(
-        state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
-        numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
-        times=np.append(times, np.inf),
-        x=np.array(x, order="C"),
-        r=np.ascontiguousarray(r),
-        p=np.ascontiguousarray(p),
-        bounds=np.maximum(absolute, LEAST_TOLERANCE),
-        counts=np.zeros((m, 4), dtype=np.int64),
-        reached=np.full(m, times[0]),
-        seen=own.seen,
-    )
-    newton, further = ((), []) if jacobian is None else _newton(n, jacobian)
-    problem = _problem(kernel, sampled, len(relative), [*own.prepared, *further], switched)
-    parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
-    beside_rows = rows_of(own.alone), rows_of(own.watch), rows_of(own.held)
-    table = table_of(*parts, *beside_rows, rows_of(newton))
-    if beside is not None:
-        beside.begin(queue.x, float(times[-1] - times[0]), address(table))
-        out = np.isnan(queue.x).any(axis=1)
-        queue.counts[out, at.LANES_STATUS], states[:, out] = Outcome.NOT_COMPUTED, np.nan
-    budget = 1000
-    while True:
-        queue.state[at.LANES_BUDGET] = budget
-        start = perf_counter()
-        code = step_lanes(address(table))
-        if beside is not None:
-            beside.look()
-        if code == at.LANES_EMPTY:
-            return queue.counts, queue.reached
-        if stopped():
-            raise KeyboardInterrupt
-        elapsed = max(perf_counter() - start, np.finfo(float).tiny)
-        taken = budget - queue.state[at.LANES_BUDGET]
-        budget = int(min(max(1.0, taken * SLICE / elapsed), 4.0 * budget))
 
+    LANES: ClassVar[int] = LANES
+    MOST_IMPLICIT_STATES: ClassVar[int] = LARGEST_IN_LANES
 
-def evaluate_samples(
-    kernel: Kernel,
-    r: np.ndarray,
-    p: np.ndarray,
-    sampled: Sequence[tuple[np.ndarray, Any]],
-    times: np.ndarray,
-    states: np.ndarray,
-) -> np.ndarray:
-    """Evaluate a Kernel of `LANES` lanes along trajectories, shape (outputs, m, times).
+    kernel: Kernel  # the states' derivatives
+    method: str
+    options: Options
+    sampled: SampledInputs = ()  # sampled data with their columns in r, the same for all samples
+    jacobian: Kernel | None = None  # of an implicit method
+    # The rows say when the Kernel switches by time alone, in all samples alike.
+    switched: np.ndarray | None = None
 
-    The parameters are those of `integrate_samples`.
-    """
-    n, m, number = states.shape
-    out = np.empty((len(kernel.program.outputs), m, number))
-    if out.size:
-        evaluation = Evaluation(
-            places=np.array([address(states), *(step // 8 for step in states.strides)]),
-            x=lined_up(max(1, n) * LANES),
-            buffer=lined_up(len(out) * LANES),
+    def integrate(
+        self,
+        samples: tuple[np.ndarray, np.ndarray, np.ndarray],
+        times: np.ndarray,
+        states: np.ndarray,
+        stopped: Callable[[], bool] = lambda: False,
+        bounds: tuple[np.ndarray, np.ndarray] | None = None,
+        tasks: LaneTasks | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Integrate m samples, the inputs x, r and p with a row for each.
+
+        The states are written to (n, m, times), NaN from where a sample failed: those of one
+        sample are adjacent in memory, and the next sample's follow. The error is controlled of all
+        components but the last ones, whose error `bounds` the step: these have relative tolerances
+        (b,) and absolute ones (m, b). The `tasks` are constraints and events; samples that cannot
+        begin with them are left out as not computed. If `stopped`, which is called now and then,
+        returns True, KeyboardInterrupt is raised.
+
+        Returned are `Queue.counts` and the times up to which each sample was integrated.
+        """
+        entry = "step_lanes" if self.jacobian is None else "step_lanes_implicit"
+        (x, r, p), options, step_lanes = samples, self.options, function_of(entry)
+        m, n = x.shape
+        length = LANES * n
+        relative, absolute = bounds or (np.zeros(0), np.zeros((m, 0)))
+        controlled = n - len(relative)
+        arrays = method_arrays(self.method, length)
+        memory, memory_rows = memory_for(arrays, length)
+        memory.rtol[:controlled], memory.rtol[controlled:n] = options.rtol, relative
+        memory.atol[:controlled] = np.maximum(options.atol, LEAST_TOLERANCE)
+        lanes = Lanes(*lined_up(len(Lanes._fields), LANES))._replace(
+            samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
+        )
+        done = _NO_TASKS if tasks is None else tasks
+        queue = Queue(
+            state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
+            numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
+            times=np.append(times, np.inf),
+            x=np.array(x, order="C"),
             r=np.ascontiguousarray(r),
             p=np.ascontiguousarray(p),
-            times=np.ascontiguousarray(times),
-            out=out.ravel(),
+            bounds=np.maximum(absolute, LEAST_TOLERANCE),
+            counts=np.zeros((m, 4), dtype=np.int64),
+            reached=np.full(m, times[0]),
+            seen=done.seen,
         )
-        problem = _problem(kernel, sampled)
-        table = table_of(rows_of(problem), rows_of(evaluation))
-        function_of("evaluate_lanes")(address(table))
-    return out
+        newton, prepared = ((), []) if self.jacobian is None else _newton(n, self.jacobian)
+        problem = _problem(
+            self.kernel, self.sampled, len(relative), [*done.prepared, *prepared], self.switched
+        )
+        parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
+        task_rows = rows_of(done.alone), rows_of(done.watch), rows_of(done.constraints)
+        table = table_of(*parts, *task_rows, rows_of(newton))
+        if tasks is not None:
+            tasks.begin(queue.x, float(times[-1] - times[0]), address(table))
+            excluded = np.isnan(queue.x).any(axis=1)
+            queue.counts[excluded, at.LANES_STATUS] = Outcome.NOT_COMPUTED
+            states[:, excluded] = np.nan
+        budget = 1000
+        while True:
+            queue.state[at.LANES_BUDGET] = budget
+            start = perf_counter()
+            code = step_lanes(address(table))
+            if tasks is not None:
+                tasks.empty_log()
+            if code == at.LANES_EMPTY:
+                return queue.counts, queue.reached
+            if stopped():
+                raise KeyboardInterrupt
+            elapsed = max(perf_counter() - start, np.finfo(float).tiny)
+            steps = budget - queue.state[at.LANES_BUDGET]
+            budget = int(min(max(1.0, steps * SLICE / elapsed), 4.0 * budget))
+
+    @staticmethod
+    def evaluate(
+        kernel: Kernel,
+        r: np.ndarray,
+        p: np.ndarray,
+        sampled: SampledInputs,
+        times: np.ndarray,
+        states: np.ndarray,
+    ) -> np.ndarray:
+        """Evaluate a Kernel for lanes along trajectories (n, m, times): (outputs, m, times)."""
+        n, m, number = states.shape
+        out = np.empty((len(kernel.program.outputs), m, number))
+        if out.size:
+            evaluation = Evaluation(
+                places=np.array([address(states), *(step // 8 for step in states.strides)]),
+                x=lined_up(max(1, n) * LANES),
+                buffer=lined_up(len(out) * LANES),
+                r=np.ascontiguousarray(r),
+                p=np.ascontiguousarray(p),
+                times=np.ascontiguousarray(times),
+                out=out.ravel(),
+            )
+            problem = _problem(kernel, sampled)
+            table = table_of(rows_of(problem), rows_of(evaluation))
+            function_of("evaluate_lanes")(address(table))
+        return out
 
 
 def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[int, int]]]:
@@ -361,7 +394,7 @@ def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[
 
 
 def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
-    """Return the place of a Kernel of `LANES` lanes, its constants, and what prepares these."""
+    """Return the address of a Kernel for lanes, its constants, and what prepares these."""
     addresses = kernel.addresses
     assert addresses is not None
     assert kernel.lanes == LANES
@@ -372,9 +405,9 @@ def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
 
 def _problem(
     kernel: Kernel,
-    sampled: Sequence[tuple[np.ndarray, Any]],
+    sampled: SampledInputs,
     bounded: int = 0,
-    further: Sequence[tuple[int, int]] = (),
+    further_prepared: Sequence[tuple[int, int]] = (),
     switched: np.ndarray | None = None,
 ) -> LaneProblem:
     program, (place, c, prepared) = kernel.program, _bound(kernel)
@@ -392,7 +425,7 @@ def _problem(
         r=lined_up(LANES * max(1, program.num_specifieds)),
         p=lined_up(LANES * max(1, program.num_constants)),
         c=c,
-        prepared=np.array([*prepared, *further]),
+        prepared=np.array([*prepared, *further_prepared]),
         tables=np.ascontiguousarray(tables[:, :3]),
         intervals=np.zeros((len(tables), LANES), dtype=np.int64),
         knots=knots,
