@@ -317,9 +317,11 @@ class Prepared:
         states = self._run(x0)
         events = self._integration.options.events
         run = self._integration
-        if events is not None and (any(events.may_rest) or run.set_off or run.idle):
-            for told in run.event_warnings():
-                warn_user(told)
+        if events is not None and (
+            any(events.may_rest) or run.departures_from_zero or run.inactive_at_start
+        ):
+            for warning in run.event_warnings():
+                warn_user(warning)
         if self._integration.code == Outcome.EVENTS_ACCUMULATE:
             info, event = self.info, self._integration.details["event"]
             warn_user(

@@ -1,7 +1,7 @@
-"""An integration from Python's side: it hands arrays to compiled code and sees to what happens.
+"""The Python side of an integration: it calls compiled code and acts on what that returns.
 
-Compiled code comes back after some steps, so that the interpreter can take an interrupt and a bar
-can move; at events that change the state; and when it cannot go on.
+Compiled code returns after some steps, so that the interpreter can handle an interrupt and update a
+progress bar; at events that change the state; and when it cannot go on.
 """
 
 from __future__ import annotations
@@ -61,17 +61,17 @@ from pydy.solvers.tuning import (
 from pydy.trajectory import EventRecord
 
 SLICE = 0.02
-"""Seconds in compiled code, about, until an interrupt is noticed and the bar moves."""
+"""Approximate time in compiled code, in seconds, between checks for interrupts."""
 
 
 def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> int:
-    """Return a number of steps that takes a few milliseconds at most; later slices are measured."""
+    """Return a number of steps that takes a few milliseconds at most; later ones are measured."""
     if calls_python or call is None:
         return 1
-    # Of a nanosecond for each operation, and 100 besides.
+    # Nanoseconds: one for each operation, and 100 for the call.
     evaluation = 100 + len(call.kernel.program.ops)
     if method == IMPLICIT:
-        # Ten iterations, derivatives, a real and a complex matrix to factorise.
+        # Ten Newton iterations, the Jacobian, and a real and a complex matrix to factorise.
         n = call.kernel.program.num_states
         return max(1, 2_000_000 // ((30 + n) * evaluation + 4 * n**3))
     return max(4, 100_000 // evaluation)  # twenty evaluations
@@ -86,17 +86,18 @@ def progress_bar(name: str, span: float, start: float) -> Any:
 
 
 _NO_ROWS = np.zeros((0, 0))
-_TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
+_WARNED_OF: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
 
 
 class Integration(Workspace):
-    """An integration that can be run again and again, from other states.
+    """An integration that can be run repeatedly, from different states.
 
-    Where it is `reusable`, `rebind` may make it another call's. `stopped` is asked now and then;
-    True is as good as a Ctrl-C.
+    If it is `reusable`, `rebind` may assign it to another call. `stopped` is called now and then;
+    True has the effect of Ctrl-C.
 
-    Where times descend it runs the motion that is reflected in time (`pydy.solvers.reflection`),
-    and reports in the user's time: `progress`, `watch` and the other arrays are in reversed time.
+    If times descend, the motion is integrated as its reflection in time
+    (`pydy.solvers.reflection`): `progress`, `watch` and the other arrays are in reversed time, and
+    results are reported in the user's time.
     """
 
     def __init__(
@@ -114,23 +115,25 @@ class Integration(Workspace):
             f, options = reflected(f, n, args, options)
             times = reversed_times(times)
         super().__init__(method, f, n, times, args, options, Interrupts(stopped))
-        beside = options.sensitivities
-        self.states = n if beside is None else beside.states  # without what is beside them
+        sensitivities = options.sensitivities
+        # Without the sensitivities that are integrated with them.
+        self.states = n if sensitivities is None else sensitivities.states
         if options.recorded is not None:
             self.states = options.recorded
         self._end(Outcome.NOT_COMPUTED)
         self.records: list[EventRecord] = []
-        self.set_off: dict[tuple[int, int], str] = {}  # of event and event, what to say
+        # Warnings by pairs: the event that was reset, and the one that started at zero.
+        self.departures_from_zero: dict[tuple[int, int], str] = {}
         self.begun = options.begun
-        self.idle: list[int] = []  # events at the start that did not act
+        self.inactive_at_start: list[int] = []  # events on whose surface it starts, without acting
         self.on_many_steps: Callable[[float, np.ndarray], None] | None = None
         self.reusable = not (self.callbacks or self.call is None or self.backward)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
-        self._attend()
-        # Rows are written in whole blocks.
-        self._number = len(times)
-        self._room = (self._number + -(-BLOCK // max(1, n)), n)
-        self._rows = _NO_ROWS  # of the run that is under way, or failed
+        self._choose_attention()
+        # Compiled code writes rows in whole blocks.
+        self._time_count = len(times)
+        self._rows_shape = (self._time_count + -(-BLOCK // max(1, n)), n)
+        self._rows = _NO_ROWS  # of the current or failed run
         entry = "advance_implicit" if method == IMPLICIT else "advance"
         self._advance = stepper(entry, self.place, bool(self.callbacks))
 
@@ -141,61 +144,61 @@ class Integration(Workspace):
         return times
 
     def _reported(self, t: Any) -> Any:
-        """Return times of the run as the user's."""
+        """Convert times of the run to the user's."""
         return reversed_times(t) if self.backward else t
 
     @property
     def span(self) -> float:
-        """The interval of time that it covers."""
+        """The length of the time interval."""
         return float(self.progress.times[-1] - self.progress.times[0])
 
-    def _attend(self) -> None:
-        """Find out whether Python has more to do than to wait for the end."""
-        self._tight = self._nearly_exact()
-        wanted = self.options.constraints is not None or self.options.progress
-        self._attended = wanted or bool(self.callbacks) or self._tight
+    def _choose_attention(self) -> None:
+        """Decide whether Python has tasks during the run, and set the first budget."""
+        self._nearly_exact_tolerances = self._nearly_exact()
+        observed = self.options.constraints is not None or self.options.progress
+        self._attended = observed or bool(self.callbacks) or self._nearly_exact_tolerances
         self.beginning.counts[at.BUDGET] = 0 if self._attended else self._budget
 
     def retune(self, options: Options) -> bool:
-        """Take other tolerances, step sizes and numbers of steps, or return False."""
+        """Change tolerances, step sizes and step limits; return False if that is impossible."""
         if not (self.reusable and super().retune(options)):
             return False
-        self._attend()
+        self._choose_attention()
         return True
 
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
-        """Take other times and other numbers for the same call, or return False."""
+        """Change times and numbers of the same call; return False if that is impossible."""
         call = self.call
         return call is not None and self.rebind(replace(call, p=p, r=r, switched=None), times)
 
     def begin(self, x0: np.ndarray) -> np.ndarray:
         """Project and check an initial state without integrating, and return it."""
-        self._set_out(x0)
+        self._begin_run(x0)
         with self.interrupts:
             if self._attended:
                 self._start()
         return self.memory.x[: self.n].copy()
 
-    def _set_out(self, x0: np.ndarray) -> int:
-        """Begin a run and return the code with which its first slice stopped."""
-        self._rows = np.empty(self._room)
+    def _begin_run(self, x0: np.ndarray) -> int:
+        """Begin a run; return the code of its first slice."""
+        self._rows = np.empty(self._rows_shape)
         self._rows[0] = self._x0 = x0
         self.code = int(Outcome.NOT_COMPUTED)
-        self.records, self.set_off = [], {}
+        self.records, self.departures_from_zero = [], {}
         if self.keeps:
             self.forget_steps()
         if self.options.events is not None:
             self.watch.rests[:], self.watch.latest[:] = np.nan, -np.inf
-            self.idle = []
+            self.inactive_at_start = []
             if not self._attended:
-                self._begin_here(x0)
+                self._reset_to(x0)
                 if self._start():
                     ended = self.code != Outcome.NOT_COMPUTED
                     return at.PAUSED if ended else self._advance(self._rows, False)
         return self._advance(self._rows, True)
 
-    def _begin_here(self, x0: np.ndarray) -> None:
-        """Begin at a state, as compiled code does before its first step."""
+    def _reset_to(self, x0: np.ndarray) -> None:
+        """Set the initial state, as compiled code does before its first step."""
         self.memory.x[: self.n] = x0
         self.progress.state[:] = self.beginning.state
         self.progress.counts[:] = self.beginning.counts
@@ -204,41 +207,41 @@ class Integration(Workspace):
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end from a finite state, and return the states."""
         try:
-            code = self._set_out(x0)
+            code = self._begin_run(x0)
             rows = self._rows
             # Most runs end in their first slice.
             if code == Outcome.FINISHED and self.options.events is None:
                 self.code, self._rows = code, _NO_ROWS
-                return rows[: self._number]
+                return rows[: self._time_count]
             with self.interrupts if code != Outcome.FINISHED else nullcontext():
                 if self._attended and code == at.PAUSED:
                     self._start()
-                if self.code == Outcome.NOT_COMPUTED:  # else an event ends it where it begins
+                if self.code == Outcome.NOT_COMPUTED:  # else an event ended it at its start
                     self._run(code)
-                self._look_at_end()
+                self._handle_events_at_end()
         except KeyboardInterrupt:
             self._stop(Outcome.INTERRUPTED, IntegrationInterrupted)
         except MemoryError as error:
-            if len(self._rows):  # there was room for the states
+            if len(self._rows):  # the states were allocated
                 times, states = self._finished()
                 note_finished(error, "What was computed until then is", times=times, states=states)
             raise
         self._empty_log()
         reached = self.progress.counts[at.NEXT]
-        if reached < self._number:
-            rows[reached : self._number] = np.nan
+        if reached < self._time_count:
+            rows[reached : self._time_count] = np.nan
         self._rows = _NO_ROWS
-        return rows[: self._number]
+        return rows[: self._time_count]
 
     # -- running ----------------------------------------------------------------------------------
 
     def _slice(self, budget: int) -> int:
-        """Take some steps and return the code with which they stopped."""
+        """Take at most `budget` steps; return the code with which they stopped."""
         self.progress.counts[at.BUDGET] = budget
         return self._advance(self._rows, False)
 
     def _run(self, code: int) -> None:
-        """Go on to the end, from what the first slice came back with."""
+        """Integrate to the end, given the code of the first slice."""
         state, count = self.progress.state, self.progress.counts
         budget, taken, elapsed = self._budget, 0, 0.0
         bar, ask = None, self.on_many_steps
@@ -250,14 +253,14 @@ class Integration(Workspace):
                     return self._end(Outcome.FINISHED)
                 if code == at.EVENT:
                     if self._act():
-                        return self._undo_at_end()
+                        return self._undo_repetition_at_end()
                     state[at.SIZE] = self.options.step or 0.0
                 elif (
                     code == Outcome.EVENTS_ACCUMULATE
-                    and (wanted := self.options.events) is not None
+                    and (events := self.options.events) is not None
                 ):
-                    self._end(code, event=wanted.names[self.watch.fired.argmax()])
-                    return self._undo_at_end()
+                    self._end(code, event=events.names[self.watch.fired.argmax()])
+                    return self._undo_repetition_at_end()
                 elif code == at.LOG_FULL:
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
@@ -306,91 +309,92 @@ class Integration(Workspace):
 
         Returns whether an event has acted.
         """
-        if self._tight:
+        if self._nearly_exact_tolerances:
             self._check_tolerances()
         if self.options.constraints is not None:
             self.seen[:] = 0.0
-            self._tell_dependent(self.options.constraints)
+            self._warn_of_redundant(self.options.constraints)
             self._project(self.memory.x, self.options.constraints, Outcome.START_OFF_CONSTRAINTS)
         if self.options.events is not None:
-            for name, constant in zip(
-                self.options.events.names, self.options.events.constant, strict=True
-            ):
+            events = self.options.events
+            for name, constant in zip(events.names, events.constant, strict=True):
                 if constant:
                     self._stop(Outcome.EVENT_CONSTANT, event=name)
-            return self._look_at_start(self.options.events)
+            return self._handle_events_at_start(events)
         return False
 
-    def _tell_dependent(self, wanted: CompiledConstraints) -> None:
+    def _warn_of_redundant(self, constraints: CompiledConstraints) -> None:
         """Warn, once for each system, of redundant constraints."""
         call = self.call
         assert call is not None
-        if wanted.kernel in _TOLD:
+        if constraints.kernel in _WARNED_OF:
             return
-        _TOLD.add(wanted.kernel)
+        _WARNED_OF.add(constraints.kernel)
         t = float(self.progress.state[at.TIME])
-        when = self._reported(t)
-        names = wanted.dependent(call.evaluate(wanted.kernel, self.memory.x[: self.n].copy(), t))
+        time = self._reported(t)
+        names = constraints.redundant(
+            call.evaluate(constraints.kernel, self.memory.x[: self.n].copy(), t)
+        )
         if names:
             warn_user(
-                f"Redundant constraints at t = {when!r}: {few(names)}. They are enforced but do "
+                f"Redundant constraints at t = {time!r}: {few(names)}. They are enforced but do "
                 "not raise the rank. Leave them out if that is so in every state."
             )
 
-    def _combined(self, x: np.ndarray, t: float) -> tuple[float, str, float]:
-        """Return how near the constraints are to losing rank in a state, and the ones involved.
+    def _nearness_at(self, x: np.ndarray, t: float) -> tuple[float, str, float]:
+        """Return how near the constraints are to losing rank in a state, and which are involved.
 
-        The last number says how near they are to not giving the dependent speeds.
+        The last number measures how well they determine the dependent speeds.
         """
-        wanted, call, seen = self.options.constraints, self.call, self.seen
-        if wanted is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
+        constraints, call, seen = self.options.constraints, self.call, self.seen
+        if constraints is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
             return 1.0, "", 1.0
-        values, longest = call.evaluate(wanted.kernel, x, t), seen[at.WHERE + self.n :]
-        nearness, names = wanted.combination(values, longest, int(seen[at.RANK]))
-        return nearness, few(names), wanted.determinacy(values)
+        values, longest = call.evaluate(constraints.kernel, x, t), seen[at.WHERE + self.n :]
+        nearness, names = constraints.nearness_to_rank_loss(values, longest, int(seen[at.RANK]))
+        return nearness, few(names), constraints.determinacy(values)
 
     def _project(
-        self, x: np.ndarray, wanted: CompiledConstraints, off: int, **details: Any
+        self, x: np.ndarray, constraints: CompiledConstraints, outcome: int, **details: Any
     ) -> None:
         """Project an initial state onto the constraints, unless it is far from them."""
         before, t = x.copy(), float(self.progress.state[at.TIME])
         entry = "project" if self.options.sensitivities is None else "project_columns"
         code = function_of(entry, bool(self.callbacks))(self.place, t, address(x), 0)
-        moved = wanted.moved(before[: self.states], x[: self.states], self.span)
-        if code != 0 or (moved > STARTING_MOVE).any():
-            k = int(np.argmax(moved))
-            mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {x[k]:.6g}"
+        change = constraints.relative_change(before[: self.states], x[: self.states], self.span)
+        if code != 0 or (change > STARTING_MOVE).any():
+            k = int(np.argmax(change))
+            correction = f"moved {self._state_name(k)} from {before[k]:.6g} to {x[k]:.6g}"
             x[:] = before
-            self._stop(off, change="did not converge" if code else mended, **details)
+            self._stop(outcome, change="did not converge" if code else correction, **details)
 
     # -- events -----------------------------------------------------------------------------------
 
     def _take_sides(
         self, zero: Collection[int], forced: Mapping[int, float] = MappingProxyType({})
     ) -> np.ndarray:
-        """Set the sign that each event has just after now: by its rate where it is `zero`.
+        """Set the sign of each event just after the current time: that of its rate if it is `zero`.
 
-        Returns the values now. Those in `forced` changed their sign by a jump at a time.
+        Returns the current values. Events in `forced` changed sign by a jump at the given times.
         """
-        wanted, call = self.options.events, self.call
-        assert wanted is not None
+        events, call = self.options.events, self.call
+        assert events is not None
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        values, rates = call.evaluate(wanted.values, x, t), None
+        values, rates = call.evaluate(events.values, x, t), None
         for k, value in enumerate(values.tolist()):
             if k in forced:
-                value = call.evaluate(wanted.values, x, forced[k])[k]
+                value = call.evaluate(events.values, x, forced[k])[k]
             if (k in zero and k not in forced) or value == 0.0:
-                rates = call.evaluate(wanted.rates, x, t) if rates is None else rates
+                rates = call.evaluate(events.rates, x, t) if rates is None else rates
                 value = rates[k]
             self.watch.sides[k] = bool(value > 0.0) - bool(value < 0.0) if isfinite(value) else 0
         return values
 
-    def _look_at_start(self, wanted: CompiledEvents) -> bool:
+    def _handle_events_at_start(self, events: CompiledEvents) -> bool:
         """Record events on whose surfaces the motion starts, and let them act.
 
-        They happen where the motion departs to the side that their direction points to. Returns
-        whether any has acted.
+        An event happens if the motion departs to the side of its direction. Returns whether any
+        event has acted.
         """
         call, sides, begun = self.call, self.watch.sides, self.begun
         assert call is not None
@@ -398,22 +402,22 @@ class Integration(Workspace):
         if begun is not None and begun.sides is not None:
             sides[:] = begun.sides
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        bounds = call.evaluate(wanted.rates, x, t)[len(values) : 2 * len(values)]
+        bounds = call.evaluate(events.rates, x, t)[len(values) : 2 * len(values)]
         self.watch.fired[:] = 0
         for k in np.flatnonzero(on_surface(values, bounds)).tolist():
             if begun is not None and (begun.handled is None or k in begun.handled):
                 continue
-            side, direction = departure(call, wanted, k, x, t, self.span), wanted.directions[k]
+            side, direction = departure(call, events, k, x, t, self.span), events.directions[k]
             sides[k] = side
             if not happens_at_start(side, direction):
                 continue
-            stationary = is_stationary(call, wanted, k, x, t)
+            stationary = is_stationary(call, events, k, x, t)
             if self.watch.acting[k] and acts_at_start(side, direction, stationary):
                 self.watch.fired[k] = 1
                 continue
             if self.watch.acting[k]:
-                self.idle.append(k)
-            self._happened((k,), t)
+                self.inactive_at_start.append(k)
+            self._note_times((k,), t)
             self.records.append(self._record(t, k, x, x))
         if not self.watch.fired.any():
             return False
@@ -421,187 +425,199 @@ class Integration(Workspace):
         reached = int(np.searchsorted(self.progress.times, t, side="right"))
         self._rows[:reached] = x
         self.progress.counts[at.NEXT] = reached
-        sides[self.watch.fired != 0] = 0  # where the motion came from is not known
+        sides[self.watch.fired != 0] = 0  # the side before the start is unknown
         self._act()
         return True
 
-    def _happened(self, events: tuple[int, ...], t: float) -> None:
-        """Note when some events have happened."""
+    def _note_times(self, events: tuple[int, ...], t: float) -> None:
+        """Store the times of events, the latest first."""
         for k in events:
             row = self.watch.latest[k]
             row[1:], row[0] = row[:-1].copy(), t
 
-    def _look_at_end(self) -> None:
+    def _handle_events_at_end(self) -> None:
         """Record events that are zero at the last time, or would be a rounding error later."""
-        wanted, call = self.options.events, self.call
-        if wanted is None or call is None or self.code != Outcome.FINISHED:
+        events, call = self.options.events, self.call
+        if events is None or call is None or self.code != Outcome.FINISHED:
             return
         self._empty_log()
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        values = call.evaluate(wanted.values, x, t)
-        rates = call.evaluate(wanted.rates, x, t)[: len(values)]
+        values = call.evaluate(events.values, x, t)
+        rates = call.evaluate(events.rates, x, t)[: len(values)]
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
-        ahead = values * sides
-        reaches = (ahead >= 0.0) & (ahead <= near * abs(rates)) & (rates * sides < 0.0)
-        reaches |= (values == 0.0) & ~(rates * sides > 0.0)  # else it has just left
+        distances = values * sides
+        reaches = (distances >= 0.0) & (distances <= near * abs(rates)) & (rates * sides < 0.0)
+        reaches |= (values == 0.0) & ~(rates * sides > 0.0)  # else it has just departed
         if not reaches.any():
             return
-        told = {r.index for r in self.records if r.time == self._reported(t)}
+        recorded = {r.index for r in self.records if r.time == self._reported(t)}
         for k, side in enumerate(sides.tolist()):
-            wrong = wanted.directions[k] == side
-            self.watch.fired[k] = side != 0 and reaches[k] and not wrong and k not in told
+            wrong = events.directions[k] == side
+            self.watch.fired[k] = side != 0 and reaches[k] and not wrong and k not in recorded
         if self.watch.fired.any():
             self._act()
 
     def _act(self) -> bool:
         """Act on the events at which compiled code stopped; return whether the integration ends."""
-        wanted, call, beside = self.options.events, self.call, self.options.sensitivities
-        assert wanted is not None
+        events, call, sensitivities = self.options.events, self.call, self.options.sensitivities
+        assert events is not None
         assert call is not None
         self._empty_log()
         t = float(self.progress.state[at.TIME])
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
-        self._happened(fired, t)
+        self._note_times(fired, t)
         before = self.memory.x[: self.n].copy()
-        moments = {k: wanted.forcing_time(call, k, before, t) for k in fired}
+        forcing_times = {k: events.forcing_time(call, k, before, t) for k in fired}
         zero = set(fired)
         for k in fired:
             after, n = before, self.states
-            if wanted.resetting[k] and wanted.resets is not None:
-                after = call.evaluate(wanted.resets, before, t)[k * n : (k + 1) * n]
+            if events.resetting[k] and events.resets is not None:
+                after = call.evaluate(events.resets, before, t)[k * n : (k + 1) * n]
             if not np.isfinite(after).all():
-                self._stop(Outcome.RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
+                self._stop(Outcome.RESET_NOT_FINITE, event=events.names[k], state=after[:n])
             following = np.concatenate([after[:n], before[n:]])
-            if wanted.resetting[k] and (held := self.options.constraints) is not None:
-                self._project(following, held, Outcome.RESET_OFF_CONSTRAINTS, event=wanted.names[k])
-            if wanted.resetting[k]:
-                zero -= self._left(before, after[:n], following)
-                self._note_set_off(k, fired, before, following, t)
+            if events.resetting[k] and (constraints := self.options.constraints) is not None:
+                outcome = Outcome.RESET_OFF_CONSTRAINTS
+                self._project(following, constraints, outcome, event=events.names[k])
+            if events.resetting[k]:
+                zero -= self._moved_off_zero(before, after[:n], following)
+                self._note_departures_from_zero(k, fired, before, following, t)
             self.records.append(self._record(t, k, before, following, acting=True))
             before = following
-            if (moved := self.records[-1].sensitivity_after) is not None and beside is not None:
-                beside.table(before)[:] = moved
+            columns = self.records[-1].sensitivity_after
+            if columns is not None and sensitivities is not None:
+                sensitivities.table(before)[:] = columns
         self.memory.x[: self.n] = before
-        forced = {k: m for k, m in moments.items() if m is not None}
-        if any(wanted.terminal[k] for k in fired):
-            self._take_sides(zero, forced)  # for who continues the motion
-            last = next(wanted.names[k] for k in fired if wanted.terminal[k])
+        forced = {k: m for k, m in forcing_times.items() if m is not None}
+        if any(events.terminal[k] for k in fired):
+            self._take_sides(zero, forced)  # a continued motion starts with them
+            last = next(events.names[k] for k in fired if events.terminal[k])
             self._end(Outcome.TERMINATED, event=last)
             return True
         origins = self.watch.sides.copy()
-        known = origins != 0
-        known[list(fired)] = False
+        had_sign = origins != 0
+        had_sign[list(fired)] = False
         values = self._take_sides(zero, forced)
-        for lost in np.flatnonzero(known & np.isnan(values)):
-            self._stop(Outcome.EVENT_UNDEFINED, event=wanted.names[lost])
+        for lost in np.flatnonzero(had_sign & np.isnan(values)):
+            self._stop(Outcome.EVENT_UNDEFINED, event=events.names[lost])
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
-            if k in zero and wanted.redirects[k] and is_stationary(call, wanted, k, before, t):
-                side = departure(call, wanted, k, before, t, self.span)
-                if follows_itself(side, int(origins[k]), wanted.directions[k]):
-                    self._end(Outcome.EVENTS_ACCUMULATE, event=wanted.names[k])
+            if k in zero and events.redirects[k] and is_stationary(call, events, k, before, t):
+                side = departure(call, events, k, before, t, self.span)
+                if follows_itself(side, int(origins[k]), events.directions[k]):
+                    self._end(Outcome.EVENTS_ACCUMULATE, event=events.names[k])
                     return True
                 self.watch.sides[k] = side
             if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
-                self._end(Outcome.EVENTS_ACCUMULATE, event=wanted.names[k])
+                self._end(Outcome.EVENTS_ACCUMULATE, event=events.names[k])
                 return True
         return False
 
-    def _undo_at_end(self) -> None:
-        """Finish where an event has followed itself only because the last time is so near.
+    def _undo_repetition_at_end(self) -> None:
+        """Drop a repetition of an event that is due to rounding of the last time.
 
-        A step of few roundings of the time may end where the expression still has the sign that
-        it had before the event.
+        A step of a few roundings of the time may end while the expression still has the sign from
+        before the event.
         """
         t, last = float(self.progress.state[at.TIME]), float(self.progress.times[-1])
-        rest = NO_LATER * ROUNDING * max(abs(t), self.span)
+        resolution = NO_LATER * ROUNDING * max(abs(t), self.span)
         if (
             self.code != Outcome.EVENTS_ACCUMULATE
-            or last - t > rest
+            or last - t > resolution
             or (self.options.sensitivities is not None and self.options.recorded is None)
         ):
             return
         self._empty_log()
         event = self.records[-1].index
-        same = [r for r in self.records if r.index == event and r.time >= t - rest]
+        same = [r for r in self.records if r.index == event and r.time >= t - resolution]
         if len(same) != 2 or len(self.records) < 2 or self.records[-2] is not same[0]:
             return
         self.memory.x[: self.states] = self.records.pop().before
         self.progress.state[at.TIME] = last
         self._take_sides({event})
-        self._rows[self.progress.counts[at.NEXT] : self._number] = self.memory.x[: self.n]
-        self.progress.counts[at.NEXT] = self._number
+        self._rows[self.progress.counts[at.NEXT] : self._time_count] = self.memory.x[: self.n]
+        self.progress.counts[at.NEXT] = self._time_count
         self._end(Outcome.FINISHED)
 
-    def _left(self, before: np.ndarray, after: np.ndarray, projected: np.ndarray) -> set[int]:
+    def _moved_off_zero(
+        self, before: np.ndarray, after: np.ndarray, projected: np.ndarray
+    ) -> set[int]:
         """Return the events whose expressions a reset moves away from zero.
 
-        They are looked at before the projection, which may move them by what is left of
-        constraints; but what a residual gives has jumped where that has.
+        They are evaluated before the projection, which may change them by residuals of the
+        constraints. Coordinates that residuals determine are taken after it if these have jumped.
         """
-        wanted, held, call = self.options.events, self.options.constraints, self.call
-        assert wanted is not None
+        events, constraints, call = self.options.events, self.options.constraints, self.call
+        assert events is not None
         assert call is not None
         t = float(self.progress.state[at.TIME])
-        if held is not None and held.following:
-            was, now = (call.evaluate(held.kernel, x, t)[: held.holonomic] for x in (before, after))
-            if (was != now).any():
-                places = list(held.following)
+        if constraints is not None and constraints.following:
+            old, new = (
+                call.evaluate(constraints.kernel, x, t)[: constraints.holonomic]
+                for x in (before, after)
+            )
+            if (old != new).any():
+                indices = list(constraints.following)
                 after = after.copy()
-                after[places] = projected[places]
-        was, values = (call.evaluate(wanted.values, x, t) for x in (before, after))
-        bounds = call.evaluate(wanted.rates, after, t)[len(values) : 2 * len(values)]
-        off = (values != was) & (np.abs(values) > 8.0 * ROUNDING * bounds)
+                after[indices] = projected[indices]
+        old, values = (call.evaluate(events.values, x, t) for x in (before, after))
+        bounds = call.evaluate(events.rates, after, t)[len(values) : 2 * len(values)]
+        off = (values != old) & (np.abs(values) > 8.0 * ROUNDING * bounds)
         return {*np.flatnonzero(off).tolist()}
 
-    def _note_set_off(
+    def _note_departures_from_zero(
         self, event: int, fired: tuple[int, ...], before: np.ndarray, after: np.ndarray, t: float
     ) -> None:
-        """Note an event at zero that a reset sets going: as it had no sign, it crosses nothing."""
-        wanted, call = self.options.events, self.call
-        assert wanted is not None
+        """Record events that a reset moves from zero: without a sign before, they cross nothing."""
+        events, call = self.options.events, self.call
+        assert events is not None
         assert call is not None
-        was, values = (call.evaluate(wanted.values, x, t) for x in (before, after))
-        (sides_before, _), (sides, bounds) = (
-            np.split(call.evaluate(wanted.rates, x, t)[: 2 * len(values)], 2)
+        old, values = (call.evaluate(events.values, x, t) for x in (before, after))
+        (old_rates, _), (rates, bounds) = (
+            np.split(call.evaluate(events.rates, x, t)[: 2 * len(values)], 2)
             for x in (before, after)
         )
-        still = (values == was) & (np.abs(values) <= 8.0 * ROUNDING * bounds)
-        turned = (sides != 0.0) & (np.sign(sides_before) != np.sign(sides))
-        asked = np.sign(sides) * np.array(wanted.directions) >= 0.0
-        for k in np.flatnonzero(still & turned & asked & (self.watch.acting == 1)).tolist():
+        stayed = (values == old) & (np.abs(values) <= 8.0 * ROUNDING * bounds)
+        changed = (rates != 0.0) & (np.sign(old_rates) != np.sign(rates))
+        in_direction = np.sign(rates) * np.array(events.directions) >= 0.0
+        departs = stayed & changed & in_direction & (self.watch.acting == 1)
+        for k in np.flatnonzero(departs).tolist():
             if k not in fired:
-                way = "above" if sides[k] > 0.0 else "below"
-                self.set_off.setdefault(
+                side = "above" if rates[k] > 0.0 else "below"
+                self.departures_from_zero.setdefault(
                     (event, k),
-                    f"At t = {t:.6g} the expression of the event `{wanted.names[k]}` was zero when "
-                    f"the reset of `{wanted.names[event]}` sent it {way}: that is no change of "
+                    f"At t = {t:.6g} the expression of the event `{events.names[k]}` was zero when "
+                    f"the reset of `{events.names[event]}` sent it {side}: that is no change of "
                     "sign, so this event did nothing there. If bodies touch, let them start with "
                     "a small gap, do both in one reset, or use `pydy.contact.Contacts`.",
                 )
 
     def event_warnings(self) -> list[str]:
-        """Return what to say of events that were zero, without a change of sign."""
-        wanted = self.options.events
-        if wanted is None:
+        """Return warnings of events that were zero without a change of sign."""
+        events = self.options.events
+        if events is None:
             return []
         rests = self.watch.rests
         start = self._reported(float(self.progress.times[0]))
         if self.backward:
             rests = reversed_times(rests.reshape(-1, 2)[:, ::-1].ravel())
-        again = {r.index for r in self.records if r.time != start}
+        recurring = {r.index for r in self.records if r.time != start}
         unused = [
-            f"The motion starts exactly on the surface of the event `{wanted.names[k]}` and does "
+            f"The motion starts exactly on the surface of the event `{events.names[k]}` and does "
             "not come back to it: as the event has `direction=0`, the start counts as the state "
             "after it, and nothing was done. Pass the `direction` in which it happens, 1 or −1."
-            for k in self.idle
-            if k not in again
+            for k in self.inactive_at_start
+            if k not in recurring
         ]
-        return [*self.set_off.values(), *unused, *wanted.zero_interval_warnings(rests, self.span)]
+        return [
+            *self.departures_from_zero.values(),
+            *unused,
+            *events.zero_interval_warnings(rests, self.span),
+        ]
 
     def _empty_log(self) -> None:
-        wanted, count = self.options.events, self.progress.counts
-        if wanted is None:
+        events, count = self.options.events, self.progress.counts
+        if events is None:
             return
         for k in range(count[at.LOGGED]):
             event = int(self.watch.log_events[k])
@@ -612,46 +628,53 @@ class Integration(Workspace):
     def _record(
         self, t: float, event: int, before: np.ndarray, after: np.ndarray, acting: bool = False
     ) -> EventRecord:
-        """Return the record of an event, from the states with their sensitivities."""
-        wanted, beside, n = self.options.events, self.options.sensitivities, self.states
-        assert wanted is not None
-        states, name = (before[:n].copy(), after[:n].copy()), wanted.names[event]
+        """Return the record of an event, given the states with their sensitivities."""
+        events, sensitivities, n = self.options.events, self.options.sensitivities, self.states
+        assert events is not None
+        states, name = (before[:n].copy(), after[:n].copy()), events.names[event]
         record = EventRecord(self._reported(t), name, event, *states)
-        if beside is None or self.options.recorded is not None:  # where they but guide the steps
+        # Sensitivities that are not recorded only control the steps.
+        if sensitivities is None or self.options.recorded is not None:
             return record
         assert self.call is not None
         rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
-        forced = wanted.forcing_time(self.call, event, before, t) is not None
-        jump = beside.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
-        value = None if forced else wanted.value_after_jump(self.call, event, before, t, jump.error)
+        forced = events.forcing_time(self.call, event, before, t) is not None
+        jump = sensitivities.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
+        value = None if forced else events.value_after_jump(self.call, event, before, t, jump.error)
         if value is not None or not jump.depth > jump.error:
-            acting = acting and event not in beside.untimed
+            acting = acting and event not in sensitivities.untimed
             if acting and value is not None:
-                self._stop(Outcome.EVENT_JUMPS, event=wanted.names[event], value=value)
+                self._stop(Outcome.EVENT_JUMPS, event=events.names[event], value=value)
             if acting:
                 self._stop(
                     Outcome.EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
                     lower=jump.lower,
                 )  # fmt: skip
-            jump = jump._replace(time=np.full(beside.columns, np.nan))
-        table = beside.table(before).copy()
-        moved = jump.after if acting else table
-        if acting and wanted.resetting[event] and (held := self.options.constraints) is not None:
-            # What a reset leaves out follows from the constraints, and so do its derivatives.
-            whole = np.concatenate([after[:n], moved.ravel()])
-            self._project(whole, held, Outcome.RESET_OFF_CONSTRAINTS, event=wanted.names[event])
-            moved = beside.table(whole)
+            jump = jump._replace(time=np.full(sensitivities.columns, np.nan))
+        table = sensitivities.table(before).copy()
+        after_columns = jump.after if acting else table
+        if (
+            acting
+            and events.resetting[event]
+            and (constraints := self.options.constraints) is not None
+        ):
+            # States that the reset omits follow from the constraints; so do their derivatives.
+            augmented = np.concatenate([after[:n], after_columns.ravel()])
+            self._project(
+                augmented, constraints, Outcome.RESET_OFF_CONSTRAINTS, event=events.names[event]
+            )
+            after_columns = sensitivities.table(augmented)
         return replace(
             record,
             time_sensitivity=self._reported(jump.time),
             sensitivity_before=table,
-            sensitivity_after=moved,
+            sensitivity_after=after_columns,
         )
 
     # -- results ----------------------------------------------------------------------------------
 
     def reached(self) -> np.ndarray:
-        """Return the rows, with sensitivities, of the times that a failed run reached."""
+        """Return the rows, with sensitivities, up to where a failed run stopped."""
         return self._rows[: self.progress.counts[at.NEXT]]
 
     def info(self) -> dict[str, Any]:
@@ -694,26 +717,26 @@ class Integration(Workspace):
         return names[k] if k < len(names) else f"x[{k}]"
 
     def _check_scales(self) -> None:
-        """Refuse states that are zero where `atol` is zero too: their errors have no scale."""
+        """Refuse states that are zero together with their `atol`: their errors have no scale."""
         memory, n = self.memory, self.n
         x, atol, slopes = memory.x[:n], memory.atol[:n], memory.stages[:n]
-        places = np.flatnonzero((x == 0.0) & (atol <= LEAST_TOLERANCE) & (slopes != 0.0))
-        if places.size and np.isfinite(slopes).all():
-            names = ", ".join(self._state_name(k) for k in places[: self.states][:4])
+        indices = np.flatnonzero((x == 0.0) & (atol <= LEAST_TOLERANCE) & (slopes != 0.0))
+        if indices.size and np.isfinite(slopes).all():
+            names = ", ".join(self._state_name(k) for k in indices[: self.states][:4])
             self._stop(
                 Outcome.TOLERANCE_TOO_SMALL,
-                rtol=memory.rtol[places[0]],
+                rtol=memory.rtol[indices[0]],
                 atol=0.0,
                 advice=f"Errors of states that are 0, of {names}, are compared with `atol` alone: "
                 "pass one above 0.",
             )
 
     def _fail(self, code: int) -> None:
-        """Raise the error for a code with which compiled code gave up."""
+        """Raise the error for a code with which compiled code failed."""
         if not np.isfinite(self._x0).all():
             raise ValueError(f"`x0` must be finite, got {self._x0}.")
-        if code == Outcome.EVENT_UNDEFINED and (wanted := self.options.events) is not None:
-            self._stop(code, event=wanted.names[self.watch.fired.argmax()])
+        if code == Outcome.EVENT_UNDEFINED and (events := self.options.events) is not None:
+            self._stop(code, event=events.names[self.watch.fired.argmax()])
         step = float(self.progress.state[at.SIZE])
         if code == Outcome.STEP_UNDERFLOW:
             code = int(self.progress.counts[at.FAILURE])
@@ -731,7 +754,7 @@ class Integration(Workspace):
             "step": step,
             "size": size,
         }
-        nearness, rows, determinacy = self._combined(self.memory.x[: self.n].copy(), t)
+        nearness, rows, determinacy = self._nearness_at(self.memory.x[: self.n].copy(), t)
         what = Outcome(code).text.format(**details)
         if nearness < NEARLY_SINGULAR:
             self._stop(Outcome.SINGULAR_CONFIGURATION, rows=rows, what=what)
@@ -745,7 +768,7 @@ class Integration(Workspace):
         return Outcome(self.code).text.format(**self.details)
 
     def _end(self, code: int, **details: Any) -> None:
-        """Note how the run ended."""
+        """Store how the run ended."""
         self.code, self.details = int(code), details
 
     def _stop(
@@ -770,7 +793,7 @@ class Integration(Workspace):
         )
 
     def _finished(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the times that were reached, and the states there."""
+        """Return the times that were reached, and their states."""
         reached = int(self.progress.counts[at.NEXT])
         times = self._reported(self.progress.times[:reached].copy())
         return times, self._rows[:reached, : self.states].copy()

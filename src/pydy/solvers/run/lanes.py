@@ -96,7 +96,9 @@ class LaneTasks:
         if self._compiled is not None:
             before = x.copy()
             function_of("begin_lanes")(table)
-            x[(self._compiled.moved(before, x, span) > STARTING_MOVE).any(axis=1)] = np.nan
+            x[(self._compiled.relative_change(before, x, span) > STARTING_MOVE).any(axis=1)] = (
+                np.nan
+            )
 
     def nearness(self) -> np.ndarray:
         """Return how near the constraints of each sample came to losing rank."""
