@@ -6,7 +6,7 @@ import sympy as sm
 from pydy._assembly.assembly import Assembly
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lowering import lower
-from pydy._graph.node import Graph, input_nodes
+from pydy._graph.node import Graph
 from pydy._graph.solve.ldl import UnrolledLDL
 from pydy._mechanics.form import Formed, forms
 from pydy._mechanics.multibody import Multibody
@@ -49,7 +49,7 @@ COMPARISONS = {name: OPERATIONS[name].numpy for name in ("lt", "le", "eq", "ne")
 def nodes_of(expressions, graph=None):
     """A graph and the nodes of expressions in X, P and T."""
     graph = Graph() if graph is None else graph
-    return graph, SymPyReader(graph, input_nodes(graph, t=[T], x=X, p=P)).all(expressions)
+    return graph, SymPyReader(graph, graph.input_nodes(t=[T], x=X, p=P)).all(expressions)
 
 
 def on_tape(graph, nodes, sizes=SIZES):

@@ -9,8 +9,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._graph import SwitchTimes, TimeSwitches
-from pydy._program import Program
+from pydy._graph import TimeSwitches
+from pydy._program import Program, SwitchTimes
 
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]

@@ -210,7 +210,7 @@ class SampledInput:
 def jumps_of(sampled: Sequence[tuple[Any, SampledInput]]) -> np.ndarray:
     """Return when sampled inputs jump, the last numbers before, and the times again, as rows.
 
-    They are as those of `pydy._graph.time_switches.SwitchTimes`.
+    They are as those of `pydy._program.switch_times.SwitchTimes`.
     """
     found = [np.zeros(0)]
     for _, samples in sampled:

@@ -105,7 +105,6 @@ def test_a_pass_of_somebody_else_is_never_passed_over(tmp_path, monkeypatch):
         model.stored_program(assembly, "rates", made)
         assert len(calls) == expected
     monkeypatch.setattr(passes, "ROUND", [*passes.ROUND, ("own", own)])
-    monkeypatch.setattr(model, "ROUND", passes.ROUND)
     for expected in (2, 3):
         model.stored_program(assembly, "rates", made)
         assert len(calls) == expected

@@ -1,6 +1,6 @@
 """What nodes switch at."""
 
-from pydy._graph.branches import switches
+from pydy._graph.branches import Branches
 from pydy._graph.node import Graph
 
 
@@ -9,5 +9,5 @@ def test_what_a_guard_chooses_by_is_no_switch():
     x, y = g.input("x", 0), g.input("x", 1)
     sound = g.call("lt", x, g.one)
     (way,) = g.guard([[y]], [g.call("abs", x)], sound, [g.mul(x, y)])
-    assert switches(g, [way]) == [x]  # of the absolute value alone
-    assert len(switches(g, [g.call("select", sound, x, y)])) == 1
+    assert Branches(g, [way]).switches() == [x]  # of the absolute value alone
+    assert len(Branches(g, [g.call("select", sound, x, y)]).switches()) == 1

@@ -8,7 +8,7 @@ import sympy as sm
 from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._graph.adjoint import adjoints
-from pydy._graph.derivative import dense_jacobian, jacobian
+from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
 
 LOOP = frozenset({"ldl", "lu"})
@@ -318,7 +318,7 @@ def test_where_no_branch_is_taken_derivatives_are_nan_by_either_way():
     behind = sm.Piecewise((3 * x, x > 1), (inner + x, True))
     graph, nodes = nodes_of([sm.Piecewise((x**2, x > 1)), nested, behind])
     variables = [graph.input("x", k) for k in range(2)]
-    forward = dense_jacobian(graph, nodes, variables)
+    forward = jacobian(graph, nodes, variables).flat()
     weights = [[graph.const(float(i == k)) for k in range(3)] for i in range(3)]
     backward = [bar for row in weights for bar in adjoints(graph, nodes, row, variables)]
     nan = np.nan
@@ -341,6 +341,6 @@ def test_a_table_without_a_last_branch_is_differentiated_in_as_many_operations_a
         variable = graph.input("x", 0)
         adjoint = adjoints(graph, nodes, [graph.one], [variable])
         counts.append(
-            [len(graph.reachable(n)) for n in (adjoint, dense_jacobian(graph, nodes, [variable]))]
+            [len(graph.reachable(n)) for n in (adjoint, jacobian(graph, nodes, [variable]).flat())]
         )
     assert np.all(np.array(counts[1]) < 2.2 * np.array(counts[0]))

@@ -9,7 +9,6 @@ import sympy as sm
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.reachability import reach
-from pydy._program.interpret import evaluator
 
 X, Y, A, FORCE = sm.symbols("x y a force")
 
@@ -42,7 +41,7 @@ def bound_of(expression):
 def test_no_motion_of_the_inputs_goes_beyond_the_bound(expression):
     g, inputs, moving, node, bound = bound_of(expression)
     draws, m = np.random.default_rng(3), 400
-    values = evaluator(g, [node, bound])
+    values = g.evaluator([node, bound])
     finite = 0
     for _ in range(60):
         centre, radius = draws.normal(size=2), 10.0 ** draws.uniform(-6, 1, 2)
@@ -68,7 +67,7 @@ def test_what_is_unknown_has_no_bound():
 def test_a_bound_is_infinite_where_the_expression_may_become_undefined(expression):
     g, inputs, moving, _, bound = bound_of(expression)
     by = next(iter(moving.values()))
-    at = evaluator(g, [bound])
+    at = g.evaluator([bound])
     assert at({inputs[X]: 1.0, by: 1.0}, 1)[0, 0] == math.inf
     assert at({inputs[X]: 1.0, by: 0.5}, 1)[0, 0] < 2.0
 

@@ -9,7 +9,7 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds, sizes_of_terms
-from pydy._program.interpret import evaluator, run
+from pydy._program.interpret import run
 
 EPS = 2.0**-52
 X = sm.symbols("x y z")
@@ -86,7 +86,7 @@ def test_terms_that_cancel_are_as_large_as_each_of_them():
     a, b = graph.input("x", 0), graph.input("x", 1)
     node = graph.mul(a, graph.sum([(a, 1.0), (b, -2.0)], 3.0))
     chosen = graph.call("select", graph.call("lt", a, b), node, b)
-    values = evaluator(graph, sizes_of_terms(graph, [node, chosen, graph.sum([(node, -1.0)])]))
+    values = graph.evaluator(sizes_of_terms(graph, [node, chosen, graph.sum([(node, -1.0)])]))
     assert values({a: -2.0, b: -4.0}, 1)[0].tolist() == [26.0, 4.0, 26.0]
     assert values({a: -5.0, b: -4.0}, 1)[0].tolist() == [80.0, 80.0, 80.0]
 

@@ -8,7 +8,6 @@ import sympy.physics.mechanics as me
 from pydy._graph.node import Graph
 from pydy._mechanics.acceleration_constraints import AccelerationConstraints, solved_soundly
 from pydy._mechanics.definition import equations_of_definition
-from pydy._program.interpret import evaluator
 from pydy.mechanics import Definition
 from pydy.system import System
 from singular import defined_windows
@@ -106,7 +105,7 @@ def test_rows_have_a_size_where_a_quaternion_is_of_another_length():
     found = constraints.accelerations(g, [[mass, g.zero], [g.zero, g.one]], [g.one, e[1]])
     roots = [n for n in g.reachable(found) if g.ops[n] == "sqrt"]
     assert roots
-    values = evaluator(g, roots)(dict(zip(e, (0.5, -0.5, 0.7, 0.1), strict=True)), 1)
+    values = g.evaluator(roots)(dict(zip(e, (0.5, -0.5, 0.7, 0.1), strict=True)), 1)
     assert np.isfinite(values).all()
 
 
@@ -128,6 +127,6 @@ def test_dense_and_sparse_matrices_are_solved_alike():
     graph, right = Graph(), rng.uniform(-1, 1, n)
     cells = [[graph.const(c) for c in row] for row in band.tolist()]
     found, sound = solved_soundly(graph, cells, [graph.const(c) for c in right], [graph.one] * n)
-    values = evaluator(graph, [*found, sound])({}, 1)[0]
+    values = graph.evaluator([*found, sound])({}, 1)[0]
     assert values[:-1] == pytest.approx(np.linalg.solve(band, right), rel=1e-13)
     assert values[-1] == 1.0

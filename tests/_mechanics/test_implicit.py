@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
-from pydy._graph.node import Graph, input_nodes
+from pydy._graph.node import Graph
 from pydy.mechanics import Definition, Implicit
 from zoo import inertial_frame
 
@@ -24,7 +24,7 @@ def free():
 def same(one, other):
     """Compare expressions wherever they are defined."""
     graph = Graph()
-    read = SymPyReader(graph, input_nodes(graph, x=[X, Z, Y, V], p=[K]))
+    read = SymPyReader(graph, graph.input_nodes(x=[X, Z, Y, V], p=[K]))
     first, second = signatures(graph, read.all([one, other]))
     return first == second
 

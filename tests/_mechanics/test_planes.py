@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lowering import lower
-from pydy._graph.node import Graph, input_nodes
+from pydy._graph.node import Graph
 from pydy._mechanics.planes import Detours, plane_rotations, split
 from pydy._program.interpret import run
 
@@ -19,7 +19,7 @@ Q = me.dynamicsymbols("q:3")
 
 def read(matrix):
     graph = Graph()
-    reader = SymPyReader(graph, input_nodes(graph, x=Q), "the matrix")
+    reader = SymPyReader(graph, graph.input_nodes(x=Q), "the matrix")
     return graph, [[reader(matrix[i, j]) for j in range(3)] for i in range(3)]
 
 

@@ -5,10 +5,9 @@ import pytest
 import sympy as sm
 
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph, input_nodes
+from pydy._graph.node import Graph
 from pydy._mechanics.to_sympy import exact, written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
-from pydy._program.interpret import evaluator
 from pydy._program.operations import SHIPPED
 
 A, B, C = sm.symbols("a b c")
@@ -16,7 +15,7 @@ A, B, C = sm.symbols("a b c")
 
 def read(expressions):
     graph = Graph()
-    atoms = input_nodes(graph, x=[A, B, C])
+    atoms = graph.input_nodes(x=[A, B, C])
     nodes = SymPyReader(graph, atoms, "the expressions").all(expressions)
     return graph, nodes, {node: symbol for symbol, node in atoms.items()}
 
@@ -63,7 +62,7 @@ def test_every_operation_with_a_name_in_sympy_is_written():
             node = graph.call(op, *arguments)
             (found,), _ = written(graph, [node], symbols)
             at = dict(zip(inputs, np.full((3, 1), values[:, None] + (op == "acosh")), strict=True))
-            expected = evaluator(graph, [node])(at, 1)[0, 0]
+            expected = graph.evaluator([node])(at, 1)[0, 0]
             given = dict(zip((A, B, C), values + (op == "acosh"), strict=True))
             assert float(found.subs(given)) == pytest.approx(expected, rel=1e-14), op
 

@@ -6,7 +6,7 @@ import pytest
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes import rewriting
-from pydy._program.interpret import evaluator, run
+from pydy._program.interpret import run
 from pydy._program.tuning import INDEPENDENT
 
 
@@ -16,7 +16,7 @@ def both(graph, nodes, x):
     program = lower(graph, (n, 0, 0), [("all", (len(nodes),), nodes)])
     expected, _ = run(program, np.zeros(m), x, np.zeros((m, 0)), np.zeros(0))
     inputs = {graph.input("x", k): x[:, k] for k in range(n)}
-    return evaluator(graph, nodes)(inputs, m), expected
+    return graph.evaluator(nodes)(inputs, m), expected
 
 
 def test_sums_products_and_functions():

@@ -14,9 +14,8 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._program import operations
 from pydy._program.of_scipy import KNOWN
-from pydy._program.operations import OPERATIONS, Operation, operands, register, with_operands
+from pydy._program.operations import OPERATIONS, Operation, register
 
 
 class cbrt(sm.Function):  # noqa: N801 - as SymPy names its functions
@@ -28,9 +27,8 @@ class below(sm.Function):  # noqa: N801
 
 
 @pytest.fixture
-def more_operations(monkeypatch):
-    monkeypatch.setattr(operations, "OPERATIONS", OPERATIONS)
-    before, truths, named = dict(OPERATIONS), set(operations.TRUTHS), dict(operations._SYMPY)
+def more_operations():
+    before, truths, named = dict(OPERATIONS), set(OPERATIONS.truths), dict(OPERATIONS._of_sympy)
     register(
         Operation(
             "cbrt",
@@ -49,10 +47,10 @@ def more_operations(monkeypatch):
         )
     )  # fmt: skip
     yield
-    for table, old in ((OPERATIONS, before), (operations._SYMPY, named)):
+    for table, old in ((OPERATIONS, before), (OPERATIONS._of_sympy, named)):
         table.clear()
         table.update(old)
-    operations.TRUTHS.intersection_update(truths)
+    OPERATIONS.truths.intersection_update(truths)
 
 
 @pytest.mark.usefixtures("more_operations")
@@ -140,7 +138,7 @@ def test_every_row_has_what_back_ends_need():
     ],
 )
 def test_operands_are_found_and_replaced_whatever_else_the_arguments_hold(op, args, nodes):
-    assert tuple(operands(op, args)) == nodes
-    moved = with_operands(op, args, {n: n + 10 for n in nodes})
-    assert tuple(operands(op, moved)) == tuple(n + 10 for n in nodes)
-    assert with_operands(op, moved, {n + 10: n for n in nodes}) == args
+    assert tuple(OPERATIONS.operands(op, args)) == nodes
+    moved = OPERATIONS.with_operands(op, args, {n: n + 10 for n in nodes})
+    assert tuple(OPERATIONS.operands(op, moved)) == tuple(n + 10 for n in nodes)
+    assert OPERATIONS.with_operands(op, moved, {n + 10: n for n in nodes}) == args

@@ -20,7 +20,6 @@ from pydy._graph import (
     rounding_bounds,
     simplify,
     substitute,
-    worthwhile_parts,
 )
 from pydy._mechanics import Equations, find_symbols
 from pydy._program import Program, Tangent
@@ -169,10 +168,8 @@ class Assembly:
         """Return the same in parts, where that is less work."""
         graph, nodes = self.simplified(name)
         places = self._places(by)
-        parts = worthwhile_parts(graph, nodes, [graph.input(*place) for place in places])
-        if not parts:
-            return self.jacobian_program(name, by)
-        return jacobian_tangent(graph, nodes, places, self.sizes, parts)
+        tangent = jacobian_tangent(graph, nodes, places, self.sizes)
+        return self.jacobian_program(name, by) if tangent is None else tangent
 
     def _places(self, by: str | Sequence[tuple[str, int]]) -> Sequence[tuple[str, int]]:
         if not isinstance(by, str):

@@ -13,14 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._graph import (
-    dense,
-    dense_jacobian,
-    directional,
-    jacobian_rows,
-    solve_accelerations,
-    substitute,
-)
+from pydy._graph import directional, jacobian, solve_accelerations, substitute
 from pydy._mechanics import (
     AccelerationConstraints,
     generic_values,
@@ -48,14 +41,14 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
     forcing = list(assembly.forcing)
     massive = matrix and all(matrix[k][k] != graph.zero for k in range(n))
     if massive or (matrix and len(velocity) > count):
-        rows = jacobian_rows(graph, velocity, speeds)
+        rows = jacobian(graph, velocity, speeds).dense()
         motion = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
         motion[graph.input("t", 0)] = {0: graph.one}
 
         def dt(nodes: list[int]) -> list[int]:
-            return dense(graph, directional(graph, nodes, motion), 1)
+            return directional(graph, nodes, motion).flat()
 
-        along = jacobian_rows(graph, dt(holonomic), speeds)
+        along = jacobian(graph, dt(holonomic), speeds).dense()
         positions = list(zip(holonomic, along, strict=True))
         row_rates = [dt(row) for row in rows]
         constraints = AccelerationConstraints(rows, pull, count, row_rates, velocity, positions)
@@ -103,7 +96,7 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
     }
     blocks = []
     for name, (nodes, by) in names.items():
-        cells = dense_jacobian(graph, nodes, by)
+        cells = jacobian(graph, nodes, by).flat()
         blocks.append((name, (len(nodes), len(by)), cells))
     below = [assembly.mass_matrix[k * n + j] for k in _constraint_rows(assembly) for j in range(n)]
     blocks.append(("rows", (count, n), below))

@@ -22,20 +22,10 @@ from pydy._backends import compile_program, compiled_by, strict
 from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
-from pydy._graph import ONCE, ROUND
+from pydy._graph import passes_are_shipped
 from pydy._kernel import Kernel
 from pydy._names import numbers_of, some, unique_names
-from pydy._program import (
-    KNOWN,
-    OPERATIONS,
-    SHIPPED,
-    SOLVES,
-    Program,
-    Tangent,
-    check,
-    program_from_bytes,
-    run,
-)
+from pydy._program import OPERATIONS, Program, ScipyOperation, Tangent, program_from_bytes, run
 
 # How often a Program is interpreted before it is compiled: an operation takes about a microsecond
 # each time, and some 50 to be compiled. Who waits for both waits twice as long as need be at most.
@@ -134,9 +124,7 @@ _CIRCUMSTANCES = _made_by()
 
 def _as_shipped() -> bool:
     """Return whether all operations and passes are the package's own."""
-    functions = [function for _, function in (*ONCE, *ROUND)]
-    own = OPERATIONS if not KNOWN else {k: v for k, v in OPERATIONS.items() if k not in KNOWN}
-    return own == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
+    return OPERATIONS.are_shipped() and passes_are_shipped()
 
 
 class Storable(Protocol):
@@ -188,7 +176,7 @@ class CompiledModel:
     _evaluated: dict[Any, Evaluated] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        check(self.backend, self.assembly.graph.ops)
+        ScipyOperation.refuse(self.backend, self.assembly.graph.ops)
 
     def __getstate__(self) -> dict[str, Any]:
         kept = self.function_blocks
@@ -362,7 +350,7 @@ class Evaluated:
     def __init__(self, program: Program) -> None:
         self.program = program
         self._left = _INTERPRETED
-        self._solves = not SOLVES.isdisjoint(program.ops)
+        self._solves = not OPERATIONS.solves.isdisjoint(program.ops)
 
     @cached_property
     def _kernel(self) -> Kernel:

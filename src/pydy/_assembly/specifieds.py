@@ -12,7 +12,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
-from pydy._graph import Graph, SymPyReader, input_nodes, jacobian, substitute
+from pydy._graph import Graph, SymPyReader, jacobian, substitute
 from pydy._mechanics import find_symbols
 
 
@@ -119,8 +119,8 @@ def _resolve(
 ) -> dict[int, int]:
     """Return the node that replaces each specified's input node."""
     layout, equations = definition.layout, definition.equations
-    atoms = input_nodes(
-        graph, p=layout.constants, t=[equations.time], r=layout.specifieds, x=layout.states
+    atoms = graph.input_nodes(
+        p=layout.constants, t=[equations.time], r=layout.specifieds, x=layout.states
     )
     inputs = {s: atoms[s] for s in layout.specifieds}
     atoms.update((z, graph.zero) for z in equations.kinematics.zeros)

@@ -9,15 +9,7 @@ from typing import Any
 from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
 from pydy._collector import collector_paused
-from pydy._graph import (
-    Graph,
-    SymPyReader,
-    dense_rows,
-    input_nodes,
-    jacobian,
-    solve_accelerations,
-    substitute,
-)
+from pydy._graph import Graph, SymPyReader, jacobian, solve_accelerations, substitute
 from pydy._mechanics import Equations, find_symbols
 
 
@@ -43,7 +35,7 @@ def assemble_form(
     """Assemble equations in one of the forms."""
     graph, time = Graph(off), form.time
     states = [*form.coordinates, *form.speeds]
-    atoms = input_nodes(graph, p=form.constants, t=[time], r=form.specifieds, x=states)
+    atoms = graph.input_nodes(p=form.constants, t=[time], r=form.specifieds, x=states)
     read = SymPyReader(graph, atoms, "the right-hand side")
     first: list[int] = []
     if form.coordinate_derivatives is not None:
@@ -163,7 +155,7 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
         places = {next(iter(row)): i for i, row in enumerate(rows)}
         if len(places) == n:
             return [graph.div(right[places[k]], rows[places[k]][k]) for k in range(n)]
-    return graph.solve(dense_rows(graph, rows, n), [right], "lu", judged=True)[0]
+    return graph.solve(rows.dense(), [right], "lu", judged=True)[0]
 
 
 @collector_paused()
@@ -182,7 +174,7 @@ def assemble_system(
     graph = Graph() if formed is None else formed.graph
     graph.off = off
     q, u, t = equations.coordinates, equations.speeds, equations.time
-    atoms = input_nodes(graph, p=constants, t=[t], r=specifieds, x=[*q, *u, *auxiliaries])
+    atoms = graph.input_nodes(p=constants, t=[t], r=specifieds, x=[*q, *u, *auxiliaries])
     accelerations = [graph.input("a", k) for k in range(len(u))]
     atoms.update((z, graph.zero) for z in equations.kinematics.zeros)
     read = SymPyReader(graph, atoms, "the equations of motion")

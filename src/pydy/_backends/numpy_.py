@@ -6,7 +6,7 @@ from functools import partial
 
 from pydy._backends.base import kernel_of
 from pydy._kernel import Kernel
-from pydy._program import Program, remember, run
+from pydy._program import Program, ScipyOperation, run
 
 
 class NumPyBackend:
@@ -25,5 +25,5 @@ class NumPyBackend:
 
     def compile(self, program: Program) -> Kernel:
         """Return a Kernel whose sweep is one NumPy call per operation."""
-        remember(program.ops)
+        ScipyOperation.restore(program.ops)
         return kernel_of(program, partial(run, program), "lambdify", self.options)

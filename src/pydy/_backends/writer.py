@@ -12,14 +12,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from pydy._program import (
-    OPERATIONS,
-    TRUTHS,
-    Operation,
-    Program,
-    is_constrained,
-    operands,
-)
+from pydy._program import OPERATIONS, Operation, Program, is_constrained
 
 
 class Each(NamedTuple):
@@ -90,7 +83,7 @@ class Writer:
             if op in ("const", "bool"):
                 self.names[node] = dialect.literal(program.args[node][0])
         for k, node in enumerate(program.carried if carried else ()):
-            group = "c truth" if program.ops[node] in TRUTHS else "c"
+            group = "c truth" if program.ops[node] in OPERATIONS.truths else "c"
             self.names[node] = dialect.inputs[group].format(k=k)
 
     def lines(self, nodes: Iterable[int], condition: str | None = None) -> list[str]:
@@ -130,7 +123,7 @@ class Writer:
             self.names[node] = self.dialect.item.format(vector=self.names[args[0]], k=args[1])
             return []
         if op in OPERATIONS:
-            values = [self.names[k] for k in operands(op, args)]
+            values = [self.names[k] for k in OPERATIONS.operands(op, args)]
             return self._let(node, self.dialect.operation(OPERATIONS[op]).format(*values))
         lists: dict[str, Sequence[int]]
         body: list[str] = []
@@ -160,7 +153,7 @@ class Writer:
         return self.filled(rule, body, lists, name=name, **fields)
 
     def _let(self, node: int, value: str) -> list[str]:
-        truth = self.program.ops[node] in TRUTHS
+        truth = self.program.ops[node] in OPERATIONS.truths
         let = (self.dialect.let_truth if truth else "") or self.dialect.let
         self.names[node] = self.dialect.name.format(node=node, **self.fields)
         return [let.format(name=self.names[node], value=value)]

@@ -13,78 +13,83 @@ _EXTREMES = ("max", "min")
 _WHOLE = ("floor", "ceil")
 
 
-def switches(graph: Graph, nodes: Sequence[int], whole: bool = False) -> list[int]:
-    """Return the nodes by whose sign others take one branch or the other.
+class Branches:
+    """The branches of some nodes, and the switches between them."""
 
-    Also those by which floors, if they are wanted too, go to the next `whole` number, and those by
-    which angles go to the next turn.
-    """
-    found: set[int] = set()
-    # What a guard chooses by is no switch: both of its ways have the same values.
-    reached, branching = {*nodes}, {*nodes}
-    for n in reversed(graph.reachable(nodes)):
-        if n in reached:
-            guard = graph.ops[n] == "guard"
-            operands = [m for m in graph.operands(n) if not guard or m != graph.args[n][3]]
-            reached.update(operands)
-            # Of either sign, log|a| is the integral of a'/a: it has one branch.
-            branching.update(operands if graph.ops[n] != "log" else ())
-    for n in branching:
-        args = graph.args[n]
-        if graph.ops[n] in (*_EXTREMES, "lt", "le"):
-            found.add(graph.scaled(graph.sub(*args))[1])
-        elif graph.ops[n] in ("abs", "sign"):
-            found.add(graph.scaled(args[0])[1])
-        elif whole and graph.ops[n] in _WHOLE:
-            found.add(_turning(graph, args[0]))
-        elif whole and graph.ops[n] == "atan2":
-            found.add(graph.scaled(args[0])[1])
-        elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
-            found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
-    return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
+    def __init__(self, graph: Graph, nodes: Sequence[int]) -> None:
+        self.graph, self.nodes = graph, nodes
+
+    def switches(self, whole: bool = False) -> list[int]:
+        """Return the nodes by whose sign others take one branch or the other.
+
+        With `whole` also those at which floors go to the next whole number, and angles of `atan2`
+        to the next turn.
+        """
+        graph, nodes = self.graph, self.nodes
+        found: set[int] = set()
+        # What a guard chooses by is no switch: both of its ways have the same values.
+        reached, branching = {*nodes}, {*nodes}
+        for n in reversed(graph.reachable(nodes)):
+            if n in reached:
+                guard = graph.ops[n] == "guard"
+                operands = [m for m in graph.operands(n) if not guard or m != graph.args[n][3]]
+                reached.update(operands)
+                # Of either sign, log|a| is the integral of a'/a: it has one branch.
+                branching.update(operands if graph.ops[n] != "log" else ())
+        for n in branching:
+            args = graph.args[n]
+            if graph.ops[n] in (*_EXTREMES, "lt", "le"):
+                found.add(graph.scaled(graph.sub(*args))[1])
+            elif graph.ops[n] in ("abs", "sign"):
+                found.add(graph.scaled(args[0])[1])
+            elif whole and graph.ops[n] in _WHOLE:
+                found.add(_turning(graph, args[0]))
+            elif whole and graph.ops[n] == "atan2":
+                found.add(graph.scaled(args[0])[1])
+            elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
+                found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
+        return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
+
+    def sides(self, switch: int, bends: bool = False) -> tuple[list[int], list[int]]:
+        """Return nodes as they are above and below one of their switches, each continued beyond it.
+
+        The larger and smaller of two are continued if what only `bends` there is to be, too.
+        """
+        graph, nodes = self.graph, self.nodes
+        above: dict[int, int] = {}
+        below: dict[int, int] = {}
+        for node in graph.reachable(nodes):
+            op, args = graph.ops[node], graph.args[node]
+            if op in _WHOLE and switch in (turn := _turning(graph, args[0]), graph.neg(turn)):
+                near = graph.call("floor", graph.add(args[0], graph.const(0.5)))
+                floor = near if op == "floor" else graph.add(near, graph.one)
+                above[node], below[node] = floor, graph.sub(floor, graph.one)
+            if op == "log" and graph.ops[args[0]] == "abs":
+                above[node] = below[node] = node
+            extremes = _EXTREMES if bends else ()
+            if op not in (*_COMPARED, *extremes, "abs", "sign", "atan2"):
+                continue
+            own = graph.sub(*args) if op in (*_COMPARED, *extremes) else args[0]
+            size, core = graph.scaled(own)
+            if switch not in (core, graph.neg(core)):
+                continue
+            for side, made in ((1.0, above), (-1.0, below)):
+                positive = side * size * (1.0 if switch == core else -1.0) > 0.0
+                if op == "atan2":  # behind, where it has its cut
+                    turn = graph.const(math.pi if positive else -math.pi)
+                    ahead = graph.call("atan", graph.mul(args[0], graph.powi(args[1], -1)))
+                    behind = graph.call("lt", args[1], graph.zero)
+                    made[node] = graph.call("select", behind, graph.add(ahead, turn), node)
+                elif op in extremes:
+                    made[node] = args[0] if positive == (op == "max") else args[1]
+                elif op in _COMPARED:
+                    made[node] = graph.boolean(op == "ne" or (op != "eq" and not positive))
+                else:
+                    one = own if op == "abs" else graph.one
+                    made[node] = one if positive else graph.neg(one)
+        return substitute(graph, nodes, above), substitute(graph, nodes, below)
 
 
 def _turning(graph: Graph, node: int) -> int:
     """Return a node that changes its sign where another one is a whole number."""
     return graph.call("sin", graph.mul(graph.const(math.pi), node))
-
-
-def sides(
-    graph: Graph, nodes: Sequence[int], switch: int, bends: bool = False
-) -> tuple[list[int], list[int]]:
-    """Return nodes as they are above and below one of their switches, each continued beyond it.
-
-    The larger and smaller of two are continued if what only `bends` there is to be, too.
-    """
-    above: dict[int, int] = {}
-    below: dict[int, int] = {}
-    for node in graph.reachable(nodes):
-        op, args = graph.ops[node], graph.args[node]
-        if op in _WHOLE and switch in (turn := _turning(graph, args[0]), graph.neg(turn)):
-            near = graph.call("floor", graph.add(args[0], graph.const(0.5)))
-            floor = near if op == "floor" else graph.add(near, graph.one)
-            above[node], below[node] = floor, graph.sub(floor, graph.one)
-        if op == "log" and graph.ops[args[0]] == "abs":
-            above[node] = below[node] = node
-        extremes = _EXTREMES if bends else ()
-        if op not in (*_COMPARED, *extremes, "abs", "sign", "atan2"):
-            continue
-        own = graph.sub(*args) if op in (*_COMPARED, *extremes) else args[0]
-        size, core = graph.scaled(own)
-        if switch not in (core, graph.neg(core)):
-            continue
-        for side, made in ((1.0, above), (-1.0, below)):
-            positive = side * size * (1.0 if switch == core else -1.0) > 0.0
-            if op == "atan2":  # behind, where it has its cut
-                turn = graph.const(math.pi if positive else -math.pi)
-                ahead = graph.call("atan", graph.mul(args[0], graph.powi(args[1], -1)))
-                behind = graph.call("lt", args[1], graph.zero)
-                made[node] = graph.call("select", behind, graph.add(ahead, turn), node)
-            elif op in extremes:
-                made[node] = args[0] if positive == (op == "max") else args[1]
-            elif op in _COMPARED:
-                made[node] = graph.boolean(op == "ne" or (op != "eq" and not positive))
-            else:
-                one = own if op == "abs" else graph.one
-                made[node] = one if positive else graph.neg(one)
-    return substitute(graph, nodes, above), substitute(graph, nodes, below)

@@ -18,72 +18,71 @@ and A' would be several times the code of all else.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from pydy._graph.node import Graph
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
-from pydy._program import OPERATIONS, SOLVES, is_symmetric, symmetric
+from pydy._program import OPERATIONS, symmetric
 
 Row = dict[int, int]
 
 
-def jacobian(
-    graph: Graph, outputs: Sequence[int], variables: Sequence[int]
-) -> list[dict[int, int]]:
-    """Return a dict from a variable's place to the derivative's node for each output.
+class SparseRows(list[Row]):
+    """Derivatives of nodes: for each a dict from the number of a column to the derivative's node.
 
-    What is missing is zero by structure. At a switch (``abs``, ``sign``, ``min``, ``max``,
+    Entries that are not there are zero by structure.
+    """
+
+    def __init__(self, rows: Iterable[Row], zero: int, width: int) -> None:
+        super().__init__(rows)
+        self._zero, self._width = zero, width
+
+    def dense(self) -> list[list[int]]:
+        """Return all entries, as a list of rows."""
+        return [[row.get(k, self._zero) for k in range(self._width)] for row in self]
+
+    def flat(self) -> list[int]:
+        """Return all entries as one list, row by row."""
+        return [row.get(k, self._zero) for row in self for k in range(self._width)]
+
+
+def jacobian(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> SparseRows:
+    """Return the derivatives of outputs by variables, which are columns in their order.
+
+    At a switch (``abs``, ``sign``, ``min``, ``max``,
     ``floor``, Piecewise) the derivative is that of the branch that is taken; steps have derivative
     zero.
     """
-    given: dict[int, dict[int, int]] = {}
+    seeds: dict[int, Row] = {}
     for k, node in enumerate(variables):  # of which one may be there several times
-        given.setdefault(node, {})[k] = graph.one
-    return directional(graph, outputs, given)
-
-
-def jacobian_rows(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[list[int]]:
-    """Return all derivatives of some nodes by others, as a list of rows."""
-    return dense_rows(graph, jacobian(graph, outputs, by), len(by))
-
-
-def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[int]:
-    """Return the same as one list, row by row."""
-    rows, places = jacobian(graph, outputs, by), range(len(by))
-    return [row.get(k, graph.zero) for row in rows for k in places]
+        seeds.setdefault(node, {})[k] = graph.one
+    return directional(graph, outputs, seeds, len(variables))
 
 
 def hessian(graph: Graph, node: int, by: Sequence[int]) -> tuple[list[int], list[list[int]]]:
     """Return the first and second derivatives of a node, these symmetric to the last bit."""
-    first, n = dense_jacobian(graph, [node], by), range(len(by))
-    rows = jacobian_rows(graph, first, by)
+    first, n = jacobian(graph, [node], by).flat(), range(len(by))
+    rows = jacobian(graph, first, by).dense()
     return first, [[rows[max(i, j)][min(i, j)] for j in n] for i in n]
 
 
-def dense(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> list[int]:
-    """Return derivatives with their zeros, row by row."""
-    return [node for row in dense_rows(graph, rows, width) for node in row]
+def directional(
+    graph: Graph, outputs: Sequence[int], seeds: Mapping[int, Row], directions: int = 1
+) -> SparseRows:
+    """Return the derivatives of `outputs` along several directions, which are the columns.
 
-
-def dense_rows(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> list[list[int]]:
-    """Return derivatives with their zeros, as a list of rows."""
-    return [[row.get(k, graph.zero) for k in range(width)] for row in rows]
-
-
-def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) -> list[Row]:
-    """Return the derivatives of `outputs` in several directions, as `jacobian` does.
-
-    Given is for each variable its part of the directions: a dict from the direction's place to the
-    node of the component.
+    The `seeds` are the directions' components, for each variable a dict from the number of the
+    direction to a node.
     """
-    rows: dict[int, Row] = dict(given)
+    rows: dict[int, Row] = dict(seeds)
     vectors: dict[int, list[Row]] = {}
     for node in graph.reachable(outputs):
         if node not in rows:
             rows[node] = _row(graph, node, rows, vectors)
     zero = graph.zero
     settled = [_settled(graph, n, rows) for n in outputs]
-    return [{k: d for k, d in sorted(row.items()) if d != zero} for row in settled]
+    nonzero = [{k: d for k, d in sorted(row.items()) if d != zero} for row in settled]
+    return SparseRows(nonzero, zero, directions)
 
 
 class Rows:
@@ -160,7 +159,7 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
             k: g.call("select", condition, rows[yes].get(k, rest[0]), rows[no].get(k, rest[1]))
             for k in sorted(keys)
         }
-    if op in SOLVES:
+    if op in OPERATIONS.solves:
         for n in g.operands(node):
             _settled(g, n, rows)
     if op == "solve":
@@ -296,7 +295,7 @@ def _solve_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
 def definite(g: Graph, guard: int) -> int | None:
     """Return a zero that reports where a guard's matrix is singular; None if it may be any."""
     n, entries, _, sound, _ = g.args[guard]
-    if n == 1 or g.ops[sound] == "bool" or not is_symmetric(n, entries):
+    if n == 1 or g.ops[sound] == "bool" or symmetric(n, entries) != list(entries):
         return None
     zeros = (g.zero,) * n
     return g.make("item", (g.make("guard", (n, entries, zeros, sound, zeros)), 0))

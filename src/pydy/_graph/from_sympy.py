@@ -21,8 +21,8 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.derivative import directional
 from pydy._graph.node import Graph
-from pydy._graph.rewrite import again, rebuild, transplanted
-from pydy._program import named_in_sympy, operation_of
+from pydy._graph.rewrite import again, rebuild, substitute
+from pydy._program import OPERATIONS, ScipyOperation
 
 Handler = Callable[[Graph, Any, list[int]], int]
 
@@ -181,7 +181,7 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
 def _node_expression(graph: Graph, expr: Any, args: list[int]) -> int:
     formula = expr.args[0]
     inputs = dict(zip(formula.inputs, args[1:], strict=True))
-    return transplanted(formula.graph, [formula.node], graph, inputs)[0]
+    return substitute(formula.graph, [formula.node], inputs, into=graph)[0]
 
 
 HANDLERS: dict[Any, Handler] = {
@@ -231,7 +231,7 @@ def _handler(kind: type) -> Handler | None:
     """Return the translator of expressions of a SymPy class, or None."""
     handler = HANDLERS.get(kind)
     if handler is None and issubclass(kind, sm.Basic) and not issubclass(kind, AppliedUndef):
-        name = named_in_sympy(kind.__name__)
+        name = OPERATIONS.named_in_sympy(kind.__name__)
         return None if name is None else lambda graph, expr, args: graph.call(name, *args)
     return handler
 
@@ -281,7 +281,7 @@ class SymPyReader:
             alive.append(expr)
             handler = _handler(type(expr)) if args else None
             if handler is None:
-                leaf = None if is_unevaluated(expr) else self._leaf(expr)
+                leaf = None if _is_unevaluated(expr) else self._leaf(expr)
                 if leaf is not None:
                     seen[key] = leaf
                     continue
@@ -341,14 +341,14 @@ class SymPyReader:
                 raise
             code, operands, partials = found
             shown = f"the function `{expr.func.__name__}` in `{_brief(expr)}`"
-            name = operation_of(code, len(operands), shown, partials)
+            name = ScipyOperation.named(code, len(operands), shown, partials)
             return self.graph.call(name, *map(self, operands))
         return self(written)
 
     def _written_out(self, expr: Any) -> Any:
         """Return the expression that a function stands for, as the curves of muscles do."""
-        if is_unevaluated(expr):
-            return differentiated(expr)
+        if (derivative := evaluated_derivative(expr)) is not None:
+            return derivative
         written = expr.doit(deep=False) if isinstance(expr, sm.Function) else expr
         if isinstance(written, type(expr)):
             raise UnsupportedFunctionError(self._unsupported(expr))
@@ -442,7 +442,7 @@ def _is_definite(expr: Any) -> bool:
 # -- derivatives that SymPy leaves unevaluated ----------------------------------------------------
 
 
-def is_unevaluated(expr: Any) -> bool:
+def _is_unevaluated(expr: Any) -> bool:
     """Return whether an expression is a derivative that can be taken, or holds one at a point.
 
     SymPy has no rules for those of ``Mod``, ``floor`` and others. A derivative of an undefined
@@ -462,14 +462,18 @@ class _OpenReader(SymPyReader):
         return super()._leaf(expr)
 
 
-@lru_cache(maxsize=512)
-def differentiated(expr: Any) -> NodeExpression:
-    """Return a derivative that SymPy left unevaluated, by the rules of the graph.
+def evaluated_derivative(expr: Any) -> NodeExpression | None:
+    """Return a derivative that SymPy left unevaluated, by the rules of the graph; else None.
 
     At steps the derivatives of ``Mod``, ``floor`` and others are those of the branch that is taken.
     An UnsupportedFunctionError tells that it is by something that an undefined function depends on,
     or holds a function that cannot be translated.
     """
+    return _differentiated(expr) if _is_unevaluated(expr) else None
+
+
+@lru_cache(maxsize=512)
+def _differentiated(expr: Any) -> NodeExpression:
     graph = Graph()
     read = _OpenReader(graph, {})
     node = read(expr.expr)

@@ -15,12 +15,6 @@ from pydy._modular import PRIME, arbitrary, inverse, residue
 from pydy._program import OPERATIONS, symmetric
 
 
-def vanish(graph: Graph, nodes: Sequence[int]) -> bool:
-    """Return whether nodes are zero as functions."""
-    rest = [n for n in nodes if n != graph.zero]
-    return not rest or not any(signatures(graph, rest))
-
-
 def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
     """Return a number for each node: equal ones for nodes that are equal wherever defined.
 

@@ -13,7 +13,7 @@ from typing import Any
 from pydy._graph.node import Graph
 from pydy._graph.passes.share import is_pair, share_pairs
 from pydy._graph.solve.choose import Factor, factorised
-from pydy._program import NEVER_PUT_OFF, TRUTHS, Program, Tape
+from pydy._program import OPERATIONS, Program, Tape
 
 
 def lower(
@@ -70,7 +70,7 @@ class _Lowering:
                 self.divided.update(n for n, e in graph.args[node] if e < 0)
         self._plan_products(order, hot)
         self._plan_sums(order, hot)
-        fixed = [n for n in order if graph.constant[n] or graph.ops[n] in NEVER_PUT_OFF]
+        fixed = [n for n in order if graph.constant[n] or graph.ops[n] in Tape.never_deferred]
         self.hot = hot.union(graph.reachable(fixed, fallbacks=False))
         for node in order:
             self.tape.called = node in self.hot
@@ -84,7 +84,7 @@ class _Lowering:
     def _output(self, node: int) -> int:
         """Return the value of an output; a truth value is 1 or 0."""
         value = self.new[node]
-        if self.graph.ops[node] in TRUTHS:
+        if self.graph.ops[node] in OPERATIONS.truths:
             value = self.tape.make("select", value, self.tape.const(1.0), self.tape.const(0.0))
         return value
 

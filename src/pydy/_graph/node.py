@@ -310,6 +310,20 @@ class Graph(Nodes):
         """Return the groups of the inputs that the roots depend on, such as 't', 'x' and 'p'."""
         return {str(self.args[n][0]) for n in self.inputs(roots)}
 
+    # -- which input stands for each symbol -----------------------------------------------------
+
+    def input_nodes(self, **groups: Iterable[Any]) -> dict[Any, int]:
+        """Return the input node of each symbol; inputs are made in the order of the arguments.
+
+        Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
+        groups belongs to the last.
+        """
+        return {s: self.input(g, k) for g, symbols in groups.items() for k, s in enumerate(symbols)}
+
+    def input_symbols(self, **groups: Iterable[Any]) -> dict[int, Any]:
+        """Return the symbol of each input node; for the groups see `input_nodes`."""
+        return {self.input(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}
+
 
 def _is_counted(op: str, args: tuple[Any, ...]) -> bool:
     """Return whether a factor stays a factor of its own in a product."""
@@ -326,20 +340,3 @@ def _powi(base: float, exponent: int) -> float:
 def _folded(function: Callable[..., Any], *values: float) -> float:
     with np.errstate(all="ignore"):
         return float(function(*map(np.float64, values)))
-
-
-# -- Which input of a graph stands for each symbol -------------------------------------------------
-
-
-def input_nodes(graph: Graph, **groups: Iterable[Any]) -> dict[Any, int]:
-    """Return the input node of each symbol; the graph gets them in the order of the arguments.
-
-    Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
-    groups belongs to the last.
-    """
-    return {s: graph.input(g, k) for g, symbols in groups.items() for k, s in enumerate(symbols)}
-
-
-def input_symbols(graph: Graph, **groups: Iterable[Any]) -> dict[int, Any]:
-    """Return the symbol of each input node; for the groups see `input_nodes`."""
-    return {graph.input(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from pydy._collector import collector_paused
 from pydy._graph.adjoint import adjoints
-from pydy._graph.derivative import dense, directional, jacobian
+from pydy._graph.derivative import directional, jacobian
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
@@ -54,12 +54,12 @@ def derivative_program(
 
         if kind == "jacobian":
             shape: tuple[int, ...] = (m, k)
-            cells = dense(g, jacobian(g, nodes, by), k)
+            cells = jacobian(g, nodes, by).flat()
             extra = 0
         elif kind == "jacobian-vector":
             shape, extra = (m, vectors), k * vectors
             seeds = {node: given(i) for i, node in enumerate(by)}
-            cells = dense(g, directional(g, nodes, seeds), vectors)
+            cells = directional(g, nodes, seeds, vectors).flat()
         elif kind == "vector-jacobian":
             shape, extra = (k, vectors), m * vectors
             weights = [given(i) for i in range(m)]
@@ -73,6 +73,6 @@ def derivative_program(
             first = adjoints(g, nodes, [g.one], by)
             first = first if "factor" in g.off else factor_sums(g, first)
             seeds = {node: given(i) for i, node in enumerate(by)}
-            cells = dense(g, directional(g, first, seeds), vectors)
+            cells = directional(g, first, seeds, vectors).flat()
         cells = cells if "factor" in g.off else factor_sums(g, cells)
         return lower(g, (n, s + extra, c), [(kind, shape, cells)])

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
-from pydy._program import OPERATIONS, with_operands
+from pydy._program import OPERATIONS
 
 
 def rebuild(
@@ -27,8 +27,15 @@ def rebuild(
     return [new[r] for r in roots]
 
 
-def substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
-    """Replace input nodes by other nodes."""
+def substitute(
+    graph: Graph, roots: Sequence[int], mapping: Mapping[int, int], into: Graph | None = None
+) -> list[int]:
+    """Replace input nodes by other nodes, which may be those of another graph.
+
+    With `into` the roots are made again in that graph, and all of their inputs must be replaced.
+    """
+    if into is not None:
+        return _transplanted(graph, roots, into, mapping)
     if not set(mapping) & set(graph.reachable(roots)):
         return list(roots)
 
@@ -42,7 +49,7 @@ def substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -
 
 def replaced(graph: Graph, node: int, new: dict[int, int]) -> tuple[Any, ...]:
     """Return the arguments of `node` with its operands looked up in `new`."""
-    return with_operands(graph.ops[node], graph.args[node], new)
+    return OPERATIONS.with_operands(graph.ops[node], graph.args[node], new)
 
 
 def again(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
@@ -54,7 +61,7 @@ def again(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
     return graph.call(op, *args) if op in OPERATIONS else graph.make(op, args)
 
 
-def transplanted(
+def _transplanted(
     source: Graph, roots: Sequence[int], graph: Graph, inputs: Mapping[int, int]
 ) -> list[int]:
     """Return nodes of one graph made again in another, with nodes of that for its inputs."""

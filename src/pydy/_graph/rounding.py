@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from pydy._graph.derivative import Rows, jacobian
 from pydy._graph.node import Graph
-from pydy._program import OPERATIONS, SOLVES, TRUTHS
+from pydy._program import OPERATIONS
 
 # Functions of pure numbers: one is large beside nothing, in whatever units.
 _OF_NUMBERS = frozenset(
@@ -60,7 +60,7 @@ def sizes_of_terms(graph: Graph, nodes: Sequence[int]) -> list[int]:
             sizes[node] = graph.product(whole)
         elif op == "select":
             sizes[node] = graph.call("select", args[0], *(sizes[n] for n in args[1:]))
-        elif op not in TRUTHS and op not in SOLVES:  # which are no numbers
+        elif op not in OPERATIONS.truths and op not in OPERATIONS.solves:  # which are no numbers
             sizes[node] = graph.call("abs", node)
     return [sizes[n] for n in nodes]
 

@@ -21,16 +21,7 @@ from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.tuning import ANOTHER_PART, COLUMNS_TOGETHER, FROM_OPERATIONS, LESS_WORK
-from pydy._program import (
-    OPERATIONS,
-    TRUTHS,
-    Part,
-    Program,
-    Tangent,
-    Tape,
-    operands,
-    with_operands,
-)
+from pydy._program import OPERATIONS, Part, Program, Tangent, Tape
 
 # -- One direction apart from what all share -------------------------------------------------------
 
@@ -113,7 +104,7 @@ class _Parting:
                     new[node] = part.make(op, args[0], args[1], tuple(map(spread, args[2])))
                 else:
                     place = part.make("input", "r", places.setdefault(node, len(places)))
-                    truth = op in TRUTHS
+                    truth = op in OPERATIONS.truths
                     new[node] = part.make("ne", place, part.const(0.0)) if truth else place
             return new[node]
 
@@ -124,14 +115,14 @@ class _Parting:
                     moved.add(k)
                     new[k] = part.make(op, args[0], own[args])
                 continue
-            others = operands(op, args)
+            others = OPERATIONS.operands(op, args)
             if moved.isdisjoint(others):
                 continue
             moved.add(k)
             for other in others:
                 if other not in moved:
                     spread(other)
-            new[k] = part.make(op, *with_operands(op, args, new))
+            new[k] = part.make(op, *OPERATIONS.with_operands(op, args, new))
         cells = [new[k] if k in moved else spread(k) for k in outputs]
         return Program.from_tape(
             part, (sizes[0], len(places), sizes[1]), [("column", (len(cells),), cells)]
@@ -157,7 +148,8 @@ class _Parting:
         one, zero = whole.const(1.0), whole.const(0.0)
         for sound, nodes in groups.items():
             numbers = [
-                whole.make("select", k, one, zero) if whole.ops[k] in TRUTHS else k for k in nodes
+                whole.make("select", k, one, zero) if whole.ops[k] in OPERATIONS.truths else k
+                for k in nodes
             ]
             made = whole.make("guard", 1, (one,), tuple(numbers), sound, ())
             new.update((k, whole.make("item", made, i)) for i, k in enumerate(nodes))
@@ -172,10 +164,18 @@ def jacobian_tangent(
     outputs: Sequence[int],
     variables: Sequence[tuple[str, int]],
     sizes: tuple[int, int, int],
-    parts: Sequence[tuple[int, int]],
-) -> Tangent:
-    """Return the Jacobian of simplified nodes in parts, see `parts_of`."""
+    parts: Sequence[tuple[int, int]] | None = None,
+) -> Tangent | None:
+    """Return the Jacobian of simplified nodes in parts.
+
+    The `parts` are pairs of columns, the first and the one after the last. By default they are
+    chosen (`worthwhile_parts`), and the result is None where the Jacobian is small or sparse.
+    """
     n, s, c = sizes
+    if parts is None:
+        parts = worthwhile_parts(graph, outputs, [graph.input(*place) for place in variables])
+        if not parts:
+            return None
 
     def wanted() -> Iterator[Along]:
         for first, stop in parts:

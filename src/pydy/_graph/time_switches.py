@@ -33,7 +33,7 @@ from pydy._graph.tuning import (
     STORED_SEARCHES,
     WIDENINGS,
 )
-from pydy._program import Program, evaluator, operands
+from pydy._program import OPERATIONS, Program, SwitchTimes
 from pydy.inputs import merged_jumps
 
 _COMPARED = frozenset(("lt", "le", "min", "max"))
@@ -42,16 +42,6 @@ _WHOLE = frozenset(("floor", "ceil"))
 _SWITCHING = _COMPARED | _SIGNED | _WHOLE
 _ARITHMETIC = frozenset(("add", "sub", "mul", "div", "neg"))  # which graphs have methods for
 _SYSTEMS = frozenset(("factor", "solve", "guard", "item"))
-
-
-@dataclass(frozen=True, eq=False)
-class SwitchTimes:
-    """The times at which a Program switches, within an interval of time."""
-
-    # (k, 3): each time, the last one before it at which rounding does not decide which side the
-    # switch is on, and the first one after it
-    rows: np.ndarray
-    unresolved: int = 0  # changes of sign that are too many, or near, to be resolved
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +98,7 @@ def _of_time(program: Program, varying: frozenset[int]) -> list[int]:
             timed[k] = args[0] == "t"
             moving[k] = args[0] == "x" or (args[0] == "r" and args[1] in varying)
         elif op not in ("const", "bool"):
-            needs = operands(op, args)
+            needs = OPERATIONS.operands(op, args)
             timed[k] = any(map(timed.__getitem__, needs))
             moving[k] = op in _SYSTEMS or any(map(moving.__getitem__, needs))
             if timed[k] and not moving[k] and op in _SWITCHING:
@@ -123,7 +113,7 @@ def _switches(program: Program, places: Sequence[int]) -> tuple[Graph, list[int]
     for k in reversed(range(max(places) + 1)):
         if needed[k] or k in switching:
             needed[k] = 1
-            for n in operands(program.ops[k], program.args[k]):
+            for n in OPERATIONS.operands(program.ops[k], program.args[k]):
                 needed[n] = 1
     found: dict[int, None] = {}
     for k in np.flatnonzero(needed).tolist():
@@ -208,7 +198,7 @@ class _Search:
     def _values(self, node: int, times: np.ndarray) -> np.ndarray:
         graph = self.switches.graph
         inputs = {graph.input("t", 0): times, **self.values}
-        found: np.ndarray = evaluator(graph, [node])(inputs, len(times))[:, 0]
+        found: np.ndarray = graph.evaluator([node])(inputs, len(times))[:, 0]
         return found
 
     # -- zeros ------------------------------------------------------------------------------------

@@ -19,8 +19,8 @@ from pydy._checks import describe
 from pydy._graph import (
     Columns,
     Rows,
-    dense_jacobian,
     factor_sums,
+    jacobian,
     lower,
     simplify,
 )
@@ -400,9 +400,9 @@ def program_of_event(
     parts = {
         "rate": [first],
         "curvature": [motion(first).get(0, graph.zero)],
-        "crossing": dense_jacobian(graph, [crossing], by),
+        "crossing": jacobian(graph, [crossing], by).flat(),
         "after_rates": [motion(node).get(0, graph.zero) for node in after],
-        "after": dense_jacobian(graph, changed, by),
+        "after": jacobian(graph, changed, by).flat(),
     }
     shapes = {"after": (len(changed), len(by))}
     cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))

@@ -16,16 +16,7 @@ import numpy as np
 from pydy import _forks
 from pydy._assembly import Assembly, CompiledModel, Definition, Layout
 from pydy._errors import IntegrationError, warn_user
-from pydy._graph import (
-    Graph,
-    dense,
-    dense_jacobian,
-    directional,
-    jacobian,
-    per_unit,
-    rounding_bounds,
-    substitute,
-)
+from pydy._graph import Graph, directional, jacobian, per_unit, rounding_bounds, substitute
 from pydy._interpolation import evenly
 from pydy._mechanics import Equations, find_symbols
 from pydy._motion import ConstraintNames, Motion, constraint_names
@@ -268,7 +259,7 @@ def rates_along(
     along[graph.input("t", 0)] = {0: graph.one}
     for k, rate in inputs.items():
         along[graph.input("r", k)] = {} if rate is None else {0: graph.input("r", rate)}
-    return dense(graph, directional(graph, known_rows(graph, rows, inputs), along), 1)
+    return directional(graph, known_rows(graph, rows, inputs), along).flat()
 
 
 def known_rows(graph: Graph, rows: Sequence[int], inputs: Mapping[int, int | None]) -> list[int]:
@@ -305,9 +296,9 @@ def rates(assembly: Assembly) -> dict[str, list[int]]:
     return {
         "rates": rows,
         "sizes": rounding_bounds(graph, rows, True),
-        "slopes": dense_jacobian(graph, rows, assembly.speeds),
+        "slopes": jacobian(graph, rows, assembly.speeds).flat(),
         "left": assembly.velocity,
-        "rows": dense_jacobian(graph, assembly.velocity, assembly.speeds),
+        "rows": jacobian(graph, assembly.velocity, assembly.speeds).flat(),
     }
 
 
@@ -386,7 +377,7 @@ def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, l
     """
     graph, n = assembly.graph, assembly.sizes[0]
     states = [graph.input("x", k) for k in range(n)]
-    moving, cells = {*assembly.speeds}, dense_jacobian(graph, rows, states)
+    moving, cells = {*assembly.speeds}, jacobian(graph, rows, states).flat()
     solved = [
         cell if k < count * n or states[k % n] in moving else graph.zero
         for k, cell in enumerate(cells)
@@ -397,7 +388,7 @@ def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, l
 def _velocity_slopes(assembly: Assembly) -> dict[str, list[int]]:
     """Return the derivatives of all velocity constraints by the states."""
     states = [assembly.graph.input("x", k) for k in range(assembly.sizes[0])]
-    return {"slopes": dense_jacobian(assembly.graph, assembly.with_left_out()[1], states)}
+    return {"slopes": jacobian(assembly.graph, assembly.with_left_out()[1], states).flat()}
 
 
 def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
@@ -596,7 +587,7 @@ class Slopes:
         rows = known_rows(graph, [*places, *motion], inputs)
         rates = rates_along(assembly, rows[: len(places)], inputs) + [graph.zero] * len(motion)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-        turns = dense_jacobian(graph, rates, states)
+        turns = jacobian(graph, rates, states).flat()
         return {
             "rows": rows, "rates": rates, "turns": turns, **measured(assembly, rows, len(places))
         }  # fmt: skip
@@ -629,13 +620,13 @@ class EnergyPart(_OfEnergies):
         places, motion = assembly.with_left_out()
         moves = [*motion, *assembly.rates[: graph.args[speeds[0]][1]]]
         driven = graph.inputs_of([kinetic, potential, *places, *moves]) & {"t", "r"}
-        momenta = dense_jacobian(graph, [kinetic], speeds)
+        momenta = jacobian(graph, [kinetic], speeds).flat()
         rest = substitute(graph, [kinetic, *momenta, *moves], dict.fromkeys(speeds, graph.zero))
         if driven or any(node != graph.zero for node in rest):
             return {}
         total = graph.add(kinetic, potential)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-        slopes = dense_jacobian(graph, [total], states)
+        slopes = jacobian(graph, [total], states).flat()
         return {"kinetic": [kinetic], "total": [total], "slopes": slopes}
 
 
@@ -648,7 +639,7 @@ class Moving(_OfEnergies):
             nodes = assembly.read((self.energies.moving(self.layout),), "the energy")
         except (ValueError, NotImplementedError):
             return {}
-        rows = dense_jacobian(graph, dense_jacobian(graph, nodes, speeds), speeds)
+        rows = jacobian(graph, jacobian(graph, nodes, speeds).flat(), speeds).flat()
         first, n, states = graph.args[speeds[0]][1], len(speeds), assembly.sizes[0]
         hessian = [graph.zero] * states**2
         for k in range(n):

@@ -16,7 +16,7 @@ from pydy import _errors
 from pydy._assembly import Assembly
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
-from pydy._graph import dense_jacobian
+from pydy._graph import jacobian
 from pydy._names import numbers_of, unique_names
 from pydy._problem import At, Problem, first_undefined
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
@@ -201,8 +201,8 @@ def _parts(assembly: Assembly) -> dict[str, list[int]]:
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     return {
-        "kinematics": dense_jacobian(graph, assembly.rates[:first], speeds),
-        "slopes": dense_jacobian(graph, assembly.velocity, speeds),
+        "kinematics": jacobian(graph, assembly.rates[:first], speeds).flat(),
+        "slopes": jacobian(graph, assembly.velocity, speeds).flat(),
         "matrix": assembly.mass_matrix,
     }
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._assembly import Assembly, Definition, Plan, differentiated
 from pydy._errors import warn_user
-from pydy._graph import dense_jacobian, rounding_bounds, sides, substitute, switches
+from pydy._graph import Branches, jacobian, rounding_bounds, substitute
 from pydy._interpolation import in_order
 from pydy._judges.passages import Passed, Values, Watched, jump_message, passages
 from pydy._kernel import KernelCall
@@ -35,8 +35,8 @@ def _switched(
     graph = assembly.graph
     found: list[int] = []
     steps: list[int] = []
-    for switch in switches(graph, searched, whole=True):
-        above, below = sides(graph, nodes, switch, bends)
+    for switch in Branches(graph, searched).switches(whole=True):
+        above, below = Branches(graph, nodes).sides(switch, bends)
         held = graph.inputs_of([switch])
         if above != below and held & {*inputs} and held <= {*inputs, *others}:
             found.append(switch)
@@ -51,7 +51,7 @@ def _loads_and_rates(assembly: Assembly, coordinates: int) -> tuple[list[int], l
         return nodes, nodes
     # Without the pivots by which constraints reduce the mass matrix, which switch, too.
     matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
-    if switches(graph, matrix, whole=True):
+    if Branches(graph, matrix).switches(whole=True):
         return nodes, nodes
     own = slice(coordinates, coordinates + len(assembly.speeds))
     # What else holds u', as the rates of what residuals give for speeds, is searched with loads in
@@ -80,7 +80,10 @@ class Discontinuities:
             more = node_of(assembly, self.integral, "`integral`")
             nodes, searched = [*nodes, more], [*searched, more]
         found, blocks = _switched(assembly, nodes, searched, "xrp", "t")
-        return {**blocks, "slopes": dense_jacobian(assembly.graph, found, _inputs(assembly, "xrp"))}
+        return {
+            **blocks,
+            "slopes": jacobian(assembly.graph, found, _inputs(assembly, "xrp")).flat(),
+        }
 
 
 @dataclass(frozen=True)
@@ -93,8 +96,13 @@ class DerivativeDiscontinuities:
         graph, by = assembly.graph, _inputs(assembly, "xr")
         nodes, searched = _loads_and_rates(assembly, self.coordinates)
         found, blocks = _switched(assembly, nodes, searched, "xr", "tp", bends=True)
-        both = [n for switch in found for side in sides(graph, nodes, switch, True) for n in side]
-        moves, slopes = (dense_jacobian(graph, nodes, by) for nodes in (found, both))
+        both = [
+            n
+            for switch in found
+            for side in Branches(graph, nodes).sides(switch, True)
+            for n in side
+        ]
+        moves, slopes = (jacobian(graph, nodes, by).flat() for nodes in (found, both))
         bounds = rounding_bounds(graph, found)
         return {**blocks, "moves": moves, "slopes": slopes, "bounds": bounds}
 
@@ -252,7 +260,7 @@ class _Slopes:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         by = [assembly.graph.input("r", k) for k in self.places]
-        slopes = dense_jacobian(assembly.graph, assembly.rates, by)
+        slopes = jacobian(assembly.graph, assembly.rates, by).flat()
         return {"slopes": slopes, "bounds": rounding_bounds(assembly.graph, slopes)}
 
 
@@ -274,7 +282,7 @@ def jumps_by_time(f: Any, args: Any, times: np.ndarray) -> np.ndarray | None:
     """Return rows of when inputs of a right-hand side jump, or it switches by time alone.
 
     None if it never does, whatever the times and numbers. The rows are as those of
-    `pydy._graph.time_switches.SwitchTimes`.
+    `pydy._program.switch_times.SwitchTimes`.
     """
     call: KernelCall | None = f.native(args)
     if call is None:

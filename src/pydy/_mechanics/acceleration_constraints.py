@@ -28,7 +28,7 @@ import numpy as np
 from pydy._graph import Graph, elimination_order, rounding_bounds, substitute
 from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
-from pydy._program import INDEPENDENT, REDUNDANT, SINGULAR
+from pydy._program import SINGULAR, constraint_mark
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
@@ -201,7 +201,7 @@ def _constrained(
         *([*row, *[zero] * d] for row in scaled),
     ]
     for k in range(d):
-        system[n + k][n + k] = graph.const(INDEPENDENT if k < constraints.rank else REDUNDANT)
+        system[n + k][n + k] = graph.const(constraint_mark(independent=k < constraints.rank))
     bias = zip(constraints.bias, shares, strict=True)
     pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in bias]
     sound = graph.boolean(False) if sound is None else sound

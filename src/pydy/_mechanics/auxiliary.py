@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from pydy._collector import collector_paused
-from pydy._graph import NodeExpression, jacobian_rows, substitute
+from pydy._graph import NodeExpression, jacobian, substitute
 from pydy._mechanics.closures import LoopShares, loop_points
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.equations import Equations
@@ -25,13 +25,13 @@ def with_auxiliary(equations: Equations) -> Equations:
     if body is None or not body.auxiliary:
         return equations
     k = moving(body, in_bodies=True, auxiliary=True, driven=True)
-    moved = jacobian_rows(k.graph, k.read.all(body.velocity), k.auxiliary)
+    moved = jacobian(k.graph, k.read.all(body.velocity), k.auxiliary).dense()
     loops = _leaving_out(k, equations, moved)
     if loops:
         points = loop_points(body)
         k = moving(body, in_bodies=True, auxiliary=True, driven=True, more=points)
         rows = k.read.all(body.velocity)
-        moved = jacobian_rows(k.graph, rows, k.auxiliary)
+        moved = jacobian(k.graph, rows, k.auxiliary).dense()
         shares = LoopShares(k, points, [rows[j] for j in loops]).found(equations)
         # Whoever wrote some of the rows with auxiliary speeds wrote all with them.
         written = any(j not in loops for j in range(len(rows)) if _of_loop(equations, j))
@@ -71,7 +71,7 @@ def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:
     if body.velocity:
         nodes = k.read.all(body.velocity)
         dependent = body.dependent_columns
-        held = [[row[j] for j in dependent] for row in jacobian_rows(g, nodes, k.speeds)]
+        held = [[row[j] for j in dependent] for row in jacobian(g, nodes, k.speeds).dense()]
         columns = [[g.neg(row[a]) for row in moved] for a in range(len(found))]
         shares = g.solve(held, columns, "lu")
         for a, share in enumerate(shares):

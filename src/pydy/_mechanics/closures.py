@@ -32,7 +32,7 @@ import numpy as np
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point
 
-from pydy._graph import Graph, jacobian_rows, substitute
+from pydy._graph import Graph, jacobian, substitute
 from pydy._mechanics.components import dot, flat, identity, turned
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frame_tree import FrameTree, breadth_first
@@ -41,7 +41,6 @@ from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.symbols import find_symbols
-from pydy._program import evaluator
 from pydy._rank import HALF, ROUNDED, or_one
 
 _STATES = 4  # generic states at which rates are compared, for each of two sets of constants
@@ -124,7 +123,7 @@ class LoopShares:
         self._motion = {w: k.expressed(v, f, k.inertial) for w, (f, v) in self._moving(points)}
         self._motion |= {w: k.expressed(v, f, k.inertial) for w, (f, v) in self._moving(frames)}
         self._points, self._frames = list(points), frames
-        self._rows = jacobian_rows(g, rows, k.speeds)
+        self._rows = jacobian(g, rows, k.speeds).dense()
         self._number(k.read.all(k.body.holonomic))
 
     def _moving(self, places: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, Vec]]]:
@@ -136,11 +135,11 @@ class LoopShares:
         place = flat([*self._place.values()])
         axes = [c for own in self._axes.values() for axis in own for c in axis]
         rates = [*k.dt([*place, *axes]), *flat([*self._motion.values()])]
-        slopes = flat(jacobian_rows(g, rates, [*k.speeds, *k.auxiliary]))
-        of_places = flat(jacobian_rows(g, k.dt(holonomic), k.speeds))
+        slopes = flat(jacobian(g, rates, [*k.speeds, *k.auxiliary]).dense())
+        of_places = flat(jacobian(g, k.dt(holonomic), k.speeds).dense())
         nodes = [*place, *axes, *slopes, *flat(self._rows), *of_places, *holonomic]
         self._states = _generic(g, g.inputs(nodes))
-        values = np.array([evaluator(g, nodes)(own, _STATES) for own in self._states])
+        values = np.array([g.evaluator(nodes)(own, _STATES) for own in self._states])
         p, f, width = len(self._points), len(self._frames), n + len(k.auxiliary)
         shapes = [
             (p, 3), (f, 3, 3), (p, 3, width), (f, 3, 3, width), (p, 3, width), (f, 3, width),
@@ -219,7 +218,7 @@ class LoopShares:
         g = self.k.graph
         rates = kind.rates(*ends)
         rates = [rates[c] for c in part]
-        slopes = jacobian_rows(g, rates, self.k.auxiliary)
+        slopes = jacobian(g, rates, self.k.auxiliary).dense()
         if len(part) > 1 and not self._determined(slopes, columns[0], kind.between_bodies):
             return None
         factors = self._factors(j, rates, columns, weights)
@@ -241,7 +240,7 @@ class LoopShares:
         move nothing else: a wheel that rolls is not pressed onto its plane by that.
         """
         nodes = flat(slopes)
-        values = evaluator(self.k.graph, nodes)(self._numbers(nodes), _STATES)
+        values = self.k.graph.evaluator(nodes)(self._numbers(nodes), _STATES)
         moved = values.reshape(_STATES, len(slopes), -1)
         units = _units(columns[None, None])[0, 0]
         _, sizes, axes = np.linalg.svd((columns / units[:, None]).T)
@@ -273,7 +272,7 @@ class LoopShares:
         places = _independent(columns[0][used].T)
         if len(places) < len(used):
             return None
-        slopes = jacobian_rows(g, [rates[i] for i in used], self.k.speeds)
+        slopes = jacobian(g, [rates[i] for i in used], self.k.speeds).dense()
         matrix, right = [], []
         for place in places:
             state, speed = divmod(place, len(self.k.speeds))
@@ -307,7 +306,7 @@ class LoopShares:
         nodes = flat(every)
         known = {node: numbers[s] for node, s in k.symbols().items() if s in numbers}
         known |= {n: np.zeros(_STATES) for n in k.graph.inputs(nodes) if n not in known}
-        values = evaluator(k.graph, nodes)(known, _STATES).reshape(_STATES, -1, width)
+        values = k.graph.evaluator(nodes)(known, _STATES).reshape(_STATES, -1, width)
         finite = np.array(np.isfinite(values).all(axis=(1, 2)))
         values = values[states.closed(inputs, finite)]
         sizes = np.abs(values).max(axis=(0, 1))

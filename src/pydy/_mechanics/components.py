@@ -6,8 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._graph import Graph, dense_jacobian
-from pydy._program import evaluator
+from pydy._graph import Graph, jacobian
 from pydy._rank import ROUNDED
 
 _STATES = 3
@@ -82,10 +81,10 @@ def numbers_of(
     x[:, [n in zeros and n not in kept for n in inputs]] = 0.0
 
     def values(nodes: Sequence[int]) -> np.ndarray:
-        return evaluator(graph, nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)
+        return graph.evaluator(nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)
 
     if held:
-        slopes = dense_jacobian(graph, held, inputs)
+        slopes = jacobian(graph, held, inputs).flat()
         for _ in range(12):  # Newton's method doubles the digits with each
             found = values([*held, *slopes])
             if not np.isfinite(found).all():

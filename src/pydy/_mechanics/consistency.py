@@ -23,7 +23,7 @@ from sympy.physics.mechanics import ReferenceFrame
 
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph import dense_jacobian, jacobian, rounding_bounds, signatures
+from pydy._graph import jacobian, rounding_bounds, signatures
 from pydy._mechanics.components import flat, identity, numbers_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving
@@ -89,7 +89,7 @@ def _unmoved(k: Kinematics, velocity: Vec, place: Vec, held: list[int]) -> tuple
     moved = {j for row in jacobian(g, velocity, k.speeds) for j in row}
     if k.body.velocity and moved:
         return None
-    slopes = dense_jacobian(g, place, k.coordinates)
+    slopes = jacobian(g, place, k.coordinates).flat()
     sizes = np.abs(_values(k, [*slopes, *rounding_bounds(g, slopes)], held))
     left, bounds = np.hsplit(sizes, 2)
     rows = np.reshape(left > ROUNDED * bounds, (-1, len(k.coordinates)))
@@ -259,7 +259,7 @@ def _others(
     """
     place = [n for _, own, *_ in every for n in own]
     velocity = [n for _, _, own, _ in every for n in own]
-    slopes = dense_jacobian(k.graph, place, k.coordinates)
+    slopes = jacobian(k.graph, place, k.coordinates).flat()
     m, n = len(place), len(k.coordinates)
     values = _values(k, [*slopes, *velocity, *k.dt(place)], held)
     wrong = np.zeros(n, dtype=bool)

@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import Graph, dense_jacobian, rounding_bounds
+from pydy._graph import Graph, jacobian, rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols
@@ -27,7 +27,7 @@ def may_depend_on(expression: Any, square: Any, moving: Sequence[Any]) -> bool:
     read = InputReader(graph, {}, ())
     try:
         by = read.all(moving)
-        slopes = dense_jacobian(graph, read.all([expression, square]), by)
+        slopes = jacobian(graph, read.all([expression, square]), by).flat()
         bounds = rounding_bounds(graph, slopes, constants=True)
         found = numbers_of(graph, [*slopes, *bounds]).reshape(-1, 2, 2, len(by))
     except UnsupportedFunctionError:  # SymPy may still write it
@@ -51,7 +51,7 @@ def beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any
     read = InputReader(graph, {}, ())
     by = read.all(coordinates)
     try:
-        slopes = dense_jacobian(graph, read.all([total, square]), by)
+        slopes = jacobian(graph, read.all([total, square]), by).flat()
         values = numbers_of(graph, slopes).reshape(-1, 2, len(by))
     except UnsupportedFunctionError:  # of what is no function of the distance
         return None

@@ -19,7 +19,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
-from pydy._graph import Graph, Row, signatures, substitute
+from pydy._graph import Graph, signatures, substitute
 from pydy._mechanics.components import dot, transposed
 from pydy._mechanics.inertia import Inertia, Load
 from pydy._mechanics.kinematics import Kinematics
@@ -31,8 +31,8 @@ from pydy._rank import ROUNDING
 class _Passed:
     """An eliminated group of anchors: their rows, and the rows of the whole step."""
 
-    rows: dict[int, Row]
-    whole: dict[int, Row]
+    rows: dict[int, dict[int, int]]
+    whole: dict[int, dict[int, int]]
 
 
 @dataclass(frozen=True)
@@ -177,7 +177,9 @@ class _Push:
         self.waiting = Counter(c for group in self.order for k in group for c in self.own[k])
         self.order = joined_turns(graph, self.order, self.own)
 
-    def _products(self, inertia: Inertia, rows: list[Row]) -> Iterator[tuple[int, int, int, float]]:
+    def _products(
+        self, inertia: Inertia, rows: list[dict[int, int]]
+    ) -> Iterator[tuple[int, int, int, float]]:
         """Give the entries that an inertia has at the anchors."""
         graph, matrix = self.graph, inertia.matrix
         for i in range(len(rows)):
@@ -192,7 +194,7 @@ class _Push:
                         elif a >= b:
                             yield a, b, graph.mul(x, y, matrix[i][j]), 1.0
 
-    def _weigh(self, inertia: Inertia, rows: list[Row]) -> None:
+    def _weigh(self, inertia: Inertia, rows: list[dict[int, int]]) -> None:
         """Record the inertia of a velocity vector as a weight of its anchors."""
         for start in range(0, len(rows), 3):
             own = range(start, start + 3)
@@ -248,7 +250,9 @@ class _Push:
                 self.waiting[c] -= 1
         return _Passed(rows, whole)
 
-    def _reduce(self, c: int, columns: list[int], rows: list[Row], within: list[list[int]]) -> None:
+    def _reduce(
+        self, c: int, columns: list[int], rows: list[dict[int, int]], within: list[list[int]]
+    ) -> None:
         """Add the column c, up to the diagonal, of Rᵀ K R."""
         zero = self.graph.zero
         slope = [row.get(c, zero) for row in rows]
@@ -337,7 +341,7 @@ def _key(a: int, b: int) -> tuple[int, int]:
 
 
 def _needed(
-    order: Sequence[list[int]], rows: Mapping[int, Row], wanted: set[int]
+    order: Sequence[list[int]], rows: Mapping[int, dict[int, int]], wanted: set[int]
 ) -> list[list[int]]:
     """Return the wanted anchors of each group and the ones they depend on, outer groups first."""
     found = []
@@ -348,7 +352,7 @@ def _needed(
     return found
 
 
-def _sorted_groups(groups: list[list[int]], rows: dict[int, Row]) -> list[list[int]]:
+def _sorted_groups(groups: list[list[int]], rows: dict[int, dict[int, int]]) -> list[list[int]]:
     """Sort groups after those they depend on; split groups that depend on each other.
 
     In the order in which they were made they are not always sorted: a node can be made of another

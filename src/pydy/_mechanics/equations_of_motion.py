@@ -13,7 +13,7 @@ import sympy as sm
 from sympy.physics.vector import vlatex
 
 from pydy._collector import collector_paused
-from pydy._graph import Graph, SymPyReader, dense_jacobian, input_nodes, simplify
+from pydy._graph import Graph, SymPyReader, jacobian, simplify
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.inverse import BodyDynamics
 from pydy._mechanics.symbols import find_symbols, replace_symbols
@@ -140,7 +140,7 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
     parts = [*matrix, *bias, *rates, *velocity]
     graph = Graph()
     order = (*q, *u, *(s for s in find_symbols(parts) if s not in moving))
-    atoms = input_nodes(graph, x=dict.fromkeys(order))
+    atoms = graph.input_nodes(x=dict.fromkeys(order))
     symbols = {node: symbol for symbol, node in atoms.items()}
     atoms.update(dict.fromkeys(kinematics.zeros, graph.zero))
     atoms.update(dict.fromkeys((s for s in kinematics.speed_rates if s not in atoms), graph.zero))
@@ -150,7 +150,7 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
         read.define(rate, node)
     nodes = [*read.all(matrix), *(graph.neg(node) for node in read.all(bias)), *moved]
     rows = read.all(velocity)
-    nodes += dense_jacobian(graph, rows, [read.atoms[s] for s in u])
+    nodes += jacobian(graph, rows, [read.atoms[s] for s in u]).flat()
     found, names = _short(graph, nodes, symbols, q)
     cells = iter(found)
     sizes = ((n, n), (n, 1), (len(q), 1), (len(velocity), n))

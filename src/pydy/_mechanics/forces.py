@@ -25,9 +25,7 @@ from pydy._collector import collector_paused
 from pydy._forks import cached_property
 from pydy._graph import (
     NodeExpression,
-    dense_rows,
     jacobian,
-    jacobian_rows,
     rounding_bounds,
     signatures,
     substitute,
@@ -98,7 +96,7 @@ class ConstraintForces:
         if self.body.changing:  # no speed is dependent in all configurations
             own = tuple(range(len(kinematics.speeds)))
         bound = jacobian(g, rows, [kinematics.speeds[k] for k in own])
-        columns = dense_rows(g, bound, len(own))  # Jᵀ, by columns
+        columns = bound.dense()  # Jᵀ, by columns
         force = [g.neg(rest[k]) for k in own]
         if self.body.changing:
             found = multipliers_of(g, columns, force, rank)
@@ -309,7 +307,7 @@ class ConstraintForces:
             return []
         k, g = self._kinematics, self._kinematics.graph
         totals = [k.plus(*vectors)[axis] for vectors in sums for axis in range(3)]
-        rows = jacobian_rows(g, totals, k.speeds)
+        rows = jacobian(g, totals, k.speeds).dense()
         still = substitute(g, totals, dict.fromkeys(k.speeds, g.zero))
         nodes = [n for row, rest in zip(rows, still, strict=True) for n in (*row, rest)]
         values = numbers_of(g, [*nodes, *rounding_bounds(g, nodes)], held, k.coordinates)

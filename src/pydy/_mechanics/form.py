@@ -22,13 +22,10 @@ from pydy._graph import (
     NodeExpression,
     SymPyReader,
     hessian,
-    input_nodes,
-    input_symbols,
     jacobian,
     rounding_bounds,
     signatures,
     substitute,
-    vanish,
 )
 from pydy._mechanics.alignment import align, in_a_plane, move_along_axes
 from pydy._mechanics.components import numbers_of
@@ -92,7 +89,7 @@ class Formed:
 
     def input_symbols(self, time: Any, states: Sequence[Any]) -> dict[int, Any]:
         """Return the symbol of each input node, except derivatives of speeds."""
-        return input_symbols(self.graph, t=[time], x=states, p=self.constants, r=self.specifieds)
+        return self.graph.input_symbols(t=[time], x=states, p=self.constants, r=self.specifieds)
 
     def energy(self, time: Any, coordinates: Sequence[Any], speeds: Sequence[Any]) -> Any:
         """Return the kinetic energy as an expression."""
@@ -515,7 +512,7 @@ def without_idle(
     if not forces:
         return tuple(forcing)
     graph = Graph()
-    atoms = input_nodes(graph, x=held)
+    atoms = graph.input_nodes(x=held)
     nodes = SymPyReader(graph, atoms, "the equations of motion").all(forcing)
     idle = set(idle_inputs(graph, nodes, [atoms[s] for s in forces]))
     nothing = {s: sm.S.Zero for s in forces if atoms[s] in idle}
@@ -533,7 +530,7 @@ def idle_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> 
 
 def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
     """Return whether nodes are zero as functions."""
-    if vanish(graph, nodes):
+    if not any(signatures(graph, nodes)):
         return True
     # Identities of angles are not seen modulo a prime.
     leaves = _leaves(graph, nodes)

@@ -24,7 +24,7 @@ from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
     difference_basis,
-    jacobian_rows,
+    jacobian,
     lower,
     operation_count,
     rounding_bounds,
@@ -57,7 +57,6 @@ from pydy._mechanics.generic import (
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import rate_of
 from pydy._mechanics.tuning import CANCELLED, NEARLY_DEPENDENT
-from pydy._program import evaluator
 from pydy._rank import HALF, is_zero
 
 _LOG = logging.getLogger("pydy")
@@ -251,7 +250,7 @@ def _agree(equations: Equations, formed: Formed) -> bool:
     numbers = states.by_symbol(inputs)
     own = formed.input_symbols(equations.time, (*equations.coordinates, *equations.speeds))
     nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
-    values_at = evaluator(formed.graph, nodes)
+    values_at = formed.graph.evaluator(nodes)
     ours = values_at({node: numbers[symbol] for node, symbol in own.items()}, 2)
     finite = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1)
     fit = states.closed(inputs, finite)
@@ -405,7 +404,7 @@ def _rows(states: GenericStates, name: str, nodes: list[int]) -> Block:
     """Split linear equations in the speeds into coefficients and constant terms."""
     g, speeds = states.graph, states.speeds
     cells: list[int] = []
-    rows = jacobian_rows(g, nodes, speeds)
+    rows = jacobian(g, nodes, speeds).dense()
     for node, slope in zip(nodes, rows, strict=True):
         terms = [(g.mul(c, s), -1.0) for c, s in zip(slope, speeds, strict=True)]
         cells += [*slope, g.sum([(node, 1.0), *terms])]

@@ -15,21 +15,12 @@ from typing import Any
 import numpy as np
 from sympy.core.function import AppliedUndef
 
-from pydy._graph import (
-    Graph,
-    SymPyReader,
-    dense_jacobian,
-    input_nodes,
-    jacobian,
-    per_unit,
-    rounding_bounds,
-)
+from pydy._graph import Graph, SymPyReader, jacobian, per_unit, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frame_tree import FrameTree, numbers_in_places
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import FULL_STEPS, OPEN
-from pydy._program import evaluator
 from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
 _STEPS = 50
@@ -67,7 +58,7 @@ class GenericStates:
         found = find_symbols((*expressions, *said, *turns)).keys() - known
         found |= {rate_of(s, t) for s in found if isinstance(s, AppliedUndef)}
         others = sort_symbols(found)
-        atoms = input_nodes(graph, x=states, r=others, t=[t])
+        atoms = graph.input_nodes(x=states, r=others, t=[t])
         self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]
         self._others, time = [atoms[s] for s in others], atoms[t]
         self.inputs = [*self.coordinates, *self.speeds, *self._others, time]
@@ -128,7 +119,7 @@ class GenericStates:
 
     def table(self, name: str, nodes: Sequence[int], variables: Sequence[int]) -> Block:
         """Return the block of a Jacobian."""
-        return name, (len(nodes), len(variables)), dense_jacobian(self.graph, nodes, variables)
+        return name, (len(nodes), len(variables)), jacobian(self.graph, nodes, variables).flat()
 
     def samples(
         self,
@@ -444,7 +435,7 @@ def evaluator_of(
     graph: Graph, blocks: Sequence[Block]
 ) -> Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], dict[str, np.ndarray]]:
     """Return a function that evaluates blocks of nodes at several states."""
-    nodes_at = evaluator(graph, [n for _, _, nodes in blocks for n in nodes])
+    nodes_at = graph.evaluator([n for _, _, nodes in blocks for n in nodes])
     ends = np.cumsum([len(nodes) for _, _, nodes in blocks])[:-1]
 
     def values(t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> dict[str, np.ndarray]:

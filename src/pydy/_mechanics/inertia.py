@@ -25,7 +25,7 @@ from typing import Any
 
 from sympy.physics.mechanics import Point
 
-from pydy._graph import signatures, vanish
+from pydy._graph import signatures
 from pydy._mechanics.alignment import hinge_axis
 from pydy._mechanics.components import flat, in_rows, transposed, unrounded
 from pydy._mechanics.kinematics import Kinematics, Vec
@@ -156,7 +156,7 @@ def inertia_seen(
         turned = transposed([kinematics.cross(relative, row) for row in tensor])
         both = map(kinematics.plus, turned, transposed(turned))
         change = [kinematics.plus(a, b) for a, b in zip(change, both, strict=True)]
-    if not vanish(kinematics.graph, flat(change)):
+    if any(signatures(kinematics.graph, flat(change))):
         return home, tensor, change
     while home in kinematics.tree.frame_depth:
         if (parent := kinematics.frames.parent(home)) is None:

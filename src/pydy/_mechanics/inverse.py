@@ -25,11 +25,9 @@ from pydy._graph import (
     NodeExpression,
     SymPyReader,
     jacobian,
-    jacobian_rows,
     operation_count,
     signatures,
     substitute,
-    transplanted,
 )
 from pydy._mechanics.elimination import composite, partials
 from pydy._mechanics.form import (
@@ -62,7 +60,7 @@ class Found(NamedTuple):
         g = self.graph
         inputs = [n for n in g.reachable(self.nodes) if g.ops[n] == "input"]
         names = {n: reader(self.symbols[n]) for n in inputs}
-        return transplanted(g, self.nodes, reader.graph, names)
+        return substitute(g, self.nodes, names, into=reader.graph)
 
 
 class BodyDynamics:
@@ -106,7 +104,7 @@ class BodyDynamics:
         kinematics, forces = _required(body)
         g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
         rows = kinematics.read.all(body.velocity) if bound or at is not None else []
-        slopes = jacobian_rows(g, rows, kinematics.speeds)
+        slopes = jacobian(g, rows, kinematics.speeds).dense()
         if at is not None:
             others = [k for k in range(n) if k not in at]
             held = [[row[k] for row in slopes] for k in others]
@@ -119,7 +117,7 @@ class BodyDynamics:
         if bound:
             unknown = [rates[k] for k in bound]
             residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
-            held = jacobian_rows(g, residuals, unknown)
+            held = jacobian(g, residuals, unknown).dense()
             drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
             solved = g.solve(held, [[g.neg(node) for node in drift]], "lu")[0]
             forces = substitute(g, forces, dict(zip(unknown, solved, strict=True)))
@@ -136,7 +134,7 @@ class BodyDynamics:
             inertias, loads, _ = lumped(kinematics)
             matrix, forcing = composite(kinematics, inertias, loads)
         g = kinematics.graph
-        moved = jacobian_rows(g, forcing, kinematics.accelerations)
+        moved = jacobian(g, forcing, kinematics.accelerations).dense()
         pairs = zip(matrix, moved, strict=True)
         cells = [g.sub(m, f) for row, part in pairs for m, f in zip(row, part, strict=True)]
         return self.in_symbols(kinematics, cells)
@@ -379,7 +377,7 @@ def _pulls(
             forces = [[g.sum([(n, 1.0) for n in x]) for x in zip(*left, strict=True)]] * bool(left)
         for force in forces:
             if by:
-                rows = jacobian_rows(g, force, by)
+                rows = jacobian(g, force, by).dense()
                 falls = [
                     [g.div(row[k], slope) for row in rows]
                     for k, slope in enumerate(slopes)

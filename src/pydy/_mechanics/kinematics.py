@@ -16,14 +16,7 @@ from typing import Any
 
 from sympy.physics.mechanics import Point
 
-from pydy._graph import (
-    Graph,
-    Row,
-    Rows,
-    input_nodes,
-    input_symbols,
-    signatures,
-)
+from pydy._graph import Graph, Rows, signatures
 from pydy._mechanics.components import flat, in_rows, transposed, turned, unrounded
 from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.frames import Frames
@@ -62,7 +55,7 @@ class Kinematics:
         g = self.graph = Graph()
         self.inertial = body.frame
         states = [*body.coordinates, *body.speeds]
-        atoms = input_nodes(g, x=states, t=[body.time])
+        atoms = g.input_nodes(x=states, t=[body.time])
         time = atoms[body.time]
         coordinates = self.coordinates = [atoms[s] for s in body.coordinates]
         self.speeds = [atoms[s] for s in body.speeds]
@@ -105,7 +98,7 @@ class Kinematics:
 
     # -- time -------------------------------------------------------------------------------------
 
-    def _rate_of_input(self, node: int) -> Row:
+    def _rate_of_input(self, node: int) -> dict[int, int]:
         group, index = self.graph.args[node]
         if group != "r":
             return {}
@@ -135,8 +128,8 @@ class Kinematics:
         """Return the symbol of each input node, except auxiliary speeds."""
         body, read, g = self.body, self.read, self.graph
         states = (*body.coordinates, *body.speeds)
-        return input_symbols(
-            g, t=[body.time], x=states, a=body.speed_rates, p=read.constants, r=read.specifieds
+        return g.input_symbols(
+            t=[body.time], x=states, a=body.speed_rates, p=read.constants, r=read.specifieds
         )
 
     # -- vectors ----------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from pydy._graph import Graph, Row, Rows, signatures
+from pydy._graph import Graph, Rows, signatures
 from pydy._mechanics.components import about, flat, transposed, turned
 from pydy._mechanics.tuning import SAME_DIRECTION
 
@@ -34,7 +34,7 @@ class Detours:
     """Anchors between two frames, behind each of the plane rotations from one to the other."""
 
     # Of anchors in the second frame, by those before the last rotation.
-    rows: dict[int, Row] = field(default_factory=dict)
+    rows: dict[int, dict[int, int]] = field(default_factory=dict)
     # The place of the first group that was handed on between two frames, and those between.
     stages: dict[tuple[Any, Any], tuple[int, list[Groups]]] = field(default_factory=dict)
 
@@ -73,7 +73,9 @@ class Detours:
             found.append(list(group))
         return found
 
-    def paying(self, graph: Graph, order: Sequence[list[int]], own: Mapping[int, Row]) -> set[int]:
+    def paying(
+        self, graph: Graph, order: Sequence[list[int]], own: Mapping[int, dict[int, int]]
+    ) -> set[int]:
         """Return the anchors whose form is to be handed on in planes, with three components.
 
         The form of the outermost bodies is constant, and mostly diagonal: not theirs.
@@ -90,7 +92,7 @@ class Detours:
 
 
 def split(
-    groups: Sequence[Sequence[int]], rows: Mapping[int, Row], turning: Collection[int]
+    groups: Sequence[Sequence[int]], rows: Mapping[int, dict[int, int]], turning: Collection[int]
 ) -> Groups:
     """Return groups with the components that turn apart from the one that does not."""
     found: Groups = []
@@ -196,7 +198,7 @@ class Turn:
         ]
 
 
-def turn_of(graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]) -> Turn | None:
+def turn_of(graph: Graph, rows: Mapping[int, dict[int, int]], pair: Sequence[int]) -> Turn | None:
     """Return how two anchors are two others, turned by an angle; None if they are not."""
     if len(pair) != 2:
         return None
@@ -213,7 +215,7 @@ def turn_of(graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]) -> Turn 
     return None
 
 
-def _by_an_angle(graph: Graph, row: Row) -> _Parts | None:
+def _by_an_angle(graph: Graph, row: dict[int, int]) -> _Parts | None:
     parts = {}
     for column, n in row.items():
         size, node = graph.scaled(n)
@@ -225,7 +227,7 @@ def _by_an_angle(graph: Graph, row: Row) -> _Parts | None:
     return (cosine, sine) if graph.args[cosine[2]] == graph.args[sine[2]] else None
 
 
-def _by_numbers(graph: Graph, row: Row) -> _Parts | None:
+def _by_numbers(graph: Graph, row: dict[int, int]) -> _Parts | None:
     numbers = [graph.value(n) for n in row.values()]
     if None in numbers or abs(sum(x * x for x in numbers if x is not None) - 1.0) > SAME_DIRECTION:
         return None
@@ -234,7 +236,7 @@ def _by_numbers(graph: Graph, row: Row) -> _Parts | None:
 
 
 def joined_turns(
-    graph: Graph, order: Sequence[list[int]], rows: Mapping[int, Row]
+    graph: Graph, order: Sequence[list[int]], rows: Mapping[int, dict[int, int]]
 ) -> list[list[int]]:
     """Return groups in which pairs that turn by one angle are together: a body's two velocities."""
     groups: list[list[int]] = []

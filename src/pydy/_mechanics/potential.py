@@ -27,7 +27,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
-from pydy._graph import Graph, dense_jacobian, rounding_bounds, sides, switches
+from pydy._graph import Branches, Graph, jacobian, rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.distance import beside_constants, may_depend_on
 from pydy._mechanics.equations import Equations, Mechanism
@@ -579,7 +579,7 @@ def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
     read = InputReader(graph, {}, ())
     nodes, held = read.all(expressions), orthogonality_residuals(turns, read)
     rows = [numbers_of(graph, nodes, held)]
-    for switch in switches(graph, nodes):
+    for switch in Branches(graph, nodes).switches():
         before = numbers_of(graph, [switch], held)[0, 0]
         for share in _BEYOND:
             row = graph.sum([(switch, 1.0)], -share * before)
@@ -721,7 +721,7 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # The rate may be finite where the energy is not: that of atan(x/√-l) holds no root.
     generic = list(states.samples([*blocks, ("energy", (), [energy])], _TRIALS))
     samples = [*generic]
-    turned = switches(states.graph, [energy, *lost])
+    turned = Branches(states.graph, [energy, *lost]).switches()
     # An integral of |sin(q)|, say, may hold for some turns alone.
     for far in _FAR if turned else ():
         near = dict.fromkeys(equations.coordinates, far)
@@ -736,7 +736,9 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # What acts on one side only, and at none of the states, has an energy that tells of sides.
     acting = np.any([sample["lost"] for sample in samples], axis=0).tolist()
     idle = [n for n, acts in zip(lost, acting, strict=True) if not acts]
-    return not switches(states.graph, idle) or bool(switches(states.graph, [energy]))
+    return not Branches(states.graph, idle).switches() or bool(
+        Branches(states.graph, [energy]).switches()
+    )
 
 
 def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
@@ -744,7 +746,7 @@ def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
     states = GenericStates(equations, (lagrangian, kinetic), "the energy")
     nodes = states.read.all((lagrangian, kinetic))
     shape = 2, len(states.speeds)
-    momenta = np.reshape(dense_jacobian(states.graph, nodes, states.speeds), shape).tolist()
+    momenta = np.reshape(jacobian(states.graph, nodes, states.speeds).flat(), shape).tolist()
     sums = [[a, states.graph.neg(b)] for a, b in zip(*momenta, strict=True)]
     samples = list(states.samples([_with_bounds(states, sums)], _TRIALS))
     return bool(samples) and all(_small(sample["pairs"], sums) for sample in samples)
@@ -768,7 +770,7 @@ def _small(pairs: np.ndarray, sums: Sequence[Sequence[int]]) -> bool:
 
 def _jumps(states: GenericStates, switch: int, energy: int) -> bool:
     """Return whether an energy jumps at a switch."""
-    above, below = sides(states.graph, [energy], switch)
+    above, below = Branches(states.graph, [energy]).sides(switch)
     step = states.graph.sub(*above, *below)
     block = [("step", (1,), [step])]
     samples = list(states.where(switch, block, _TRIALS))

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sm
 
 from pydy._checks import describe
-from pydy._graph import Graph, NodeExpression, SymPyReader, input_nodes, signatures
+from pydy._graph import Graph, NodeExpression, SymPyReader, signatures
 from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
 from pydy._modular import PRIME, inverse
@@ -72,7 +72,7 @@ def _solved(rows: list[Any], own: list[Any], argument: str) -> list[Any]:
         raise ValueError(f"`{argument}` must be linear in {describe(own)}, got {describe(rows)}.")
     rest = [-replace_symbols(row, dict.fromkeys(own, sm.S.Zero)) for row in rows]
     n, graph = len(own), Graph()
-    atoms = input_nodes(graph, p=sort_symbols(find_symbols([*entries, *rest])))
+    atoms = graph.input_nodes(p=sort_symbols(find_symbols([*entries, *rest])))
     read = SymPyReader(graph, atoms, f"`{argument}`")
     nodes = read.all(entries)
     cells, values = (
@@ -122,7 +122,7 @@ def divide_alike(values: Sequence[Any], others: Sequence[Any]) -> bool:
         for part in (values, others)
     ]
     graph, symbols = Graph(), sort_symbols(find_symbols([*divisors[0], *divisors[1]]))
-    read = SymPyReader(graph, input_nodes(graph, p=symbols), "`kd_eqs`")
+    read = SymPyReader(graph, graph.input_nodes(p=symbols), "`kd_eqs`")
     mine, theirs = map(read.all, divisors)
     found = signatures(graph, [*mine, *theirs, *map(graph.neg, theirs)])
     return set(found[: len(mine)]) <= set(found[len(mine) :])

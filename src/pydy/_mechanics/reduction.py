@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph import Graph, jacobian_rows, substitute
+from pydy._graph import Graph, jacobian, substitute
 from pydy._mechanics.acceleration_constraints import (
     AccelerationConstraints,
     solved_soundly,
@@ -36,7 +36,6 @@ from pydy._mechanics.tuning import (
     SOUND_PIVOT,
     SOUND_SHARE,
 )
-from pydy._program import evaluator
 
 # Of states, time, specifieds and constants: those differ from state to state too.
 _RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}
@@ -171,7 +170,7 @@ def _all_constraints(
         velocity, rows, drift = (*velocity, *body.redundant), [*rows, *more], [*drift, *pull]
     rates = [dt(row) for row in rows]
     places = read.all(body.position_constraints)
-    along = jacobian_rows(kinematics.graph, dt(places), kinematics.speeds)
+    along = jacobian(kinematics.graph, dt(places), kinematics.speeds).dense()
     d = len(body.velocity)
     pairs = list(zip(places, along, strict=True))
     return AccelerationConstraints(rows, drift, d, rates, read.all(velocity), pairs)
@@ -182,7 +181,7 @@ def _constraints(
 ) -> tuple[list[list[int]], list[int]]:
     """Return K and b of differentiated velocity constraints K u' + b = 0."""
     nodes = kinematics.read.all(velocity)
-    return jacobian_rows(kinematics.graph, nodes, kinematics.speeds), kinematics.dt(nodes)
+    return jacobian(kinematics.graph, nodes, kinematics.speeds).dense(), kinematics.dt(nodes)
 
 
 def _given_accelerations(
@@ -193,7 +192,7 @@ def _given_accelerations(
     if not body.acceleration:
         return None
     nodes = kinematics.read.all(body.acceleration)
-    table = jacobian_rows(g, nodes, kinematics.accelerations)
+    table = jacobian(g, nodes, kinematics.accelerations).dense()
     rest = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
     flat = [n for row in (*table, rest) for n in row]
     own = [n for row in (*rows, drift) for n in row]
@@ -377,6 +376,6 @@ def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
         return None
     rng = np.random.default_rng(0)
     at = {n: rng.uniform(*_RANGES[graph.args[n][0]], 512) for n in inputs}
-    values = evaluator(graph, nodes)(at, 512)
+    values = graph.evaluator(nodes)(at, 512)
     finite: np.ndarray = values[np.isfinite(values).all(axis=1)]
     return finite

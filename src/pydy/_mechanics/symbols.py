@@ -11,7 +11,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._graph import differentiated, is_unevaluated
+from pydy._graph import evaluated_derivative
 from pydy._names import written_out
 
 
@@ -54,8 +54,8 @@ def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
         if key in seen:
             continue
         seen[key] = expr
-        if is_unevaluated(expr):
-            stack.append(differentiated(expr))
+        if (derivative := evaluated_derivative(expr)) is not None:
+            stack.append(derivative)
         elif isinstance(expr, (AppliedUndef, sm.Derivative, sm.Symbol)):
             found[expr] = None
         else:
@@ -78,12 +78,11 @@ def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
         key = id(expr)
         if key in done:
             continue
-        if is_unevaluated(expr):
-            if ready:
-                done[key] = done[id(made[key])]
-            else:
-                made[key] = differentiated(expr)
-                stack += [(expr, True), (made[key], False)]
+        if ready and key in made:
+            done[key] = done[id(made[key])]
+        elif (derivative := evaluated_derivative(expr)) is not None:
+            made[key] = derivative
+            stack += [(expr, True), (derivative, False)]
         elif not expr.args or isinstance(expr, (AppliedUndef, sm.Derivative)):
             done[key] = mapping.get(expr, expr)
         elif ready:

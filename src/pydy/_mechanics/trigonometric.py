@@ -24,7 +24,7 @@ import sympy as sm
 from pydy._graph import Graph
 from pydy._mechanics.to_sympy import applied, exact
 from pydy._mechanics.tuning import READABLE
-from pydy._program import TRUTHS
+from pydy._program import OPERATIONS
 from pydy._rank import ROUNDED
 
 Powers = tuple[tuple[Any, int], ...]  # of angles or factors, none zero, in order
@@ -98,7 +98,7 @@ class Textbook:
             op, args = self.graph.ops[node], self.graph.args[node]
             if op == "bool":
                 self._truths[node] = sm.true if args[0] else sm.false
-            elif op in TRUTHS:
+            elif op in OPERATIONS.truths:
                 self._truths[node] = applied(op, self._operands(node))
             else:
                 self._found[node] = self._polynomial(node)

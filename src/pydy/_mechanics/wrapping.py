@@ -19,13 +19,12 @@ import numpy as np
 from sympy.physics.mechanics import Force
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import Graph, vanish
+from pydy._graph import Graph, signatures
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import moving
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import InputReader, is_reversed, warn_of_reversed, wrapped_force_pulls
-from pydy._program import evaluator
 from pydy._rank import HALF
 
 _STATES = 4
@@ -75,7 +74,7 @@ def _in_balance(vectors: Iterable[Any]) -> bool:
         except UnsupportedFunctionError:
             return False  # no pathway's
         sums[frame] = [graph.add(a, b) for a, b in zip(own, nodes, strict=True)]
-    return vanish(graph, flat([*sums.values()]))
+    return not any(signatures(graph, flat([*sums.values()])))
 
 
 def _is_negative(body: Multibody, loads: Sequence[Any]) -> bool:
@@ -91,7 +90,7 @@ def _is_negative(body: Multibody, loads: Sequence[Any]) -> bool:
     values = np.random.default_rng(0).uniform(0.5, 1.5, (len(inputs), _STATES))
     constant = [g.constant[n] for n in inputs]
     values[constant] = values[constant, :1]
-    found = evaluator(g, nodes)(dict(zip(inputs, values, strict=True)), _STATES)
+    found = g.evaluator(nodes)(dict(zip(inputs, values, strict=True)), _STATES)
     pulls, (squares, rates, powers) = found[:, :9].reshape(_STATES, 3, 3), found[:, 9:].T
     sizes = np.linalg.norm(pulls, axis=2)
     balanced = np.linalg.norm(pulls.sum(axis=1), axis=1) <= HALF * sizes.max(axis=1)

@@ -8,18 +8,9 @@ from typing import Any, Literal
 
 from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import Places, describe, typed
-from pydy._graph import (
-    Graph,
-    NodeExpression,
-    dense_jacobian,
-    directional,
-    jacobian,
-    jacobian_rows,
-    reach,
-    rounding_bounds,
-)
+from pydy._graph import Graph, NodeExpression, directional, jacobian, reach, rounding_bounds
 from pydy._mechanics import Equations
-from pydy._program import FLAT, Program
+from pydy._program import OPERATIONS, Program
 from pydy.solvers import (
     SOLVERS,
     CompiledConstraints,
@@ -141,7 +132,10 @@ def compile_events(
         sources=events,
         may_rest=tuple(
             not isinstance(event.expression, NodeExpression)  # contacts look at their own again
-            and ("r" in own or any(graph.ops[n] in FLAT for n in graph.reachable([node])))
+            and (
+                "r" in own
+                or any(graph.ops[n] in OPERATIONS.partly_constant for n in graph.reachable([node]))
+            )
             for event, node, own in zip(events, nodes, groups, strict=True)
         ),
     )
@@ -293,17 +287,17 @@ def projection_program(assembly: Assembly) -> Program:
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     coordinates = [graph.input("x", k) for k in range(first)]
-    gradient = jacobian_rows(graph, assembly.holonomic, coordinates)
+    gradient = jacobian(graph, assembly.holonomic, coordinates).dense()
     rates = assembly.rates[:first]
     for k in _separate(graph, gradient, assembly.following):
         rates[k] = graph.zero
-    kinematics = jacobian_rows(graph, rates, speeds)
+    kinematics = jacobian(graph, rates, speeds).dense()
     parts = {
         "holonomic": assembly.holonomic,
         "velocity": assembly.velocity,
         "gradient": [cell for row in gradient for cell in row],
         "kinematics": [cell for row in kinematics for cell in row],
-        "velocity_gradient": dense_jacobian(graph, assembly.velocity, speeds),
+        "velocity_gradient": jacobian(graph, assembly.velocity, speeds).flat(),
         "kinetic_hessian": assembly.kinetic_hessian,
     }
     return assembly.lowered(parts, bounded="holonomic")

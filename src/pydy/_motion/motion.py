@@ -17,7 +17,7 @@ from pydy.trajectory import EventRecord, Trajectory
 class EvaluationRecorder:
     """A right-hand side that records where a solver evaluated it.
 
-    Of its `jumps` by time each has a row, as in `pydy._graph.time_switches.SwitchTimes`.
+    Of its `jumps` by time each has a row, as in `pydy._program.switch_times.SwitchTimes`.
     """
 
     def __init__(self, f: Callable[..., Any], jumps: np.ndarray) -> None:

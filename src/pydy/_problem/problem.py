@@ -15,7 +15,7 @@ from pydy._assembly import Assembly, Assumptions, CompiledModel, Definition, err
 from pydy._checks import Places, describe, real_array, vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
-from pydy._graph import dense_jacobian, rounding_bounds
+from pydy._graph import jacobian, rounding_bounds
 from pydy._kernel import Inputs, Kernel
 from pydy._names import name_of
 from pydy._problem.definition import check_times
@@ -135,7 +135,7 @@ class _Residuals:
         unknowns = [graph.input("x", k) for k in self.places]
         return {
             "residuals": rows,
-            "slopes": dense_jacobian(graph, rows, unknowns),
+            "slopes": jacobian(graph, rows, unknowns).flat(),
             "bounds": rounding_bounds(graph, rows),
         }
 

@@ -9,11 +9,11 @@ import numpy as np
 from pydy._assembly import Assembly
 from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import Graph, input_symbols
+from pydy._graph import Graph
 from pydy._mechanics import written
 from pydy._names import numbers_of
 from pydy._problem.problem import At
-from pydy._program import OPERATIONS, evaluator
+from pydy._program import OPERATIONS
 
 _SCALARS = {"sum", "prod", "const", "input", *OPERATIONS}
 
@@ -28,7 +28,7 @@ def first_undefined(at: At, outputs: bool) -> str | None:
     graph = assembly.graph
     groups = {"x": at.x[0], "p": np.atleast_2d(at.p)[0], "r": at.r[0], "t": at.t[:1]}
     names = {"x": layout.states, "p": layout.constants, "r": layout.specifieds}
-    symbols = input_symbols(graph, t=[at.definition.equations.time], **names)
+    symbols = graph.input_symbols(t=[at.definition.equations.time], **names)
     for roots in (_unsolved(assembly), assembly.outputs if outputs else ()):
         nodes = [n for n in graph.reachable(roots, fallbacks=False) if graph.ops[n] in _SCALARS]
         inputs = {n: graph.args[n] for n in graph.inputs(nodes)}
@@ -36,7 +36,7 @@ def first_undefined(at: At, outputs: bool) -> str | None:
             continue  # what holds accelerations
         known = {n: groups[group][k] for n, (group, k) in inputs.items()}
         with np.errstate(all="ignore"):
-            values = dict(zip(nodes, evaluator(graph, nodes)(known, 1)[0], strict=True))
+            values = dict(zip(nodes, graph.evaluator(nodes)(known, 1)[0], strict=True))
         for node in nodes:
             if not np.isfinite(values[node]) and _defined(graph, node, values):
                 return _described(graph, node, values, symbols)

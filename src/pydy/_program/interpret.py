@@ -7,36 +7,35 @@ Nodes that are needed at a few samples once are evaluated as they are: lowering 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from inspect import getsource
+from typing import Any, Protocol
 
 import numpy as np
 
-from pydy._program.nodes import Nodes
 from pydy._program.operations import OPERATIONS, is_constrained, symmetric
-from pydy._program.program import Program
-from pydy._program.tuning import INDEPENDENT, REDUNDANT, SINGULAR
-
-Evaluator = Callable[[Mapping[int, Any], int], np.ndarray]
+from pydy._program.tuning import INDEPENDENT, REDUNDANT, SINGULAR, numbered
 
 
-def evaluator(graph: Nodes, nodes: Sequence[int]) -> Evaluator:
-    """Return a function that evaluates nodes of a graph at m samples.
+class Operations(Protocol):
+    """What has operations and their arguments: a Program, or the nodes of a graph."""
 
-    It takes a number or m numbers for each input node, and m. It returns an array of shape
-    (m, number of nodes).
-    """
-    order = graph.reachable(nodes)
+    @property
+    def ops(self) -> Sequence[str]: ...
+    @property
+    def args(self) -> Sequence[tuple[Any, ...]]: ...
 
-    def values_at(inputs: Mapping[int, Any], m: int) -> np.ndarray:
-        samples = _Samples(graph, inputs.__getitem__, m, {})
-        samples.evaluate(order, np.ones(m, dtype=bool))
-        return samples.columns(nodes)
 
-    return values_at
+class StraightLine(Operations, Protocol):
+    """Operations in the order in which they are executed: a Program."""
+
+    @property
+    def outputs(self) -> Sequence[int]: ...
+    @property
+    def fallback(self) -> Mapping[int, Sequence[int]]: ...
 
 
 def run(
-    program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    program: StraightLine, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Evaluate a Program at m samples: t (m,), x (m, n), r (m, s), and p (k,) or (m, k).
 
@@ -49,19 +48,19 @@ def run(
         group, index = program.args[node]
         return inputs[group][..., index]
 
-    samples = _Samples(program, leaf, len(t), program.fallback)
+    samples = SampleValues(program, leaf, len(t), program.fallback)
     put_off = {k for nodes in program.fallback.values() for k in nodes}
     order = (k for k in range(len(program.ops)) if k not in put_off)
     samples.evaluate(order, np.ones(len(t), dtype=bool))
     return samples.columns(program.outputs), samples.failed
 
 
-class _Samples:
+class SampleValues:
     """Values of operations at m samples; those for guards' fallbacks on demand."""
 
     def __init__(
         self,
-        nodes: Nodes | Program,
+        nodes: Operations,
         leaf: Callable[[int], Any],
         m: int,
         fallback: Mapping[int, Iterable[int]],
@@ -235,3 +234,8 @@ def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     for k, row in pivots.items():
         x[k] = b[row] / a[row, k]
     return np.where(np.isfinite(b).all(axis=0), x, np.nan)
+
+
+def solver_sources() -> dict[str, str]:
+    """Return the Python of `singular` and `constrained_sample` by name, with numbers for names."""
+    return {f.__name__: numbered(getsource(f)) for f in (singular, constrained_sample)}

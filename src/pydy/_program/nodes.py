@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from pydy._program.operations import SOLVES, operands
+import numpy as np
+
+from pydy._program.interpret import SampleValues
+from pydy._program.operations import OPERATIONS
+
+Evaluator = Callable[[Mapping[int, Any], int], np.ndarray]
 
 # Solves report failures, which only calls can do.
-_REPORTING = SOLVES | {"item"}
+_REPORTING = OPERATIONS.solves | {"item"}
 
 
 class Nodes:
@@ -27,7 +32,7 @@ class Nodes:
         Given `apart`, it is another one than without, unless it depends on constants alone.
         """
         key: tuple[Any, ...] = (op, args)
-        if apart is not None and not self._is_constant(op, args, operands(op, args)):
+        if apart is not None and not self._is_constant(op, args, OPERATIONS.operands(op, args)):
             key = (op, args, apart)
         node = self._known.get(key)
         if node is None:
@@ -35,7 +40,7 @@ class Nodes:
             self._known[key] = node
             self.ops.append(op)
             self.args.append(args)
-            needs = operands(op, args)
+            needs = OPERATIONS.operands(op, args)
             self._operands.append(needs)
             self.constant.append(self._is_constant(op, args, needs))
         return node
@@ -73,3 +78,18 @@ class Nodes:
             node = wanted.rfind(1, 0, node)
         order.reverse()
         return order
+
+    def evaluator(self, nodes: Sequence[int]) -> Evaluator:
+        """Return a function that evaluates nodes with NumPy at m samples.
+
+        It takes a number or m numbers for each input node, and m. It returns an array of shape
+        (m, number of nodes).
+        """
+        order = self.reachable(nodes)
+
+        def values_at(inputs: Mapping[int, Any], m: int) -> np.ndarray:
+            samples = SampleValues(self, inputs.__getitem__, m, {})
+            samples.evaluate(order, np.ones(m, dtype=bool))
+            return samples.columns(nodes)
+
+        return values_at

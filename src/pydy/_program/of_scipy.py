@@ -24,8 +24,10 @@ KNOWN: dict[str, str] = {}
 """The names of such operations so far, and what they stand for in messages."""
 
 
-class OfSciPy(Operation):
+class ScipyOperation(Operation):
     """An operation without code for compilers: whoever asks for it is told so."""
+
+    is_generated = True
 
     def __init__(self, name: str, arity: int, partials: Callable[..., Nodes] | None) -> None:
         code = name.removeprefix(_PREFIX)
@@ -34,7 +36,7 @@ class OfSciPy(Operation):
             object.__setattr__(self, field, value)
 
     def __repr__(self) -> str:
-        return f"OfSciPy({self.name!r})"
+        return f"ScipyOperation({self.name!r})"
 
     @property
     def c(self) -> str:
@@ -51,23 +53,31 @@ class OfSciPy(Operation):
         """There is no code but the name."""
         return ""
 
+    @staticmethod
+    def named(
+        code: str, arity: int, shown: str = "", partials: Callable[..., Nodes] | None = None
+    ) -> str:
+        """Return the name of the operation that some code stands for, and register it."""
+        name = _PREFIX + code
+        if name not in KNOWN or partials is not None:
+            register(ScipyOperation(name, arity, partials))
+            KNOWN[name] = shown or f"`{code}`"
+        return name
 
-def operation_of(
-    code: str, arity: int, shown: str = "", partials: Callable[..., Nodes] | None = None
-) -> str:
-    """Return the name of the operation that some code stands for, and register it."""
-    name = _PREFIX + code
-    if name not in KNOWN or partials is not None:
-        register(OfSciPy(name, arity, partials))
-        KNOWN[name] = shown or f"`{code}`"
-    return name
+    @staticmethod
+    def restore(ops: Iterable[str]) -> None:
+        """Register the operations of a Program that was made in another process."""
+        for name in {op for op in set(ops) if op.startswith(_PREFIX)} - KNOWN.keys():
+            code = name.removeprefix(_PREFIX)
+            ScipyOperation.named(
+                code, 1 + max(map(int, re.findall(r"\b_(\d+)\b", code)), default=-1)
+            )
 
-
-def remember(ops: Iterable[str]) -> None:
-    """Register the operations of a Program that was made in another process."""
-    for name in {op for op in set(ops) if op.startswith(_PREFIX)} - KNOWN.keys():
-        code = name.removeprefix(_PREFIX)
-        operation_of(code, 1 + max(map(int, re.findall(r"\b_(\d+)\b", code)), default=-1))
+    @staticmethod
+    def refuse(backend: Any, ops: Iterable[str]) -> None:
+        """Refuse functions of SciPy for a back end that does not take them."""
+        if KNOWN and not getattr(backend, "scipy", False) and (found := KNOWN.keys() & {*ops}):
+            raise refusal(found)
 
 
 def refusal(names: Iterable[str]) -> UnsupportedFunctionError:
@@ -80,12 +90,6 @@ def refusal(names: Iterable[str]) -> UnsupportedFunctionError:
         "or interpolate it over the range that occurs, `sympy.interpolating_spline(3, x, points, "
         "values)`."
     )
-
-
-def check(backend: Any, ops: Iterable[str]) -> None:
-    """Refuse functions of SciPy for a back end that does not take them."""
-    if KNOWN and not getattr(backend, "scipy", False) and (found := KNOWN.keys() & {*ops}):
-        raise refusal(found)
 
 
 def _no_partials(code: str) -> Callable[..., Nodes]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -47,6 +47,8 @@ class Operation:
     # that depends on the operands' values alone.
     modular: Callable[..., int] | None = None
     sympy: str = ""  # the name of the SymPy class with the same arguments
+    # Whether its code was generated from an expression (`pydy._program.of_scipy`).
+    is_generated: ClassVar[bool] = False
 
     @property
     def written(self) -> str:
@@ -54,28 +56,53 @@ class Operation:
         return f"{self.c} {self.llvm}"
 
 
-OPERATIONS: dict[str, Operation] = {}
-TRUTHS: set[str] = {"bool"}
-"""The operations whose result is a truth value."""
-ANGLES = ("sin", "cos")
-SOLVES = frozenset({"factor", "solve", "guard"})
-"""What solves linear systems: vectors, of which there are items."""
-"""Computed as a pair, and for several angles together."""
-_SYMPY: dict[str, str] = {}
+class OperationTable(dict[str, Operation]):
+    """The rows by their names, and which operations belong together."""
+
+    solves = frozenset({"factor", "solve", "guard"})
+    """What solves linear systems: vectors, of which there are items."""
+    angles = ("sin", "cos")
+    """Computed as a pair, and for several angles together."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.truths = {"bool"}
+        """The operations whose result is a truth value."""
+        self.partly_constant: frozenset[str] = frozenset()
+        """Operations by which an expression may be constant on an interval and vary elsewhere."""
+        self._of_sympy: dict[str, str] = {}
+
+    def add(self, row: Operation) -> None:
+        """Add an operation, or replace the one of the same name."""
+        self[row.name] = row
+        if row.truth:
+            self.truths.add(row.name)
+        if row.sympy:
+            self._of_sympy[row.sympy] = row.name
+
+    def named_in_sympy(self, name: str) -> str | None:
+        """Return the operation that a SymPy class of this name stands for."""
+        return self._of_sympy.get(name)
+
+    def are_shipped(self) -> bool:
+        """Return whether all rows are those of the package, generated ones aside."""
+        return {name: row for name, row in self.items() if not row.is_generated} == SHIPPED
+
+    @staticmethod
+    def operands(op: str, args: Args) -> Nodes:
+        """Return the nodes that an operation refers to, in order."""
+        structure = _STRUCTURES.get(op)
+        return args if structure is None else structure[0](args)
+
+    @staticmethod
+    def with_operands(op: str, args: Args, new: Mapping[int, int]) -> Args:
+        """Return an operation's arguments with its operands looked up in `new`."""
+        structure = _STRUCTURES.get(op)
+        return _all(args, new) if structure is None else structure[1](args, new)
 
 
-def register(row: Operation) -> None:
-    """Add an operation, or replace the one of the same name."""
-    OPERATIONS[row.name] = row
-    if row.truth:
-        TRUTHS.add(row.name)
-    if row.sympy:
-        _SYMPY[row.sympy] = row.name
-
-
-def named_in_sympy(name: str) -> str | None:
-    """Return the operation that a SymPy class of this name stands for."""
-    return _SYMPY.get(name)
+OPERATIONS = OperationTable()
+register = OPERATIONS.add
 
 
 # -- rules of simplification ----------------------------------------------------------------------
@@ -311,10 +338,9 @@ def _leaf(args: Args, new: Mapping[int, int]) -> Args:
     return args
 
 
-FLAT = frozenset({"abs", "min", "max"}) | {
+OPERATIONS.partly_constant = frozenset({"abs", "min", "max"}) | {
     name for name, row in OPERATIONS.items() if row.partials is None and name != "neg"
 }
-"""The operations with which an expression may be constant on a stretch and move elsewhere."""
 
 # For each kind: its operands, in order, and its arguments with other operands.
 _STRUCTURES: dict[str, tuple[Callable[[Args], Nodes], Renamed]] = {
@@ -339,16 +365,15 @@ _STRUCTURES: dict[str, tuple[Callable[[Args], Nodes], Renamed]] = {
 }
 
 
-def is_symmetric(n: int, entries: Sequence[int]) -> bool:
-    """Return whether a matrix of n rows holds the same nodes on both sides of its diagonal."""
-    rows = range(n)
-    return all(entries[i * n : i * n + i + 1] == entries[i : i * n + i + 1 : n] for i in rows)
-
-
 def symmetric(n: int, entries: Sequence[int]) -> list[int]:
     """Return the matrix that the lower triangle stands for, whatever the upper one holds."""
     rows = ((entries[i * n : i * n + i], entries[i * n + i :: n]) for i in range(n))
     return [entry for before, below in rows for entry in (*before, *below)]
+
+
+def constraint_mark(*, independent: bool) -> float:
+    """Return what marks a constraint on the diagonal of a system; see `is_constrained`."""
+    return INDEPENDENT if independent else REDUNDANT
 
 
 def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
@@ -359,15 +384,3 @@ def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
     """
     marks = (INDEPENDENT,), (REDUNDANT,)
     return bool(entries) and nodes.ops[entries[-1]] == "const" and nodes.args[entries[-1]] in marks
-
-
-def operands(op: str, args: Args) -> Nodes:
-    """Return the nodes that an operation refers to, in order."""
-    structure = _STRUCTURES.get(op)
-    return args if structure is None else structure[0](args)
-
-
-def with_operands(op: str, args: Args, new: Mapping[int, int]) -> Args:
-    """Return an operation's arguments with its operands looked up in `new`."""
-    structure = _STRUCTURES.get(op)
-    return _all(args, new) if structure is None else structure[1](args, new)

@@ -31,18 +31,21 @@ from typing import TYPE_CHECKING, Any
 
 from pydy._forks import cached_property
 from pydy._program.nodes import Nodes
-from pydy._program.operations import ANGLES, OPERATIONS, SOLVES, operands, with_operands
+from pydy._program.operations import OPERATIONS
 
 if TYPE_CHECKING:
     import numpy as np
 
-FREE = SOLVES | {"const", "bool", "input", "item"}
-# What back ends read or compute in groups.
-NEVER_PUT_OFF = (FREE - {"guard", "item"}) | set(ANGLES)
+FREE = OPERATIONS.solves | {"const", "bool", "input", "item"}
+# Operations that must not be moved into a guard's fallback: back ends read or compute them in
+# groups.
+_NEVER_DEFERRED = (FREE - {"guard", "item"}) | set(OPERATIONS.angles)
 
 
 class Tape(Nodes):
     """Elementary operations, in the making of a Program."""
+
+    never_deferred = _NEVER_DEFERRED
 
     def __init__(self) -> None:
         super().__init__()
@@ -54,7 +57,7 @@ class Tape(Nodes):
 
     def make(self, op: str, *args: object) -> int:
         """Return the node for `op` on `args`."""
-        if self.behind is None or op in NEVER_PUT_OFF:
+        if self.behind is None or op in _NEVER_DEFERRED:
             node = self.node(op, args)
             if self.called:
                 self._every.add(node)
@@ -181,14 +184,14 @@ class Program:
         order = _in_order_of_need(tape, roots)
         new = {old: k for k, old in enumerate(order)}
         ops = tuple(tape.ops[n] for n in order)
-        args = tuple(with_operands(tape.ops[n], tape.args[n], new) for n in order)
+        args = tuple(OPERATIONS.with_operands(tape.ops[n], tape.args[n], new) for n in order)
         setup = tuple(tape.constant[n] for n in order)
         outputs = tuple(new[n] for n in roots)
         needed = {
             k
             for op, a, s in zip(ops, args, setup, strict=True)
             if not s
-            for k in operands(op, a)
+            for k in OPERATIONS.operands(op, a)
             if setup[k]
         }
         needed.update(k for k in outputs if setup[k])
@@ -263,7 +266,7 @@ class Program:
             if self.setup[node] or node not in user:
                 continue
             op, args = self.ops[node], self.args[node]
-            if user[node] != hot and op in NEVER_PUT_OFF:
+            if user[node] != hot and op in _NEVER_DEFERRED:
                 user[node] = hot
             own = user[node]
             if own != hot:
@@ -272,7 +275,7 @@ class Program:
                 needs = [(k, own) for k in (args[3], *args[4])]
                 needs += [(k, node) for k in dict.fromkeys((*args[1], *args[2]))]
             else:
-                needs = [(k, own) for k in operands(op, args)]
+                needs = [(k, own) for k in OPERATIONS.operands(op, args)]
             for other, who in needs:
                 user[other] = common(user.get(other, who), who)
         return {guard: nodes[::-1] for guard, nodes in found.items()}
@@ -286,7 +289,9 @@ class Program:
         for node in reversed(range(len(self.ops))):
             if wanted[node]:
                 op, args = self.ops[node], self.args[node]
-                for other in (args[3], *args[4]) if op == "guard" else operands(op, args):
+                for other in (
+                    (args[3], *args[4]) if op == "guard" else OPERATIONS.operands(op, args)
+                ):
                     wanted[other] = 1
         return frozenset(node for node, flag in enumerate(wanted) if flag)
 
@@ -350,7 +355,7 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
             _, entries, column, sound, fast = args
             needs: Sequence[int] = (*column[::-1], sound, *fast, *entries)
         else:
-            needs = operands(op, args)
+            needs = OPERATIONS.operands(op, args)
             if op in ("add", "sub") and levels[needs[1]] > levels[needs[0]] + 2:
                 needs = needs[::-1]
         stack.extend(n for n in reversed(needs) if n not in done)
@@ -365,7 +370,7 @@ def _levels(tape: Tape) -> list[int]:
             levels.append(0)
         else:
             own = op in ("add", "sub", "mul", "div")
-            levels.append(own + max((levels[n] for n in operands(op, args)), default=0))
+            levels.append(own + max((levels[n] for n in OPERATIONS.operands(op, args)), default=0))
     return levels
 
 
@@ -375,15 +380,17 @@ def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
     stack = list(roots)
     while stack:
         node = stack.pop()
-        for other in operands(tape.ops[node], tape.args[node]):
+        for other in OPERATIONS.operands(tape.ops[node], tape.args[node]):
             if other not in seen:
                 seen.add(other)
                 stack.append(other)
     depth: dict[int, int] = {}
     levels: dict[int, list[int]] = {}
     for node in sorted(seen):
-        inner = max((depth[k] for k in operands(tape.ops[node], tape.args[node])), default=0)
-        if tape.ops[node] in ANGLES:
+        inner = max(
+            (depth[k] for k in OPERATIONS.operands(tape.ops[node], tape.args[node])), default=0
+        )
+        if tape.ops[node] in OPERATIONS.angles:
             levels.setdefault(inner, []).append(node)
             inner += 1
         depth[node] = inner

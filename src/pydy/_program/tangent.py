@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._program.operations import TRUTHS, with_operands
+from pydy._program.operations import OPERATIONS
 from pydy._program.program import Block, Program, Tape
 
 _MARK = b"tangent"
@@ -180,8 +180,10 @@ def _copied(tape: Tape, program: Program, given: Mapping[tuple[str, int], int]) 
         elif op in ("add", "sub", "mul", "div", "neg"):
             new[k] = getattr(tape, op)(*(new[n] for n in args))
         else:
-            new[k] = tape.make(op, *with_operands(op, args, new))
+            new[k] = tape.make(op, *OPERATIONS.with_operands(op, args, new))
     tape.behind, tape.called = None, True
     one, zero = tape.const(1.0), tape.const(0.0)
     nodes = [new[k] for k in program.outputs]
-    return [tape.make("select", k, one, zero) if tape.ops[k] in TRUTHS else k for k in nodes]
+    return [
+        tape.make("select", k, one, zero) if tape.ops[k] in OPERATIONS.truths else k for k in nodes
+    ]

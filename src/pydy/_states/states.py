@@ -11,7 +11,7 @@ import numpy as np
 from pydy._assembly import Assembly, Definition
 from pydy._checks import Places
 from pydy._forks import cached_property
-from pydy._graph import dense_jacobian, sizes_of_terms
+from pydy._graph import jacobian, sizes_of_terms
 from pydy._kernel import Kernel
 from pydy._mechanics import BodyDynamics
 from pydy._problem import At, Problem
@@ -238,7 +238,7 @@ def _kinematics(assembly: Assembly) -> dict[str, list[int]]:
     """Return the derivatives of the coordinates' rates by the speeds."""
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1] if speeds else 0
-    return {"kinematics": dense_jacobian(graph, assembly.rates[:first], speeds)}
+    return {"kinematics": jacobian(graph, assembly.rates[:first], speeds).flat()}
 
 
 def _masses(assembly: Assembly) -> dict[str, list[int]]:
@@ -278,7 +278,7 @@ def _arguments(assembly: Assembly) -> dict[str, list[int]]:
         for kind, size in zip("xrp", assembly.sizes, strict=True)
         for k in range(size)
     ]
-    return {"slopes": dense_jacobian(g, inner, inputs)}
+    return {"slopes": jacobian(g, inner, inputs).flat()}
 
 
 def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:

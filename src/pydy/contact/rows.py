@@ -21,8 +21,7 @@ from pydy._forks import cached_property
 from pydy._graph import (
     Graph,
     SymPyReader,
-    dense_jacobian,
-    jacobian_rows,
+    jacobian,
     lower,
     rounding_bounds,
     sizes_of_terms,
@@ -31,7 +30,6 @@ from pydy._graph import (
 )
 from pydy._kernel import Kernel
 from pydy._mechanics import Equations, Formed, dot, find_symbols
-from pydy._program import evaluator
 from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact, InfeasibleError
 from pydy.contact.smooth import Switched, switched
@@ -187,7 +185,7 @@ class ContactRows:
         self.speeds, self.gaps = read.all(speeds), gaps
         rates = read.all([s.diff(e.time) for s in speeds])
         self.drift = substitute(g, rates, dict.fromkeys(du, g.zero))
-        self.jacobian = jacobian_rows(g, self.speeds, u)
+        self.jacobian = jacobian(g, self.speeds, u).dense()
         for row, c in zip(self.jacobian, self._owners(), strict=True):
             if all(n == g.zero for n in row):
                 raise ValueError(f"The contact {c.name!r} moves with no speed of the system.")
@@ -290,8 +288,8 @@ class ContactRows:
             "terms": ((k,), self._terms()),
             "square": ((k, k), square),
             "moves": ((u, k), [moved[j] for j in range(u) for moved in self.moves]),
-            "kinematics": ((q, u), dense_jacobian(g, self.formed.rates, by_u)),
-            "gradient": ((c, q), dense_jacobian(g, self.gaps, by_q)),
+            "kinematics": ((q, u), jacobian(g, self.formed.rates, by_u).flat()),
+            "gradient": ((c, q), jacobian(g, self.gaps, by_q).flat()),
             "normal": ((c,), self.pressed),
             "restitution": ((c,), self.restitution),
             "mu": ((c,), self.mu),
@@ -333,8 +331,8 @@ class ContactRows:
                 vectors = [c.stick.velocity(frame), *c.stick.along]
                 in_states = e.kinematics.in_states
                 nodes = read.all([in_states(x) for v in vectors for x in v.to_matrix(frame)])
-                rows = [*self.jacobian[normal], *dense_jacobian(g, nodes[:3], u), *nodes[3:]]
-                found[i] = evaluator(g, rows)
+                rows = [*self.jacobian[normal], *jacobian(g, nodes[:3], u).flat(), *nodes[3:]]
+                found[i] = g.evaluator(rows)
         return found
 
     @cached_property
@@ -352,7 +350,7 @@ class ContactRows:
                 turned = (gap.xreplace({f: f + n * sm.pi}) for n in (0, 2, -2))
                 in_states = self.equations.kinematics.in_states
                 nodes = read.all([in_states(part) for part in (*f.args, *turned)])
-                found.setdefault(i, []).append((f, evaluator(read.graph, nodes)))
+                found.setdefault(i, []).append((f, read.graph.evaluator(nodes)))
         return found
 
     def check_directions(self, closed: Iterable[int], values: dict[Any, float]) -> None:

@@ -27,7 +27,6 @@ from pydy._integration import AugmentedSystem, SensitivityRequest, simulate
 from pydy._motion import Motion, Segment
 from pydy._names import column_names
 from pydy._problem import Problem
-from pydy._program import evaluator
 from pydy._rank import DEPENDENT, ROUNDING
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow, Phase
@@ -76,7 +75,7 @@ class Transitions:
             )
         along = {node: g.input("along", k) for k, node in enumerate(places)}
         slopes = directional(g, nodes, {node: {0: unit} for node, unit in along.items()})
-        found = evaluator(g, [row.get(0, g.zero) for row in slopes])
+        found = g.evaluator([row.get(0, g.zero) for row in slopes])
         return parts, found, {along[node]: symbol for node, symbol in places.items()}
 
     def slopes(self, values: Mapping[Any, float]) -> dict[str, np.ndarray]:

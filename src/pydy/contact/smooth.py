@@ -16,9 +16,8 @@ import sympy as sm
 from sympy.core.relational import Relational
 
 from pydy._checks import shown
-from pydy._graph import Graph, SymPyReader, dense_jacobian, rounding_bounds, substitute
+from pydy._graph import Graph, SymPyReader, jacobian, rounding_bounds, substitute
 from pydy._mechanics import find_symbols, replace_symbols
-from pydy._program import evaluator
 from pydy._rank import ROUNDING
 from pydy.contact.tuning import DRAWS, WITHIN
 
@@ -153,7 +152,7 @@ class Switched:
         for switch, left, right, sides in self._surfaces():
             nodes = read.all(_apart(*sides))
             if self.slopes:
-                a, b = (dense_jacobian(g, [node], by) for node in nodes)
+                a, b = (jacobian(g, [node], by).flat() for node in nodes)
                 nodes += [n for pair in zip(a, b, strict=True) for n in pair]
             for place in _places(left, right, self.moving):
                 where = [self._known(v) if v.is_number else read(v) for v in place.values()]
@@ -163,7 +162,7 @@ class Switched:
                         where.append(g.call(_BOUNDED[f.func], node))
                 there = substitute(g, nodes, onto)
                 every = [*there, *rounding_bounds(g, there), *where]
-                self.kept.append((switch, len(nodes), evaluator(g, every)))
+                self.kept.append((switch, len(nodes), g.evaluator(every)))
 
     def _known(self, value: Any) -> int:
         """Return an input in place of a number, so that rounding bounds include it."""

@@ -22,16 +22,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._errors import warn_user
-from pydy._graph import (
-    Graph,
-    SymPyReader,
-    dense_jacobian,
-    rounding_bounds,
-    sides,
-    substitute,
-    switches,
-)
-from pydy._program import evaluator
+from pydy._graph import Branches, Graph, SymPyReader, jacobian, rounding_bounds, substitute
 from pydy._rank import HALF, ROUNDING
 from pydy.control.transcription import TranscribedProblem
 from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS
@@ -74,7 +65,7 @@ class _Surfaces:
         m = len(X)
         inputs = {self.graph.input("x", k): column for k, column in enumerate(X.T)}
         inputs |= {node: np.resize(row, m) for node, row in self.known.items()}
-        return evaluator(self.graph, nodes)(inputs, m)
+        return self.graph.evaluator(nodes)(inputs, m)
 
     def starts(self) -> tuple[np.ndarray, np.ndarray]:
         """Return points within the bounds, and the sizes of their entries, (m, n) each."""
@@ -102,7 +93,7 @@ class _Surfaces:
         graph, n = self.graph, len(self.ranges)
         low, high = (np.array([getattr(r, side) for r in self.ranges]) for side in ("low", "high"))
         by = [graph.input("x", k) for k in range(n)]
-        nodes = [switch, *rounding_bounds(graph, [switch]), *dense_jacobian(graph, [switch], by)]
+        nodes = [switch, *rounding_bounds(graph, [switch]), *jacobian(graph, [switch], by).flat()]
         weights = sizes**2
         with np.errstate(all="ignore"):  # points that do not arrive may go anywhere
             for _ in range(SURFACE_STEPS):
@@ -134,10 +125,10 @@ def jumps_of(
     graph: Graph, node: int, ranges: Sequence[Range], known: Mapping[int, np.ndarray]
 ) -> Iterator[Jump]:
     """Yield where a node jumps as inputs ``('x', k)`` move within their ranges."""
-    found = [s for s in switches(graph, [node], whole=True) if "x" in graph.inputs_of([s])]
+    found = [s for s in Branches(graph, [node]).switches(whole=True) if "x" in graph.inputs_of([s])]
     surfaces = _Surfaces(graph, ranges, known)
     for switch in found:
-        (above,), (below,) = sides(graph, [node], switch)
+        (above,), (below,) = Branches(graph, [node]).sides(switch)
         if above == below:
             continue
         starts = [surfaces.starts()]
@@ -179,9 +170,9 @@ def _place(
 
 def _switches_at(graph: Graph, node: int, switch: int) -> bool:
     """Return whether a node has two branches at a switch."""
-    if switch not in switches(graph, [node], whole=True):
+    if switch not in Branches(graph, [node]).switches(whole=True):
         return False
-    above, below = sides(graph, [node], switch)
+    above, below = Branches(graph, [node]).sides(switch)
     return above != below
 
 
@@ -240,7 +231,7 @@ class Expressions:
         p, graph = self.problem, self.problem.equations.graph.copy()
         every = [(p.running, "`objective`"), *((c.expression, "`path`") for c in p.path)]
         nodes = [n for e, what in every for n in self._read(graph, e, what, False)]
-        return bool(switches(graph, nodes, whole=True))
+        return bool(Branches(graph, nodes).switches(whole=True))
 
     def crossing(self, expression: Any, what: str, found: Any, active: np.ndarray) -> str:
         """Return what to say of the first jump of an expression of the path along a motion, or ''.
@@ -256,7 +247,7 @@ class Expressions:
                 X = self._along(found)
             surfaces = _Surfaces(graph, ranges, known)
             value = surfaces.values([jump.node], X)[:, 0]
-            (above,), (below,) = sides(graph, [node], jump.node)
+            (above,), (below,) = Branches(graph, [node]).sides(jump.node)
             step = graph.sub(above, below)
             steps, bounds = surfaces.values([step, *rounding_bounds(graph, [step])], X).T
             apart = np.abs(steps) > ON_SURFACE**2 * ROUNDING * bounds

@@ -44,7 +44,7 @@ from pydy._graph import (
     substitute,
 )
 from pydy._kernel import Kernel
-from pydy._program import Program, with_operands
+from pydy._program import OPERATIONS, Program
 from pydy._rank import DIGITS
 from pydy.control.tuning import KEPT
 
@@ -283,7 +283,7 @@ class Point:
         g = self.graph
         order = g.reachable(roots)
         new = {old: k for k, old in enumerate(order)}
-        nodes = [(g.ops[n], with_operands(g.ops[n], g.args[n], new)) for n in order]
+        nodes = [(g.ops[n], OPERATIONS.with_operands(g.ops[n], g.args[n], new)) for n in order]
         sizes = (len(self._variables), len(self._data), self.constants, *outputs)
         # Version 2 of the format writes every object in full: equal content gives equal bytes.
         content = (nodes, [new[n] for n in roots], sizes, hessian)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
-from inspect import getsource
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -15,15 +14,13 @@ from pydy._checks import Check, checked, file_of, flag, instance, one_of
 from pydy._files import write_files
 from pydy._names import nearest
 from pydy._program import (
+    OPERATIONS,
     Operation,
     Program,
     Tape,
-    constrained_sample,
     is_constrained,
     numbered,
-    operands,
-    singular,
-    with_operands,
+    solver_sources,
 )
 from pydy._version import __version__
 from pydy.export.c import c_header, c_model_source, with_c_names
@@ -134,7 +131,7 @@ def _refuse_redundant(program: Program) -> None:
         seen.add(node)
         op, args = program.ops[node], program.args[node]
         if op != "guard":
-            todo += operands(op, args)
+            todo += OPERATIONS.operands(op, args)
             continue
         _, entries, column, sound, fast = args
         never = program.ops[sound] == "bool" and not program.args[sound][0]
@@ -158,6 +155,7 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         names += ["events", "resets"]
     for name in names if target == "casadi" else ():
         _refuse_redundant(model.program(name))
+    sources = solver_sources()
     parts = {
         "HEAD": "\n".join(_harmless(line) for line in head),
         "STATES": _dictionary(model.states),
@@ -166,8 +164,8 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         "OUTPUTS": repr(tuple(v.identifier for v in model.outputs)),
         "NAMES": repr(model.renamed),
         "ARGUMENTS": re.sub(r"\bnp\b", _ALIASES.get(target, ""), resource("arguments.py.txt")),
-        "PIVOTS": numbered(getsource(singular)),
-        "CONSTRAINED": numbered(getsource(constrained_sample)),
+        "PIVOTS": sources["singular"],
+        "CONSTRAINED": sources["constrained_sample"],
         "FUNCTIONS": "\n\n".join(
             python_function(
                 with_safe_branches(model.program(n)) if target == "jax" else model.program(n),
@@ -215,7 +213,7 @@ def with_safe_branches(program: Program) -> Program:
     under: dict[int, frozenset[tuple[int, bool]]] = dict.fromkeys(program.outputs, frozenset())
     for node in reversed(range(len(program.ops))):
         op, args, own = program.ops[node], program.args[node], under[node]
-        for place, k in enumerate(operands(op, args)):
+        for place, k in enumerate(OPERATIONS.operands(op, args)):
             way = own | {(args[0], place == 1)} if op == "select" and place else own
             under[k] = under[k] & way if k in under else way
     tape, new = Tape(), dict[int, int]()
@@ -224,12 +222,15 @@ def with_safe_branches(program: Program) -> Program:
         node = stack[-1]
         op, args = program.ops[node], program.args[node]
         safe = _SAFE.get(op, {}) if under[node] else {}
-        needs = [*operands(op, args), *(which for which, _ in sorted(under[node]) if safe)]
+        needs = [
+            *OPERATIONS.operands(op, args),
+            *(which for which, _ in sorted(under[node]) if safe),
+        ]
         if node in new or new.keys() >= set(needs):
             stack.pop()
             if node in new:
                 continue
-            ends = list(with_operands(op, args, new))
+            ends = list(OPERATIONS.with_operands(op, args, new))
             for place, value in safe.items():
                 for which, taken in sorted(under[node]):
                     ways = (ends[place], tape.const(value))

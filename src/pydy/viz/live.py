@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import Places, choice, number, positive, refuse_twice, shown, text
-from pydy._graph import Graph, SymPyReader, input_nodes, lower, simplify
+from pydy._graph import Graph, SymPyReader, lower, simplify
 from pydy._names import label_parts, name_of, nearest, some
 from pydy._program import Program, run
 from pydy._rank import ROUNDED, or_one
@@ -388,7 +388,7 @@ def _start(
     """Return the Program of the initial conditions that sliders of the user's own set."""
     graph = Graph()
     constants = [*system.constants, *(symbol for symbol, _, _ in own)]
-    atoms = input_nodes(graph, p=constants, x=system.states)
+    atoms = graph.input_nodes(p=constants, x=system.states)
     places = Places(system.states, "states of the system")
     reader = SymPyReader(graph, atoms, "`sets` of a slider")
     nodes, targets = [], []
@@ -418,7 +418,7 @@ def _sizes(
     The constants have these `numbers` at the start.
     """
     graph = Graph()
-    atoms = input_nodes(graph, p=system.constants)
+    atoms = graph.input_nodes(p=system.constants)
     reader = SymPyReader(graph, atoms, "the shapes")
     nodes, places = [], []
     for k, item in enumerate(items):

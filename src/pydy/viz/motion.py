@@ -27,7 +27,7 @@ from pydy._checks import (
     typed,
 )
 from pydy._collector import collector_paused
-from pydy._graph import Graph, SymPyReader, input_nodes, lower, simplify
+from pydy._graph import Graph, SymPyReader, lower, simplify
 from pydy._mechanics import dot, find_symbols
 from pydy._names import name_of
 from pydy._program import Program
@@ -108,8 +108,8 @@ class _Poses:
         self.geometry = geometry
         self.names = names
         self.graph = graph = Graph()
-        atoms = input_nodes(
-            graph, p=names.constants, r=names.specifieds, x=names.states, t=[names.time]
+        atoms = graph.input_nodes(
+            p=names.constants, r=names.specifieds, x=names.states, t=[names.time]
         )
         # A trajectory from a file has names in the place of symbols.
         self.by_name = {s: node for s, node in atoms.items() if isinstance(s, str)}

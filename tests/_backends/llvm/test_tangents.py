@@ -15,7 +15,7 @@ from graphs import on_tape
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compile_program
 from pydy._graph.columns import Columns
-from pydy._graph.derivative import dense_jacobian
+from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
 from pydy._graph.tangent import jacobian_tangent
 from pydy._program.interpret import run
@@ -152,7 +152,7 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     assert "atan" not in made.operation_count["run"]
     x, p = states(n)
     arguments = np.zeros(19), x, np.empty((19, 0)), p
-    cells = dense_jacobian(graph, nodes, [graph.input(*place) for place in places])
+    cells = jacobian(graph, nodes, [graph.input(*place) for place in places]).flat()
     expected, _ = run(on_tape(graph, cells, sizes), *arguments)
     # The others write all columns out, and C is written for any size alike.
     for generator in ("llvm", "lambdify", *(["cython"] if n == 3 else [])):
@@ -176,7 +176,7 @@ def test_derivatives_by_a_definite_matrix_take_nothing_but_its_elimination():
     x, p = states(9)
     arguments = np.zeros(19), x, np.empty((19, 0)), p
     found, failed = LLVMBackend().compile(made).evaluate(*arguments)
-    expected, _ = run(on_tape(graph, dense_jacobian(graph, plain, by), sizes), *arguments)
+    expected, _ = run(on_tape(graph, jacobian(graph, plain, by).flat(), sizes), *arguments)
     assert not failed.any()
     np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-11)
     x[4, :9] = -p[0]  # of an odd number of rows

@@ -16,15 +16,7 @@ from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_together
 from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import SPARSE, TEMPORARY
-from pydy._program import (
-    ANGLES,
-    OPERATIONS,
-    TRUTHS,
-    Program,
-    is_constrained,
-    is_symmetric,
-    operands,
-)
+from pydy._program import OPERATIONS, Program, is_constrained, symmetric
 
 # -- Linear solves as part of a stage: matrices for fallbacks, the guards, and their solutions -----
 
@@ -60,7 +52,7 @@ def mask(f: Function, flags: str, lanes: int) -> str:
 def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
     """List the entries that a guard's fallback needs: of a symmetric matrix the lower triangle."""
     lower = list(chain.from_iterable(entries[i * n : i * n + i + 1] for i in range(n)))
-    return lower if n > 1 and is_symmetric(n, entries) else list(entries)
+    return lower if n > 1 and (symmetric(n, entries) == list(entries)) else list(entries)
 
 
 class Solves:
@@ -418,7 +410,7 @@ class Emitter:
         """Read a value of the setup stage, unless it is known or none."""
         if node not in self.carried or node in self.names:
             return
-        if self.program.ops[node] in TRUTHS:
+        if self.program.ops[node] in OPERATIONS.truths:
             number = self.f.load(self.v, "%c", str(self.carried[node]))
             zero = literal(0.0, self.lanes)
             self.names.fix(node, self.f.let(f"fcmp une {self.v} {number}, {zero}"))
@@ -431,7 +423,7 @@ class Emitter:
             if self.names.lies_at(node, pointer, index):
                 continue
             value = self.names[node]
-            if self.program.ops[node] in TRUTHS:
+            if self.program.ops[node] in OPERATIONS.truths:
                 value = self._as_number(node, value)
             elif until == -1 or until >= self.names.last_use(node):
                 self.names.home(node, pointer, index)
@@ -439,7 +431,7 @@ class Emitter:
 
     def _as_number(self, node: int, value: str) -> str:
         """Return a value as it is written to memory, a truth as 0 or 1."""
-        if self.program.ops[node] not in TRUTHS:
+        if self.program.ops[node] not in OPERATIONS.truths:
             return value
         return self.f.let(f"uitofp {self.b} {value} to {self.v}")
 
@@ -469,7 +461,7 @@ class Emitter:
         self.names.leave(node)
 
     def _carried_by(self, node: int) -> None:
-        for other in operands(self.program.ops[node], self.program.args[node]):
+        for other in OPERATIONS.operands(self.program.ops[node], self.program.args[node]):
             if other in self.swallowed:
                 self._carried_by(other)
             elif other not in self.put_off:
@@ -577,7 +569,7 @@ class Emitter:
         waiting = dict.fromkeys(
             program.args[k][0]
             for k in range(node, len(program.ops))
-            if program.ops[k] in ANGLES and program.setup[k] == program.setup[node]
+            if program.ops[k] in OPERATIONS.angles and program.setup[k] == program.setup[node]
         )
         ready = [k for k in waiting if k in self.names and k not in self.angles]
         if self.lanes > 1:

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from pydy._backends.llvm.ir import Function
-from pydy._program import Program, operands
+from pydy._program import OPERATIONS, Program
 
 Place = str | tuple[str, int]
 
@@ -146,7 +146,7 @@ def readers(
 
     def read(node: int, reader: int) -> None:
         op, args = program.ops[node], program.args[node]
-        needs = operands(op, args)
+        needs = OPERATIONS.operands(op, args)
         if op == "guard":
             needs = (*args[2], args[3], *args[4]) if wanted is None else (args[3], *args[4])
         for other in needs:
@@ -172,7 +172,9 @@ def fusion(program: Program) -> tuple[set[int], set[int]]:
     any level of its effort.
     """
     uses = Counter(
-        k for op, a in zip(program.ops, program.args, strict=True) for k in operands(op, a)
+        k
+        for op, a in zip(program.ops, program.args, strict=True)
+        for k in OPERATIONS.operands(op, a)
     )
     uses.update(program.outputs)
     uses.update(program.carried)

@@ -23,14 +23,9 @@ from pydy._backends.llvm.text import (
     pieces,
     tangent_text,
 )
-from pydy._backends.tuning import (
-    LARGE,
-    MOST_WITHOUT_FALLBACKS,
-    SHORT,
-    TEMPORARY,
-)
+from pydy._backends.tuning import LARGE, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
 from pydy._collector import collector_paused
-from pydy._program import ANGLES, SOLVES, Program, Tangent
+from pydy._program import OPERATIONS, Program, Tangent
 
 
 @dataclass(frozen=True)
@@ -93,7 +88,7 @@ def _source(
 
 def routines_of(program: Program | Tangent, lanes: int, fallbacks: bool = True) -> list[jit.Code]:
     """Return the shared routines that a Program's code calls."""
-    kinds = ("angles", {*ANGLES}), ("solve", SOLVES)
+    kinds = ("angles", {*OPERATIONS.angles}), ("solve", OPERATIONS.solves)
     parts = [(_called(one, fallbacks), own) for one, own in pieces(program, lanes)]
     called = {(kind, own) for kind, ops in kinds for found, own in parts if ops & found}
     return [_shared_routines(*call) for call in sorted(called)]

@@ -11,12 +11,7 @@ from enum import Enum
 
 import numpy as np
 
-from pydy._backends.llvm.emit import (
-    BRANCH_WEIGHTS,
-    Emitter,
-    called,
-    solver_declarations,
-)
+from pydy._backends.llvm.emit import BRANCH_WEIGHTS, Emitter, called, solver_declarations
 from pydy._backends.llvm.ir import (
     HEAP_DECLARATIONS,
     MALLOC,
@@ -29,7 +24,7 @@ from pydy._backends.llvm.ir import (
 from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.targets import target
-from pydy._program import ANGLES, SOLVES, Part, Program, Tangent
+from pydy._program import OPERATIONS, Part, Program, Tangent
 
 
 class Fallbacks(Enum):
@@ -83,7 +78,7 @@ def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
     return "\n".join([*head, "", body])
 
 
-_LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in ANGLES)
+_LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in OPERATIONS.angles)
 
 
 def _arithmetic_declarations(widths: Iterable[int]) -> str:
@@ -101,9 +96,9 @@ def _declarations(program: Program, lanes: int) -> str:
         f"declare double @{name}({', '.join(['double'] * arity)}) nounwind willreturn memory(none)"
         for name, arity in called(program, "libm").items()
     ]
-    if SOLVES & set(program.ops):
+    if OPERATIONS.solves & set(program.ops):
         lines.append(solver_declarations(lanes))
-    packs = WIDTHS if lanes == 1 and set(ANGLES) & set(program.ops) else (lanes,)
+    packs = WIDTHS if lanes == 1 and set(OPERATIONS.angles) & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
     for name, arity in called(program, "intrinsic").items():
         if name != "fabs":

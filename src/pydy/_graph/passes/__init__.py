@@ -45,6 +45,11 @@ def rewriting() -> frozenset[str]:
     return frozenset(names()) - {"ldl", "lu"}
 
 
+def passes_are_shipped() -> bool:
+    """Return whether all passes are those of the package, none a user's."""
+    return all(f.__module__.startswith("pydy.") for _, f in (*ONCE, *ROUND))
+
+
 def register(name: str, function: Pass, after: str = "merge") -> None:
     """Add a pass; it runs in each round, after the one named `after`."""
     names = [known for known, _ in ROUND]

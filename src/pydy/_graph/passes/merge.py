@@ -14,7 +14,7 @@ from pydy._graph.node import Graph
 from pydy._graph.passes.expand import is_exact
 from pydy._graph.rewrite import again, replaced
 from pydy._modular import PRIME
-from pydy._program import ANGLES, SOLVES
+from pydy._program import OPERATIONS
 
 
 def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
@@ -35,7 +35,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         value = values[node]
         group = best.setdefault(min(value, PRIME - value), [])
         stand_in[node] = node
-        if graph.ops[node] in SOLVES or graph.ops[node] == "bool":
+        if graph.ops[node] in OPERATIONS.solves or graph.ops[node] == "bool":
             continue
         for other in group:
             if poles[other] <= poles[node] and not _is_rougher(graph, other, node):
@@ -68,7 +68,7 @@ def _with_candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
         op, args = graph.ops[node], graph.args[node]
         if op == "prod":
             found.update((graph.powi(n, -1), None) for n, e in args if e < 0)
-        elif op in ANGLES:
+        elif op in OPERATIONS.angles:
             angles.setdefault(args[0], []).append(node)
     both = [node for pair in angles.values() if len(pair) == 2 for node in pair]
     found.update((graph.powi(node, 2), None) for node in both)
