@@ -14,7 +14,7 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._program.of_scipy import KNOWN
+from pydy._program.of_scipy import DESCRIPTIONS
 from pydy._program.operations import OPERATIONS, Operation, register
 
 
@@ -113,7 +113,7 @@ def test_every_row_has_what_back_ends_need():
 
     for name, row in OPERATIONS.items():
         assert row.name == name
-        if name in KNOWN:  # functions of SciPy that other tests have read
+        if name in DESCRIPTIONS:  # functions of SciPy that other tests have read
             continue
         assert hasattr(Emitter, f"_{row.llvm.partition(' ')[0]}")
         assert row.c.format(*"abc"[: row.arity]) != row.c

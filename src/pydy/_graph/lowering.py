@@ -73,7 +73,7 @@ class _Lowering:
         fixed = [n for n in order if graph.constant[n] or graph.ops[n] in Tape.never_deferred]
         self.hot = hot.union(graph.reachable(fixed, fallbacks=False))
         for node in order:
-            self.tape.called = node in self.hot
+            self.tape.in_every_call = node in self.hot
             self.new[node] = self._node(node)
         return (
             self.tape,
@@ -120,15 +120,15 @@ class _Lowering:
     def _fallback(self, guard: int) -> None:
         """Lower again the operations of a guard's fallback, except function calls."""
         tape, graph = self.tape, self.graph
-        if not tape.called:
+        if not tape.in_every_call:
             return
         _, entries, column, *_ = graph.args[guard]
         own = [n for n in graph.reachable((*entries, *column)) if n not in self.hot]
         if not self.put_off.isdisjoint(own):
-            tape.called, tape.behind = False, guard
+            tape.in_every_call, tape.guard_of_fallback = False, guard
             for node in own:
                 self.new[node] = self._node(node)
-            tape.called, tape.behind = True, None
+            tape.in_every_call, tape.guard_of_fallback = True, None
         self.put_off.update(own)
 
     # -- sums -------------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ class Graph(Nodes):
         """Return a graph with the same nodes, which grows on its own."""
         other = Graph.__new__(Graph)
         other.ops, other.args = self.ops.copy(), self.args.copy()
-        other.constant, other._known = self.constant.copy(), self._known.copy()
+        other.constant, other._node_of = self.constant.copy(), self._node_of.copy()
         other._operands, other._counted = self._operands.copy(), self._counted.copy()
         other.zero, other.one, other.off = self.zero, self.one, self.off
         return other
@@ -61,12 +61,12 @@ class Graph(Nodes):
         other = self.copy()
         nodes = {}
         for old, new in names.items():
-            node = other._known.pop(("input", old), None)
+            node = other._node_of.pop(("input", old), None)
             if node is not None:
                 nodes[node] = new
         for node, new in nodes.items():
             other.args[node] = new
-            other._known["input", new] = node
+            other._node_of["input", new] = node
         return other
 
     make = Nodes.node

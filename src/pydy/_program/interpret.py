@@ -1,7 +1,7 @@
 """Evaluate a Program, or nodes of a graph, with NumPy, one operation at a time over all samples.
 
 This is the reference that compiled code is compared with, and the 'lambdify' generator's engine.
-Nodes that are needed at a few samples once are evaluated as they are: lowering takes longer.
+Nodes that are needed once, at a few samples, are evaluated without lowering, which takes longer.
 """
 
 from __future__ import annotations
@@ -49,8 +49,8 @@ def run(
         return inputs[group][..., index]
 
     samples = SampleValues(program, leaf, len(t), program.fallback)
-    put_off = {k for nodes in program.fallback.values() for k in nodes}
-    order = (k for k in range(len(program.ops)) if k not in put_off)
+    deferred = {k for nodes in program.fallback.values() for k in nodes}
+    order = (k for k in range(len(program.ops)) if k not in deferred)
     samples.evaluate(order, np.ones(len(t), dtype=bool))
     return samples.columns(program.outputs), samples.failed
 
@@ -89,10 +89,10 @@ class SampleValues:
                 total = total + values[n] * c
             return total
         if op == "prod":
-            whole = 1.0
+            product = 1.0
             for n, e in args:
-                whole = whole * (values[n] if e == 1 else np.power(values[n], float(e)))
-            return whole
+                product = product * (values[n] if e == 1 else np.power(values[n], float(e)))
+            return product
         if op == "input":
             return self.leaf(node)
         if op in ("const", "bool"):
@@ -108,18 +108,18 @@ class SampleValues:
         return self._guarded(node, at)
 
     def _guarded(self, guard: int, at: np.ndarray) -> np.ndarray:
-        """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
+        """Return the unrolled solution where its pivots are sound, else solve with pivoting."""
         n, entries, column, sound, fast = self.nodes.args[guard]
-        found = self.columns(fast) if fast else np.full((self.m, len(column)), np.nan)
+        solutions = self.columns(fast) if fast else np.full((self.m, len(column)), np.nan)
         weak = at & ~np.broadcast_to(self.values[sound], self.m)
         if weak.any():
             self.evaluate(self.fallback.get(guard, ()), weak)
             matrix = self.columns(entries).reshape(self.m, n, n)[weak]
             bad = np.zeros(len(matrix), dtype=bool)
             solve = constrained if is_constrained(self.nodes, entries) else solved
-            found[weak] = solve(matrix, self.columns(column)[weak], bad)
+            solutions[weak] = solve(matrix, self.columns(column)[weak], bad)
             self.failed[weak] |= bad
-        return found
+        return solutions
 
 
 def stacked(columns: Sequence[Any], m: int) -> np.ndarray:
@@ -147,15 +147,15 @@ def solved(matrix: np.ndarray, columns: np.ndarray, failed: np.ndarray) -> np.nd
     if good.all():
         x[:] = np.linalg.solve(matrix, right).swapaxes(1, 2).reshape(columns.shape)
         return x
-    found = np.linalg.solve(matrix[good], right[good])
-    x[good] = found.swapaxes(1, 2).reshape(len(found), columns.shape[1])
+    solutions = np.linalg.solve(matrix[good], right[good])
+    x[good] = solutions.swapaxes(1, 2).reshape(len(solutions), columns.shape[1])
     x[~good] = np.nan
     failed |= bad
     return x
 
 
 def singular(matrix: np.ndarray) -> np.ndarray:
-    """Tell which of the stacked matrices have a pivot below n·eps in the equilibrated sense."""
+    """Return which of the stacked matrices have a pivot below n·eps in the equilibrated sense."""
     n = matrix.shape[-1]
     magnitude = np.abs(matrix)
     rows = magnitude.max(axis=2, keepdims=True)
@@ -177,12 +177,13 @@ def singular(matrix: np.ndarray) -> np.ndarray:
 def constrained(matrix: np.ndarray, columns: np.ndarray, failed: np.ndarray) -> np.ndarray:
     """Solve M x − Aᵀ λ = f, A x = b sample by sample, whatever the rank of A; see `solved`.
 
-    Gauss and Jordan's elimination. The first pivots are the largest entries of A, columns in units
-    of equal energy, and each eliminates a multiplier too. Rows of A are in units of their rounding
-    errors: what is below n of them is zero, its multiplier too. The others are on the diagonal of
-    what is then left of M. No M⁻¹ comes in, so that no condition is squared.
+    Gauss-Jordan elimination. The first pivots are the largest entries of A, with columns scaled to
+    equal energy, and each eliminates a multiplier too. Rows of A are in units of their rounding
+    errors: entries below n are zero, and so is the row's multiplier. The remaining pivots are on
+    the diagonal of the reduced M. No M⁻¹ is formed, so that no condition number is squared.
 
-    The last rows, marked on the diagonal, are those of A; so many are independent as are marked so.
+    The last rows, marked on the diagonal, are those of A. At most as many are independent as are
+    marked `INDEPENDENT`.
     """
     x = np.empty_like(columns)
     for k, (a, b) in enumerate(zip(matrix, columns, strict=True)):
@@ -194,18 +195,18 @@ def constrained(matrix: np.ndarray, columns: np.ndarray, failed: np.ndarray) -> 
 def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Solve one of the systems of `constrained`, in place of columns b; NaN if M is singular."""
     n = first = len(b)
-    left = 0
+    num_independent = 0
     if not np.isfinite(a).all():
         return np.full(b.shape, np.nan)
     while first and a[first - 1, first - 1] in (INDEPENDENT, REDUNDANT):
         first -= 1
-        left += a[first, first] == INDEPENDENT
+        num_independent += a[first, first] == INDEPENDENT
         a[first, first] = 0.0
     largest = np.abs(a[first:, :first]).max(axis=0, initial=0.0)
     massless = 1.0 / (SINGULAR * np.where(largest > 0.0, largest, 1.0))
     mass = a.diagonal()[:first].copy()
     scales = np.where(mass > 0.0, 1.0 / np.sqrt(np.where(mass > 0.0, mass, 1.0)), massless)
-    free, left_over = np.ones(first, dtype=bool), np.ones(n - first, dtype=bool)
+    free, unused_rows = np.ones(first, dtype=bool), np.ones(n - first, dtype=bool)
     pivots: dict[int, int] = {}
 
     def eliminate(row: int, column: int) -> None:
@@ -216,17 +217,17 @@ def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
         pivots[column] = row
 
     while free.any():
-        sizes = np.abs(a[first:, :first]) * (scales * free) * left_over[:, None]
+        sizes = np.abs(a[first:, :first]) * (scales * free) * unused_rows[:, None]
         i, j = divmod(int(sizes.argmax()), first) if sizes.size else (0, 0)
-        if left and sizes.size and sizes[i, j] > n:
+        if num_independent and sizes.size and sizes[i, j] > n:
             eliminate(first + i, j)
             eliminate(j, first + i)
-            left_over[i], left = False, left - 1
+            unused_rows[i], num_independent = False, num_independent - 1
         else:
-            left = 0
-            own = np.abs(a.diagonal()[:first]) * scales**2 * free
-            j = int(own.argmax())
-            if not own[j] > n * SINGULAR:
+            num_independent = 0
+            diagonal = np.abs(a.diagonal()[:first]) * scales**2 * free
+            j = int(diagonal.argmax())
+            if not diagonal[j] > n * SINGULAR:
                 return np.full(b.shape, np.nan)
             eliminate(j, j)
         free[j] = False

@@ -24,20 +24,21 @@ class Nodes:
         self.args: list[tuple[Any, ...]] = []  # its operands, and what else it takes
         self.constant: list[bool] = []  # whether it depends on inputs 'p' and numbers alone
         self._operands: list[tuple[int, ...]] = []
-        self._known: dict[tuple[Any, ...], int] = {}
+        self._node_of: dict[tuple[Any, ...], int] = {}
 
-    def node(self, op: str, args: tuple[Any, ...], apart: int | None = None) -> int:
+    def node(self, op: str, args: tuple[Any, ...], guard: int | None = None) -> int:
         """Return the node for `op` on `args` as they are, without any rewriting.
 
-        Given `apart`, it is another one than without, unless it depends on constants alone.
+        With a `guard`, the node is private to the fallback of that guard, unless it depends on
+        constants alone.
         """
         key: tuple[Any, ...] = (op, args)
-        if apart is not None and not self._is_constant(op, args, OPERATIONS.operands(op, args)):
-            key = (op, args, apart)
-        node = self._known.get(key)
+        if guard is not None and not self._is_constant(op, args, OPERATIONS.operands(op, args)):
+            key = (op, args, guard)
+        node = self._node_of.get(key)
         if node is None:
             node = len(self.ops)
-            self._known[key] = node
+            self._node_of[key] = node
             self.ops.append(op)
             self.args.append(args)
             needs = OPERATIONS.operands(op, args)
@@ -57,25 +58,26 @@ class Nodes:
     def reachable(self, roots: Iterable[int], *, fallbacks: bool = True) -> list[int]:
         """Return every node the roots need, in topological (ascending) order.
 
-        Without `fallbacks`, systems that guards fall back to do not count; those always solved do.
+        Without `fallbacks`, the systems that guards fall back to are left out, but not those that
+        are always solved.
         """
         ops, needs = self.ops, self._operands
-        never = self._known.get(("bool", (False,)))
-        wanted = bytearray(len(needs))
+        never = self._node_of.get(("bool", (False,)))
+        needed = bytearray(len(needs))
         for node in roots:
-            wanted[node] = 1
+            needed[node] = 1
         order = []
-        # From the last: what a node refers to stands before it.
-        node = wanted.rfind(1)
+        # Backwards: operands stand before the nodes that refer to them.
+        node = needed.rfind(1)
         while node >= 0:
             order.append(node)
             operands = needs[node]
             if not fallbacks and ops[node] == "guard" and self.args[node][3] != never:
                 sound, fast = self.args[node][3:]
                 operands = (sound, *fast)
-            for other in operands:
-                wanted[other] = 1
-            node = wanted.rfind(1, 0, node)
+            for operand in operands:
+                needed[operand] = 1
+            node = needed.rfind(1, 0, node)
         order.reverse()
         return order
 

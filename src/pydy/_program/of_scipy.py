@@ -1,9 +1,9 @@
 """Functions that only SciPy computes, such as gamma or an integral, as operations.
 
-They are made where they are read (`pydy._graph.from_sympy`). The name of such an operation holds
-its code, which SymPy's printer for SciPy has written, with the operands `_0`, `_1`, … in it: in
-another process it is made again from its name. Only NumPy's back end evaluates them, sample by
-sample.
+They are made when an expression is read (`pydy._graph.from_sympy`). The name of such an operation
+contains its code, as SymPy's printer for SciPy writes it, with the operands `_0`, `_1`, …, so that
+another process can make the operation from its name. Only NumPy's back end evaluates them, sample
+by sample.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from pydy._names import few
 from pydy._program.operations import Nodes, Operation, register
 
 _PREFIX = "scipy "
-KNOWN: dict[str, str] = {}
-"""The names of such operations so far, and what they stand for in messages."""
+DESCRIPTIONS: dict[str, str] = {}
+"""The names of the operations made so far, and their text in messages."""
 
 
 class ScipyOperation(Operation):
-    """An operation without code for compilers: whoever asks for it is told so."""
+    """An operation without code for compilers; asking for its code raises an error."""
 
     is_generated = True
 
     def __init__(self, name: str, arity: int, partials: Callable[..., Nodes] | None) -> None:
         code = name.removeprefix(_PREFIX)
-        own = {"name": name, "arity": arity, "numpy": _evaluator(code, arity)}
-        for field, value in {**own, "partials": partials or _no_partials(code)}.items():
+        fields = {"name": name, "arity": arity, "numpy": _evaluator(code, arity)}
+        for field, value in {**fields, "partials": partials or _no_partials(code)}.items():
             object.__setattr__(self, field, value)
 
     def __repr__(self) -> str:
@@ -55,19 +55,19 @@ class ScipyOperation(Operation):
 
     @staticmethod
     def named(
-        code: str, arity: int, shown: str = "", partials: Callable[..., Nodes] | None = None
+        code: str, arity: int, description: str = "", partials: Callable[..., Nodes] | None = None
     ) -> str:
         """Return the name of the operation that some code stands for, and register it."""
         name = _PREFIX + code
-        if name not in KNOWN or partials is not None:
+        if name not in DESCRIPTIONS or partials is not None:
             register(ScipyOperation(name, arity, partials))
-            KNOWN[name] = shown or f"`{code}`"
+            DESCRIPTIONS[name] = description or f"`{code}`"
         return name
 
     @staticmethod
     def restore(ops: Iterable[str]) -> None:
         """Register the operations of a Program that was made in another process."""
-        for name in {op for op in set(ops) if op.startswith(_PREFIX)} - KNOWN.keys():
+        for name in {op for op in set(ops) if op.startswith(_PREFIX)} - DESCRIPTIONS.keys():
             code = name.removeprefix(_PREFIX)
             ScipyOperation.named(
                 code, 1 + max(map(int, re.findall(r"\b_(\d+)\b", code)), default=-1)
@@ -76,14 +76,18 @@ class ScipyOperation(Operation):
     @staticmethod
     def refuse(backend: Any, ops: Iterable[str]) -> None:
         """Refuse functions of SciPy for a back end that does not take them."""
-        if KNOWN and not getattr(backend, "scipy", False) and (found := KNOWN.keys() & {*ops}):
-            raise refusal(found)
+        if (
+            DESCRIPTIONS
+            and not getattr(backend, "scipy", False)
+            and (refused := DESCRIPTIONS.keys() & {*ops})
+        ):
+            raise refusal(refused)
 
 
 def refusal(names: Iterable[str]) -> UnsupportedFunctionError:
     """Return the error for a back end that takes no functions of SciPy."""
     return UnsupportedFunctionError(
-        f"The expressions hold {few(sorted({KNOWN[name] for name in names}))}, which only SciPy "
+        f"The expressions hold {few(sorted({DESCRIPTIONS[n] for n in names}))}, which only SciPy "
         "computes. The generator 'lambdify' takes that, and is slower: "
         "system.generate_ode_function(generator='lambdify'). Compiled code does not, nor do "
         "exports, contacts, ensembles and optimal control: rewrite it with elementary functions, "
@@ -109,8 +113,8 @@ def _evaluator(code: str, arity: int) -> Callable[..., Any]:
     function = eval(f"lambda {operands}: {code}", modules)
 
     def real(*values: Any) -> float:
-        found = complex(function(*map(float, values)))
-        return found.real if found.imag == 0.0 else float("nan")
+        value = complex(function(*map(float, values)))
+        return value.real if value.imag == 0.0 else float("nan")
 
     if not arity:
         return lambda: real()

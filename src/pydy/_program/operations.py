@@ -1,8 +1,8 @@
-"""The table of operations: all that the package knows of each, in one row.
+"""The table of operations: one row has all facts of an operation.
 
 Differentiation, evaluation with NumPy, values modulo a prime, C and LLVM code are made from these
-rows. To add an operation is to `register` one more. What has other arguments than nodes (sums with
-coefficients, powers, linear solves) is in a second table, which says where the nodes are.
+rows. `register` adds an operation. Operations with other arguments than nodes (sums with
+coefficients, powers, linear solves) are in a second table, which says where the nodes are.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ class OperationTable(dict[str, Operation]):
     def with_operands(op: str, args: Args, new: Mapping[int, int]) -> Args:
         """Return an operation's arguments with its operands looked up in `new`."""
         structure = _STRUCTURES.get(op)
-        return _all(args, new) if structure is None else structure[1](args, new)
+        return _renamed(args, new) if structure is None else structure[1](args, new)
 
 
 OPERATIONS = OperationTable()
@@ -116,19 +116,19 @@ def _not(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     return None if values[0] is None else int(g.boolean(not values[0]))
 
 
-def _joined(op: str) -> Callable[[Any, Nodes, Sequence[Any]], int | None]:
+def _rule_of_and_or(op: str) -> Callable[[Any, Nodes, Sequence[Any]], int | None]:
     """Return the rule of ``and`` or ``or``, which take any number of operands here."""
     neutral = op == "and"
 
     def rule(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
         if any(v is (not neutral) for v in values):
             return int(g.boolean(not neutral))
-        rest = tuple(dict.fromkeys(n for n, v in zip(nodes, values, strict=True) if v is None))
-        if not rest:
+        unknown = tuple(dict.fromkeys(n for n, v in zip(nodes, values, strict=True) if v is None))
+        if not unknown:
             return int(g.boolean(neutral))
-        node = rest[0]
-        for other in rest[1:]:
-            node = g.make(op, (node, other))
+        node = unknown[0]
+        for operand in unknown[1:]:
+            node = g.make(op, (node, operand))
         return node
 
     return rule
@@ -148,11 +148,11 @@ def _root(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     if c < 0.0 or all(-2 < e < 2 for _, e in factors):
         return None
     halves = [(m, int(e / 2)) for m, e in factors]
-    left = [(m, e % 2 if e > 0 else -(-e % 2)) for m, e in factors]
-    odd = [m for m, e in left if e]
-    # What is left alone under a root is not negative.
+    remaining = [(m, e % 2 if e > 0 else -(-e % 2)) for m, e in factors]
+    odd = [m for m, e in remaining if e]
+    # A factor that stays alone under a root is not negative.
     out = g.product([(m, e) for m, e in halves if [m] != odd])
-    root = g.call("sqrt", g.product(left))
+    root = g.call("sqrt", g.product(remaining))
     return int(
         g.product(
             [(g.call("abs", out), 1), *((m, e) for m, e in halves if [m] == odd), (root, 1)],
@@ -161,7 +161,7 @@ def _root(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     )
 
 
-def _kept(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+def _rule_of_kept(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     return nodes[0] if values[0] is not None or g.ops[nodes[0]] == "kept" else None
 
 
@@ -194,8 +194,10 @@ def _chosen(first: Callable[[Any, int, int], int]) -> Callable[..., Nodes]:
     """Return the derivatives of a function that is one of its two operands."""
 
     def partials(g: Any, n: int, a: int, b: int) -> Nodes:
-        which = first(g, a, b)
-        return g.call("select", which, g.one, g.zero), g.call("select", which, g.zero, g.one)
+        takes_first = first(g, a, b)
+        return g.call("select", takes_first, g.one, g.zero), g.call(
+            "select", takes_first, g.zero, g.one
+        )
 
     return partials
 
@@ -208,15 +210,15 @@ _ERF, _ERFC = (np.vectorize(f, otypes=[float]) for f in (math.erf, math.erfc))
 
 
 def _function(
-    name: str, numpy: Callable[..., Any], llvm: str, partials: Any = None, **more: Any
+    name: str, numpy: Callable[..., Any], llvm: str, partials: Any = None, **fields: Any
 ) -> None:
     """Register a function of one operand."""
-    c = more.pop("c", name)
-    register(Operation(name, 1, numpy, f"{c}({{0}})", llvm, partials, **more))
+    c = fields.pop("c", name)
+    register(Operation(name, 1, numpy, f"{c}({{0}})", llvm, partials, **fields))
 
 
-def _infix(name: str, numpy: Callable[..., Any], c: str, llvm: str, **more: Any) -> None:
-    register(Operation(name, 2, numpy, f"{{0}} {c} {{1}}", llvm, **more))
+def _infix(name: str, numpy: Callable[..., Any], c: str, llvm: str, **fields: Any) -> None:
+    register(Operation(name, 2, numpy, f"{{0}} {c} {{1}}", llvm, **fields))
 
 
 # Graphs hold sums and products, which Programs write out with these.
@@ -305,19 +307,21 @@ _infix("lt", np.less, "<", "comparison olt", truth=True, sympy="StrictLessThan")
 _infix("le", np.less_equal, "<=", "comparison ole", truth=True, sympy="LessThan")
 _infix("eq", np.equal, "==", "comparison oeq", truth=True, sympy="Equality")
 _infix("ne", np.not_equal, "!=", "comparison une", truth=True, sympy="Unequality")
-_infix("and", np.logical_and, "&", "logic and", rewrite=_joined("and"), truth=True, sympy="And")
-_infix("or", np.logical_or, "|", "logic or", rewrite=_joined("or"), truth=True, sympy="Or")
+_infix(
+    "and", np.logical_and, "&", "logic and", rewrite=_rule_of_and_or("and"), truth=True, sympy="And"
+)
+_infix("or", np.logical_or, "|", "logic or", rewrite=_rule_of_and_or("or"), truth=True, sympy="Or")
 register(
     Operation("not", 1, np.logical_not, "!{0}", "inversion", rewrite=_not, truth=True, sympy="Not")
 )
 register(Operation("select", 3, np.where, "{0} ? {1} : {2}", "selection", rewrite=_select))
 
-# A number as it was found: rewriting does not look through it, since formulas that are equal may
-# lose different numbers of digits. Lowering leaves it out.
+# A number computed by the formula at hand. Rewriting stops here, since equal formulas may lose
+# different numbers of digits. Lowering omits it.
 register(
     Operation(
         "kept", 1, np.positive, "+{0}", "intrinsic arithmetic.fence",
-        lambda g, n, x: (g.one,), _kept,
+        lambda g, n, x: (g.one,), _rule_of_kept,
     )
 )  # fmt: skip
 
@@ -330,7 +334,7 @@ SHIPPED = dict(OPERATIONS)
 Renamed = Callable[[Args, Mapping[int, int]], Args]
 
 
-def _all(nodes: Sequence[int], new: Mapping[int, int]) -> Nodes:
+def _renamed(nodes: Sequence[int], new: Mapping[int, int]) -> Nodes:
     return tuple([new[n] for n in nodes])
 
 
@@ -355,11 +359,17 @@ _STRUCTURES: dict[str, tuple[Callable[[Args], Nodes], Renamed]] = {
         lambda a: tuple([n for n, _ in a]),
         lambda a, new: tuple([(new[n], e) for n, e in a]),
     ),
-    "factor": (lambda a: a[2], lambda a, new: (a[0], a[1], _all(a[2], new))),
-    "solve": (lambda a: (a[0], *a[1]), lambda a, new: (new[a[0]], _all(a[1], new))),
+    "factor": (lambda a: a[2], lambda a, new: (a[0], a[1], _renamed(a[2], new))),
+    "solve": (lambda a: (a[0], *a[1]), lambda a, new: (new[a[0]], _renamed(a[1], new))),
     "guard": (
         lambda a: (*a[1], *a[2], a[3], *a[4]),
-        lambda a, new: (a[0], _all(a[1], new), _all(a[2], new), new[a[3]], _all(a[4], new)),
+        lambda a, new: (
+            a[0],
+            _renamed(a[1], new),
+            _renamed(a[2], new),
+            new[a[3]],
+            _renamed(a[4], new),
+        ),
     ),
     "item": (lambda a: (a[0],), lambda a, new: (new[a[0]], a[1])),
 }

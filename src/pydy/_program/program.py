@@ -49,21 +49,23 @@ class Tape(Nodes):
 
     def __init__(self) -> None:
         super().__init__()
-        self.called = True  # whether what is made is needed at every call
-        # The guard whose fallback is made. What several fallbacks need, but no call, each computes
-        # for itself: shared, it would be computed at every call.
-        self.behind: int | None = None
-        self._every: set[int] = set()  # what calls need
+        self.in_every_call = True  # whether the operations being added are needed at every call
+        # The guard whose fallback is being added. An operation that several fallbacks need, but not
+        # every call, is repeated in each: shared, it would be computed at every call.
+        self.guard_of_fallback: int | None = None
+        self._every: set[int] = set()  # nodes that every call needs
 
     def make(self, op: str, *args: object) -> int:
         """Return the node for `op` on `args`."""
-        if self.behind is None or op in _NEVER_DEFERRED:
+        if self.guard_of_fallback is None or op in _NEVER_DEFERRED:
             node = self.node(op, args)
-            if self.called:
+            if self.in_every_call:
                 self._every.add(node)
             return node
-        known = self._known.get((op, args))
-        return known if known in self._every else self.node(op, args, self.behind)
+        shared = self._node_of.get((op, args))
+        if shared is not None and shared in self._every:
+            return shared
+        return self.node(op, args, self.guard_of_fallback)
 
     def const(self, value: float) -> int:
         """Return the node of a number."""
@@ -245,14 +247,14 @@ class Program:
 
     @cached_property
     def fallback(self) -> dict[int, list[int]]:
-        """For each guard the nodes that only its fallback needs; back ends may put them off.
+        """For each guard the nodes that only its fallback needs, so that back ends may defer them.
 
-        A guard among them has nodes of its own. What two fallbacks need is put off to that of the
-        guard that both are part of.
+        A guard among them has nodes of its own. A node that two fallbacks need is deferred to the
+        fallback of the innermost guard that contains both.
         """
         hot = -1
         user: dict[int, int] = dict.fromkeys(self.outputs, hot)
-        found: dict[int, list[int]] = {k: [] for k, op in enumerate(self.ops) if op == "guard"}
+        deferred: dict[int, list[int]] = {k: [] for k, op in enumerate(self.ops) if op == "guard"}
 
         def common(a: int, b: int) -> int:
             while a != b:  # guards within others come before them
@@ -268,32 +270,32 @@ class Program:
             op, args = self.ops[node], self.args[node]
             if user[node] != hot and op in _NEVER_DEFERRED:
                 user[node] = hot
-            own = user[node]
-            if own != hot:
-                found[own].append(node)
+            owner = user[node]
+            if owner != hot:
+                deferred[owner].append(node)
             if op == "guard":
-                needs = [(k, own) for k in (args[3], *args[4])]
+                needs = [(k, owner) for k in (args[3], *args[4])]
                 needs += [(k, node) for k in dict.fromkeys((*args[1], *args[2]))]
             else:
-                needs = [(k, own) for k in OPERATIONS.operands(op, args)]
-            for other, who in needs:
-                user[other] = common(user.get(other, who), who)
-        return {guard: nodes[::-1] for guard, nodes in found.items()}
+                needs = [(k, owner) for k in OPERATIONS.operands(op, args)]
+            for operand, user_of_operand in needs:
+                user[operand] = common(user.get(operand, user_of_operand), user_of_operand)
+        return {guard: nodes[::-1] for guard, nodes in deferred.items()}
 
     @cached_property
     def without_fallbacks(self) -> frozenset[int]:
         """The nodes that are needed while all guards are sound."""
-        wanted = bytearray(len(self.ops))
+        needed = bytearray(len(self.ops))
         for node in self.outputs:
-            wanted[node] = 1
+            needed[node] = 1
         for node in reversed(range(len(self.ops))):
-            if wanted[node]:
+            if needed[node]:
                 op, args = self.ops[node], self.args[node]
-                for other in (
+                for operand in (
                     (args[3], *args[4]) if op == "guard" else OPERATIONS.operands(op, args)
                 ):
-                    wanted[other] = 1
-        return frozenset(node for node, flag in enumerate(wanted) if flag)
+                    needed[operand] = 1
+        return frozenset(node for node, flag in enumerate(needed) if flag)
 
     @cached_property
     def operation_count(self) -> dict[str, Counter[str]]:
@@ -303,9 +305,9 @@ class Program:
         as 'add', 'mul' and 'div'; the fallback behind a guard is not counted.
         """
         counts: dict[str, Counter[str]] = {"setup": Counter(), "run": Counter()}
-        put_off = {k for nodes in self.fallback.values() for k in nodes}
+        deferred = {k for nodes in self.fallback.values() for k in nodes}
         for k, (op, args, setup) in enumerate(zip(self.ops, self.args, self.setup, strict=True)):
-            if k in put_off:
+            if k in deferred:
                 continue
             counter = counts["setup" if setup else "run"]
             if op == "factor":
@@ -321,17 +323,18 @@ class Program:
 
     def __getstate__(self) -> dict[str, object]:
         state = dict(self.__dict__)
-        for known in ("operation_count", "fallback", "without_fallbacks"):
-            state.pop(known, None)
+        for name in ("operation_count", "fallback", "without_fallbacks"):
+            state.pop(name, None)
         return state
 
 
 def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
     """Order the operations of the roots: each value as late as possible before its first use.
 
-    Few values are then alive at a time: machine code keeps them in registers, and the register
-    allocator, whose time grows with the values alive, is done sooner. Of a sum's operands, one that
-    takes clearly more operations in a row comes first: the other then need not wait for it.
+    Few values are then live at a time, so that machine code holds them in registers, and the
+    register allocator, whose time grows with the number of live values, is faster. Of the operands
+    of a sum, one that takes clearly more operations in a row comes first, so that the other does
+    not stay live meanwhile.
     """
     order: list[int] = []
     done: set[int] = set()
@@ -350,8 +353,8 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
         stack.append(~node)
         op, args = tape.ops[node], tape.args[node]
         if op == "guard":
-            # The column, from its end: what loads the outer bodies goes on to the inner ones. Then
-            # row by row of the elimination what it needs of the matrix.
+            # The column from its end, since the loads on the outer bodies are terms of those on the
+            # inner ones; then the entries of the matrix in the order of the elimination.
             _, entries, column, sound, fast = args
             needs: Sequence[int] = (*column[::-1], sound, *fast, *entries)
         else:
@@ -369,24 +372,26 @@ def _levels(tape: Tape) -> list[int]:
         if setup:
             levels.append(0)
         else:
-            own = op in ("add", "sub", "mul", "div")
-            levels.append(own + max((levels[n] for n in OPERATIONS.operands(op, args)), default=0))
+            is_counted = op in ("add", "sub", "mul", "div")
+            levels.append(
+                is_counted + max((levels[n] for n in OPERATIONS.operands(op, args)), default=0)
+            )
     return levels
 
 
 def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
     """Return the arguments of sines and cosines, then these functions, innermost first."""
-    seen = set(roots)
+    reached = set(roots)
     stack = list(roots)
     while stack:
         node = stack.pop()
-        for other in OPERATIONS.operands(tape.ops[node], tape.args[node]):
-            if other not in seen:
-                seen.add(other)
-                stack.append(other)
+        for operand in OPERATIONS.operands(tape.ops[node], tape.args[node]):
+            if operand not in reached:
+                reached.add(operand)
+                stack.append(operand)
     depth: dict[int, int] = {}
     levels: dict[int, list[int]] = {}
-    for node in sorted(seen):
+    for node in sorted(reached):
         inner = max(
             (depth[k] for k in OPERATIONS.operands(tape.ops[node], tape.args[node])), default=0
         )
@@ -424,13 +429,13 @@ def _summary(program: Program) -> Iterator[str]:
     blocks = ", ".join(f"{b.name} {_shape(b.shape)}" for b in program.blocks)
     sizes = (program.num_states, program.num_specifieds, program.num_constants)
     counts = ", ".join(
-        f"{n} {what}" for n, what in zip(sizes, _ARGUMENTS.values(), strict=True) if n
+        f"{n} {noun}" for n, noun in zip(sizes, _ARGUMENTS.values(), strict=True) if n
     )
     yield f"Program: {counts or 'no inputs'} and time -> {blocks or 'nothing'}"
     for stage, text in (("setup", "set-up stage, once for each set of constants"), ("run", "run")):
-        found = program.operation_count[stage]
-        kinds = ", ".join(f"{n} {op}" for op, n in sorted(found.items(), key=lambda e: -e[1]))
-        yield f"  {text}: {sum(found.values())} operations{f' ({kinds})' if kinds else ''}"
+        counted = program.operation_count[stage]
+        kinds = ", ".join(f"{n} {op}" for op, n in sorted(counted.items(), key=lambda e: -e[1]))
+        yield f"  {text}: {sum(counted.values())} operations{f' ({kinds})' if kinds else ''}"
 
 
 def _shape(shape: tuple[int, ...]) -> str:
@@ -449,19 +454,19 @@ class _Writer:
         """Yield both stages, then where the outputs come from."""
         program = self.program
         for setup, title in ((True, "set-up stage"), (False, "run stage")):
-            made = [
+            stage = [
                 k
                 for k, op in enumerate(program.ops)
                 if program.setup[k] == setup and op not in ("const", "bool", "input", "item")
             ]
-            if not made:
+            if not stage:
                 continue
             yield f"{title}:"
-            shown = made if self.most_lines is None else made[: self.most_lines]
-            for k in shown:
+            listed = stage if self.most_lines is None else stage[: self.most_lines]
+            for k in listed:
                 yield f"  {self._name(k)} = {self._text(k)}"
-            if len(shown) < len(made):
-                yield f"  ... {len(made) - len(shown)} more: listing(program, most_lines=None)"
+            if len(listed) < len(stage):
+                yield f"  ... {len(stage) - len(listed)} more: listing(program, most_lines=None)"
         yield "outputs:"
         for block in program.blocks:
             nodes = program.outputs[block.start : block.stop]
@@ -482,8 +487,8 @@ class _Writer:
             group, index = args
             if group == "t":
                 return "t"
-            known = self.names.get(group, ())
-            return known[index] if index < len(known) else f"{group}[{index}]"
+            names = self.names.get(group, ())
+            return names[index] if index < len(names) else f"{group}[{index}]"
         return f"{'c' if self.program.setup[node] else 'v'}{node}"
 
     def _text(self, node: int) -> str:
@@ -500,8 +505,8 @@ class _Writer:
         return f"{self._several(fast)} where {self._name(sound)}, else {system}"
 
     def _several(self, nodes: Sequence[int]) -> str:
-        shown = ", ".join(self._name(k) for k in nodes[:8])
-        return f"[{shown}{', ...' if len(nodes) > 8 else ''}]"
+        listed = ", ".join(self._name(k) for k in nodes[:8])
+        return f"[{listed}{', ...' if len(nodes) > 8 else ''}]"
 
 
 _KINDS = {"ldl": "LDL^T", "lu": "LU with partial pivoting"}

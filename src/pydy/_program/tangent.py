@@ -106,10 +106,13 @@ class Tangent:
     @property
     def operation_count(self) -> dict[str, Counter[str]]:
         """Operations by kind; a part counts once for every column."""
-        counts = {stage: own.copy() for stage, own in self.shared.operation_count.items()}
+        counts = {
+            stage: stage_counts.copy()
+            for stage, stage_counts in self.shared.operation_count.items()
+        }
         for part in self.parts:
-            for stage, own in part.program.operation_count.items():
-                for op, number in own.items():
+            for stage, stage_counts in part.program.operation_count.items():
+                for op, number in stage_counts.items():
                     counts[stage][op] += number * part.count
         return counts
 
@@ -124,13 +127,13 @@ class Tangent:
             for j in range(part.count):
                 column, size = part.first + j, part.program.num_states
                 if self.directions is None:
-                    given = {("x", i): tape.const(float(i == j)) for i in range(size)}
+                    inputs = {("x", i): tape.const(float(i == j)) for i in range(size)}
                 else:
-                    places = (n + i * self.shape[1] + column for i in range(size))
-                    given = {("x", i): tape.make("input", "x", k) for i, k in enumerate(places)}
+                    positions = (n + i * self.shape[1] + column for i in range(size))
+                    inputs = {("x", i): tape.make("input", "x", k) for i, k in enumerate(positions)}
                     numbers = enumerate(self.directions[:, column])
-                    given.update({("p", i): tape.const(number) for i, number in numbers})
-                outputs = _copied(tape, part.program, shared | given)
+                    inputs.update({("p", i): tape.const(number) for i, number in numbers})
+                outputs = _copied(tape, part.program, shared | inputs)
                 for row, node in zip(cells, outputs, strict=True):
                     row[column] = node
         sizes = (self.num_states, self.num_specifieds, self.num_constants)
@@ -149,9 +152,11 @@ class Tangent:
     def from_bytes(cls, data: bytes) -> Tangent:
         """Return the Tangent that `to_bytes` wrote."""
         shared, parts, shape, table = marshal.loads(data[len(_MARK) :])
-        made = tuple(Part(first, count, Program.from_bytes(one)) for first, count, one in parts)
+        parts = tuple(
+            Part(first, count, Program.from_bytes(program)) for first, count, program in parts
+        )
         directions = None if table is None else np.frombuffer(table[1]).reshape(table[0])
-        return cls(Program.from_bytes(shared), made, shape, directions)
+        return cls(Program.from_bytes(shared), parts, shape, directions)
 
     def __str__(self) -> str:
         texts = [str(self.shared)]
@@ -166,22 +171,22 @@ def program_from_bytes(data: bytes) -> Program | Tangent:
     return (Tangent if data.startswith(_MARK) else Program).from_bytes(data)
 
 
-def _copied(tape: Tape, program: Program, given: Mapping[tuple[str, int], int]) -> list[int]:
+def _copied(tape: Tape, program: Program, inputs: Mapping[tuple[str, int], int]) -> list[int]:
     """Write a Program on a tape, with nodes in place of some inputs; return its outputs."""
     new: dict[int, int] = {}
     behind = {k: guard for guard, nodes in program.fallback.items() for k in nodes}
     for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
-        tape.behind = behind.get(k)
-        tape.called = k not in behind
+        tape.guard_of_fallback = behind.get(k)
+        tape.in_every_call = k not in behind
         if op == "input":
-            new[k] = given[args] if args in given else tape.make(op, *args)
+            new[k] = inputs[args] if args in inputs else tape.make(op, *args)
         elif op == "const":
             new[k] = tape.const(*args)
         elif op in ("add", "sub", "mul", "div", "neg"):
             new[k] = getattr(tape, op)(*(new[n] for n in args))
         else:
             new[k] = tape.make(op, *OPERATIONS.with_operands(op, args, new))
-    tape.behind, tape.called = None, True
+    tape.guard_of_fallback, tape.in_every_call = None, True
     one, zero = tape.const(1.0), tape.const(0.0)
     nodes = [new[k] for k in program.outputs]
     return [
