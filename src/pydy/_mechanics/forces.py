@@ -1,14 +1,14 @@
 """Constraint forces on the graph: multipliers of constraints, and reactions where bodies are cut.
 
-Both are written in q, u and u', so that they hold whatever solves for u'. Multipliers λ follow from
+Both are expressions in q, u and u', so that they do not depend on how u' is computed. Multipliers λ
+follow from
 
-    M u' = F + Jᵀ λ,        J: the constraints' derivatives by the speeds,
+    M u' = F + Jᵀ λ,        J: derivatives of the constraints with respect to the speeds,
 
-of which Kane's equations keep only what is free of λ. What M u' − F is, all speeds free, comes from
-the outer bodies inwards as in the recursive Newton–Euler algorithm; the rows of the dependent
-speeds give as many equations for λ as there are independent constraints. A reaction is the sum of
-m a and of the change of angular momentum over the bodies on one side of the cut, less the loads on
-them.
+from which Kane's equations eliminate λ. M u' − F with all speeds free is computed from the outer
+bodies inwards, as in the recursive Newton–Euler algorithm; the rows of the dependent speeds give
+one equation for each independent constraint. A reaction is the sum of m a and of the rate of
+angular momentum over the bodies on one side of the cut, minus the loads on them.
 """
 
 from __future__ import annotations
@@ -46,12 +46,12 @@ from pydy._rank import ROUNDED, is_zero
 class ConstraintForces:
     """The forces behind the constraints and joints of a mechanism.
 
-    Constraints are given as expressions by their places: the `holonomic` ones that velocity
-    constraints enforce, and the other, `nonholonomic` ones, which together imply all velocity
-    constraints; `redundant` ones follow from these.
+    Constraints are expressions by number: the `holonomic` ones that velocity constraints enforce,
+    and the `nonholonomic` ones, which together imply all velocity constraints; the `redundant` ones
+    follow from these.
 
-    The methods take the noncontributing forces among the loads by name: they stand for what is
-    computed here. Nothing else tells them from a load that has no part in the motion.
+    The methods take the names of the noncontributing forces among the loads. These symbols stand
+    for the forces that are computed here, and cannot be told from ordinary loads otherwise.
     """
 
     def __init__(
@@ -65,7 +65,7 @@ class ConstraintForces:
         self.redundant = redundant
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # Graphs and expressions are made again when they are asked for.
+        # Graphs and expressions are rebuilt on demand.
         return type(self), (self.body, self.holonomic, self.nonholonomic, self.redundant)
 
     @cached_property
@@ -74,42 +74,44 @@ class ConstraintForces:
 
     def multipliers(self, noncontributing: Iterable[Any] = ()) -> dict[Any, Any]:
         """λ of each constraint: symbols lambda0, lambda1, … to expressions in q, u and u'."""
-        places = [*self.holonomic, *self.nonholonomic, *self.redundant]
-        if not places:
+        positions = [*self.holonomic, *self.nonholonomic, *self.redundant]
+        if not positions:
             return {}
-        names = [f"lambda{k}" for k in places]
+        names = [f"lambda{k}" for k in positions]
         with collector_paused():
-            nodes = self._without(noncontributing, self._multipliers)
+            nodes = self._neglecting(noncontributing, self._multipliers)
         return {sm.Symbol(n): self._expression(k, n) for n, k in zip(names, nodes, strict=True)}
 
     @cached_property
     def _multipliers(self) -> Vec:
         kinematics = self._kinematics
-        g, own = kinematics.graph, self.body.dependent_columns
-        rest = self._unbalanced()
+        g, dependent = kinematics.graph, self.body.dependent_columns
+        unbalanced = self._unbalanced()
         rows = [
             *kinematics.dt(kinematics.read.all(self.holonomic.values())),
             *kinematics.read.all(self.nonholonomic.values()),
             *kinematics.read.all(self.redundant.values()),
         ]
-        rank = len(own)
+        rank = len(dependent)
         if self.body.changing:  # no speed is dependent in all configurations
-            own = tuple(range(len(kinematics.speeds)))
-        bound = jacobian(g, rows, [kinematics.speeds[k] for k in own])
-        columns = bound.dense()  # Jᵀ, by columns
-        force = [g.neg(rest[k]) for k in own]
+            dependent = tuple(range(len(kinematics.speeds)))
+        bound = jacobian(g, rows, [kinematics.speeds[k] for k in dependent])
+        columns = dense_rows(g, bound, len(dependent))  # Jᵀ, by columns
+        force = [g.neg(unbalanced[k]) for k in dependent]
         if self.body.changing:
-            found = multipliers_of(g, columns, force, rank)
-        elif len(columns) == len(own):
-            found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
+            multipliers = multipliers_of(g, columns, force, rank)
+        elif len(columns) == len(dependent):
+            multipliers = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[
+                0
+            ]
         else:
-            found = self._shortest(columns, force)
-        return found
+            multipliers = self._shortest(columns, force)
+        return multipliers
 
     def unbalanced(self, noncontributing: Iterable[Any] = ()) -> list[Any]:
         """F − M u' of each speed, which Jᵀ λ balances: expressions in q, u and u'."""
         with collector_paused():
-            nodes = self._without(noncontributing, self._unbalanced())
+            nodes = self._neglecting(noncontributing, self._unbalanced())
         return [self._expression(node, f"force{k}") for k, node in enumerate(nodes)]
 
     def _unbalanced(self) -> Vec:
@@ -120,7 +122,7 @@ class ConstraintForces:
         return composite(kinematics, [], loads_and_inertias(kinematics)[1])[1]
 
     def _shortest(self, columns: Sequence[Vec], force: Vec) -> Vec:
-        """Return the least multipliers where more constraints than are independent share a force.
+        """Return the multipliers of least norm if there are redundant constraints.
 
         With A = Jᵀ, λ = Aᵀ (A Aᵀ)⁻¹ f.
         """
@@ -140,11 +142,11 @@ class ConstraintForces:
         name: str,
         noncontributing: Iterable[Any] = (),
     ) -> tuple[Vector, Vector]:
-        """Return force and torque about a point that hold some bodies, besides the loads.
+        """Return the reaction force, and the torque about a point, on a group of bodies.
 
         The `members` are these bodies, and massless points and frames whose loads act on them;
         further `loads` are pairs of a Point or ReferenceFrame and a Vector. The components are in
-        the `frame`; the expressions are printed by a `name`.
+        the `frame`; `name` labels the expressions.
         """
         members = list(members)
         kinematics = self._kinematics
@@ -156,7 +158,7 @@ class ConstraintForces:
                 [b for b in self.body.bodies if b in members],
                 [*self._loads_on(members), *loads],
             )
-            nodes = self._without(noncontributing, [*force, *torque])
+            nodes = self._neglecting(noncontributing, [*force, *torque])
         values = [
             self._expression(n, f"{name}_{part}{axis}")
             for n, (part, axis) in zip(nodes, [(p, a) for p in "FT" for a in "xyz"], strict=True)
@@ -167,49 +169,56 @@ class ConstraintForces:
         )
 
     def _loads_on(self, members: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Return the loads on bodies: at points and frames that move with them and no other."""
+        """Return the loads at points and frames that move with these bodies and no others."""
         return [
-            (where, vector)
-            for where, vector in self.body.loads
-            if where in members
-            or (self._owners[where] and all(owner in members for owner in self._owners[where]))
+            (location, vector)
+            for location, vector in self.body.loads
+            if location in members
+            or (
+                self._owners[location] and all(owner in members for owner in self._owners[location])
+            )
         ]
 
     @cached_property
     def _owners(self) -> dict[Any, list[Any]]:
-        """The bodies that each load's point or frame moves with, or the inertial frame."""
+        """The bodies, or the inertial frame, that the point or frame of each load is fixed to."""
         k, bodies = self._kinematics, self.body.bodies
-        found = {w: [b for b in bodies if b.masscenter is w] for w, _ in self.body.loads}
-        still, rest, rigid = {}, [], [b for b in bodies if is_rigid(b)]
-        for where in (w for w, own in found.items() if isinstance(w, Point) and not own):
-            line = self._located_by(where)
-            at_rest = all(n == k.graph.zero for n in k.at(where)[1])
+        owners = {w: [b for b in bodies if b.masscenter is w] for w, _ in self.body.loads}
+        frames_on_the_way, undecided, rigid = {}, [], [b for b in bodies if is_rigid(b)]
+        for location in (
+            w for w, bodies_there in owners.items() if isinstance(w, Point) and not bodies_there
+        ):
+            line = self._located_by(location)
+            at_rest = all(n == k.graph.zero for n in k.at(location)[1])
             if at_rest and not any(b.masscenter in line for b in rigid):
                 steps = [FrameTree.positions(p)[before] for p, before in pairwise(line)]
-                still[where] = {f for step in steps for _, f in step.args}
+                frames_on_the_way[location] = {f for step in steps for _, f in step.args}
             else:
-                rest.append(where)
-        turning = [w for w in found if not isinstance(w, Point)]
-        everywhere = [*turning, *(f for frames in still.values() for f in frames)]
+                undecided.append(location)
+        turning = [w for w in owners if not isinstance(w, Point)]
+        everywhere = [*turning, *(f for frames in frames_on_the_way.values() for f in frames)]
         fixed = self._fixed_to(list(dict.fromkeys(everywhere)))
-        found |= {frame: fixed[frame] for frame in turning}
-        for where, frames in still.items():
+        owners |= {frame: fixed[frame] for frame in turning}
+        for location, frames in frames_on_the_way.items():
             if all(fixed[f] == [k.inertial] for f in frames):
-                found[where] = [k.inertial]
+                owners[location] = [k.inertial]
             else:
-                rest.append(where)
-        pairs = [(where, body) for where in rest for body in bodies]
-        carried = self._vanishing([self._slip(body, where) for where, body in pairs])
-        along: dict[Any, list[Any]] = {where: [] for where in rest}
-        for (where, body), moves_along in zip(pairs, carried, strict=True):
+                undecided.append(location)
+        pairs = [(location, body) for location in undecided for body in bodies]
+        follows = self._vanishing([self._slip(body, location) for location, body in pairs])
+        carriers: dict[Any, list[Any]] = {location: [] for location in undecided}
+        for (location, body), moves_along in zip(pairs, follows, strict=True):
             if moves_along:
-                along[where].append(body)
-        return found | {where: self._without_welded(where, own) for where, own in along.items()}
+                carriers[location].append(body)
+        return owners | {
+            location: self._without_welded(location, bodies_there)
+            for location, bodies_there in carriers.items()
+        }
 
     def _without_welded(self, point: Any, bodies: Sequence[Any]) -> list[Any]:
-        """Leave out bodies that are welded to another one from which a point is fewer steps away.
+        """Drop bodies that are welded to another body to which the point is nearer.
 
-        At a hinge are two bodies as well, which turn in different ways.
+        At a hinge there are two bodies as well, but with different angular velocities.
         """
         away = distances(point, FrameTree.positions) if len(bodies) > 1 else {}
         pairs = [
@@ -218,11 +227,11 @@ class ConstraintForces:
             if away[near.masscenter] < away[far.masscenter] and is_rigid(near) and is_rigid(far)
         ]
         welded = self._vanishing([spins for _, spins in pairs])
-        left = [far for (far, _), same in zip(pairs, welded, strict=True) if same]
-        return [body for body in bodies if body not in left]
+        dropped = [far for (far, _), same in zip(pairs, welded, strict=True) if same]
+        return [body for body in bodies if body not in dropped]
 
     def _located_by(self, point: Any) -> list[Any]:
-        """Return a point, the one it was located from, and so on, as far as their order tells."""
+        """Return a point, the point that it was located from, and so on, in order of definition."""
         line = [point]
         while (before := next(iter(FrameTree.positions(point)), None)) not in (None, *line):
             first = next(iter(FrameTree.positions(before))) is point
@@ -233,27 +242,27 @@ class ConstraintForces:
         return line
 
     def _fixed_to(self, frames: Sequence[Any]) -> dict[Any, list[Any]]:
-        """Return the bodies that turn like each frame: of several, the nearest ones.
+        """Return the nearest bodies that have the angular velocity of each frame.
 
-        A carriage turns as the ground does.
+        A carriage, for instance, has that of the ground.
         """
         k = self._kinematics
         rigid = [
             (b.frame, b) for b in self.body.bodies if is_rigid(b) and b.frame is not k.inertial
         ]
         rigid.append((k.inertial, k.inertial))
-        pairs = [(frame, *both) for frame in frames for both in rigid]
-        slips = [[self._spin(own), self._spin(f, -1.0)] for f, own, _ in pairs]
+        pairs = [(frame, *pair) for frame in frames for pair in rigid]
+        slips = [[self._spin(body_frame), self._spin(f, -1.0)] for f, body_frame, _ in pairs]
         alike: dict[Any, list[Any]] = {frame: [] for frame in frames}
-        for (frame, own, body), same in zip(pairs, self._vanishing(slips), strict=True):
-            if same or own is frame:
-                alike[frame].append((own, body))
-        found = {}
-        for frame, both in alike.items():
+        for (frame, body_frame, body), same in zip(pairs, self._vanishing(slips), strict=True):
+            if same or body_frame is frame:
+                alike[frame].append((body_frame, body))
+        fixed = {}
+        for frame, matches in alike.items():
             away = distances(frame, FrameTree.orientations)
-            nearest = min((away[own] for own, _ in both), default=0)
-            found[frame] = [body for own, body in both if away[own] == nearest]
-        return found
+            nearest = min((away[body_frame] for body_frame, _ in matches), default=0)
+            fixed[frame] = [body for body_frame, body in matches if away[body_frame] == nearest]
+        return fixed
 
     def _spin(self, frame: Any, sign: float = 1.0) -> Vec:
         """Return an angular velocity in the inertial frame."""
@@ -262,61 +271,63 @@ class ConstraintForces:
         return [k.graph.sum([(n, sign)]) for n in w]
 
     def _slip(self, body: Any, point: Any) -> list[Vec]:
-        """Return vectors whose sum is zero if a point moves as a point of the body would."""
+        """Return vectors whose sum is zero if a point moves with the body."""
         k, g = self._kinematics, self._kinematics.graph
         away = distances(body.masscenter, FrameTree.positions)
         if point not in away:
             return [[g.one] * 3]
-        ways = [k.vector(step, k.inertial) for step in steps_to(point, away)]
+        offsets = [k.vector(step, k.inertial) for step in steps_to(point, away)]
         if not is_rigid(body):
-            return ways
+            return offsets
         ours, theirs = (
             k.expressed(v, frame, k.inertial) for frame, v in map(k.at, (body.masscenter, point))
         )
         spin = self._spin(body.frame)
-        return [ours, [g.neg(n) for n in theirs], *(k.cross(spin, way) for way in ways)]
+        return [ours, [g.neg(n) for n in theirs], *(k.cross(spin, offset) for offset in offsets)]
 
     def _vanishing(self, sums: Sequence[Sequence[Vec]]) -> list[bool]:
-        """Return whether sums of vectors are zero in all states, up to rounding.
-
-        Numbers that users write in decimals are rounded, and so are their sums.
-        """
+        """Return which sums of vectors vanish in all states, up to the rounding of decimals."""
         flat = [n for vectors in sums for v in vectors for n in v]
         if not flat:
             return [True] * len(sums)
         k = self._kinematics
-        held = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
-        values = numbers_of(k.graph, flat, held)
-        values, found = values.reshape(len(values), -1, 3), []
+        zero_rows = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
+        values = numbers_of(k.graph, flat, zero_rows)
+        values, vanishing = values.reshape(len(values), -1, 3), []
         for vectors in sums:
-            own, values = values[:, : len(vectors)], values[:, len(vectors) :]
-            sizes = np.linalg.norm(own, axis=2).sum(axis=1)
-            found.append(bool((np.linalg.norm(own.sum(axis=1), axis=1) <= ROUNDED * sizes).all()))
-        left = [vectors for vectors, zero in zip(sums, found, strict=True) if zero]
-        closer = iter(self._vanishing_near_zero(left, held))
-        return [zero and next(closer) for zero in found]
+            group, values = values[:, : len(vectors)], values[:, len(vectors) :]
+            sizes = np.linalg.norm(group, axis=2).sum(axis=1)
+            vanishing.append(
+                bool((np.linalg.norm(group.sum(axis=1), axis=1) <= ROUNDED * sizes).all())
+            )
+        candidates = [vectors for vectors, zero in zip(sums, vanishing, strict=True) if zero]
+        closer = iter(self._vanishing_near_zero(candidates, zero_rows))
+        return [zero and next(closer) for zero in vanishing]
 
     def _vanishing_near_zero(
-        self, sums: Sequence[Sequence[Vec]], held: Sequence[int]
+        self, sums: Sequence[Sequence[Vec]], zero_rows: Sequence[int]
     ) -> list[bool]:
-        """Return whether sums of vectors are zero where coordinates are, by each speed alone.
+        """Return which sums of vectors vanish at zero coordinates, for each speed alone.
 
-        Beside coordinates and speeds of size one, offsets of nanometres may be lost in rounding.
+        With coordinates and speeds of order one, offsets of nanometres could be lost in rounding.
         """
         if not sums:
             return []
         k, g = self._kinematics, self._kinematics.graph
         totals = [k.plus(*vectors)[axis] for vectors in sums for axis in range(3)]
         rows = jacobian(g, totals, k.speeds).dense()
-        still = substitute(g, totals, dict.fromkeys(k.speeds, g.zero))
-        nodes = [n for row, rest in zip(rows, still, strict=True) for n in (*row, rest)]
-        values = numbers_of(g, [*nodes, *rounding_bounds(g, nodes)], held, k.coordinates)
-        lost, bounds = np.abs(values).reshape(len(values), 2, len(sums), -1).swapaxes(0, 1)
-        # What has no value there is left to the other states.
-        zero = is_zero(lost, bounds) | ~np.isfinite(lost)
+        at_rest = substitute(g, totals, dict.fromkeys(k.speeds, g.zero))
+        nodes = [
+            n for row, node_at_rest in zip(rows, at_rest, strict=True) for n in (*row, node_at_rest)
+        ]
+        values = numbers_of(g, [*nodes, *rounding_bounds(g, nodes)], zero_rows, k.coordinates)
+        sizes, bounds = np.abs(values).reshape(len(values), 2, len(sums), -1).swapaxes(0, 1)
+        # Values that are not finite there are judged at the other states.
+        zero = is_zero(sizes, bounds) | ~np.isfinite(sizes)
         return [bool(z) for z in zero.all(axis=(0, 2))]
 
-    def _without(self, forces: Iterable[Any], nodes: Vec) -> Vec:
+    def _neglecting(self, forces: Iterable[Any], nodes: Vec) -> Vec:
+        """Return nodes with these forces set to zero."""
         g, atoms = self._kinematics.graph, self._kinematics.read.atoms
         nodes = substitute(g, nodes, {atoms[s]: g.zero for s in forces if s in atoms})
         values = signatures(g, nodes)
@@ -332,18 +343,18 @@ class ConstraintForces:
 def _balance(
     k: Kinematics, point: Any, frame: Any, bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]
 ) -> tuple[Vec, Vec]:
-    """Return force and torque about a point by Newton's and Euler's laws: beyond the loads."""
+    """Return Newton's force and Euler's torque about a point, minus the loads."""
     pushes: list[tuple[Any, Vec]] = []
     couples: list[Vec] = []
     for body in bodies:
-        if (moved := newton(k, body)) is not None:
-            pushes.append((body.masscenter, k.expressed(moved[3], moved[0], frame)))
-        if (turned := euler(k, body)) is not None:
-            couples.append(k.expressed(turned[3], turned[0], frame))
-    for where, vector in loads:
+        if (translational := newton(k, body)) is not None:
+            pushes.append((body.masscenter, k.expressed(translational[3], translational[0], frame)))
+        if (rotational := euler(k, body)) is not None:
+            couples.append(k.expressed(rotational[3], rotational[0], frame))
+    for location, vector in loads:
         opposite = [k.graph.neg(n) for n in k.vector(vector, frame)]
-        if isinstance(where, Point):
-            pushes.append((where, opposite))
+        if isinstance(location, Point):
+            pushes.append((location, opposite))
         else:
             couples.append(opposite)
     couples += [k.cross(k.vector(p.pos_from(point), frame), force) for p, force in pushes]
