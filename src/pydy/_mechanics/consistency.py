@@ -1,14 +1,15 @@
-"""Whether the kinematic equations give the motion that the velocities say.
+"""Checks that the kinematic equations are consistent with the velocities that the user set.
 
-Velocities that hold some function of time where a speed belongs are refused: they move nothing, so
-that inertia and loads would be lost.
+Velocities with a function of time in place of a speed are refused: they would have no partial
+velocity, so that inertia and loads would be lost.
 
-Velocities that a user sets need not follow from places: those of a disc that rolls may hold its
-constraint, and a symmetric rotor's orientation may be left out. They are honoured. But where other
-derivatives of the coordinates would make all of them follow, the kinematic equations are wrong.
+Velocities that a user sets need not be the derivatives of positions: those of a rolling disc may
+include its constraint, and the orientation of a symmetric rotor may be omitted. They are accepted.
+But if all of them follow from other derivatives of the coordinates, the kinematic equations are
+wrong.
 
-What cannot be told is left alone: mechanisms with constraints, where velocities may hold on one
-branch only, orientations by nine cosines, and velocities that depend on what the places do not.
+Not checked are mechanisms with constraints, where velocities may be valid on one branch only,
+orientations by nine cosines, and velocities that depend on symbols that the positions do not have.
 """
 
 from __future__ import annotations
@@ -36,16 +37,16 @@ from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, ROUNDED, or_one
 
-# What moves; its place, by components in axes; the derivatives of these, as velocities say; and
-# points by which it belongs with others.
+# A label; the components of a position or orientation; their derivatives according to the
+# velocities; and the points that relate it to others.
 Moved = tuple[str, Vec, Vec, tuple[Any, ...]]
 
 
 def check_velocities(equations: Equations) -> None:
-    """Refuse velocities with some function of time in place of a speed: inertia would be lost.
+    """Refuse velocities with a function of time in place of a speed: inertia would be lost.
 
-    What they are of moves with a coordinate, but by no speed. Functions that the kinematic
-    equations or constraints hold are prescribed motions, as that coordinate's may be.
+    The position depends on a coordinate, but the velocity on no speed. Functions in the kinematic
+    equations or constraints are prescribed motions.
     """
     body, formed = equations.multibody, equations.formed
     if body is None or formed is None:
@@ -55,67 +56,74 @@ def check_velocities(equations: Equations) -> None:
         return
     rows = equations.constraints
     written = *body.coordinate_derivatives, *rows.holonomic, *rows.velocity
-    given = find_symbols((*written, *rows.redundant.holonomic, *rows.redundant.velocity))
-    functions = [s for s in functions if s not in given]
+    prescribed = find_symbols((*written, *rows.redundant.holonomic, *rows.redundant.velocity))
+    functions = [s for s in functions if s not in prescribed]
     if not functions:
         return
     bodies = body.bodies if equations.mechanism is None else equations.mechanism.bodies
     k = moving(replace(body, bodies=bodies), in_bodies=False)
-    strange = {k.read(s): s for s in functions}
-    held = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
+    functions_by_node = {k.read(s): s for s in functions}
+    zero_rows = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
     frames = [item.frame for item in bodies if is_rigid(item)]
-    for where in dict.fromkeys([*(at for at, _ in k.body.loads), *points_of(k), *frames]):
-        is_frame = isinstance(where, ReferenceFrame)
-        if is_frame and where not in k.tree.frame_depth:
+    for location in dict.fromkeys([*(at for at, _ in k.body.loads), *points_of(k), *frames]):
+        is_frame = isinstance(location, ReferenceFrame)
+        if is_frame and location not in k.tree.frame_depth:
             continue
-        velocity = k.spin(where)[0] if is_frame else k.motion(where)[1]
-        found = [strange[n] for n in k.graph.reachable(velocity) if n in strange]
-        if found and (lost := _unmoved(k, velocity, _place_of(k, where), held)):
-            q, speed = lost
+        velocity = k.spin(location)[0] if is_frame else k.motion(location)[1]
+        foreign = [
+            functions_by_node[n] for n in k.graph.reachable(velocity) if n in functions_by_node
+        ]
+        unused = _unmoved(k, velocity, _position_of(k, location), zero_rows) if foreign else None
+        if unused is not None:
+            q, speed = unused
             raise ValueError(
-                f"Inertia and loads of {where} would be lost: {where} moves with `{q}`, but by "
-                f"the velocities that were set it moves with `{found[0]}`. That is no speed: set "
-                f"velocities in the speeds, such as `{speed}`, or, if it is a prescribed motion, "
-                f"constrain `{speed}` to it."
+                f"Inertia and loads of {location} would be lost: {location} moves with `{q}`, but "
+                f"by the velocities that were set it moves with `{foreign[0]}`. That is no speed: "
+                f"set velocities in the speeds, such as `{speed}`, or, if it is a prescribed "
+                f"motion, constrain `{speed}` to it."
             )
 
 
-def _unmoved(k: Kinematics, velocity: Vec, place: Vec, held: list[int]) -> tuple[Any, Any] | None:
-    """Return a coordinate that a place moves with, and its speed, by which no velocity does.
+def _unmoved(
+    k: Kinematics, velocity: Vec, position: Vec, zero_rows: list[int]
+) -> tuple[Any, Any] | None:
+    """Return a coordinate that a position depends on, and its speed if no velocity has it.
 
-    With constraints velocities may be written in some of the speeds: there none must be held.
+    With constraints velocities may be written in some of the speeds: one speed is then enough.
     """
     g = k.graph
     moved = {j for row in jacobian(g, velocity, k.speeds) for j in row}
     if k.body.velocity and moved:
         return None
-    slopes = jacobian(g, place, k.coordinates).flat()
-    sizes = np.abs(_values(k, [*slopes, *rounding_bounds(g, slopes)], held))
-    left, bounds = np.hsplit(sizes, 2)
-    rows = np.reshape(left > ROUNDED * bounds, (-1, len(k.coordinates)))
-    moves = {int(i) for i in np.nonzero(rows)[1]}
+    slopes = jacobian(g, position, k.coordinates).flat()
+    sizes = np.abs(_values(k, [*slopes, *rounding_bounds(g, slopes)], zero_rows))
+    magnitudes, bounds = np.hsplit(sizes, 2)
+    rows = np.reshape(magnitudes > ROUNDED * bounds, (-1, len(k.coordinates)))
+    moving = {int(i) for i in np.nonzero(rows)[1]}
     for i, row in enumerate(jacobian(g, k.rates, k.speeds)):
-        if i in moves and (lost := [j for j in row if j not in moved]):
-            return k.body.coordinates[i], k.body.speeds[lost[0]]
+        if i in moving and (unused := [j for j in row if j not in moved]):
+            return k.body.coordinates[i], k.body.speeds[unused[0]]
     return None
 
 
-def _place_of(k: Kinematics, where: Any) -> Vec:
+def _position_of(k: Kinematics, location: Any) -> Vec:
     """Return the components that orient a frame, or locate a point from another one."""
-    if isinstance(where, ReferenceFrame):
-        return [*k.vector(where.x, k.inertial), *k.vector(where.y, k.inertial)]
-    fixed = (way for p, way in FrameTree.positions(where).items() if k.tree.velocity(p) == 0)
-    nodes = [n for way in fixed for n in k.vector(way, k.inertial)]
-    while (base := k.way(where)[0]) is not None:
-        nodes += [n for r, frame in k.parts(where) for n in k.expressed(r, frame, k.inertial)]
-        where = base
+    if isinstance(location, ReferenceFrame):
+        return [*k.vector(location.x, k.inertial), *k.vector(location.y, k.inertial)]
+    fixed = (
+        offset for p, offset in FrameTree.positions(location).items() if k.tree.velocity(p) == 0
+    )
+    nodes = [n for offset in fixed for n in k.vector(offset, k.inertial)]
+    while (base := k.way(location)[0]) is not None:
+        nodes += [n for r, frame in k.parts(location) for n in k.expressed(r, frame, k.inertial)]
+        location = base
     return nodes
 
 
 def warn_of_kinematics(equations: Equations) -> None:
-    """Warn if other derivatives of the coordinates fit all velocities that were given.
+    """Warn if other derivatives of the coordinates fit all velocities that were set.
 
-    Velocities that share no coordinates are looked at apart.
+    Groups of velocities that share no coordinates are checked separately.
     """
     body, mechanism = equations.multibody, equations.mechanism
     if body is None or mechanism is None or not mechanism.bodies or body.velocity:
@@ -123,30 +131,32 @@ def warn_of_kinematics(equations: Equations) -> None:
     try:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
         turns = [orthogonality_residuals([matrix], k.read) for matrix in k.tree.rotation_matrices()]
-        # A quaternion's matrix has three rows: its columns' lengths are one. More are of cosines.
+        # A quaternion has three rows: its columns have unit length. Nine cosines have more.
         every = [] if any(len(rows) > 3 for rows in turns) else [*_frames(k), *_points(k)]
     except (NotImplementedError, TypeError, ValueError):
         if equations.formed is not None:
             raise
-        return  # a method's own equations may hold what cannot be formed here
-    held = [row for rows in turns for row in rows]
-    apart = _apart(k, every, held)
-    if not any(map(np.any, apart)):
+        return  # a method's own equations may contain functions that cannot be read here
+    zero_rows = [row for rows in turns for row in rows]
+    differing = _differing(k, every, zero_rows)
+    if not any(map(np.any, differing)):
         return
-    told: list[str] = []
+    misfits: list[str] = []
     wrong: set[int] = set()
-    for group in connected([_holds(k, *item) for item in every]):
-        own, unlike = [every[i] for i in group], [apart[i] for i in group]
-        if any(map(np.any, unlike)) and all(_depends_alike(k, *item) for item in own):
-            others = _others(k, own, np.concatenate(unlike), held)
-            wrong.update(others)
-            if others:
-                told += [what for (what, *_), rows in zip(own, unlike, strict=True) if rows.any()]
-    if told:
+    for group in connected([_dependencies(k, *item) for item in every]):
+        members, unlike = [every[i] for i in group], [differing[i] for i in group]
+        if any(map(np.any, unlike)) and all(_depends_alike(k, *item) for item in members):
+            affected = _wrong_coordinates(k, members, np.concatenate(unlike), zero_rows)
+            wrong.update(affected)
+            if affected:
+                misfits += [
+                    label for (label, *_), rows in zip(members, unlike, strict=True) if rows.any()
+                ]
+    if misfits:
         rates = [body.coordinates[i] for i in sorted(wrong)]
         warn_user(
             f"The kinematic equations do not fit the velocities: with the derivatives of "
-            f"{describe(rates)} that they give, {describe(told)} would not be what was set, and "
+            f"{describe(rates)} that they give, {describe(misfits)} would not be what was set, and "
             "with others all would. Give those (`kd_eqs` of a KanesMethod, `kinematic_equations` "
             "of a Definition; without them each coordinate's derivative is the speed at its "
             "place), or correct the velocities."
@@ -155,10 +165,10 @@ def warn_of_kinematics(equations: Equations) -> None:
 
 def _frames(k: Kinematics) -> Iterator[Moved]:
     """Yield the frames that orient the bodies, with their parents where known."""
-    seen = {k.inertial}
+    visited = {k.inertial}
     for frame in (item.frame for item in k.body.bodies if is_rigid(item)):
-        while frame not in seen and frame in k.tree.frame_depth:
-            seen.add(frame)
+        while frame not in visited and frame in k.tree.frame_depth:
+            visited.add(frame)
             parent = k.tree.parent(frame)
             if k.tree.turns_in(frame) is parent:
                 axes = k.frames.given(frame, parent)
@@ -166,111 +176,115 @@ def _frames(k: Kinematics) -> Iterator[Moved]:
             else:
                 axes = [k.expressed(unit, frame, k.inertial) for unit in identity(k.graph)]
                 w = k.spin(frame, k.inertial)[0]
-            turned = [n for axis in axes for n in k.cross(w, axis)]
-            yield f"the angular velocity of {frame}", flat(axes), turned, ()
+            rates = [n for axis in axes for n in k.cross(w, axis)]
+            yield f"the angular velocity of {frame}", flat(axes), rates, ()
             frame = parent
 
 
 def _points(k: Kinematics) -> Iterator[Moved]:
-    """Yield the mass centres that are placed along inertial axes from a point at rest.
+    """Yield the mass centres that are located along inertial axes from a point at rest.
 
-    Along other axes that point may be where a wheel touches the ground, at rest for an instant.
+    Along other axes that point may be the contact of a wheel, which is at rest for an instant.
     """
-    found: dict[Any, tuple[Vec, Any]] = {}
+    located: dict[Any, tuple[Vec, Any]] = {}
     for point in (item.masscenter for item in k.body.bodies):
-        found.update(_from_rest(k, point))
-    for point, (place, base) in found.items():
+        located.update(_from_rest(k, point))
+    for point, (position, base) in located.items():
         velocity = k.vector(k.tree.velocity(point), k.inertial)
-        yield f"the velocity of {point}", place, velocity, (point, *({base} & found.keys()))
+        yield f"the velocity of {point}", position, velocity, (point, *({base} & located.keys()))
 
 
 def _from_rest(k: Kinematics, point: Any) -> dict[Any, tuple[Vec, Any]]:
-    """Return a point's place along inertial axes from the nearest point at rest, if there is one.
+    """Return positions along inertial axes from the nearest point at rest, if there is one.
 
-    Beside it is the point before it, which must move as its own place says, as a wheel's hub does
-    not: all on the way are returned. The way ends at the point at rest, which may be at rest there.
+    All points on the path are returned, each with the point before it: the velocity of that one
+    must fit its position too, as that of a wheel's hub does not.
     """
     before: dict[Any, Any] = {point: None}
-    for other in (todo := [point]):
-        if getattr(k.tree.velocity(other), "args", None) == []:
+    for current in (todo := [point]):
+        if getattr(k.tree.velocity(current), "args", None) == []:
             break
-        if k.tree.velocity(other) is not None:
-            ways = FrameTree.positions(other).items()
-            near = [p for p, way in ways if {f for _, f in way.args} <= {k.inertial}]
+        if k.tree.velocity(current) is not None:
+            neighbours = FrameTree.positions(current).items()
+            near = [p for p, offset in neighbours if {f for _, f in offset.args} <= {k.inertial}]
             todo += [p for p in near if p not in before]
-            before |= {p: other for p in near if p not in before}
+            before |= {p: current for p in near if p not in before}
     else:
         return {}
-    found: dict[Any, tuple[Vec, Any]] = {}
-    place = [k.graph.zero] * 3
-    while (after := before[other]) is not None:
-        place = k.plus(place, k.vector(FrameTree.positions(after)[other], k.inertial))
-        found[after] = place, other
-        other = after
-    return found
+    located: dict[Any, tuple[Vec, Any]] = {}
+    position = [k.graph.zero] * 3
+    while (after := before[current]) is not None:
+        position = k.plus(position, k.vector(FrameTree.positions(after)[current], k.inertial))
+        located[after] = position, current
+        current = after
+    return located
 
 
-def _holds(k: Kinematics, what: str, place: Vec, velocity: Vec, points: Any) -> list[Any]:
-    """Return the places of coordinates, and the points, by which a velocity belongs with others."""
-    moves = jacobian(k.graph, place, k.coordinates)
-    return [*dict.fromkeys(i for row in moves for i in row), *points]
+def _dependencies(
+    k: Kinematics, label: str, position: Vec, velocity: Vec, points: Any
+) -> list[Any]:
+    """Return the numbers of coordinates, and the points, that relate a velocity to others."""
+    slopes = jacobian(k.graph, position, k.coordinates)
+    return [*dict.fromkeys(i for row in slopes for i in row), *points]
 
 
-def _depends_alike(k: Kinematics, what: str, place: Vec, velocity: Vec, points: Any) -> bool:
-    """Return whether a velocity holds no constant or specified that its place and q' have not."""
-    g, known = k.graph, {*k.coordinates, *k.speeds}
-    known |= {*g.reachable([*place, *k.dt(place)])}
-    return known.issuperset(g.inputs(velocity))
+def _depends_alike(k: Kinematics, label: str, position: Vec, velocity: Vec, points: Any) -> bool:
+    """Return whether all inputs of a velocity occur in its position and in q' too."""
+    g, available = k.graph, {*k.coordinates, *k.speeds}
+    available |= {*g.reachable([*position, *k.dt(position)])}
+    return available.issuperset(g.inputs(velocity))
 
 
-def _values(k: Kinematics, nodes: list[int], held: list[int]) -> np.ndarray:
-    """Return values at random states where all of them are finite; there may be none."""
+def _values(k: Kinematics, nodes: list[int], zero_rows: list[int]) -> np.ndarray:
+    """Return values at the random states at which all are finite; there may be none."""
     with np.errstate(all="ignore"):
-        found = numbers_of(k.graph, nodes, held)
-    values: np.ndarray = found[np.isfinite(found).all(axis=1)]
+        all_values = numbers_of(k.graph, nodes, zero_rows)
+    values: np.ndarray = all_values[np.isfinite(all_values).all(axis=1)]
     return values
 
 
-def _apart(k: Kinematics, every: Sequence[Moved], held: list[int]) -> list[np.ndarray]:
-    """Return for each velocity which of its components are not how the place changes.
+def _differing(k: Kinematics, every: Sequence[Moved], zero_rows: list[int]) -> list[np.ndarray]:
+    """Return for each velocity which components differ from the rate of the position.
 
-    They differ by more than typed digits of their terms make, at some random state.
+    At some random state they differ by more than the rounding of typed decimals.
     """
-    pairs = [both for _, place, v, _ in every for both in zip(v, k.dt(place), strict=True)]
-    left = [i for i, (says, follows) in enumerate(pairs) if says != follows]
-    known = signatures(k.graph, [n for i in left for n in pairs[i]])
-    left = [i for j, i in enumerate(left) if known[2 * j] != known[2 * j + 1]]
-    found = np.zeros(len(pairs), dtype=bool)
-    flat = [n for i in left for n in pairs[i]]
+    pairs = [sides for _, position, v, _ in every for sides in zip(v, k.dt(position), strict=True)]
+    unlike = [i for i, (says, follows) in enumerate(pairs) if says != follows]
+    signature = signatures(k.graph, [n for i in unlike for n in pairs[i]])
+    unlike = [i for j, i in enumerate(unlike) if signature[2 * j] != signature[2 * j + 1]]
+    differs = np.zeros(len(pairs), dtype=bool)
+    flat = [n for i in unlike for n in pairs[i]]
     with np.errstate(all="ignore"):
-        values = numbers_of(k.graph, [*flat, *rounding_bounds(k.graph, flat, constants=True)], held)
-    both, bounds = np.split(values.reshape(len(values), -1, 2), 2, axis=1)
-    more = np.abs(both[..., 0] - both[..., 1]) > DIGITS * bounds.sum(axis=2)
-    found[left] = (more & np.isfinite(bounds).all(axis=2)).any(axis=0)
-    return np.split(found, np.cumsum([len(place) for _, place, *_ in every])[:-1])
+        values = numbers_of(
+            k.graph, [*flat, *rounding_bounds(k.graph, flat, constants=True)], zero_rows
+        )
+    sides, bounds = np.split(values.reshape(len(values), -1, 2), 2, axis=1)
+    exceeds = np.abs(sides[..., 0] - sides[..., 1]) > DIGITS * bounds.sum(axis=2)
+    differs[unlike] = (exceeds & np.isfinite(bounds).all(axis=2)).any(axis=0)
+    return np.split(differs, np.cumsum([len(position) for _, position, *_ in every])[:-1])
 
 
-def _others(
-    k: Kinematics, every: Sequence[Moved], unlike: np.ndarray, held: list[int]
+def _wrong_coordinates(
+    k: Kinematics, every: Sequence[Moved], unlike: np.ndarray, zero_rows: list[int]
 ) -> list[int]:
-    """Return the coordinates whose derivatives are others where all velocities fit, if any do.
+    """Return the coordinates whose derivatives must change so that all velocities fit, if possible.
 
-    They are told from the components that are `unlike`.
+    They are identified by the components that are `unlike`.
     """
-    place = [n for _, own, *_ in every for n in own]
-    velocity = [n for _, _, own, _ in every for n in own]
-    slopes = jacobian(k.graph, place, k.coordinates).flat()
-    m, n = len(place), len(k.coordinates)
-    values = _values(k, [*slopes, *velocity, *k.dt(place)], held)
+    position = [n for _, components, *_ in every for n in components]
+    velocity = [n for _, _, components, _ in every for n in components]
+    slopes = jacobian(k.graph, position, k.coordinates).flat()
+    m, n = len(position), len(k.coordinates)
+    values = _values(k, [*slopes, *velocity, *k.dt(position)], zero_rows)
     wrong = np.zeros(n, dtype=bool)
     for row in values:
         matrix, says, follows = row[: m * n].reshape(m, n), row[m * n : -m], row[-m:]
         tall = or_one(np.abs(matrix).max(axis=1))[:, None]
         wide = or_one(np.abs(matrix / tall).max(axis=0))
-        more = np.linalg.lstsq(matrix / tall / wide, (says - follows) / tall[:, 0])[0] / wide
-        bound = np.abs(says) + np.abs(follows) + np.abs(matrix) @ np.abs(more)
-        if not (np.abs(says - follows - matrix @ more) <= DIGITS * bound).all():
+        corrections = np.linalg.lstsq(matrix / tall / wide, (says - follows) / tall[:, 0])[0] / wide
+        bound = np.abs(says) + np.abs(follows) + np.abs(matrix) @ np.abs(corrections)
+        if not (np.abs(says - follows - matrix @ corrections) <= DIGITS * bound).all():
             return []
-        shares = np.abs(matrix * more) > DIGITS * bound[:, None]
+        shares = np.abs(matrix * corrections) > DIGITS * bound[:, None]
         wrong |= shares[unlike].any(axis=0)
     return [i for i in range(n) if wrong[i]]
