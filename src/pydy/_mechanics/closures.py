@@ -1,9 +1,9 @@
 """Auxiliary speeds in the rates of closed loops.
 
-An auxiliary speed moves points that no coordinate moves. The derivative of a loop's constraint, an
-expression of the coordinates, leaves it out, and with it the loop's share of the joint force. That
-expression does not say which bodies it connects. Its rate is looked up among the rates of what
-connects two points, frames or bodies:
+An auxiliary speed moves points without moving a coordinate. The derivative of a loop constraint, an
+expression of the coordinates, does not contain it, so that the contribution of the loop to the
+joint force would be lost. Which bodies the expression connects is not known. Its rate is compared
+with the rates of all quantities that connect two points, frames or bodies:
 
     e·r              components of the vector r between two points, along axes e of any frame,
     e·v              components of their relative velocity,
@@ -12,11 +12,11 @@ connects two points, frames or bodies:
     e₁·e₂            the cosines between their axes,
     f·v + τ·ω        a constant force and torque between two bodies: rolling, gears.
 
-Where the coefficients are the same at all states, the constraint is this one, and its rate by an
-auxiliary speed follows from the velocities of these points and frames. Of several that differ in
-it, those count that are equal to the constraint itself, not only in their rates; then single
-components; then those of ends that other rows of the loop connect. Where that fails, the loop's
-share is unknown.
+If the coefficients are equal at all states, the constraint is that quantity, and its derivative
+with respect to an auxiliary speed follows from the velocities of the points and frames. If several
+match with different derivatives, those that are equal to the constraint itself, not only in their
+rates, take precedence; then single components; then those between ends that other rows of the loop
+connect. Otherwise the contribution of the loop is unknown.
 """
 
 from __future__ import annotations
@@ -47,37 +47,41 @@ _STATES = 4  # generic states at which rates are compared, for each of two sets 
 
 
 def loop_points(body: Multibody) -> dict[Any, Any]:
-    """Return the points that constraints may connect, each with the one it is placed from.
+    """Return the points that constraints may connect, each with the one it is located from.
 
-    Points of other mechanisms that hang on the same origin move with other functions of time.
+    Points of other mechanisms with the same origin depend on other functions of time.
     """
     tree = FrameTree(body.frame)
     written = find_symbols((*body.holonomic, *body.velocity, *body.coordinate_derivatives))
-    known = {s for s in written if isinstance(s, AppliedUndef)} | {*body.coordinates}
+    functions_of_motion = {s for s in written if isinstance(s, AppliedUndef)} | {*body.coordinates}
 
-    def near(point: Any) -> list[Any]:
+    def connected(point: Any) -> list[Any]:
         return [
-            other
-            for other, way in FrameTree.positions(point).items()
-            if all(frame in tree.frame_depth and frame in tree.spin_depth for _, frame in way.args)
-            and {s for part, _ in way.args for s in part.atoms(AppliedUndef)} <= known
+            neighbour
+            for neighbour, offset in FrameTree.positions(point).items()
+            if all(
+                frame in tree.frame_depth and frame in tree.spin_depth for _, frame in offset.args
+            )
+            and {s for part, _ in offset.args for s in part.atoms(AppliedUndef)}
+            <= functions_of_motion
         ]
 
-    found: dict[Any, Any] = {}
-    at_loads = [where for where, _ in body.loads if isinstance(where, Point)]
+    before: dict[Any, Any] = {}
+    at_loads = [location for location, _ in body.loads if isinstance(location, Point)]
     for root in (*(b.masscenter for b in body.bodies), *at_loads):
-        if root not in found:
-            found |= breadth_first([root], near)
-    return found
+        if root not in before:
+            before |= breadth_first([root], connected)
+    return before
 
 
 @dataclass
 class _Closures:
-    """Ways to connect two ends, all of one kind, by the same number of components.
+    """Quantities of one kind that connect two ends, all with the same number of components.
 
-    Rates of the components by the speeds, at generic states, are `columns` (2 sets of constants,
-    ways, components, states · speeds), and the components themselves, where known, `values` (2,
-    ways, components, states). `rates` gives the rates of one way as nodes.
+    The derivatives of their rates with respect to the speeds, at generic states, are `columns` (2
+    sets of constants, quantities, components, states · speeds); `values` (2, quantities,
+    components, states) are the components themselves if known. `rates` returns the rates of one as
+    nodes.
     """
 
     ends: list[tuple[Any, Any]]
@@ -90,9 +94,9 @@ class _Closures:
 
 @dataclass
 class _Fit:
-    """What has the rate of a constraint: how well, and the constraint's rate by auxiliary speeds.
+    """A quantity with the rate of a constraint, and its derivatives by the auxiliary speeds.
 
-    The lower the rank, the more of the constraint it explains.
+    The lower the rank, the better the match.
     """
 
     rank: int
@@ -102,7 +106,7 @@ class _Fit:
 
 
 class LoopShares:
-    """Rates of loop constraints by the auxiliary speeds that their expressions leave out.
+    """Derivatives of loop constraints by auxiliary speeds that their expressions lack.
 
     The kinematics hold the auxiliary speeds and the `loop_points`; `rows` are nodes of its graph,
     linear in the speeds.
@@ -126,20 +130,20 @@ class LoopShares:
         self._rows = jacobian(g, rows, k.speeds).dense()
         self._number(k.read.all(k.body.holonomic))
 
-    def _moving(self, places: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, Vec]]]:
-        return ((where, self.k.at(where)) for where in places)
+    def _moving(self, items: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, Vec]]]:
+        return ((item, self.k.at(item)) for item in items)
 
     def _number(self, holonomic: Vec) -> None:
-        """Evaluate places and axes, and slopes of all rates by speeds and auxiliary speeds."""
+        """Evaluate positions and axes, and derivatives of all rates by all speeds."""
         k, g, n = self.k, self.k.graph, len(self.k.speeds)
-        place = flat([*self._place.values()])
-        axes = [c for own in self._axes.values() for axis in own for c in axis]
-        rates = [*k.dt([*place, *axes]), *flat([*self._motion.values()])]
+        positions = flat([*self._place.values()])
+        axes = [c for row in self._axes.values() for axis in row for c in axis]
+        rates = [*k.dt([*positions, *axes]), *flat([*self._motion.values()])]
         slopes = flat(jacobian(g, rates, [*k.speeds, *k.auxiliary]).dense())
-        of_places = flat(jacobian(g, k.dt(holonomic), k.speeds).dense())
-        nodes = [*place, *axes, *slopes, *flat(self._rows), *of_places, *holonomic]
+        holonomic_slopes = flat(jacobian(g, k.dt(holonomic), k.speeds).dense())
+        nodes = [*positions, *axes, *slopes, *flat(self._rows), *holonomic_slopes, *holonomic]
         self._states = _generic(g, g.inputs(nodes))
-        values = np.array([g.evaluator(nodes)(own, _STATES) for own in self._states])
+        values = np.array([g.evaluator(nodes)(row, _STATES) for row in self._states])
         p, f, width = len(self._points), len(self._frames), n + len(k.auxiliary)
         shapes = [
             (p, 3), (f, 3, 3), (p, 3, width), (f, 3, 3, width), (p, 3, width), (f, 3, width),
@@ -150,60 +154,67 @@ class LoopShares:
             part.reshape(2, _STATES, *shape)
             for part, shape in zip(np.split(values, sizes[:-1], axis=2), shapes, strict=True)
         ]
-        self._r, self._e, dr, de, self._v, self._w, self._slopes, held, values = parts
-        self._values = [_whose(row, held, values) for row in np.moveaxis(self._slopes, 2, 0)]
+        self._r, self._e, dr, de, self._v, self._w, self._slopes, constraint_rows, values = parts
+        self._values = [
+            _value_of_rate(row, constraint_rows, values) for row in np.moveaxis(self._slopes, 2, 0)
+        ]
         self._dr, self._de = dr[..., :n], de[..., :n]
-        # Points at one place that move alike are one; those that auxiliary speeds part are two.
-        both = np.concatenate([self._r[..., None], dr, self._v], axis=-1)
-        self._distinct = _unequal(np.moveaxis(both, 2, 0))
+        # Points with equal positions and velocities are one; auxiliary speeds may separate them.
+        motions = np.concatenate([self._r[..., None], dr, self._v], axis=-1)
+        self._distinct = _unequal(np.moveaxis(motions, 2, 0))
 
     # -- the choice -------------------------------------------------------------------------------
 
     def found(self, equations: Equations) -> list[Vec | None]:
-        """Return the shares of each row by the auxiliary speeds, None where they are unknown."""
+        """Return the derivatives of each row by the auxiliary speeds, None if unknown."""
         g, count = self.k.graph, len(self._rows)
         fits = [self._fitting(j, self._usual()) for j in range(count)]
-        for j, own in enumerate(fits):
-            fits[j] = own or self._fitting(j, self._between_bodies())
-        fits = [[f for f in own if f.rank == min(o.rank for o in own)] for own in fits]
-        held = {None, self.k.inertial, *(b.frame for b in self.k.body.bodies if is_rigid(b))}
-        votes = Counter(ends for own in fits for ends in {f.ends for f in own})
+        for j, candidates in enumerate(fits):
+            fits[j] = candidates or self._fitting(j, self._between_bodies())
+        fits = [
+            [f for f in candidates if f.rank == min(o.rank for o in candidates)]
+            for candidates in fits
+        ]
+        body_frames = {None, self.k.inertial, *(b.frame for b in self.k.body.bodies if is_rigid(b))}
+        votes = Counter(ends for candidates in fits for ends in {f.ends for f in candidates})
         chosen: list[Vec | None] = []
-        for j, own in enumerate(fits):
-            groups = self._alike(own, equations)
-            if len(groups) > 1:  # frames may turn alike but for an auxiliary speed
-                own = [f for f in own if f.axes in held] or own
-                groups = self._alike(own, equations)
+        for j, candidates in enumerate(fits):
+            groups = self._alike(candidates, equations)
+            if len(groups) > 1:  # frames may differ by an auxiliary speed only
+                candidates = [f for f in candidates if f.axes in body_frames] or candidates
+                groups = self._alike(candidates, equations)
             if len(groups) > 1:
-                most = max(votes[f.ends] for f in own)
-                own = [f for f in own if votes[f.ends] == most > 1]
-                groups = self._alike(own, equations)
+                most = max(votes[f.ends] for f in candidates)
+                candidates = [f for f in candidates if votes[f.ends] == most > 1]
+                groups = self._alike(candidates, equations)
             if len(groups) == 1:
                 chosen.append(groups[0])
             else:
-                unmoved = not own and self._unmoved(j)
+                unmoved = not candidates and self._unmoved(j)
                 chosen.append([g.zero] * len(self.k.auxiliary) if unmoved else None)
         return chosen
 
     def _fitting(self, j: int, kinds: Iterable[_Closures]) -> list[_Fit]:
-        """Return what has the rate of a row."""
+        """Return the quantities that have the rate of a row."""
         row = self._slopes[:, :, j].reshape(2, -1)
-        found = []
+        fits = []
         for kind in kinds:
             count = kind.columns.shape[2]
             singles = [(c,) for c in range(count)] if count > 1 else []
-            left = np.ones(len(kind.ends), dtype=bool)
+            untried = np.ones(len(kind.ends), dtype=bool)
             for part in (*singles, tuple(range(count))):
                 columns = kind.columns[:, :, part]
                 weights, fit = _combinations(columns, row)
-                for way in np.flatnonzero(fit & left):
-                    own = columns[:, way], weights[:, way]
-                    values = None if kind.values is None else kind.values[:, way][:, part]
-                    made = self._fit(j, kind, part, kind.ends[way], *own, values)
-                    if made is not None:
-                        found.append(made)
-                left &= ~fit
-        return found
+                for index in np.flatnonzero(fit & untried):
+                    columns_and_weights = columns[:, index], weights[:, index]
+                    values = None if kind.values is None else kind.values[:, index][:, part]
+                    candidate = self._fit(
+                        j, kind, part, kind.ends[index], *columns_and_weights, values
+                    )
+                    if candidate is not None:
+                        fits.append(candidate)
+                untried &= ~fit
+        return fits
 
     def _fit(
         self,
@@ -224,59 +235,63 @@ class LoopShares:
         factors = self._factors(j, rates, columns, weights)
         if factors is None:
             return None
-        exact, own = False, self._values[j]
-        if values is not None and own is not None:
+        exact, constraint_value = False, self._values[j]
+        if values is not None and constraint_value is not None:
             terms = weights[:, :, None] * values
-            sizes = np.abs(terms).sum(axis=1) + np.abs(own)
-            exact = bool((np.abs(terms.sum(axis=1) - own) <= HALF * sizes).all())
+            sizes = np.abs(terms).sum(axis=1) + np.abs(constraint_value)
+            exact = bool((np.abs(terms.sum(axis=1) - constraint_value) <= HALF * sizes).all())
         rank = 2 * (not exact) + (len(part) > 1)
         shares = turned(g, [*zip(*slopes, strict=True)], factors)
         return _Fit(rank, frozenset(ends), kind.axes, shares)
 
     def _determined(self, slopes: list[Vec], columns: np.ndarray, or_none: bool) -> bool:
-        """Return whether what the speeds do not move, auxiliary speeds do not move either.
+        """Return whether auxiliary speeds move only directions that the speeds move.
 
-        A force in such directions is unknown. Between bodies it is none, where auxiliary speeds
-        move nothing else: a wheel that rolls is not pressed onto its plane by that.
+        The force in other directions is unknown. Between bodies it counts as zero if auxiliary
+        speeds move nothing else: rolling does not press a wheel onto its plane.
         """
         nodes = flat(slopes)
         values = self.k.graph.evaluator(nodes)(self._numbers(nodes), _STATES)
-        moved = values.reshape(_STATES, len(slopes), -1)
+        auxiliary_rates = values.reshape(_STATES, len(slopes), -1)
         units = _units(columns[None, None])[0, 0]
         _, sizes, axes = np.linalg.svd((columns / units[:, None]).T)
         rank = int((sizes > HALF * sizes.max(initial=0.0)).sum())
-        moved = moved / units[:, None]
-        still = np.abs(np.einsum("zc,scn->szn", axes[rank:], moved)).max(axis=(0, 1), initial=0.0)
-        along = np.abs(np.einsum("zc,scn->szn", axes[:rank], moved)).max(axis=(0, 1), initial=0.0)
-        free = still <= HALF * (still + along)
-        return bool((free | (along <= HALF * still) if or_none else free).all())
+        auxiliary_rates = auxiliary_rates / units[:, None]
+        fixed_part = np.abs(np.einsum("zc,scn->szn", axes[rank:], auxiliary_rates)).max(
+            axis=(0, 1), initial=0.0
+        )
+        moving_part = np.abs(np.einsum("zc,scn->szn", axes[:rank], auxiliary_rates)).max(
+            axis=(0, 1), initial=0.0
+        )
+        free = fixed_part <= HALF * (fixed_part + moving_part)
+        return bool((free | (moving_part <= HALF * fixed_part) if or_none else free).all())
 
     def _numbers(self, nodes: Sequence[int]) -> dict[int, np.ndarray]:
         """Return the first set of numbers, with zeros for inputs that it does not have."""
-        known = self._states[0]
-        nothing = np.zeros(_STATES)
-        return {n: known.get(n, nothing) for n in self.k.graph.inputs(nodes)}
+        numbers = self._states[0]
+        zeros = np.zeros(_STATES)
+        return {n: numbers.get(n, zeros) for n in self.k.graph.inputs(nodes)}
 
     def _factors(self, j: int, rates: Vec, columns: np.ndarray, weights: np.ndarray) -> Vec | None:
         """Return the coefficients of components: numbers, or expressions of constants."""
         g = self.k.graph
         row = self._slopes[:, :, j].reshape(2, -1)
-        sizes, whole = np.linalg.norm(columns, axis=2), np.linalg.norm(row, axis=1)[:, None]
-        used = np.flatnonzero((np.abs(weights) * sizes > HALF * whole).any(axis=0))
-        apart = np.abs(weights[0] - weights[1]) * sizes.max(axis=0)
+        sizes, row_size = np.linalg.norm(columns, axis=2), np.linalg.norm(row, axis=1)[:, None]
+        used = np.flatnonzero((np.abs(weights) * sizes > HALF * row_size).any(axis=0))
+        difference = np.abs(weights[0] - weights[1]) * sizes.max(axis=0)
         factors = [g.zero] * len(rates)
-        if (apart <= HALF * whole.max()).all():
+        if (difference <= HALF * row_size.max()).all():
             for i in used:
-                factors[i] = g.const(_plain(float(weights[0, i])))
+                factors[i] = g.const(_half_integer(float(weights[0, i])))
             return factors
-        places = _independent(columns[0][used].T)
-        if len(places) < len(used):
+        equations = _independent(columns[0][used].T)
+        if len(equations) < len(used):
             return None
         slopes = jacobian(g, [rates[i] for i in used], self.k.speeds).dense()
         matrix, right = [], []
-        for place in places:
-            state, speed = divmod(place, len(self.k.speeds))
-            nodes = [*(own[speed] for own in slopes), self._rows[j][speed]]
+        for equation in equations:
+            state, speed = divmod(equation, len(self.k.speeds))
+            nodes = [*(slope[speed] for slope in slopes), self._rows[j][speed]]
             *cells, cell = substitute(g, nodes, self._at(state))
             matrix.append(cells)
             right.append(cell)
@@ -294,7 +309,7 @@ class LoopShares:
         }
 
     def _alike(self, fits: Sequence[_Fit], equations: Equations) -> list[Vec]:
-        """Return shares that differ at states that keep the constraints."""
+        """Return the derivatives that are distinct at consistent states."""
         every = [fit.shares for fit in fits]
         k, width = self.k, len(self.k.auxiliary)
         if len({*map(tuple, every)}) <= 1:
@@ -304,34 +319,38 @@ class LoopShares:
         inputs = states.consistent(_STATES)
         numbers = states.by_symbol(inputs)
         nodes = flat(every)
-        known = {node: numbers[s] for node, s in k.symbols().items() if s in numbers}
-        known |= {n: np.zeros(_STATES) for n in k.graph.inputs(nodes) if n not in known}
-        values = k.graph.evaluator(nodes)(known, _STATES).reshape(_STATES, -1, width)
+        inputs_at = {node: numbers[s] for node, s in k.symbols().items() if s in numbers}
+        inputs_at |= {n: np.zeros(_STATES) for n in k.graph.inputs(nodes) if n not in inputs_at}
+        values = k.graph.evaluator(nodes)(inputs_at, _STATES).reshape(_STATES, -1, width)
         finite = np.array(np.isfinite(values).all(axis=(1, 2)))
         values = values[states.closed(inputs, finite)]
         sizes = np.abs(values).max(axis=(0, 1))
-        found: list[int] = []
+        distinct: list[int] = []
         for i in range(len(every)):
-            apart = [np.abs(values[:, i] - values[:, other]).max(axis=0) for other in found]
-            if all((own > HALF * sizes).any() for own in apart):
-                found.append(i)
-        return [every[i] for i in found]
+            differences = [
+                np.abs(values[:, i] - values[:, earlier]).max(axis=0) for earlier in distinct
+            ]
+            if all((difference > HALF * sizes).any() for difference in differences):
+                distinct.append(i)
+        return [every[i] for i in distinct]
 
     def _unmoved(self, j: int) -> bool:
-        """Return whether a row cannot connect what the auxiliary speeds move.
+        """Return whether a row cannot connect the bodies that the auxiliary speeds move.
 
-        They move bodies alone that none of the row's speeds moves, but others do.
+        Those bodies are moved by other speeds, but by none of the row's speeds.
         """
         n = len(self.k.speeds)
-        own = np.abs(self._slopes[:, :, j]).max(axis=(0, 1)) > 0.0
+        used = np.abs(self._slopes[:, :, j]).max(axis=(0, 1)) > 0.0
         moving = []
         for body in self.k.body.bodies:
             motions = [self._v[:, :, self._points.index(body.masscenter)]]
             if is_rigid(body):
                 motions.append(self._w[:, :, self._frames.index(body.frame)])
             moving.append(np.any([(np.abs(m) > 0.0).any(axis=(0, 1, 2)) for m in motions], axis=0))
-        carried = [m for m in moving if m[n:].any()]
-        return bool(carried) and all(m[:n].any() and not m[:n][own].any() for m in carried)
+        with_auxiliary = [m for m in moving if m[n:].any()]
+        return bool(with_auxiliary) and all(
+            m[:n].any() and not m[:n][used].any() for m in with_auxiliary
+        )
 
     # -- the kinds --------------------------------------------------------------------------------
 
@@ -349,12 +368,12 @@ class LoopShares:
             v = (self._v[:, :, i] - self._v[:, :, j])[..., :n]
             for f, frame in enumerate(self._frames):
                 e, de = self._e[:, :, f], self._de[:, :, f]
-                along = np.einsum("csab,cspbn->cspan", e, dr)
+                translation = np.einsum("csab,cspbn->cspan", e, dr)
                 turning = np.einsum("csabn,cspb->cspan", de, r)
                 values = np.moveaxis(np.einsum("csab,cspb->cspa", e, r), 1, 3)
-                columns = _columns(along + turning)
+                columns = _columns(translation + turning)
                 yield _Closures(ends, columns, partial(self._along, frame), values, frame)
-                # Velocities that the user set need not be those of places: where a wheel touches.
+                # Velocities that the user set may differ from rates of positions: wheel contacts.
                 columns = np.einsum("csab,cspbn->cspan", e, v)
                 rates = partial(self._moved, frame)
                 yield _Closures(ends, _columns(columns), rates, axes=frame)
@@ -386,26 +405,26 @@ class LoopShares:
             turns = self._frames.index(body.frame) if is_rigid(body) else None
             ends.append((self._points.index(body.masscenter), turns))
         zero = np.zeros((2, _STATES, 3))
-        still = np.zeros((2, _STATES, 3, n))
+        no_rates = np.zeros((2, _STATES, 3, n))
         for (a, fa), (b, fb) in permutations([*ends, (None, None)], 2):
             if a is None:
                 continue
-            wa = still if fa is None else self._w[:, :, fa, :, :n]
-            wb = still if fb is None else self._w[:, :, fb, :, :n]
-            vb = still if b is None else self._v[:, :, b, :, :n]
+            wa = no_rates if fa is None else self._w[:, :, fa, :, :n]
+            wb = no_rates if fb is None else self._w[:, :, fb, :, :n]
+            vb = no_rates if b is None else self._v[:, :, b, :, :n]
             arm = zero if b is None else self._r[:, :, a] - self._r[:, :, b]
             v = self._v[:, :, a, :, :n] - vb - np.cross(wb, arm[..., None], axis=2)
-            one = self._points[a], None if fa is None else self._frames[fa]
-            two = (
+            first = self._points[a], None if fa is None else self._frames[fa]
+            second = (
                 None if b is None else self._points[b],
                 None if fb is None else self._frames[fb],
             )
-            for axes in dict.fromkeys((self.k.inertial, one[1] or self.k.inertial)):
+            for axes in dict.fromkeys((self.k.inertial, first[1] or self.k.inertial)):
                 e = self._e[:, :, self._frames.index(axes)]
-                parts = [np.einsum("csab,csbn->csan", e, own) for own in (v, wa - wb)]
+                parts = [np.einsum("csab,csbn->csan", e, motion) for motion in (v, wa - wb)]
                 columns = np.concatenate(parts, axis=2)[:, :, None]
                 rates = partial(self._wrench, axes)
-                yield _Closures([(one, two)], _columns(columns), rates, between_bodies=True)
+                yield _Closures([(first, second)], _columns(columns), rates, between_bodies=True)
 
     # -- their rates, auxiliary speeds included ---------------------------------------------------
 
@@ -414,8 +433,8 @@ class LoopShares:
 
     def _between(self, a: Any, b: Any) -> tuple[Vec, Vec]:
         """Return the vector between two points and the relative velocity."""
-        place, motion = self._place, self._motion
-        return self._minus(place[a], place[b]), self._minus(motion[a], motion[b])
+        position, motion = self._place, self._motion
+        return self._minus(position[a], position[b]), self._minus(motion[a], motion[b])
 
     def _along(self, frame: Any, a: Any, b: Any) -> Vec:
         k, (r, v) = self.k, self._between(a, b)
@@ -440,9 +459,9 @@ class LoopShares:
         k, spin = self.k, self._minus(self._motion[a], self._motion[b])
         return [dot(k.graph, spin, k.cross(x, y)) for x in self._axes[a] for y in self._axes[b]]
 
-    def _wrench(self, axes: Any, one: Any, two: Any) -> Vec:
+    def _wrench(self, axes: Any, first: Any, second: Any) -> Vec:
         k, nothing = self.k, [self.k.graph.zero] * 3
-        (a, fa), (b, fb) = one, two
+        (a, fa), (b, fb) = first, second
         wa, wb = (nothing if f is None else self._motion[f] for f in (fa, fb))
         v = self._motion[a]
         if b is not None:
@@ -457,76 +476,76 @@ class LoopShares:
 def _generic(graph: Graph, inputs: Sequence[int]) -> list[dict[int, np.ndarray]]:
     """Return numbers of inputs at generic states, with two sets of constants."""
     rng = np.random.default_rng(0)
-    found = []
+    samples = []
     for _ in range(2):
         values = rng.uniform(0.5, 1.5, (len(inputs), _STATES))
         for k, node in enumerate(inputs):
             if graph.constant[node]:
                 values[k] = values[k, 0]
-        found.append(dict(zip(inputs, values, strict=True)))
-    return found
+        samples.append(dict(zip(inputs, values, strict=True)))
+    return samples
 
 
-def _whose(row: np.ndarray, held: np.ndarray, values: np.ndarray) -> np.ndarray | None:
-    """Return the values (2, states) of the constraint that has a row's rate."""
+def _value_of_rate(row: np.ndarray, rows: np.ndarray, values: np.ndarray) -> np.ndarray | None:
+    """Return the values (2, states) of the constraint with the rate of a row, or None."""
     for k in range(values.shape[2]):
-        if np.linalg.norm(held[:, :, k] - row) <= HALF * np.linalg.norm(row):
-            found: np.ndarray = values[:, :, k]
-            return found
+        if np.linalg.norm(rows[:, :, k] - row) <= HALF * np.linalg.norm(row):
+            value: np.ndarray = values[:, :, k]
+            return value
     return None
 
 
 def _columns(rates: np.ndarray) -> np.ndarray:
     """Bring rates (2, states, ways, components, n) into the order of `_Closures`."""
     moved = np.moveaxis(rates, 1, 3)
-    found: np.ndarray = np.nan_to_num(moved.reshape(*moved.shape[:3], -1))
-    return found
+    columns: np.ndarray = np.nan_to_num(moved.reshape(*moved.shape[:3], -1))
+    return columns
 
 
 def _combinations(columns: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the coefficients (2, ways, components) that give a row, and which ways give it."""
+    """Return least-squares coefficients (2, quantities, components), and which fit the row."""
     units = _units(columns)
     scaled = np.swapaxes(columns / units[..., None], 2, 3)
     weights = np.einsum("cpkm,cm->cpk", np.linalg.pinv(scaled, rcond=HALF), row)
-    rest = np.einsum("cpmk,cpk->cpm", scaled, weights) - row[:, None]
+    residual = np.einsum("cpmk,cpk->cpm", scaled, weights) - row[:, None]
     length = np.linalg.norm(row, axis=1)[:, None]
-    fit = (np.linalg.norm(rest, axis=2) <= HALF * length) & (length > 0.0)
+    fit = (np.linalg.norm(residual, axis=2) <= HALF * length) & (length > 0.0)
     return weights / units, fit.all(axis=0)
 
 
 def _units(columns: np.ndarray) -> np.ndarray:
-    """Return a unit for each column: of components of one vector, and with all constants, one."""
+    """Return a unit for each column: one for the components of a vector and all constants."""
     sizes = np.linalg.norm(columns, axis=3).max(axis=0, keepdims=True)
     vectors = [sizes[..., k : k + 3] for k in range(0, sizes.shape[2], 3)]
     most = [np.broadcast_to(v.max(axis=2, keepdims=True), v.shape) for v in vectors]
-    found: np.ndarray = or_one(np.concatenate(most, axis=2))
-    return found
+    units: np.ndarray = or_one(np.concatenate(most, axis=2))
+    return units
 
 
 def _independent(matrix: np.ndarray) -> list[int]:
-    """Return rows of a matrix (m, k) that give all k unknowns, as far as there are such."""
+    """Return k independent rows of a matrix (m, k), or fewer if its rank is lower."""
     work = matrix / or_one(np.abs(matrix).max(axis=0))
-    found: list[int] = []
+    independent: list[int] = []
     for _ in range(work.shape[1]):
         row, column = np.unravel_index(int(np.abs(work).argmax()), work.shape)
         if abs(work[row, column]) <= HALF:
             break
-        found.append(int(row))
+        independent.append(int(row))
         work = work - np.outer(work[:, column] / work[row, column], work[row])
-    return found
+    return independent
 
 
 def _unequal(items: np.ndarray) -> list[int]:
-    """Return the places of items that differ from those before them."""
+    """Return the numbers of items that differ from those before them."""
     sizes = or_one(np.abs(items).max(axis=0))
-    found: list[int] = []
+    distinct: list[int] = []
     for k, item in enumerate(items):
-        if all((np.abs(item - items[other]) > ROUNDED * sizes).any() for other in found):
-            found.append(k)
-    return found
+        if all((np.abs(item - items[earlier]) > ROUNDED * sizes).any() for earlier in distinct):
+            distinct.append(k)
+    return distinct
 
 
-def _plain(value: float) -> float:
-    """Return the multiple of a half that a coefficient is up to rounding, or itself."""
+def _half_integer(value: float) -> float:
+    """Round a coefficient to a multiple of 1/2 if it is one up to rounding."""
     near = round(2.0 * value) / 2.0
     return near if abs(value - near) <= HALF * abs(value) else value
