@@ -1,15 +1,15 @@
-"""The axes that vectors are written in, so that hinges turn about one of them; where joints are.
+"""The axes in which vectors are expressed, aligned with hinges; the points that stand for joints.
 
-Frames that do not move against each other belong to one body: vectors and inertias in any of them
-are turned into one set of axes, once for each set of constants. These axes are chosen so that the
-body's own hinge and those of the bodies behind it lie along them, and rotations are plane. Between
-two hinges at an angle there is one constant plane rotation, about their common normal (Denavit and
-Hartenberg, Journal of Applied Mechanics 22 (1955) 215-221):
+Frames without relative motion belong to one body: vectors and inertias in any of them are expressed
+in one set of axes, once for each set of constants. These axes are chosen so that the body's own
+hinge and those of its outer bodies lie along them, and rotations are plane. Between two hinges at
+an angle there is one constant plane rotation, about their common normal (Denavit and Hartenberg,
+Journal of Applied Mechanics 22 (1955) 215-221):
 
       ── q₁ about z ── W₁ ── α about x ── J ── q₂ about z ── W₂ ──
 
-A constant rotation about the hinge itself is added to its angle. A body that turns about an axis is
-referred to the point of the axis from which two components lead to the next joint in place of three
+A constant rotation about the hinge itself is added to its angle. The joint point of a hinge is
+moved along its axis, so that the vector to the next joint has two components instead of three
 (ibid.).
 """
 
@@ -32,7 +32,7 @@ Matrix = list[Vec]
 
 
 def hinge_axis(kinematics: Kinematics, frame: Any, before: Any) -> int | None:
-    """Return which axis a frame has in common at all times with the one that it turns in."""
+    """Return the number of the axis about which a frame rotates in the frame before, or None."""
     k, g = kinematics, kinematics.graph
     if frame not in k.tree.frame_depth or frame is k.inertial:
         return None
@@ -41,14 +41,14 @@ def hinge_axis(kinematics: Kinematics, frame: Any, before: Any) -> int | None:
     turn, spin = k.frames.step(frame), k.relative_spin(frame, frame)
     for i in range(3):
         unit = [g.one if j == i else g.zero for j in range(3)]
-        others = {n for j, n in enumerate(spin) if j != i}
-        if turn[i] == unit and [row[i] for row in turn] == unit and others == {g.zero}:
+        components = {n for j, n in enumerate(spin) if j != i}
+        if turn[i] == unit and [row[i] for row in turn] == unit and components == {g.zero}:
             return i
     return None
 
 
 def in_a_plane(kinematics: Kinematics) -> bool:
-    """Return whether all frames that occur turn about one axis."""
+    """Return whether all frames rotate about parallel axes."""
     k = kinematics
     frames = {frame for point in k.placed() for _, frame in k.parts(point)}
     frames |= {body.frame for body in k.body.bodies if is_rigid(body)}
@@ -61,99 +61,99 @@ def in_a_plane(kinematics: Kinematics) -> bool:
 
 @dataclass(frozen=True)
 class _Joint:
-    """A hinge at a point: the frame behind it, its axis there and in the frame before.
+    """A hinge at a point: the outer frame, and the axis in it and in the frame before.
 
-    `place` leads there, in the frame `before`, from the point `base`; `shortened` is the component
-    of it that another point of the axis does not have.
+    `position` leads there, in the frame `before`, from the point `base`; `shortened` is the
+    component of it that is removed by moving along the axis.
     """
 
     frame: Any
     axis: int
     base: Any
     before: Any
-    place: Vec
+    position: Vec
     direction: Vec
     shortened: int
 
 
 def move_along_axes(kinematics: Kinematics) -> None:
-    """Refer bodies on hinges to other points of their axes, where fewer products follow."""
+    """Move joint points along the axes of their hinges if that saves products."""
     k, g = kinematics, kinematics.graph
     joints = _joints(k)
     shifts: dict[Any, int] = {}
     for point in sorted(joints, key=lambda p: k.tree.frame_depth[joints[p].frame]):
         joint = joints[point]
         n = joint.shortened
-        own = joint.place[n]
+        position = joint.position[n]
         if joint.base in shifts and joints[joint.base].axis == n:
-            own = g.sub(own, shifts[joint.base])
-        shift = g.neg(g.div(own, joint.direction[n]))
+            position = g.sub(position, shifts[joint.base])
+        shift = g.neg(g.div(position, joint.direction[n]))
         if k.at_rest(joint.base, joint.before):
-            # Nothing depends on this place: the next joint's is made shorter.
+            # The position of the base is free: shorten that of the next joint.
             following = [
                 j for j in joints.values() if j.base is point and j.shortened != joint.axis
             ]
-            shift = following[0].place[joint.axis] if following else g.zero
+            shift = following[0].position[joint.axis] if following else g.zero
         if shift != g.zero:
             shifts[point] = shift
-    others = {point: Point(f"{point} on its axis") for point in shifts}
-    for point, other in others.items():
+    axis_points = {point: Point(f"{point} on its axis") for point in shifts}
+    for point, axis_point in axis_points.items():
         joint = joints[point]
-        along = [g.mul(n, shifts[point]) for n in joint.direction]
-        parts = [(joint.place, joint.before), (along, joint.before)]
+        offset = [g.mul(n, shifts[point]) for n in joint.direction]
+        parts = [(joint.position, joint.before), (offset, joint.before)]
         base = joint.base
-        if base in others:
+        if base in axis_points:
             parts.append(_back(g, joints[base], shifts[base]))
-            base = others[base]
-        k.lead(other, base, _joined(k, parts))
-    kept = {other: k.way(other) for other in others.values()}
+            base = axis_points[base]
+        k.lead(axis_point, base, _summed(k, parts))
+    moved_points = {axis_point: k.way(axis_point) for axis_point in axis_points.values()}
     for point in k.placed():
         base, _ = k.way(point)
-        if point in others:
-            k.lead(point, others[point], [_back(g, joints[point], shifts[point])])
-        elif base in others and point not in kept:
+        if point in axis_points:
+            k.lead(point, axis_points[point], [_back(g, joints[point], shifts[point])])
+        elif base in axis_points and point not in moved_points:
             parts = [*k.parts(point), _back(g, joints[base], shifts[base])]
-            k.lead(point, others[base], _joined(k, parts))
+            k.lead(point, axis_points[base], _summed(k, parts))
 
 
 def _back(graph: Graph, joint: _Joint, shift: int) -> tuple[Vec, Any]:
-    """Return the way back from the other point of an axis."""
+    """Return the vector from the moved point of an axis back to the joint."""
     zero = graph.zero
     return [graph.neg(shift) if i == joint.axis else zero for i in range(3)], joint.frame
 
 
-def _joined(kinematics: Kinematics, parts: Parts) -> Parts:
-    """Add components in the same frame, without zeros."""
-    found: dict[Any, Vec] = {}
+def _summed(kinematics: Kinematics, parts: Parts) -> Parts:
+    """Add vectors in the same frame, without rounding errors and zeros."""
+    sums: dict[Any, Vec] = {}
     for v, frame in parts:
-        found[frame] = kinematics.plus(found[frame], v) if frame in found else v
+        sums[frame] = kinematics.plus(sums[frame], v) if frame in sums else v
     graph = kinematics.graph
-    for frame, v in found.items():
+    for frame, v in sums.items():
         sizes = [abs(graph.value(n) or 0.0) for n in v]
         tiny = ROUNDED * max(sizes)
-        found[frame] = [
+        sums[frame] = [
             graph.zero if graph.ops[n] == "const" and size <= tiny else n
             for n, size in zip(v, sizes, strict=True)
         ]
-    return [(v, frame) for frame, v in found.items() if any(n != graph.zero for n in v)]
+    return [(v, frame) for frame, v in sums.items() if any(n != graph.zero for n in v)]
 
 
 def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
-    """Return the points that a hinge is at."""
+    """Return the joints by the points that they are located at."""
     k = kinematics
-    hung: dict[Any, set[Any]] = {}
+    frames_at: dict[Any, set[Any]] = {}
     for point in k.placed():
         base, _ = k.way(point)
-        hung.setdefault(base, set()).update(frame for _, frame in k.parts(point))
+        frames_at.setdefault(base, set()).update(frame for _, frame in k.parts(point))
     for body in k.body.bodies:
         frame = k.frames.axes(body.frame) if is_rigid(body) else None
-        hung.setdefault(body.masscenter, set()).add(frame)
-    found: dict[Any, _Joint] = {}
-    for point, frames in hung.items():
+        frames_at.setdefault(body.masscenter, set()).add(frame)
+    joints: dict[Any, _Joint] = {}
+    for point, frames in frames_at.items():
         step = point and k.fixed_step(point)
         if not step or len(frames) != 1:
             continue
-        base, before, place = step
+        base, before, position = step
         (frame,) = frames
         if frame is None or frame is before or frame is k.inertial:
             continue
@@ -170,27 +170,27 @@ def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
         if inner is before:
             n = _shortened(k, direction, before)
             if n is not None:
-                found[point] = _Joint(frame, axis, base, before, place, direction, n)
-    return found
+                joints[point] = _Joint(frame, axis, base, before, position, direction, n)
+    return joints
 
 
 def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int | None:
     """Return the component of a position to remove, in addition to that along the inner hinge.
 
-    The way along the axis is that component over the direction's, which must not be small: between
-    nearly parallel hinges the other point would be far away, and between parallel ones nowhere.
-    Where the direction depends on constants it may be so for some of their values: None then.
+    The shift along the axis is that component over the direction's, which must not be small:
+    between nearly parallel hinges the moved point would be far away, between parallel ones at
+    infinity. If the direction depends on constants this may occur for some values: return None.
     """
     g = kinematics.graph
     numbers = [g.value(n) for n in direction]
     sizes = [abs(size) for size in numbers if size is not None]
     if len(sizes) < 3:
         return None
-    along = hinge_axis(kinematics, before, kinematics.frames.parent(before))
-    if along is not None:
-        others = [0.0 if i == along else size for i, size in enumerate(sizes)]
-        if max(others) >= 1 / 16:  # a cosine to divide by: four bits are lost at most
-            sizes = others
+    inner_axis = hinge_axis(kinematics, before, kinematics.frames.parent(before))
+    if inner_axis is not None:
+        remaining = [0.0 if i == inner_axis else size for i, size in enumerate(sizes)]
+        if max(remaining) >= 1 / 16:  # a cosine to divide by: four bits are lost at most
+            sizes = remaining
     return sizes.index(max(sizes))
 
 
@@ -198,7 +198,7 @@ _UNIT, _ZERO = np.eye(3), np.zeros(3)
 
 
 class Axes:
-    """Axes that belong to no frame of the user's."""
+    """Axes that are not a frame of the user."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -220,22 +220,22 @@ class _Turn:
 
 @dataclass(eq=False)
 class _Body:
-    """Frames that do not move against each other."""
+    """Frames without relative motion."""
 
     root: Any  # the first of them
-    before: Any = None  # the user's frame in which it is hinged
+    before: Any = None  # the user's frame in which it rotates
     turn: _Turn | None = None
-    speed: int = 0  # how fast it turns about the hinge
-    # Which give components in the root's axes.
+    speed: int = 0  # its angular speed about the hinge
+    # Matrices that give components in the root's axes.
     frames: dict[Any, Matrix] = field(default_factory=dict)
-    hinged: list[_Body] = field(default_factory=list)  # what is hinged on it
-    weight: int = 1  # bodies that hang on it, with itself
+    hinged: list[_Body] = field(default_factory=list)  # bodies whose hinges are on it
+    weight: int = 1  # number of outer bodies, with itself
 
 
 def align(kinematics: Kinematics) -> None:
-    """Choose axes where a hinge is oblique in the user's.
+    """Choose axes if a hinge is oblique in those of the user.
 
-    The ways to points must be known, and no motion may have been asked for.
+    The paths to points must be known, and no motion may have been computed yet.
     """
     _Alignment(kinematics).choose()
 
@@ -245,20 +245,20 @@ class _Alignment:
         self.kinematics, self.graph = kinematics, kinematics.graph
         g = self.graph
         self.unit = identity(g)
-        self.bodies: dict[Any, _Body] = {}  # by each of their frames
+        self.bodies: dict[Any, _Body] = {}  # by frame
 
     def choose(self) -> None:
         k = self.kinematics
         ground = _Body(k.inertial, frames={k.inertial: self.unit})
         self.bodies[k.inertial] = ground
         order = sorted(self._needed(), key=lambda f: k.tree.frame_depth[f])
-        found = [body for f in order if (body := self._classified(f))]
-        if not any(self._oblique(body) for body in found):
+        bodies = [body for f in order if (body := self._classified(f))]
+        if not any(self._oblique(body) for body in bodies):
             return
-        for body in reversed(found):
+        for body in reversed(bodies):
             if body.turn:
                 self.bodies[body.before].weight += body.weight
-        for body in (ground, *found):
+        for body in (ground, *bodies):
             if body.turn is None or not (self._by_numbers(body) or self._by_symbols(body)):
                 self._write(body, body.root, self.unit)
 
@@ -266,17 +266,18 @@ class _Alignment:
         """Return the frames of bodies, loads and positions, and all between them and the ground."""
         k = self.kinematics
         frames = {b.frame for b in k.body.bodies if hasattr(b, "frame")}
-        frames |= {where for where, _ in k.loads}
+        frames |= {location for location, _ in k.loads}
         for point in k.placed():
             frames |= {f for vector in k.way(point)[1] for _, f in vector.args}
-        found: dict[Any, None] = {}
+        needed: dict[Any, None] = {}
         for frame in sorted(frames, key=str):
-            while frame in k.tree.frame_depth and frame is not k.inertial and frame not in found:
-                found[frame] = None
+            while frame in k.tree.frame_depth and frame is not k.inertial and frame not in needed:
+                needed[frame] = None
                 frame = k.tree.parent(frame)
-        return list(found)
+        return list(needed)
 
-    # -- what there is ----------------------------------------------------------------------------
+    # -- bodies and hinges
+    # ----------------------------------------------------------------------------
 
     def _classified(self, frame: Any) -> _Body | None:
         """Add a frame to its parent's group if it is fixed there, or return a new group."""
@@ -287,8 +288,8 @@ class _Alignment:
             matrix = k.frames.given(frame, before)
             spin = k.tree.relative_spin(frame, before)
             if all(g.constant[n] for row in matrix for n in row) and not spin.args:
-                whole = self.bodies[frame] = self.bodies[before]
-                whole.frames[frame] = self._product(whole.frames[before], transposed(matrix))
+                group = self.bodies[frame] = self.bodies[before]
+                group.frames[frame] = self._product(group.frames[before], transposed(matrix))
                 return None
             body.turn = _turn(g, matrix)
             if body.turn and not self._turns_only(body, spin):
@@ -299,7 +300,7 @@ class _Alignment:
         return body
 
     def _turns_only(self, body: _Body, spin: Any) -> bool:
-        """Find how fast a body turns about its hinge; say whether that is all that it does."""
+        """Set the angular speed of a body about its hinge; return whether that is all its spin."""
         g, turn = self.graph, body.turn
         assert turn is not None
         total: list[tuple[int, float]] = []
@@ -318,32 +319,34 @@ class _Alignment:
         return True
 
     def _oblique(self, body: _Body) -> bool:
-        """Return whether a hinge is at an angle to the axes in which the body before moves."""
+        """Return whether a hinge is oblique in the axes of the body before."""
         if body.turn is None:
             return False
-        place = self.bodies[body.before].frames[body.before]
-        return self._coordinate(place, body.turn.before) is None
+        matrix = self.bodies[body.before].frames[body.before]
+        return self._coordinate(matrix, body.turn.before) is None
 
     def _coordinate(self, matrix: Matrix, direction: np.ndarray) -> tuple[int, float] | None:
-        """Return the axis that a direction, seen through a matrix, is or is opposite to."""
+        """Return the axis and sign of a direction after multiplication by a matrix, or None."""
         g = self.graph
-        seen = [g.sum([(n, c) for n, c in zip(row, direction, strict=True)]) for row in matrix]
-        numbers = [g.value(n) for n in seen]
+        components = [
+            g.sum([(n, c) for n, c in zip(row, direction, strict=True)]) for row in matrix
+        ]
+        numbers = [g.value(n) for n in components]
         if None in numbers:
-            values = signatures(g, [*seen, g.const(-1.0)])
+            values = signatures(g, [*components, g.const(-1.0)])
             numbers = [{0: 0.0, 1: 1.0, values[3]: -1.0}.get(value) for value in values[:3]]
         return None if None in numbers else _axis(np.array(numbers, dtype=float))
 
     # -- axes by numbers --------------------------------------------------------------------------
 
     def _by_numbers(self, body: _Body) -> bool:
-        """Choose any axes for a body whose frames are at angles that are numbers."""
+        """Choose axes for a body whose frames are at numeric angles."""
         turn = body.turn
         assert turn is not None
-        home, held = self.kinematics.frames.written_in(body.before)
-        place = self._numbers(held)
+        home, matrix_before = self.kinematics.frames.written_in(body.before)
+        rotation = self._numbers(matrix_before)
         frames = {f: self._numbers(matrix) for f, matrix in body.frames.items()}
-        if place is None or any(m is None for m in frames.values()):
+        if rotation is None or any(m is None for m in frames.values()):
             return False
         ahead = [
             matrix @ child.turn.before
@@ -351,56 +354,63 @@ class _Alignment:
             if child.turn is not None and (matrix := frames[child.before]) is not None
         ]
         ahead = [v for v in ahead if np.linalg.norm(np.cross(turn.own, v)) > SAME_DIRECTION]
-        bends, index, sign = _bends(place @ turn.before, _axis(turn.own))
+        bends, index, sign = _bends(rotation @ turn.before, _axis(turn.own))
         for bend in bends:
-            place = _snapped(bend @ place)
-        own = _own_axes(turn, place, index, sign, ahead)
-        angle = _angle(own @ turn.even @ place.T, own @ turn.odd @ place.T, index)
+            rotation = _snapped(bend @ rotation)
+        rotation_to_axes = _own_axes(turn, rotation, index, sign, ahead)
+        angle = _angle(
+            rotation_to_axes @ turn.even @ rotation.T,
+            rotation_to_axes @ turn.odd @ rotation.T,
+            index,
+        )
         if angle is None:
             return False
         for bend in bends:
             home = self._fixed(home, self._nodes(bend), body)
         circle = _circle(self.graph, [(turn.angle, angle[0])], angle[1])
-        self._turn_about(body, home, index, circle, sign, self._nodes(own))
+        self._turn_about(body, home, index, circle, sign, self._nodes(rotation_to_axes))
         return True
 
-    # -- axes of the user's -----------------------------------------------------------------------
+    # -- axes of the user -----------------------------------------------------------------------
 
     def _by_symbols(self, body: _Body) -> bool:
-        """Choose the axes of one of the body's frames."""
+        """Choose the axes of one of the frames of the body."""
         g, turn = self.graph, body.turn
         assert turn is not None
         axis = _axis(turn.before)
         if axis is None or axis != _axis(turn.own):
             return False
         index, sign = axis
-        plain = _angle(turn.even, turn.odd, index)
-        if plain is None:
+        hinge_angle = _angle(turn.even, turn.odd, index)
+        if hinge_angle is None:
             return False
-        home, held = self.kinematics.frames.written_in(body.before)
-        carried = self._angle_of(held, index)
+        home, matrix_before = self.kinematics.frames.written_in(body.before)
+        angle_before = self._angle_of(matrix_before, index)
         tried = []
-        for place, matrix in enumerate(map(transposed, body.frames.values())):
+        for number, matrix in enumerate(map(transposed, body.frames.values())):
             angle = self._angle_of(matrix, index)
             if angle is not None:
-                tried.append((self._score(body, matrix), -place, matrix, angle))
-        _, _, own, angle = max(tried, key=lambda one: one[:2])
-        if carried is None:
-            home, carried = self._fixed(home, transposed(held), body), g.zero
-        terms = [(turn.angle, plain[0]), (angle, 1.0), (carried, -1.0)]
-        self._turn_about(body, home, index, _circle(g, terms, plain[1]), sign, own)
+                tried.append((self._score(body, matrix), -number, matrix, angle))
+        _, _, rotation_to_axes, angle = max(tried, key=lambda candidate: candidate[:2])
+        if angle_before is None:
+            home, angle_before = self._fixed(home, transposed(matrix_before), body), g.zero
+        terms = [(turn.angle, hinge_angle[0]), (angle, 1.0), (angle_before, -1.0)]
+        self._turn_about(
+            body, home, index, _circle(g, terms, hinge_angle[1]), sign, rotation_to_axes
+        )
         return True
 
-    def _score(self, body: _Body, own: Matrix) -> int:
+    def _score(self, body: _Body, rotation_to_axes: Matrix) -> int:
         """Count the hinges that lie along an axis."""
         return sum(
-            self._coordinate(self._product(own, body.frames[h.before]), h.turn.before) is not None
+            self._coordinate(self._product(rotation_to_axes, body.frames[h.before]), h.turn.before)
+            is not None
             for h in body.hinged
             if h.turn is not None
         )
 
     def _angle_of(self, matrix: Matrix, index: int) -> int | None:
-        """Return the angle of a constant rotation about an axis, None if it is none such."""
+        """Return the angle of a constant rotation about an axis; None for other matrices."""
         g = self.graph
         if matrix == self.unit:
             return g.zero
@@ -411,7 +421,7 @@ class _Alignment:
         terms = [(g.args[c][0], sign)]
         return g.sum(terms) if matrix == about(g, index, *_circle(g, terms, 0.0)) else None
 
-    # -- what is written down ---------------------------------------------------------------------
+    # -- results ---------------------------------------------------------------------
 
     def _turn_about(
         self,
@@ -420,15 +430,19 @@ class _Alignment:
         index: int,
         circle: tuple[int, int],
         sign: float,
-        own: Matrix,
+        rotation_to_axes: Matrix,
     ) -> None:
         k, g = self.kinematics, self.graph
-        axes = body.root if own == self.unit else Axes(f"{body.root} in line with its hinge")
+        axes = (
+            body.root
+            if rotation_to_axes == self.unit
+            else Axes(f"{body.root} in line with its hinge")
+        )
         spin = [g.zero] * 3
         spin[index] = g.sum([(body.speed, sign)])
         depth = k.tree.frame_depth[body.root]
         k.frames.insert(axes, home, about(g, index, *circle), spin, depth)
-        self._write(body, axes, own)
+        self._write(body, axes, rotation_to_axes)
 
     def _fixed(self, home: Any, matrix: Matrix, body: _Body) -> Any:
         """Return axes that are fixed relative to others."""
@@ -439,10 +453,10 @@ class _Alignment:
         k.frames.insert(axes, home, matrix, None, k.tree.frame_depth[body.root])
         return axes
 
-    def _write(self, body: _Body, axes: Any, own: Matrix) -> None:
+    def _write(self, body: _Body, axes: Any, rotation_to_axes: Matrix) -> None:
         for frame, matrix in body.frames.items():
-            whole = self._product(own, matrix)
-            self.kinematics.frames.write(frame, axes, None if whole == self.unit else whole)
+            product = self._product(rotation_to_axes, matrix)
+            self.kinematics.frames.write(frame, axes, None if product == self.unit else product)
 
     # -- matrices ---------------------------------------------------------------------------------
 
@@ -454,32 +468,34 @@ class _Alignment:
         return [[self.graph.const(x) for x in row] for row in numbers]
 
     def _product(self, a: Matrix, b: Matrix) -> Matrix:
-        """Return a product of rotations, with its zeros and ones as such."""
+        """Return a product of rotations with exact zeros and ones."""
         g = self.graph
-        found = transposed([self.kinematics.turned(a, column) for column in transposed(b)])
-        numbers = self._numbers(found)
+        product = transposed([self.kinematics.turned(a, column) for column in transposed(b)])
+        numbers = self._numbers(product)
         if numbers is not None:
             return self._nodes(_snapped(numbers))
-        known = {0: g.zero, 1: g.one, signatures(g, [g.const(-1.0)])[0]: g.const(-1.0)}
-        nodes = flat(found)
-        return in_rows([known.get(v, n) for v, n in zip(signatures(g, nodes), nodes, strict=True)])
+        exact_values = {0: g.zero, 1: g.one, signatures(g, [g.const(-1.0)])[0]: g.const(-1.0)}
+        nodes = flat(product)
+        return in_rows(
+            [exact_values.get(v, n) for v, n in zip(signatures(g, nodes), nodes, strict=True)]
+        )
 
 
 def _snapped(numbers: np.ndarray) -> np.ndarray:
-    """Return numbers with the rounding of 0, 1 and -1 taken off."""
+    """Round numbers that are 0, 1 or -1 up to rounding."""
     near = np.rint(numbers)
     return np.where(np.abs(numbers - near) < ROUNDED, near, numbers)
 
 
 def _axis(direction: np.ndarray) -> tuple[int, float] | None:
-    """Return the axis that a unit vector lies along, and whether it points the same way."""
+    """Return the axis that a unit vector lies along, and its sign; None if it is oblique."""
     snapped = _snapped(direction)
     (used,) = np.nonzero(snapped)
     return (int(used[0]), float(snapped[used[0]])) if len(used) == 1 else None
 
 
 def _turn(graph: Graph, matrix: Matrix) -> _Turn | None:
-    """Return a matrix as a rotation about an axis of numbers, None if it is none."""
+    """Return a matrix as a rotation about a numeric axis; None if it is not one."""
     parts = {"const": np.zeros((3, 3)), "cos": np.zeros((3, 3)), "sin": np.zeros((3, 3))}
     angles = set()
     for i, row in enumerate(matrix):
@@ -493,30 +509,33 @@ def _turn(graph: Graph, matrix: Matrix) -> _Turn | None:
                 parts[op][i, j] = c
     if len(angles) != 1:
         return None
-    still = parts["const"]
-    before = still[np.abs(still).sum(axis=1).argmax()]
+    constant_part = parts["const"]
+    before = constant_part[np.abs(constant_part).sum(axis=1).argmax()]
     before = _snapped(before / max(np.linalg.norm(before), np.finfo(float).tiny))
-    own = _snapped(still @ before)
+    own_axis = _snapped(constant_part @ before)
     if before[np.abs(before).argmax()] < 0.0:
-        before, own = -before, -own
+        before, own_axis = -before, -own_axis
     for a in (0.3, 1.7):
-        whole = np.outer(own, before) + parts["cos"] * np.cos(a) + parts["sin"] * np.sin(a)
-        wrong = np.abs(whole @ whole.T - _UNIT).max() + np.abs(still - np.outer(own, before)).max()
-        if wrong > SAME_DIRECTION or np.linalg.det(whole) < 0.0:
+        rotation = np.outer(own_axis, before) + parts["cos"] * np.cos(a) + parts["sin"] * np.sin(a)
+        wrong = (
+            np.abs(rotation @ rotation.T - _UNIT).max()
+            + np.abs(constant_part - np.outer(own_axis, before)).max()
+        )
+        if wrong > SAME_DIRECTION or np.linalg.det(rotation) < 0.0:
             return None
-    return _Turn(angles.pop(), parts["cos"], parts["sin"], before, own)
+    return _Turn(angles.pop(), parts["cos"], parts["sin"], before, own_axis)
 
 
 def _bends(
-    direction: np.ndarray, wanted: tuple[int, float] | None
+    direction: np.ndarray, preferred: tuple[int, float] | None
 ) -> tuple[list[np.ndarray], int, float]:
-    """Return plane rotations after which a direction lies along an axis, and that with its sign."""
-    target = 2 if wanted is None else wanted[0]
-    found: list[np.ndarray] = []
+    """Return plane rotations that align a direction with an axis, and the axis and sign."""
+    target = 2 if preferred is None else preferred[0]
+    rotations: list[np.ndarray] = []
     while (axis := _axis(direction)) is None:
         (zeros,) = np.nonzero(_snapped(direction) == 0.0)
-        about = int(zeros[0]) if len(zeros) else target
-        j, m = (about + 1) % 3, (about + 2) % 3
+        normal = int(zeros[0]) if len(zeros) else target
+        j, m = (normal + 1) % 3, (normal + 2) % 3
         if m == target:
             j, m = m, j
         size = np.hypot(direction[j], direction[m])
@@ -524,21 +543,21 @@ def _bends(
         bend[j, j] = bend[m, m] = direction[j] / size
         bend[j, m], bend[m, j] = direction[m] / size, -direction[m] / size
         direction = _snapped(bend @ direction)
-        found.append(bend)
-    return found, *axis
+        rotations.append(bend)
+    return rotations, *axis
 
 
 def _own_axes(
-    turn: _Turn, place: np.ndarray, index: int, sign: float, ahead: list[np.ndarray]
+    turn: _Turn, rotation: np.ndarray, index: int, sign: float, ahead: list[np.ndarray]
 ) -> np.ndarray:
     """Return the matrix from components in a body's frame to those in its axes."""
     if _axis(turn.own) == (index, sign) and np.count_nonzero(_snapped(sum(ahead[:1], _ZERO))) < 3:
         return _UNIT
     if not ahead:
-        # As the axes before, where the angle is zero.
-        return _snapped(place @ (np.outer(turn.own, turn.before) + turn.even).T)
+        # Parallel to the axes before at zero angle.
+        return _snapped(rotation @ (np.outer(turn.own, turn.before) + turn.even).T)
     normal = np.cross(turn.own, ahead[0])
-    # Of nearly parallel axes little is left but rounding: what is along the axis is taken off.
+    # The normal of nearly parallel axes is inaccurate: remove its component along the axis.
     normal /= np.linalg.norm(normal)
     normal -= turn.own * (turn.own @ normal)
     rows = np.zeros((3, 3))
@@ -548,7 +567,7 @@ def _own_axes(
 
 
 def _angle(even: np.ndarray, odd: np.ndarray, index: int) -> tuple[float, float] | None:
-    """Return s and b if a rotation about an axis by the angle a is one by s a + b."""
+    """Return s and b of a rotation about an axis by s a + b, where a is the angle; or None."""
     j, m = (index + 1) % 3, (index + 2) % 3
     c, s = even[j, j], even[j, m]
     sign = float(np.rint(odd[j, m] * c - odd[j, j] * s))
@@ -562,7 +581,7 @@ def _angle(even: np.ndarray, odd: np.ndarray, index: int) -> tuple[float, float]
 
 
 def _circle(graph: Graph, terms: list[tuple[int, float]], start: float) -> tuple[int, int]:
-    """Return cosine and sine of a sum, of which right angles are taken out."""
+    """Return the cosine and sine of a sum, with multiples of 90° removed from `start`."""
     quarters = round(start / (np.pi / 2))
     start -= quarters * np.pi / 2
     phi = graph.sum(terms, 0.0 if abs(start) < ROUNDED else start)
