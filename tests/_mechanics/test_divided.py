@@ -5,7 +5,7 @@ import pytest
 
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
-from pydy._mechanics.reduction import divided
+from pydy._mechanics.reduction import solve_by_cofactors
 from pydy._program.interpret import run
 
 PATTERNS = {
@@ -26,7 +26,7 @@ def solved(pattern, a, b):
         for i in range(n)
     ]
     columns = [[g.input("x", n * n + n * k + i) for i in range(n)] for k in range(b.shape[1])]
-    found = divided(g, matrix, columns)
+    found = solve_by_cofactors(g, matrix, columns)
     if found is None:
         return None
     x = np.concatenate([a.ravel(), b.T.ravel()])

@@ -1,12 +1,12 @@
-"""Equations of the independent speeds: the reduced mass matrix, and what holds where it fails.
+"""Equations of the independent speeds: the reduced mass matrix, and a fallback if it is singular.
 
-The rows of the constraint matrix are taken in groups that hold as many new unknowns as rows, one to
-three; each group is solved by Cramer's rule. Where a group is singular its unknowns are not finite,
-as in SymPy's solutions with symbols, in place of a report that a solve failed.
+The rows of the constraint matrix are solved in groups with as many new unknowns as rows, one to
+three, each by Cramer's rule. The unknowns of a singular group are not finite, as in SymPy's
+symbolic solutions.
 
-Where dependent speeds hardly follow from the constraints, the motion that they are most of is that
-of several independent speeds, and their part of the mass matrix is nearly singular. Forms are
-chosen by how often that is so at random states; what is chosen holds everywhere.
+If the constraints determine the dependent speeds poorly, several independent speeds cause nearly
+the same motion, and their part of the mass matrix is nearly singular. The formulation is chosen by
+how often this occurs at random states; each formulation is valid everywhere.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}
 def reduced(
     kinematics: Kinematics, matrix: list[list[int]], forcing: list[int], moved: bool
 ) -> tuple[list[list[int]], list[int], list[int] | None]:
-    """Return M, F and u' with the dependent speeds' equations by the acceleration constraints.
+    """Return M, F and u' with the acceleration constraints as rows of the dependent speeds.
 
     With u_d' = A u_i' + b the equations of the independent speeds are
     [1; A]ᵀ M [1; A] u_i' = [1; A]ᵀ (F − M [0; b]).
@@ -53,27 +53,33 @@ def reduced(
     d = len(kinematics.body.velocity)
     p = n - d
     rows, drift = _constraints(kinematics, kinematics.body.velocity)
-    held = [row[p:] for row in rows]
+    dependent_part = [row[p:] for row in rows]
     columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
-    solved, determinants = divided(g, held, columns) or (g.solve(held, columns, "lu"), [])
-    moves = [[*unit, *own] for unit, own in zip(identity(g, p), solved[:p], strict=True)]
-    upper = [[dot(g, move, [row[j] for row in matrix]) for j in range(n)] for move in moves]
-    force = [dot(g, move, forcing) for move in moves]
-    given = _given_accelerations(kinematics, rows, drift)
-    below, pull = given or (rows, drift)
-    whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
-    if given or moved:
-        return *whole, None
+    solved, determinants = solve_by_cofactors(g, dependent_part, columns) or (
+        g.solve(dependent_part, columns, "lu"),
+        [],
+    )
+    null_space = [[*unit, *column] for unit, column in zip(identity(g, p), solved[:p], strict=True)]
+    upper = [
+        [dot(g, direction, [row[j] for row in matrix]) for j in range(n)]
+        for direction in null_space
+    ]
+    force = [dot(g, direction, forcing) for direction in null_space]
+    user_rows = _given_accelerations(kinematics, rows, drift)
+    below, pull = user_rows or (rows, drift)
+    system = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
+    if user_rows or moved:
+        return *system, None
     bound = _all_constraints(kinematics, rows, drift)
     if kinematics.body.changing and definite(g, matrix):
-        return *whole, bound.accelerations(g, matrix, forcing)
+        return *system, bound.accelerations(g, matrix, forcing)
     base = [g.zero] * p + solved[p]
-    basis = _Basis(g, moves, upper, base, _nearly_parallel(g, matrix, rows))
+    basis = _Basis(g, null_space, upper, base, _nearly_parallel(g, matrix, rows))
     sound = g.boolean(True)
     for determinant in determinants:
         sound = g.call("and", sound, _is_clear(g, determinant))
     if len(bound.rows) > d:
-        # Rows that were kept may lose rank on a regular path, where it takes all of them.
+        # The retained rows may lose rank on a regular path, which then requires all rows.
         sound = g.boolean(False)
     if 1 < p <= GUARDED_UP_TO:
         sizes = [g.zero, *(g.sum([(basis.square[i][i], SOUND_SHARE)]) for i in range(1, p))]
@@ -86,34 +92,34 @@ def reduced(
             limit = g.sum([(basis.sizes[i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
             sound = g.call("and", sound, g.call("not", g.call("lt", matrix[i][i], limit)))
     found = basis.combined(shares)
-    return *whole, bound.accelerations_at_any_rank(g, matrix, forcing, sound, found)
+    return *system, bound.accelerations_at_any_rank(g, matrix, forcing, sound, found)
 
 
 class _Basis:
-    """Directions u' = z₁ c₁ + … + w in which the constraints hold, and their mass matrix.
+    """A basis u' = z₁ c₁ + … + w of consistent accelerations, and its mass matrix.
 
-    Directions that are nearly parallel are made orthogonal by the mass matrix, with w, as in Gram
-    and Schmidt's modified process (Björck, BIT 7, 1967): the equations for all z would lose twice
-    as many digits. `square` holds cᵢ·M cⱼ, `sizes` what it is of each independent speed by itself.
+    Nearly parallel directions, and w, are made M-orthogonal by the modified Gram–Schmidt process
+    (Björck, BIT 7, 1967): the equations for all z would lose twice as many digits. `square` holds
+    cᵢ·M cⱼ, `sizes` its diagonal before the process.
     """
 
     def __init__(
         self,
         graph: Graph,
-        moves: Sequence[list[int]],
+        directions: Sequence[list[int]],
         pushed: Sequence[list[int]],
         base: list[int],
-        apart: Sequence[int],
+        orthogonalised: Sequence[int],
     ) -> None:
-        g, p = graph, len(moves)
+        g, p = graph, len(directions)
         self.graph = g
-        self._moves, self._pushed, self._base = list(moves), list(pushed), base
+        self._moves, self._pushed, self._base = list(directions), list(pushed), base
         self.sizes = [g.zero] * p
         for i in range(p):
-            self.sizes[i] = dot(g, moves[i], pushed[i])
-        for place, i in enumerate(apart):
+            self.sizes[i] = dot(g, directions[i], pushed[i])
+        for number, i in enumerate(orthogonalised):
             size = dot(g, self._moves[i], self._pushed[i])
-            for j in apart[place + 1 :]:
+            for j in orthogonalised[number + 1 :]:
                 share = g.div(dot(g, self._pushed[i], self._moves[j]), size)
                 self._moves[j] = self._less(self._moves[j], share, self._moves[i])
                 self._pushed[j] = self._less(self._pushed[j], share, self._pushed[i])
@@ -122,7 +128,7 @@ class _Basis:
         self.square = [
             [
                 g.zero
-                if i != j and i in apart and j in apart
+                if i != j and i in orthogonalised and j in orthogonalised
                 else dot(g, self._moves[j], self._pushed[i])
                 for j in range(p)
             ]
@@ -130,7 +136,7 @@ class _Basis:
         ]
 
     def _less(self, a: list[int], share: int, b: list[int]) -> list[int]:
-        """Return a − share · b, which rewriting is to leave as it is."""
+        """Return a − share · b, protected from rewriting."""
         g = self.graph
         return [g.call("kept", g.sub(x, g.mul(share, y))) for x, y in zip(a, b, strict=True)]
 
@@ -139,10 +145,10 @@ class _Basis:
         g = self.graph
         return [
             g.sum(
-                [(dot(g, move, forcing), 1.0)]
+                [(dot(g, direction, forcing), 1.0)]
                 + [(g.mul(a, w), -1.0) for a, w in zip(pushed, self._base, strict=True)]
             )
-            for move, pushed in zip(self._moves, self._pushed, strict=True)
+            for direction, pushed in zip(self._moves, self._pushed, strict=True)
         ]
 
     def combined(self, shares: Sequence[int]) -> list[int]:
@@ -162,17 +168,21 @@ class _Basis:
 def _all_constraints(
     kinematics: Kinematics, rows: list[list[int]], drift: list[int]
 ) -> AccelerationConstraints:
-    """Return the constraints with the redundant ones, and their residuals."""
+    """Return the constraints, redundant ones included, and their residuals."""
     body, read, dt = kinematics.body, kinematics.read, kinematics.dt
     velocity = body.velocity
     if body.changing:
-        more, pull = _constraints(kinematics, body.redundant)
-        velocity, rows, drift = (*velocity, *body.redundant), [*rows, *more], [*drift, *pull]
+        redundant_rows, pull = _constraints(kinematics, body.redundant)
+        velocity, rows, drift = (
+            (*velocity, *body.redundant),
+            [*rows, *redundant_rows],
+            [*drift, *pull],
+        )
     rates = [dt(row) for row in rows]
-    places = read.all(body.position_constraints)
-    along = jacobian(kinematics.graph, dt(places), kinematics.speeds).dense()
+    residuals = read.all(body.position_constraints)
+    residual_rows = jacobian(kinematics.graph, dt(residuals), kinematics.speeds).dense()
     d = len(body.velocity)
-    pairs = list(zip(places, along, strict=True))
+    pairs = list(zip(residuals, residual_rows, strict=True))
     return AccelerationConstraints(rows, drift, d, rates, read.all(velocity), pairs)
 
 
@@ -193,13 +203,13 @@ def _given_accelerations(
         return None
     nodes = kinematics.read.all(body.acceleration)
     table = jacobian(g, nodes, kinematics.accelerations).dense()
-    rest = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
-    flat = [n for row in (*table, rest) for n in row]
-    own = [n for row in (*rows, drift) for n in row]
-    return None if kinematics.equal(flat, own) else (table, rest)
+    bias = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
+    flat = [n for row in (*table, bias) for n in row]
+    derived = [n for row in (*rows, drift) for n in row]
+    return None if kinematics.equal(flat, derived) else (table, bias)
 
 
-# -- dependent speeds by divisions -----------------------------------------------------------------
+# -- dependent speeds by cofactors -----------------------------------------------------------------
 
 
 def _is_clear(graph: Graph, determinant: int) -> int:
@@ -208,66 +218,66 @@ def _is_clear(graph: Graph, determinant: int) -> int:
         return graph.boolean(True)
     size = graph.call("abs", determinant)
     (usual,) = usual_sizes(graph, [size])
-    # Where there is no usual size, as at places that an expression does not reach, none is small.
+    # If the usual size is not finite or zero, no determinant counts as small.
     return graph.call("not", graph.call("le", size, graph.sum([(usual, CLEAR)])))
 
 
-def divided(
+def solve_by_cofactors(
     graph: Graph,
     matrix: Sequence[Sequence[int]],
     columns: Sequence[Sequence[int]],
 ) -> tuple[list[list[int]], list[int]] | None:
     """Return the solutions of ``matrix · x = column``, and determinants of groups of unknowns.
 
-    None where larger groups hang together.
+    None if more than three unknowns are coupled.
     """
     ordered = _groups(graph, matrix)
     if ordered is None:
         return None
     solutions: list[dict[int, int]] = [{} for _ in columns]
     determinants = []
-    for rows, own in ordered:
-        block = [[matrix[i][j] for j in own] for i in rows]
-        rests = [
+    for rows, unknowns in ordered:
+        block = [[matrix[i][j] for j in unknowns] for i in rows]
+        right_sides = [
             [
                 graph.sum(
                     [(column[i], 1.0)]
-                    + [(graph.mul(matrix[i][j], x), -1.0) for j, x in found.items()]
+                    + [(graph.mul(matrix[i][j], x), -1.0) for j, x in solution.items()]
                 )
                 for i in rows
             ]
-            for column, found in zip(columns, solutions, strict=True)
+            for column, solution in zip(columns, solutions, strict=True)
         ]
         inverse = _inverse(graph, block)
-        values = [turned(graph, inverse, rest) for rest in rests]
-        for found, several in zip(solutions, values, strict=True):
-            found.update(zip(own, several, strict=True))
+        values = [turned(graph, inverse, right_side) for right_side in right_sides]
+        for solution, several in zip(solutions, values, strict=True):
+            solution.update(zip(unknowns, several, strict=True))
         determinants.append(_determinant(graph, block))
-    return [[found[j] for j in range(len(matrix))] for found in solutions], determinants
+    return [[solution[j] for j in range(len(matrix))] for solution in solutions], determinants
 
 
 def _groups(
     graph: Graph, matrix: Sequence[Sequence[int]]
 ) -> list[tuple[tuple[int, ...], tuple[int, ...]]] | None:
-    """Return rows and the unknowns that they give, in order."""
+    """Return groups of rows and the unknowns that they determine, in order."""
     used = {i: {j for j, n in enumerate(row) if n != graph.zero} for i, row in enumerate(matrix)}
-    found = []
+    groups = []
     while used:
         group = next(
             (
-                (rows, own)
+                (rows, unknowns)
                 for size in range(1, 4)
                 for rows in combinations(used, size)
-                if len(own := set().union(*(used[i] for i in rows))) == size
+                if len(unknowns := set().union(*(used[i] for i in rows))) == size
             ),
             None,
         )
         if group is None:
             return None
-        rows, own = group
-        found.append((rows, tuple(sorted(own))))
-        used = {i: columns - own for i, columns in used.items() if i not in rows}
-    return found
+        rows, unknowns = group
+        groups.append((rows, tuple(sorted(unknowns))))
+        used = {i: columns - unknowns for i, columns in used.items() if i not in rows}
+    return groups
 
 
 def _determinant(graph: Graph, matrix: list[list[int]]) -> int:
@@ -300,7 +310,7 @@ def _minor(graph: Graph, matrix: list[list[int]], i: int, j: int) -> int:
 def _nearly_parallel(
     graph: Graph, matrix: Sequence[Sequence[int]], rows: Sequence[Sequence[int]]
 ) -> list[int]:
-    """Return which independent speeds are to be taken apart from one another."""
+    """Return the independent speeds whose directions must be orthogonalised."""
     n, d = len(matrix), len(rows)
     p = n - d
     if not 1 < p <= GUARDED_UP_TO:
@@ -309,52 +319,54 @@ def _nearly_parallel(
     if values is None:
         return []
     masses = values[:, : n * n].reshape(-1, n, n)
-    held = values[:, n * n :].reshape(-1, d, n)
+    constraint_rows = values[:, n * n :].reshape(-1, d, n)
     with np.errstate(all="ignore"):
         try:
-            given = np.linalg.solve(held[:, :, p:], -held[:, :, :p])
+            dependent_part = np.linalg.solve(constraint_rows[:, :, p:], -constraint_rows[:, :, :p])
         except np.linalg.LinAlgError:
             return []
         unit = np.broadcast_to(np.eye(p), (len(values), p, p))
-        moves = np.concatenate([unit, given], axis=1)
-        square = np.swapaxes(moves, 1, 2) @ masses @ moves
-        found: list[int] = []
-        share = _weak(square, found)
-        while share > OFTEN and len(found) < p:
-            # Two at first: one by itself changes nothing.
+        null_space = np.concatenate([unit, dependent_part], axis=1)
+        square = np.swapaxes(null_space, 1, 2) @ masses @ null_space
+        chosen: list[int] = []
+        share = _weak(square, chosen)
+        while share > OFTEN and len(chosen) < p:
+            # Start with pairs: a single direction leaves the basis unchanged.
             tried = [
-                [*found, *more]
-                for more in combinations([k for k in range(p) if k not in found], 1 if found else 2)
+                [*chosen, *added]
+                for added in combinations(
+                    [k for k in range(p) if k not in chosen], 1 if chosen else 2
+                )
             ]
-            shares = [_weak(square, some) for some in tried]
+            shares = [_weak(square, group) for group in tried]
             if min(shares) > LESS_OFTEN * share:
                 break
-            share, found = min(zip(shares, tried, strict=True))
-    return sorted(found)
+            share, chosen = min(zip(shares, tried, strict=True))
+    return sorted(chosen)
 
 
 def definite(graph: Graph, matrix: Sequence[Sequence[int]]) -> bool:
-    """Return whether every motion moves a mass at most states, as far as floats tell.
+    """Return whether the mass matrix is positive definite at most states, up to rounding.
 
-    Coefficients that are no binary fractions leave rounding errors of a singular matrix.
+    Decimal coefficients of a singular matrix leave rounding errors as pivots.
     """
     n = len(matrix)
     values = _at_states(graph, [e for row in matrix for e in row])
     if values is None or not len(values):
         return False
     masses = values.reshape(-1, n, n)
-    own = np.sqrt(np.abs(np.diagonal(masses, axis1=1, axis2=2)))
-    own[own == 0.0] = 1.0
-    shares = masses / (own[:, :, None] * own[:, None, :])
+    roots = np.sqrt(np.abs(np.diagonal(masses, axis1=1, axis2=2)))
+    roots[roots == 0.0] = 1.0
+    shares = masses / (roots[:, :, None] * roots[:, None, :])
     least = np.linalg.svd(shares, compute_uv=False)[:, -1]
     return bool(np.median(least) > NEARLY_DEPENDENT[0])
 
 
-def _weak(square: np.ndarray, apart: Sequence[int]) -> float:
-    """Return at which share of states a pivot is small if some directions are made orthogonal."""
+def _weak(square: np.ndarray, orthogonalised: Sequence[int]) -> float:
+    """Return the share of states with a small pivot if some directions are orthogonalised."""
     work = square.copy()
-    for place, i in enumerate(apart):
-        for j in apart[place + 1 :]:
+    for number, i in enumerate(orthogonalised):
+        for j in orthogonalised[number + 1 :]:
             ratio = (work[:, i, j] / work[:, i, i])[:, None]
             work[:, j] -= ratio * work[:, i]
             work[:, :, j] -= ratio * work[:, :, i]
@@ -370,7 +382,7 @@ def _weak(square: np.ndarray, apart: Sequence[int]) -> float:
 
 
 def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
-    """Return the values of nodes at random states; None where they depend on other things."""
+    """Return the values of nodes at random states; None if they have other inputs."""
     inputs = graph.inputs(nodes)
     if not {graph.args[n][0] for n in inputs} <= _RANGES.keys():
         return None
