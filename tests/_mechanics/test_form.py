@@ -92,7 +92,7 @@ def test_accelerations_do_not_depend_on_what_is_known_of_them_beforehand(in_bodi
     whole, eliminated = forms(body, in_bodies=in_bodies)
     graph = whole.graph
     assert sum(n != graph.zero for n in whole.start) == 6
-    beyond = graph.solve(whole.matrix, [whole.rest], "ldl")[0]
+    beyond = graph.solve(whole.matrix, [whole.residual_forcing], "ldl")[0]
     for found in (
         [graph.add(*parts) for parts in zip(whole.start, beyond, strict=True)],
         graph.solve(whole.matrix, [whole.forcing], "ldl")[0],

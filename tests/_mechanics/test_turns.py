@@ -39,7 +39,7 @@ def test_a_block_of_the_form_is_turned_on_both_sides(left, right):
         nodes, values = rotation(graph, angle, signs)
         turns.append(turn_of(graph, dict(enumerate(nodes)), [0, 1]))
         matrices.append(values)
-    image = turns[0].of(graph, cells, turns[1])
+    image = turns[0].transform(graph, cells, turns[1])
     program = lower(graph, (1, 0, 4), [("image", (4,), [n for row in image for n in row])])
     p = np.array([1.3, -0.4, 2.2, 0.9])
     found, _ = run(program, np.zeros(1), np.array([[0.7]]), np.zeros((1, 0)), p)

@@ -170,7 +170,7 @@ def assemble_system(
     off: frozenset[str] = frozenset(),
 ) -> Assembly:
     """Assemble a mechanical system with its outputs."""
-    formed = equations.formed and equations.formed.placed(constants, specifieds)
+    formed = equations.formed and equations.formed.renumbered(constants, specifieds)
     graph = Graph() if formed is None else formed.graph
     graph.off = off
     q, u, t = equations.coordinates, equations.speeds, equations.time
@@ -210,7 +210,7 @@ def assemble_system(
         if formed is None or moved:
             solved = solve_accelerations(graph, rows, forcing, kind)
         else:
-            beyond = solve_accelerations(graph, rows, formed.rest, kind)
+            beyond = solve_accelerations(graph, rows, formed.residual_forcing, kind)
             solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
     read.what = "the outputs"
     integrated = auxiliary_groups(equations, groups)

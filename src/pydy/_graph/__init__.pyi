@@ -2,16 +2,13 @@ from .adjoint import adjoints as adjoints
 from .branches import Branches as Branches
 from .columns import Columns as Columns, Direction as Direction
 from .derivative import (
+    Row as Row,
     Rows as Rows,
     directional as directional,
     hessian as hessian,
     jacobian as jacobian,
 )
-from .from_sympy import (
-    NodeExpression as NodeExpression,
-    SymPyReader as SymPyReader,
-    evaluated_derivative as evaluated_derivative,
-)
+from .from_sympy import NodeExpression as NodeExpression, SymPyReader as SymPyReader
 from .identities import signatures as signatures
 from .lowering import lower as lower
 from .node import Graph as Graph

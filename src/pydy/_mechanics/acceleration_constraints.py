@@ -1,20 +1,19 @@
 """Accelerations by multipliers, whatever the rank of the constraints.
 
-With M u' = F + Jᵀ λ and J u' + b = 0 the multipliers solve S λ = r, with S = J M⁻¹ Jᵀ and
-r = −(J M⁻¹ F + b). Rows that are independent at generic states are enough, until a pivot of S is
-small: the condition of S is the square of that of J. There the system is solved as it is, by
-elimination with the largest pivots of all rows (`pydy._program.interpret.constrained`). The rows
-are in units of their rounding errors: what is left of one is zero if it is below that, in any
-units of length and mass, and its multiplier too. No more rows are taken than are independent at
-generic states: beside these, redundant ones hold to errors of the state that are larger than
-rounding.
+With M u' = F + Jᵀ λ and J u' + b = 0 the multipliers solve S λ = r, with S = J M⁻¹ Jᵀ and r = −(J
+M⁻¹ F + b). Rows that are independent at generic states suffice unless a pivot of S is small: the
+condition number of S is the square of that of J. In that case the full system is solved, by
+elimination with the largest pivots of all rows (`pydy._graph.interpret.constrained`). The rows are
+scaled by their rounding errors: a remainder below that counts as zero, in any units of length and
+mass, and so does its multiplier. At most as many rows are used as are independent at generic
+states: redundant ones are satisfied only up to errors of the state, which are larger than rounding.
 
-A mechanism that passes a singular position has finite multipliers there, and does so with states
-that keep the constraints to a tolerance only. With Δ, what rows that are nearly singular change of
-u', these have J Δ = σ, which changes by σ' = J' Δ in time. A residual f means that the state is off
-by f/σ along Δ, a residual v of velocities that they are off by v/σ: both move u' by as much as
-Δ 2 (f σ'²/σ³ + v σ'/σ²). Residuals are no smaller than their rounding errors. Where that is more
-than Δ, the state does not tell Δ, and rows that are nearly singular are left out.
+A mechanism that passes a singular position has finite multipliers there, although its states
+satisfy the constraints to a tolerance only. Let Δ be the part of u' that is due to nearly singular
+rows, with J Δ = σ, which changes at the rate σ' = J' Δ. A residual f means that the state has an
+error f/σ along Δ, a velocity residual v an error v/σ of the speeds: together they change u' by up
+to Δ 2 (f σ'²/σ³ + v σ'/σ²). Residuals are at least their rounding errors. If this exceeds Δ, the
+state does not determine Δ, and nearly singular rows are omitted.
 """
 
 from __future__ import annotations
@@ -31,16 +30,16 @@ from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
 from pydy._program import SINGULAR, constraint_mark
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
-_STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
+_STATES = (0.37, 0.74, 1.13)  # seeds of the generic states at which rows are measured
 
 
 @dataclass(frozen=True)
 class AccelerationConstraints:
     """Constraints of accelerations, J u' + b = 0, with the residuals of their integrals."""
 
-    rows: Sequence[list[int]]  # Rows may depend on each other, but must not contradict each other
+    rows: Sequence[list[int]]  # rows may be redundant, but not contradictory
     bias: Sequence[int]
-    rank: int  # so many rows, the first, are independent at generic states
+    rank: int  # this many rows, the first ones, are independent at generic states
     # The rank at a state follows from J', the residuals J u, and those of the holonomic constraints
     # with their derivatives along the speeds.
     row_rates: Sequence[list[int]] = ()
@@ -48,7 +47,7 @@ class AccelerationConstraints:
     position_residuals: Sequence[tuple[int, list[int]]] = ()
 
     def accelerations(self, graph: Graph, matrix: list[list[int]], forcing: list[int]) -> list[int]:
-        """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is mostly definite."""
+        """Return u' with M u' = F + Jᵀ λ and J u' + b = 0, for an M that is mostly definite."""
         first, heavy = self.rows[: self.rank], graph.boolean(True)
         eliminated = _Elimination(graph, matrix)
         if eliminated.is_short:
@@ -56,7 +55,7 @@ class AccelerationConstraints:
             for k, pivot in enumerate(eliminated.pivots):
                 heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
         else:
-            # What is massless by its value moves with a mass of one, and is not sound.
+            # Speeds whose mass is zero by value get a mass of one, and the result is not sound.
             solvable = [list(line) for line in matrix]
             for k, line in enumerate(matrix):
                 massless = graph.call("eq", line[k], graph.zero)
@@ -69,9 +68,11 @@ class AccelerationConstraints:
             # A light speed tied to a heavy one would be a difference of large numbers.
             shares = [graph.mul(w, graph.powi(c, 2)) for w, c in zip(weights, row, strict=True)]
             for k, share in enumerate(shares):
-                others = [(n, 1.0) for j, n in enumerate(shares) if j != k and n != graph.zero]
-                if others and share != graph.zero:
-                    is_heavy = _is_above(graph, graph.sum(others), share, LIGHT)
+                other_shares = [
+                    (n, 1.0) for j, n in enumerate(shares) if j != k and n != graph.zero
+                ]
+                if other_shares and share != graph.zero:
+                    is_heavy = _is_above(graph, graph.sum(other_shares), share, LIGHT)
                     heavy = graph.call("and", heavy, is_heavy)
         square = _products(graph, first, moved)
         right = [
@@ -80,10 +81,10 @@ class AccelerationConstraints:
         ]
         usual = _usual(graph, _squares(graph, self.rows, weights))
         sizes = [graph.add(square[i][i], usual[i]) for i in range(self.rank)]
-        found, sound = solved_soundly(graph, square, right, sizes)
+        multipliers, sound = solved_soundly(graph, square, right, sizes)
         sound = graph.call("and", heavy, sound)
         fast = [
-            graph.sum([(free[i], 1.0), (dot(graph, [row[i] for row in moved], found), 1.0)])
+            graph.sum([(free[i], 1.0), (dot(graph, [row[i] for row in moved], multipliers), 1.0)])
             for i in range(len(free))
         ]
         return self.accelerations_at_any_rank(graph, matrix, forcing, sound, fast)
@@ -101,13 +102,13 @@ class AccelerationConstraints:
         fast = [g.zero] * len(forcing) if fast is None else fast
         rows, n = self.rows, len(forcing)
         weights = _mobilities(g, matrix)
-        own = _squares(g, rows, weights)
-        usual = _usual(g, own)
+        squares = _squares(g, rows, weights)
+        usual = _usual(g, squares)
         units = _roundings(g, matrix, rows)
         exact = _constrained(g, matrix, forcing, self, units)
         coarse = _constrained(g, matrix, forcing, self, [
-            g.sum([(g.call("sqrt", g.add(size, other)), SOUND_PIVOT / (n + len(rows)))])
-            for size, other in zip(own, usual, strict=True)
+            g.sum([(g.call("sqrt", g.add(size, usual_square)), SOUND_PIVOT / (n + len(rows)))])
+            for size, usual_square in zip(squares, usual, strict=True)
         ])  # fmt: skip
         change = [g.sub(a, b) for a, b in zip(exact, coarse, strict=True)]
 
@@ -123,45 +124,47 @@ class AccelerationConstraints:
                 found = g.call("max", found, share)
             return found
 
-        def sizes_of(own: Sequence[int], units: Sequence[int]) -> list[tuple[int, int]]:
-            sizes = [g.call("sqrt", size) for size in own]
+        def sizes_of(squares: Sequence[int], units: Sequence[int]) -> list[tuple[int, int]]:
+            sizes = [g.call("sqrt", size) for size in squares]
             limits = [g.sum([(unit, float(n))]) for unit in units]
             return [
                 (size, g.call("le", size, limit)) for size, limit in zip(sizes, limits, strict=True)
             ]
 
-        sizes, along = sizes_of(own, units), [row for _, row in self.position_residuals]
-        broken = largest([dot(g, row, change) for row in rows], sizes)
+        sizes, along = sizes_of(squares, units), [row for _, row in self.position_residuals]
+        acceleration_change = largest([dot(g, row, change) for row in rows], sizes)
         rate = largest([dot(g, row, change) for row in self.row_rates], sizes)
-        motion = largest(self.velocity_residuals, sizes, rounded=True)
+        velocity_error = largest(self.velocity_residuals, sizes, rounded=True)
         sizes = sizes_of(_squares(g, along, weights), _roundings(g, matrix, along))
-        place = largest([node for node, _ in self.position_residuals], sizes, rounded=True)
-        uncertain = g.add(g.mul(place, g.powi(rate, 2)), g.mul(motion, rate, broken))
+        position_error = largest([node for node, _ in self.position_residuals], sizes, rounded=True)
+        uncertain = g.add(
+            g.mul(position_error, g.powi(rate, 2)), g.mul(velocity_error, rate, acceleration_change)
+        )
         # Twice the acceleration that the residuals may cause, times four since they are bounds: a
         # change that is no larger may as well be left out.
-        loose = g.call("lt", g.powi(broken, 3), g.sum([(uncertain, 8.0)]))
-        chosen = [g.call("select", loose, b, a) for a, b in zip(exact, coarse, strict=True)]
+        negligible = g.call("lt", g.powi(acceleration_change, 3), g.sum([(uncertain, 8.0)]))
+        chosen = [g.call("select", negligible, b, a) for a, b in zip(exact, coarse, strict=True)]
         return g.guard([[g.one]], chosen, sound, list(fast))
 
 
 def _mobilities(graph: Graph, matrix: Sequence[list[int]]) -> list[int]:
-    """Return each speed's change per unit of impulse on it alone; zero where it moves no mass."""
-    found = []
+    """Return the inverse of each diagonal entry of M; zero for massless speeds."""
+    mobilities = []
     for k, line in enumerate(matrix):
         massless = graph.call("eq", line[k], graph.zero)
-        found.append(graph.call("select", massless, graph.zero, graph.powi(line[k], -1)))
-    return found
+        mobilities.append(graph.call("select", massless, graph.zero, graph.powi(line[k], -1)))
+    return mobilities
 
 
 def _is_above(graph: Graph, node: int, size: int, share: float) -> int:
-    """Return whether a node is more than a share of a size."""
+    """Return whether a node exceeds a fraction of a size."""
     return graph.call("lt", graph.sum([(size, share)]), node)
 
 
 def _roundings(
     graph: Graph, matrix: Sequence[list[int]], rows: Sequence[Sequence[int]]
 ) -> list[int]:
-    """Return how large rounding errors of rows are, columns in units of equal energy."""
+    """Return the size of the rounding errors of rows, with columns in units of equal energy."""
     bounds = iter(rounding_bounds(graph, [c for row in rows for c in row]))
     weights, units = _mobilities(graph, matrix), []
     for row in rows:
@@ -212,7 +215,7 @@ def _constrained(
 def multipliers_of(
     graph: Graph, rows: Sequence[list[int]], force: list[int], rank: int
 ) -> list[int]:
-    """Return λ with Jᵀ λ = f, the least where rows of J depend on each other."""
+    """Return λ with Jᵀ λ = f, of least norm if rows of J are redundant."""
     m = len(rows)
     fast = sound = None
     if m == rank:
@@ -240,18 +243,18 @@ def _work_of_dense(n: int) -> int:
 
 
 class _Elimination:
-    """L D Lᵀ of a symmetric matrix, written out where cells are not zero; `pivots` are D.
+    """Sparse symbolic L D Lᵀ of a symmetric matrix; `pivots` are D.
 
-    It `is_short` if it takes no more than that of a dense matrix that is written out. Beyond such
-    sizes the order is one with little fill: what is coupled as the windows of a chain of loops then
-    costs no more than its length.
+    It `is_short` if it takes no more operations than a dense matrix that would be written out.
+    Beyond such sizes the order is one with little fill-in, so that the cost of a chain of loops is
+    proportional to its length.
     """
 
     def __init__(self, graph: Graph, square: Sequence[list[int]]) -> None:
         n = len(square)
         self.graph, self.pivots = graph, [graph.zero] * n
         self._inverses = [graph.zero] * n
-        # Below the diagonal, both ways: what is zero there may be another sum above.
+        # Both triangles from the lower one: structural zeros there may be unsimplified sums above.
         cells: list[dict[int, int]] = [{} for _ in square]
         for i, row in enumerate(square):
             for k, c in enumerate(row[: i + 1]):
@@ -267,31 +270,31 @@ class _Elimination:
     def _lower(self) -> dict[int, dict[int, int]]:
         """The columns of L by pivots, in their order."""
         graph, cell = self.graph, self._cells
-        found: dict[int, dict[int, int]] = {}
+        columns: dict[int, dict[int, int]] = {}
         for j in self._order:
             pivot = self.pivots[j] = cell[j].pop(j, graph.zero)
             self._inverses[j] = graph.powi(pivot, -1)
-            below, found[j] = sorted(cell[j]), {}
+            below, columns[j] = sorted(cell[j]), {}
             for i in below:
                 del cell[i][j]
-                found[j][i] = graph.mul(cell[j][i], self._inverses[j])
+                columns[j][i] = graph.mul(cell[j][i], self._inverses[j])
             for a, i in enumerate(below):
                 for k in below[: a + 1]:
-                    taken = graph.mul(found[j][i], cell[j][k])
-                    cell[i][k] = cell[k][i] = graph.sub(cell[i].get(k, graph.zero), taken)
-        return found
+                    update = graph.mul(columns[j][i], cell[j][k])
+                    cell[i][k] = cell[k][i] = graph.sub(cell[i].get(k, graph.zero), update)
+        return columns
 
     def solution(self, right: Sequence[int]) -> list[int]:
         """Return the solution for one right-hand side."""
-        graph, found = self.graph, list(right)
+        graph, solution = self.graph, list(right)
         for j, column in self._lower.items():
             for i, share in column.items():
-                found[i] = graph.sub(found[i], graph.mul(share, found[j]))
-        found = [graph.mul(a, b) for a, b in zip(found, self._inverses, strict=True)]
+                solution[i] = graph.sub(solution[i], graph.mul(share, solution[j]))
+        solution = [graph.mul(a, b) for a, b in zip(solution, self._inverses, strict=True)]
         for j in reversed(self._lower):
             for i, share in self._lower[j].items():
-                found[j] = graph.sub(found[j], graph.mul(share, found[i]))
-        return found
+                solution[j] = graph.sub(solution[j], graph.mul(share, solution[i]))
+        return solution
 
 
 def solved_soundly(
@@ -299,21 +302,21 @@ def solved_soundly(
 ) -> tuple[list[int], int]:
     """Return the solution by LDLᵀ, and whether no pivot is small relative to its row."""
     eliminated, sound = _Elimination(graph, square), graph.boolean(True)
-    found = eliminated.solution(right)
+    solution = eliminated.solution(right)
     for pivot, size in zip(eliminated.pivots, sizes, strict=True):
         sound = graph.call("and", sound, _is_above(graph, pivot, size, SOUND_PIVOT))
-    return found, sound
+    return solution, sound
 
 
-def _usual(graph: Graph, own: Sequence[int]) -> list[int]:
-    """Return the usual squared sizes of rows, where a row of J may be about to vanish.
+def _usual(graph: Graph, squares: Sequence[int]) -> list[int]:
+    """Return the usual squared sizes of rows, as scales for rows of J that may vanish.
 
-    That is no more than the mean of all rows and than what the row would be at other states: rows
-    in different units are compared with themselves. A square may be negative at states that are
-    none, where quaternions are of any length and masses by speeds are written for those of one.
+    They are at most the mean of all rows and the size of the row at other states, so that rows in
+    different units are compared with themselves. A square may be negative at these states, where
+    quaternions do not have unit length.
     """
-    mean = graph.sum([(size, 1.0 / len(own)) for size in own])
-    elsewhere = usual_sizes(graph, [graph.call("abs", size) for size in own])
+    mean = graph.sum([(size, 1.0 / len(squares)) for size in squares])
+    elsewhere = usual_sizes(graph, [graph.call("abs", size) for size in squares])
     return [graph.call("min", mean, size) for size in elsewhere]
 
 
@@ -322,10 +325,10 @@ def _squares(graph: Graph, rows: Sequence[list[int]], weights: Sequence[int]) ->
 
 
 def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return the means of some nodes at irregular states, which depend on constants.
+    """Return the means of nodes over generic states, as functions of the constants.
 
-    Angles are of order one. Coordinates that are used outside of trigonometric functions may be in
-    any unit: theirs is the length of them together.
+    Angles are of order one. Coordinates outside of trigonometric functions may have any unit: they
+    are scaled by their Euclidean norm.
     """
     moving = graph.inputs(nodes, moving=True)
     lengths = _used_as_they_are(graph, nodes) & {n for n in moving if graph.args[n][0] != "t"}
@@ -347,11 +350,11 @@ def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
 
 def _used_as_they_are(graph: Graph, nodes: Sequence[int]) -> set[int]:
     """Return the inputs on which nodes depend other than through functions like the sine."""
-    found: set[int] = set()
-    ahead = list(nodes)
-    while ahead:
-        if (node := ahead.pop()) not in found:
-            found.add(node)
+    visited: set[int] = set()
+    stack = list(nodes)
+    while stack:
+        if (node := stack.pop()) not in visited:
+            visited.add(node)
             if graph.ops[node] in _HOMOGENEOUS:
-                ahead += graph.operands(node)
-    return found
+                stack += graph.operands(node)
+    return visited

@@ -22,7 +22,7 @@ import numpy as np
 from sympy.physics.mechanics import Point
 
 from pydy._graph import Graph, signatures
-from pydy._mechanics.components import about, flat, identity, in_rows, transposed, turned
+from pydy._mechanics.components import axis_rotation, flat, identity, in_rows, product, transposed
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.tuning import SAME_DIRECTION
@@ -54,7 +54,7 @@ def in_a_plane(kinematics: Kinematics) -> bool:
     frames |= {body.frame for body in k.body.bodies if is_rigid(body)}
     if not frames <= k.tree.frame_depth.keys():
         return False
-    turning = {f for frame in frames for f in k.frames.way_in(frame)} - {k.inertial}
+    turning = {f for frame in frames for f in k.frames.path_to_inertial(frame)} - {k.inertial}
     axes = {hinge_axis(k, f, k.frames.parent(f)) for f in turning}
     return len(axes) <= 1 and None not in axes
 
@@ -105,15 +105,15 @@ def move_along_axes(kinematics: Kinematics) -> None:
         if base in axis_points:
             parts.append(_back(g, joints[base], shifts[base]))
             base = axis_points[base]
-        k.lead(axis_point, base, _summed(k, parts))
-    moved_points = {axis_point: k.way(axis_point) for axis_point in axis_points.values()}
+        k.reroute(axis_point, base, _summed(k, parts))
+    moved_points = {axis_point: k.path(axis_point) for axis_point in axis_points.values()}
     for point in k.placed():
-        base, _ = k.way(point)
+        base, _ = k.path(point)
         if point in axis_points:
-            k.lead(point, axis_points[point], [_back(g, joints[point], shifts[point])])
+            k.reroute(point, axis_points[point], [_back(g, joints[point], shifts[point])])
         elif base in axis_points and point not in moved_points:
             parts = [*k.parts(point), _back(g, joints[base], shifts[base])]
-            k.lead(point, axis_points[base], _summed(k, parts))
+            k.reroute(point, axis_points[base], _summed(k, parts))
 
 
 def _back(graph: Graph, joint: _Joint, shift: int) -> tuple[Vec, Any]:
@@ -143,7 +143,7 @@ def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
     k = kinematics
     frames_at: dict[Any, set[Any]] = {}
     for point in k.placed():
-        base, _ = k.way(point)
+        base, _ = k.path(point)
         frames_at.setdefault(base, set()).update(frame for _, frame in k.parts(point))
     for body in k.body.bodies:
         frame = k.frames.axes(body.frame) if is_rigid(body) else None
@@ -165,7 +165,7 @@ def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
             continue
         direction = [k.graph.one if i == axis else k.graph.zero for i in range(3)]
         while k.frames.is_fixed(inner):
-            direction = turned(k.graph, transposed(k.frames.step(inner)), direction)
+            direction = product(k.graph, transposed(k.frames.step(inner)), direction)
             inner = k.frames.parent(inner)
         if inner is before:
             n = _shortened(k, direction, before)
@@ -268,7 +268,7 @@ class _Alignment:
         frames = {b.frame for b in k.body.bodies if hasattr(b, "frame")}
         frames |= {location for location, _ in k.loads}
         for point in k.placed():
-            frames |= {f for vector in k.way(point)[1] for _, f in vector.args}
+            frames |= {f for vector in k.path(point)[1] for _, f in vector.args}
         needed: dict[Any, None] = {}
         for frame in sorted(frames, key=str):
             while frame in k.tree.frame_depth and frame is not k.inertial and frame not in needed:
@@ -419,7 +419,7 @@ class _Alignment:
         if (g.ops[c], g.ops[s]) != ("cos", "sin") or g.args[c] != g.args[s]:
             return None
         terms = [(g.args[c][0], sign)]
-        return g.sum(terms) if matrix == about(g, index, *_circle(g, terms, 0.0)) else None
+        return g.sum(terms) if matrix == axis_rotation(g, index, *_circle(g, terms, 0.0)) else None
 
     # -- results ---------------------------------------------------------------------
 
@@ -441,7 +441,7 @@ class _Alignment:
         spin = [g.zero] * 3
         spin[index] = g.sum([(body.speed, sign)])
         depth = k.tree.frame_depth[body.root]
-        k.frames.insert(axes, home, about(g, index, *circle), spin, depth)
+        k.frames.insert(axes, home, axis_rotation(g, index, *circle), spin, depth)
         self._write(body, axes, rotation_to_axes)
 
     def _fixed(self, home: Any, matrix: Matrix, body: _Body) -> Any:
@@ -470,7 +470,7 @@ class _Alignment:
     def _product(self, a: Matrix, b: Matrix) -> Matrix:
         """Return a product of rotations with exact zeros and ones."""
         g = self.graph
-        product = transposed([self.kinematics.turned(a, column) for column in transposed(b)])
+        product = transposed([self.kinematics.product(a, column) for column in transposed(b)])
         numbers = self._numbers(product)
         if numbers is not None:
             return self._nodes(_snapped(numbers))

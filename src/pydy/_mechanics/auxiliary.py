@@ -19,7 +19,7 @@ from pydy._mechanics.kinematics import Kinematics, Vec
 def with_auxiliary(equations: Equations) -> Equations:
     """Return the equations with those of the auxiliary speeds.
 
-    A method's own are kept where its velocity constraints leave no auxiliary speed out.
+    Those of the method are used if its velocity constraints contain all auxiliary speeds.
     """
     body = equations.multibody
     if body is None or not body.auxiliary:
@@ -29,16 +29,16 @@ def with_auxiliary(equations: Equations) -> Equations:
     loops = _leaving_out(k, equations, moved)
     if loops:
         points = loop_points(body)
-        k = moving(body, in_bodies=True, auxiliary=True, driven=True, more=points)
+        k = moving(body, in_bodies=True, auxiliary=True, driven=True, further_points=points)
         rows = k.read.all(body.velocity)
         moved = jacobian(k.graph, rows, k.auxiliary).dense()
         shares = LoopShares(k, points, [rows[j] for j in loops]).found(equations)
-        # Whoever wrote some of the rows with auxiliary speeds wrote all with them.
-        written = any(j not in loops for j in range(len(rows)) if _of_loop(equations, j))
+        # If the user included auxiliary speeds in one row, they are complete in all rows.
+        has_auxiliary = any(j not in loops for j in range(len(rows)) if _of_loop(equations, j))
         for j, share in zip(loops, shares, strict=True):
             if share is not None:
                 moved[j] = share
-            elif not written:
+            elif not has_auxiliary:
                 loop = body.velocity[j]
                 unresolved = replace(equations.auxiliary, residuals=(), unresolved_loop=loop)
                 return replace(equations, auxiliary=unresolved)
@@ -50,9 +50,9 @@ def with_auxiliary(equations: Equations) -> Equations:
 
 
 def _leaving_out(k: Kinematics, equations: Equations, moved: list[Vec]) -> list[int]:
-    """Return the rows that follow from holonomic constraints and hold no auxiliary speed."""
-    still = [all(n == k.graph.zero for n in row) for row in moved]
-    return [j for j, none in enumerate(still) if none and _of_loop(equations, j)]
+    """Return the rows that follow from holonomic constraints and have no auxiliary speed."""
+    is_static = [all(n == k.graph.zero for n in row) for row in moved]
+    return [j for j, none in enumerate(is_static) if none and _of_loop(equations, j)]
 
 
 def _of_loop(equations: Equations, j: int) -> bool:
@@ -67,15 +67,17 @@ def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:
     """
     g, n, body = k.graph, len(k.speeds), k.body
     _, rest = composite(k, [], loads_and_inertias(k)[1])
-    found = rest[n:]
+    residuals = rest[n:]
     if body.velocity:
         nodes = k.read.all(body.velocity)
         dependent = body.dependent_columns
-        held = [[row[j] for j in dependent] for row in jacobian(g, nodes, k.speeds).dense()]
-        columns = [[g.neg(row[a]) for row in moved] for a in range(len(found))]
-        shares = g.solve(held, columns, "lu")
+        dependent_part = [
+            [row[j] for j in dependent] for row in jacobian(g, nodes, k.speeds).dense()
+        ]
+        columns = [[g.neg(row[a]) for row in moved] for a in range(len(residuals))]
+        shares = g.solve(dependent_part, columns, "lu")
         for a, share in enumerate(shares):
             terms = [(g.mul(s, rest[j]), 1.0) for s, j in zip(share, dependent, strict=True)]
-            found[a] = g.sum([(found[a], 1.0), *terms])
-    found = substitute(g, found, dict.fromkeys(k.auxiliary, g.zero))
-    return [NodeExpression.of(g, node, k.symbols()) for node in found]
+            residuals[a] = g.sum([(residuals[a], 1.0), *terms])
+    residuals = substitute(g, residuals, dict.fromkeys(k.auxiliary, g.zero))
+    return [NodeExpression.of(g, node, k.symbols()) for node in residuals]

@@ -33,7 +33,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point
 
 from pydy._graph import Graph, jacobian, substitute
-from pydy._mechanics.components import dot, flat, identity, turned
+from pydy._mechanics.components import dot, flat, identity, product
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frame_tree import FrameTree, breadth_first
 from pydy._mechanics.generic import GenericStates
@@ -131,7 +131,7 @@ class LoopShares:
         self._number(k.read.all(k.body.holonomic))
 
     def _moving(self, items: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, Vec]]]:
-        return ((item, self.k.at(item)) for item in items)
+        return ((item, self.k.velocity_of(item)) for item in items)
 
     def _number(self, holonomic: Vec) -> None:
         """Evaluate positions and axes, and derivatives of all rates by all speeds."""
@@ -241,7 +241,7 @@ class LoopShares:
             sizes = np.abs(terms).sum(axis=1) + np.abs(constraint_value)
             exact = bool((np.abs(terms.sum(axis=1) - constraint_value) <= HALF * sizes).all())
         rank = 2 * (not exact) + (len(part) > 1)
-        shares = turned(g, [*zip(*slopes, strict=True)], factors)
+        shares = product(g, [*zip(*slopes, strict=True)], factors)
         return _Fit(rank, frozenset(ends), kind.axes, shares)
 
     def _determined(self, slopes: list[Vec], columns: np.ndarray, or_none: bool) -> bool:
@@ -439,10 +439,10 @@ class LoopShares:
     def _along(self, frame: Any, a: Any, b: Any) -> Vec:
         k, (r, v) = self.k, self._between(a, b)
         rate = self._minus(v, k.cross(self._motion[frame], r))
-        return turned(k.graph, self._axes[frame], rate)
+        return product(k.graph, self._axes[frame], rate)
 
     def _moved(self, frame: Any, a: Any, b: Any) -> Vec:
-        return turned(self.k.graph, self._axes[frame], self._between(a, b)[1])
+        return product(self.k.graph, self._axes[frame], self._between(a, b)[1])
 
     def _square(self, a: Any, b: Any) -> Vec:
         return [dot(self.k.graph, *self._between(a, b))]
@@ -453,7 +453,7 @@ class LoopShares:
 
     def _turned(self, a: Any, b: Any) -> Vec:
         spin = self._minus(self._motion[a], self._motion[b])
-        return turned(self.k.graph, self._axes[a], spin)
+        return product(self.k.graph, self._axes[a], spin)
 
     def _cosines(self, a: Any, b: Any) -> Vec:
         k, spin = self.k, self._minus(self._motion[a], self._motion[b])
@@ -468,8 +468,8 @@ class LoopShares:
             arm, v = self._between(a, b)
             v = self._minus(v, k.cross(wb, arm))
         return [
-            *turned(k.graph, self._axes[axes], v),
-            *turned(k.graph, self._axes[axes], self._minus(wa, wb)),
+            *product(k.graph, self._axes[axes], v),
+            *product(k.graph, self._axes[axes], self._minus(wa, wb)),
         ]
 
 

@@ -12,25 +12,25 @@ from pydy._rank import ROUNDED
 _STATES = 3
 
 
-def dot(graph: Graph, a: Sequence[int], b: Sequence[int], *more: tuple[int, float]) -> int:
-    """Return the sum of the products of entries, and of `more` nodes with their factors."""
+def dot(graph: Graph, a: Sequence[int], b: Sequence[int], *further_terms: tuple[int, float]) -> int:
+    """Return the scalar product, plus `further_terms` with their factors."""
     zero = graph.zero
-    both = [(x, y) for x, y in zip(a, b, strict=True) if x != zero != y]
-    return graph.sum([*more, *((graph.mul(x, y), 1.0) for x, y in both)])
+    pairs = [(x, y) for x, y in zip(a, b, strict=True) if x != zero != y]
+    return graph.sum([*further_terms, *((graph.mul(x, y), 1.0) for x, y in pairs)])
 
 
-def turned(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
+def product(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
     """Return the product of a matrix and a vector."""
     return [dot(graph, row, v) for row in matrix]
 
 
 def identity(graph: Graph, n: int = 3) -> list[list[int]]:
-    """Return the matrix of n rows that changes nothing."""
+    """Return the identity matrix with n rows."""
     return [[graph.one if i == j else graph.zero for j in range(n)] for i in range(n)]
 
 
 def in_rows(flat: Sequence[int]) -> list[list[int]]:
-    """Return nine nodes as a matrix."""
+    """Return nine nodes as a 3 by 3 matrix."""
     return [list(flat[k : k + 3]) for k in (0, 3, 6)]
 
 
@@ -39,58 +39,58 @@ def flat(matrix: Sequence[Sequence[int]]) -> list[int]:
     return [n for row in matrix for n in row]
 
 
-def about(graph: Graph, axis: int, c: int, s: int) -> list[list[int]]:
-    """Return the matrix of axes that are turned about one of them, by its cosine and sine."""
+def axis_rotation(graph: Graph, axis: int, c: int, s: int) -> list[list[int]]:
+    """Return the matrix of a rotation about a coordinate axis, by cosine and sine."""
     j, m = (axis + 1) % 3, (axis + 2) % 3
-    found = [[graph.one if i == r == axis else graph.zero for i in range(3)] for r in range(3)]
-    found[j][j] = found[m][m] = c
-    found[j][m], found[m][j] = s, graph.neg(s)
-    return found
+    matrix = [[graph.one if i == r == axis else graph.zero for i in range(3)] for r in range(3)]
+    matrix[j][j] = matrix[m][m] = c
+    matrix[j][m], matrix[m][j] = s, graph.neg(s)
+    return matrix
 
 
 def transposed(matrix: Sequence[Sequence[int]]) -> list[list[int]]:
-    """Return a matrix with rows for columns."""
+    """Return the transpose of a matrix."""
     return [list(column) for column in zip(*matrix, strict=True)]
 
 
 def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Drop components that are rounding errors of numeric rotations, relative to the vector."""
+    """Drop terms that are rounding errors of numeric rotations, relative to the vector."""
     rows = [graph.linear(n) for n in nodes]
     sizes: dict[int, float] = {}
     for row in rows:
         for n, c in row.items():
             sizes[n] = max(sizes.get(n, 0.0), abs(c))
-    kept = [{n: c for n, c in row.items() if abs(c) > ROUNDED * sizes[n]} for row in rows]
+    retained = [{n: c for n, c in row.items() if abs(c) > ROUNDED * sizes[n]} for row in rows]
     return [
-        node if len(own) == len(row) else graph.sum(own.items())
-        for node, row, own in zip(nodes, rows, kept, strict=True)
+        node if len(retained_row) == len(row) else graph.sum(retained_row.items())
+        for node, row, retained_row in zip(nodes, rows, retained, strict=True)
     ]
 
 
 def numbers_of(
-    graph: Graph, flat: Sequence[int], held: Sequence[int] = (), zeros: Sequence[int] = ()
+    graph: Graph, flat: Sequence[int], zero_rows: Sequence[int] = (), zeros: Sequence[int] = ()
 ) -> np.ndarray:
-    """Return values of nodes at random states, one row for each, at which `held` are zero.
+    """Return values of nodes at random states, one row for each, at which `zero_rows` vanish.
 
-    All that these rows hold is moved: an orientation by a quaternion is one where its length is
-    one, and two random lengths need not close. Inputs among `zeros` that they do not hold are zero.
+    All inputs of these rows may change: quaternions get unit length, random lengths close a loop.
+    Inputs among `zeros` that do not occur in them are zero.
     """
-    inputs = graph.inputs([*flat, *held])
+    inputs = graph.inputs([*flat, *zero_rows])
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
-    kept = {*graph.reachable(held)}
-    x[:, [n in zeros and n not in kept for n in inputs]] = 0.0
+    determined = {*graph.reachable(zero_rows)}
+    x[:, [n in zeros and n not in determined for n in inputs]] = 0.0
 
     def values(nodes: Sequence[int]) -> np.ndarray:
         return graph.evaluator(nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)
 
-    if held:
-        slopes = jacobian(graph, held, inputs).flat()
-        for _ in range(12):  # Newton's method doubles the digits with each
-            found = values([*held, *slopes])
-            if not np.isfinite(found).all():
+    if zero_rows:
+        slopes = jacobian(graph, zero_rows, inputs).flat()
+        for _ in range(12):  # each Newton step doubles the digits
+            newton = values([*zero_rows, *slopes])
+            if not np.isfinite(newton).all():
                 break
-            left, slope = found[:, : len(held)], found[:, len(held) :]
+            residuals, slope = newton[:, : len(zero_rows)], newton[:, len(zero_rows) :]
             for k in range(_STATES):
-                matrix = slope[k].reshape(len(held), -1)
-                x[k] -= np.linalg.lstsq(matrix, left[k], rcond=None)[0]
+                matrix = slope[k].reshape(len(zero_rows), -1)
+                x[k] -= np.linalg.lstsq(matrix, residuals[k], rcond=None)[0]
     return values(flat)

@@ -114,7 +114,7 @@ def _position_of(k: Kinematics, location: Any) -> Vec:
         offset for p, offset in FrameTree.positions(location).items() if k.tree.velocity(p) == 0
     )
     nodes = [n for offset in fixed for n in k.vector(offset, k.inertial)]
-    while (base := k.way(location)[0]) is not None:
+    while (base := k.path(location)[0]) is not None:
         nodes += [n for r, frame in k.parts(location) for n in k.expressed(r, frame, k.inertial)]
         location = base
     return nodes

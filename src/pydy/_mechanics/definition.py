@@ -146,9 +146,9 @@ class Definition:
         self.bodies = check_bodies(listed("bodies", bodies, "Particle and RigidBody objects"))
         if not self.bodies:
             raise ValueError("`bodies` must have at least one Particle or RigidBody.")
-        given = listed("loads", loads, "loads")
-        self.loads = read_loads(given)
-        self._activations = tuple(activation_states(given, self.coordinates))
+        load_list = listed("loads", loads, "loads")
+        self.loads = read_loads(load_list)
+        self._activations = tuple(activation_states(load_list, self.coordinates))
         self.auxiliary_speeds = _functions("auxiliary_speeds", auxiliary_speeds)
         self._each_a_rate = kinematic_equations is None
         self.kinematic_equations = self._kinematic(kinematic_equations, rates)
@@ -161,12 +161,12 @@ class Definition:
             if velocity_constraints is None
             else _expressions("velocity_constraints", velocity_constraints)
         )
-        self.dependent_coordinates = _among(
+        self.dependent_coordinates = _subset(
             "dependent_coordinates", dependent_coordinates, self.coordinates, "coordinates"
         )
-        self.dependent_speeds = _among("dependent_speeds", dependent_speeds, self.speeds, "speeds")
+        self.dependent_speeds = _subset("dependent_speeds", dependent_speeds, self.speeds, "speeds")
         self.configuration = self._near(configuration)
-        self.frames = _places(frames)
+        self.frames = _named_positions(frames)
         self.values = {
             key: number(value, f"`values[{key}]`", finite=True)
             for key, value in check_mapping("values", values).items()
@@ -190,7 +190,7 @@ class Definition:
 
     @cached_property
     def _motion(self) -> tuple[Any, ...]:
-        """The same with derivatives that the graph takes.
+        """The same, differentiated on the graph.
 
         SymPy's take longer than all the rest for constraints of several hundred terms.
         """
@@ -220,17 +220,17 @@ class Definition:
         return tuple(q - u for q, u in zip(rates, self.speeds, strict=True))
 
     def _near(self, configuration: Any) -> dict[Any, float]:
-        given = check_mapping("configuration", configuration)
-        if not given:
+        values = check_mapping("configuration", configuration)
+        if not values:
             return {}
         inside = find_symbols((*self.holonomic_constraints, *self._motion))
-        known = Places(
+        index = Places(
             [*dict.fromkeys((*self.coordinates, *self.speeds, *inside))],
             "coordinates, and constants of the constraints",
         )
         return {
             key: number(value, f"`configuration[{key}]`", finite=True)
-            for key, value in known.by_symbol(given, "configuration").items()
+            for key, value in index.by_symbol(values, "configuration").items()
         }
 
     def _check_names(self) -> None:
@@ -245,9 +245,9 @@ class Definition:
     def _check_motion(self) -> None:
         moving = {*self.speeds, *self.auxiliary_speeds}
         for k, row in enumerate(self.nonholonomic_constraints):
-            found = find_symbols((row,))
-            still = not any(s in moving or isinstance(s, sm.Derivative) for s in found)
-            if still and not found.keys().isdisjoint(self.coordinates):
+            symbols = find_symbols((row,))
+            is_static = not any(s in moving or isinstance(s, sm.Derivative) for s in symbols)
+            if is_static and not symbols.keys().isdisjoint(self.coordinates):
                 raise ValueError(
                     f"`nonholonomic_constraints[{k}]` must restrict speeds, got {shown(row)}, "
                     "which has none. Coordinates are constrained by `holonomic_constraints`."
@@ -255,19 +255,19 @@ class Definition:
 
     @cached_property
     def multibody(self) -> Multibody:
-        """The same, with q' solved for and dependent coordinates and speeds chosen."""
+        """The Multibody, with q' solved for and dependent coordinates and speeds chosen."""
         return self.multibody_with(None)
 
     def multibody_with(self, implicit: Implicit | None) -> Multibody:
-        """Return it with coordinates that follow from residuals."""
+        """Return the Multibody with the unknowns of residuals as coordinates."""
         rates, speeds = self._rates, set(self.speeds)
         if self._each_a_rate and (self.speeds == rates or speeds.isdisjoint(rates)):
             solved = dict(zip(rates, self.speeds, strict=True))
         else:
-            wanted = [rate for rate in rates if rate not in speeds]
+            unknown_rates = [rate for rate in rates if rate not in speeds]
             equations = [e for e in self.kinematic_equations if e != 0]
-            found = solve_rates(equations, wanted, "kinematic_equations")
-            solved = dict(zip(wanted, found, strict=True))
+            solution = solve_rates(equations, unknown_rates, "kinematic_equations")
+            solved = dict(zip(unknown_rates, solution, strict=True))
         body = Multibody(
             frame=self.frame,
             bodies=self.bodies,
@@ -320,20 +320,20 @@ def equations_of_definition(
 
 def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[Any, ...]:
     """Return functions of time, or derivatives that are among `rates`."""
-    found = tuple(listed(argument, symbols, "functions of time", hashable=True))
-    for symbol in found:
+    functions = tuple(listed(argument, symbols, "functions of time", hashable=True))
+    for symbol in functions:
         of_time = isinstance(symbol, AppliedUndef) and symbol.args == (dynamicsymbols._t,)
         if not of_time and symbol not in rates:
             raise ValueError(
                 f"`{argument}` must hold functions of time, such as dynamicsymbols('q'), got "
                 f"{shown(symbol)}."
             )
-    return found
+    return functions
 
 
 def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
-    found = tuple(listed(argument, expressions, "expressions"))
-    for expression in found:
+    entries = tuple(listed(argument, expressions, "expressions"))
+    for expression in entries:
         is_number = isinstance(expression, (int, float)) and not isinstance(expression, bool)
         if not (is_number or isinstance(expression, sm.Expr)):
             raise TypeError(
@@ -341,32 +341,34 @@ def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
             )
         if is_number:
             number(expression, f"`{argument}`", finite=True)
-    return tuple(map(sm.sympify, found))
+    return tuple(map(sm.sympify, entries))
 
 
-def _places(frames: Any) -> dict[str, tuple[Any, Any]]:
-    found = {}
-    for name, place in check_mapping("frames", frames).items():
-        pair = isinstance(place, tuple) and len(place) == 2
+def _named_positions(frames: Any) -> dict[str, tuple[Any, Any]]:
+    positions = {}
+    for name, pair_ in check_mapping("frames", frames).items():
+        pair = isinstance(pair_, tuple) and len(pair_) == 2
         if not (
             isinstance(name, str)
             and pair
-            and isinstance(place[0], ReferenceFrame)
-            and isinstance(place[1], Point)
+            and isinstance(pair_[0], ReferenceFrame)
+            and isinstance(pair_[1], Point)
         ):
             raise TypeError(
                 "`frames` must map names to pairs of a ReferenceFrame and a Point, got "
-                f"{shown(name)}: {shown(place)}."
+                f"{shown(name)}: {shown(pair_)}."
             )
-        found[name] = (place[0], place[1])
-    return found
+        positions[name] = (pair_[0], pair_[1])
+    return positions
 
 
-def _among(argument: str, symbols: Any, known: Sequence[Any], what: str) -> tuple[Any, ...] | None:
+def _subset(
+    argument: str, symbols: Any, allowed: Sequence[Any], kind: str
+) -> tuple[Any, ...] | None:
     if symbols is None:
         return None
-    found = tuple(listed(argument, symbols, what, hashable=True))
-    strange = [s for s in found if s not in known]
+    selected = tuple(listed(argument, symbols, kind, hashable=True))
+    strange = [s for s in selected if s not in allowed]
     if strange:
-        raise ValueError(f"`{argument}` must be some of the {what}, got {describe(strange)}.")
-    return found
+        raise ValueError(f"`{argument}` must be some of the {kind}, got {describe(strange)}.")
+    return selected

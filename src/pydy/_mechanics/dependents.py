@@ -1,7 +1,7 @@
 """Which coordinates and speeds depend on the others, by elimination at generic states.
 
-The derivatives of the constraints are eliminated with complete pivoting, at several states at once:
-a pivot is as good as it is at the worst of them. What is left below the rank is redundant.
+The derivatives of the constraints are eliminated with complete pivoting at several states at once:
+a pivot is rated by the worst of them. Rows beyond the rank are redundant.
 """
 
 from __future__ import annotations
@@ -31,11 +31,10 @@ _SHARE = 0.1  # of the largest residual: what is named with it
 class Chosen:
     """Rows that are independent, and as many columns that can be solved for, in ascending order.
 
-    The `samples` (m, n) are one matrix at several states, known within `bounds`; the columns are
-    chosen from those `allowed`, those that come `first` before others. Entries that are `varying`
-    depend on the configuration: elsewhere they may vanish, as no constant does. A pivot counts if
-    half the digits of its row tell it, or of its row and column after all were brought to one size,
-    and it is larger than its bound.
+    The `samples` (m, n) are one matrix at several states, accurate within `bounds`; the columns are
+    chosen from those `allowed`, with those in `first` before others. Entries that are `varying`
+    depend on the configuration and may vanish elsewhere. A pivot is accepted if it exceeds its
+    bound and half the digits of its row, or of its row and column after equilibration.
     """
 
     def __init__(
@@ -62,7 +61,7 @@ class Chosen:
             least = np.minimum(HALF, np.maximum(HALF / units, errors))
             sound = free & (np.abs(work) >= least).all(axis=0)
             worst = np.where(sound, np.abs(work).min(axis=0), 0.0)
-            # A pivot that is the same in all configurations is as good as a ten times larger one.
+            # A constant pivot counts ten times: it cannot vanish in other configurations.
             weighed = np.where(varies, worst, 10.0 * worst)
             if weighed[:, first].any():
                 weighed[:, ~np.isin(np.arange(weighed.shape[1]), first)] = 0.0
@@ -75,10 +74,12 @@ class Chosen:
             ratio[:, rows] = 0.0
             moved = (ratio != 0.0).any(axis=0)
             varies[moved] |= varies[i] | varies[moved, j][:, None]
-            known = errors[:, :, j] + np.abs(ratio) * errors[:, i, j][:, None]
-            known = np.where(ratio != 0.0, known / np.abs(work[:, i, j])[:, None], 0.0)
+            column_errors = errors[:, :, j] + np.abs(ratio) * errors[:, i, j][:, None]
+            column_errors = np.where(
+                ratio != 0.0, column_errors / np.abs(work[:, i, j])[:, None], 0.0
+            )
             errors += np.abs(ratio)[:, :, None] * errors[:, i, :][:, None, :]
-            errors += known[:, :, None] * np.abs(work[:, i, :])[:, None, :]
+            errors += column_errors[:, :, None] * np.abs(work[:, i, :])[:, None, :]
             work -= ratio[:, :, None] * work[:, i, :][:, None, :]
             free[i, :] = free[:, j] = False
         self.rows, self.columns = sorted(rows), sorted(columns)
@@ -88,14 +89,14 @@ def _without_errors(matrices: np.ndarray, bounds: np.ndarray) -> np.ndarray:
     """Replace entries that are small in their row and within their rounding bound by zeros."""
     sizes = np.abs(matrices)
     small = sizes < HALF * sizes.max(axis=2, keepdims=True, initial=0.0)
-    found: np.ndarray = np.where(small & (sizes <= bounds), 0.0, matrices)
-    return found
+    cleaned: np.ndarray = np.where(small & (sizes <= bounds), 0.0, matrices)
+    return cleaned
 
 
 def _in_one_size(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Scale matrices at several states to rows and columns of size one; return the scales too.
+    """Equilibrate matrices at several states with common scales; return the scales too.
 
-    The largest of each is near one at one of the states: rows may vanish in singular positions.
+    The largest entry over all states is near one: rows may vanish in singular positions.
     """
     _, rows, columns = equilibrated(np.abs(matrices).max(axis=0), exact=True)
     return matrices * columns / rows, rows, columns
@@ -109,38 +110,42 @@ def constrained(
     speeds: Sequence[Any] | None = None,
     near: Mapping[Any, float] | None = None,
 ) -> Multibody:
-    """Return the same with constraints, and with dependent coordinates and speeds chosen.
+    """Return the body with constraints, and with dependent coordinates and speeds chosen.
 
-    Redundant constraints are left out, and those that all motions satisfy: the kinematic equations
-    keep the norm of a quaternion. The user may choose dependent `coordinates` and `speeds`, and a
-    configuration `near` which the mechanism is assembled.
+    Redundant constraints are omitted, and those that all motions satisfy, such as the norm of a
+    quaternion. The user may choose dependent `coordinates` and `speeds`, and a configuration `near`
+    which the mechanism is assembled.
     """
     velocity = _moving_rows(kinematics_of(body), velocity)
     body = replace(body, holonomic=tuple(holonomic), velocity=tuple(velocity))
-    found = _choose(kinematics_of(body), coordinates, speeds, near)
-    (places, q_dep), (motions, u_dep), rounded = found
+    choices = _choose(kinematics_of(body), coordinates, speeds, near)
+    (of_positions, q_dep), (of_velocities, u_dep), rounded = choices
     return replace(
         body,
-        holonomic=tuple(body.holonomic[k] for k in places.rows),
-        velocity=tuple(body.velocity[k] for k in motions.rows),
+        holonomic=tuple(body.holonomic[k] for k in of_positions.rows),
+        velocity=tuple(body.velocity[k] for k in of_velocities.rows),
         dependent_coordinates=q_dep,
         dependent_speeds=u_dep,
         chosen=(
             *(() if coordinates else (q for q in q_dep if q not in body.dependent_coordinates)),
             *(() if speeds else u_dep),
         ),
-        redundant=_others(body.velocity, motions.rows, [k - len(holonomic) for k in rounded]),
-        closed=_others(body.holonomic, places.rows, rounded),
+        redundant=_omitted(
+            body.velocity, of_velocities.rows, [k - len(holonomic) for k in rounded]
+        ),
+        closed=_omitted(body.holonomic, of_positions.rows, rounded),
         changing=speeds is None,
     )
 
 
-def _others(rows: Sequence[Any], kept: Sequence[int], rounded: Sequence[int]) -> tuple[Any, ...]:
-    return tuple(e for k, e in enumerate(rows) if k not in kept and k not in rounded)
+def _omitted(
+    rows: Sequence[Any], retained: Sequence[int], rounded: Sequence[int]
+) -> tuple[Any, ...]:
+    return tuple(e for k, e in enumerate(rows) if k not in retained and k not in rounded)
 
 
 def _moving_rows(equations: Equations, expressions: Sequence[Any]) -> list[Any]:
-    """Return the velocity constraints that are not zero for all motions."""
+    """Return the velocity constraints that do not vanish identically."""
     states = GenericStates(equations, expressions, "the velocity constraints")
     values = signatures(states.graph, states.read.all(expressions))
     return [e for e, value in zip(expressions, values, strict=True) if value]
@@ -156,7 +161,7 @@ def _choose(
     states = GenericStates(equations, (), "the constraints")
     _check_linear(equations, states)
     rows = _of_rounding(states)
-    # √(x²) - x is nothing where x is positive, as all was. Where it is not tells a configuration.
+    # √(x²) - x vanishes for the positive x of the samples, but otherwise selects a configuration.
     one_sided = {*_constant(states, rows)}.difference(_constant(states, rows, sign=-1.0))
     rows = [k for k in rows if k not in one_sided]
     states.leave_out(rows if near else [*rows, *one_sided])
@@ -179,7 +184,7 @@ def _choose(
             "The constraints contradict each other: no state was found that satisfies all of them; "
             f"{open_ones}. Leave out one of them, or correct it."
         )
-    found = []
+    choices = []
     for block, symbols, chosen in zip(
         tables,
         (equations.coordinates, equations.speeds),
@@ -187,20 +192,20 @@ def _choose(
         strict=True,
     ):
         name, shape, cells = block
-        matrices, bounds = _known(states, samples, block)
+        matrices, bounds = _with_bounds(states, samples, block)
         full, rank = _of_full_rank(matrices, bounds)
         varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
         first = [k for k, s in enumerate(symbols) if s in equations.dependents.coordinates]
-        for some in range(3, 0, -1):  # other ways of assembly may have no pivot in common
-            own = matrices[full[:some]], bounds[full[:some]]
-            choice = Chosen(own[0], varying=varying, bounds=own[1], first=first)
+        for count in range(3, 0, -1):  # assembly configurations may have no common pivot
+            clearest = matrices[full[:count]], bounds[full[:count]]
+            choice = Chosen(clearest[0], varying=varying, bounds=clearest[1], first=first)
             if len(choice.rows) == rank:
                 break
-        matrices, bounds = own
+        matrices, bounds = clearest
         if chosen is not None:
             choice = _checked(name, symbols, chosen, matrices, bounds, len(choice.columns))
-        found.append((choice, tuple(symbols[k] for k in choice.columns)))
-    return found[0], found[1], rows
+        choices.append((choice, tuple(symbols[k] for k in choice.columns)))
+    return choices[0], choices[1], rows
 
 
 def _searched(
@@ -210,25 +215,24 @@ def _searched(
     blocks = states.closing()
     every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
     samples = closed(every)
-    if not near and (not samples or _seem_redundant(*_known(states, samples, blocks[1]))):
+    if not near and (not samples or _seem_redundant(*_with_bounds(states, samples, blocks[1]))):
         every += states.samples(blocks, AROUND, around=True, left_open=True)
     return blocks[:2], every
 
 
 def _of_rounding(states: GenericStates) -> list[int]:
-    """Return rows that are zero up to rounding, and rows of terms that are rounding errors.
+    """Return rows that are zero up to rounding, and rows whose terms are rounding errors.
 
-    In an oblique plane the directions of two hinges are parallel whatever the angles, up to what
-    rounding leaves of terms that cancel. Where SymPy adds up numbers beforehand, it leaves a row of
-    1e-17: terms no larger than rounding errors of what they were made of, as the numbers tell, or
-    of all other rows of their kind. At states that have not been searched for, since such a row may
-    have a root, and a row of squares of nanometres is as small where it holds. Rates are in the
-    units of their holonomic rows, which may be any beside those of the others: they are what these
-    are.
+    In an oblique plane the axes of two hinges are parallel at all angles, up to the rounding errors
+    of cancelling terms. If SymPy has folded the numbers, a row of 1e-17 remains: its terms are no
+    larger than the rounding errors of the numbers that cancelled, or of all other rows of its kind.
+    Generic states are used, not consistent ones, since such a row may have a root, and a row of
+    squared nanometres is as small when it is satisfied. Rates have the units of their holonomic
+    rows and are classified with them.
 
-    Rows have units: directions and gears are numbers, of order one beside lengths of nanometres and
-    squares of kilometres. What is as large as a number, or as lengths of the mechanism and their
-    squares, is not small because other rows are large.
+    Rows have different units: directions and gears are numbers of order one, next to lengths of
+    nanometres and squares of kilometres. A row of the order of one, or of the lengths of the
+    mechanism or their squares, is not small because other rows are large.
     """
     graph, holonomic, velocity = states.graph, states.holonomic, states.velocity
     every = [*holonomic, *velocity]
@@ -242,66 +246,66 @@ def _of_rounding(states: GenericStates) -> list[int]:
     at = states.anywhere(blocks)
     sizes = np.nan_to_num(at["bounds"]).max(axis=0, initial=0.0)
     first, rates = len(holonomic), at["rates"]
-    known = {
+    holonomic_of_rate = {
         first + j: int(k)
-        for j, own in enumerate(at["velocity"].T)
+        for j, column in enumerate(at["velocity"].T)
         for k in np.flatnonzero(
-            (np.abs(rates - own[:, None]) <= HALF * np.abs(rates)).all(axis=0) & own.any()
+            (np.abs(rates - column[:, None]) <= HALF * np.abs(rates)).all(axis=0) & column.any()
         )[:1]
     }
     values = np.concatenate([at["holonomic"], at["velocity"]], axis=1)
-    nothing = _nothing(values, at["bounds"])
-    found = _constant(states, np.flatnonzero(nothing))
-    made_of = np.array([_cancelled(graph, node) for node in every])
-    found += [int(k) for k in np.flatnonzero((sizes > 0.0) & (sizes <= OF_FEW * made_of))]
-    lengths = np.array(states.placed)
-    for part in (range(first), [k for k in range(first, len(sizes)) if k not in known]):
+    vanishing = _vanishing(values, at["bounds"])
+    rounded = _constant(states, np.flatnonzero(vanishing))
+    cancelled = np.array([_cancelled(graph, node) for node in every])
+    rounded += [int(k) for k in np.flatnonzero((sizes > 0.0) & (sizes <= OF_FEW * cancelled))]
+    lengths = np.array(states.lengths_of_bodies)
+    for part in (range(first), [k for k in range(first, len(sizes)) if k not in holonomic_of_rate]):
         largest = max((sizes[k] for k in part), default=0.0)
-        found += [
+        rounded += [
             k
             for k in part
             if sizes[k] > 0.0
             and sizes[k] <= OF_FEW * largest
             and not _as_large_as(sizes[k], lengths)
-            and k not in found
+            and k not in rounded
         ]
-    return found + [j for j, k in known.items() if k in found and j not in found]
+    return rounded + [j for j, k in holonomic_of_rate.items() if k in rounded and j not in rounded]
 
 
 def _cancelled(graph: Graph, node: int) -> float:
-    """Return how large the numbers were that left the coefficients of a sum when they cancelled.
+    """Estimate the size of the numbers whose cancellation left the coefficients of a sum.
 
-    A sum of numbers is a multiple of the last place of the smallest: what is left of terms that
-    cancel has few of a float's bits, but many decimals. A number that someone typed, or that was
-    computed from such without cancellation, has not both.
+    A sum of floats is a multiple of the last place of the smallest: the remainder of a cancellation
+    has few significant bits, but many decimals. Typed numbers, and numbers computed from them
+    without cancellation, do not have both.
     """
     if graph.ops[node] != "sum":
         return 0.0
     constant, terms = graph.args[node]
-    found = 0.0
+    size = 0.0
     for value in map(abs, (constant, *(c for _, c in terms))):
         if not math.isfinite(value):
             continue
         odd, last = value.as_integer_ratio()  # the last place is one over a power of two
         decimals = repr(value).partition("e")[0].replace(".", "").strip("0")
         if 2 * odd.bit_length() < sys.float_info.mant_dig and len(decimals) > DIGITS:
-            found = max(found, math.ldexp(1.0, sys.float_info.mant_dig + 1 - last.bit_length()))
-    return found
+            size = max(size, math.ldexp(1.0, sys.float_info.mant_dig + 1 - last.bit_length()))
+    return size
 
 
 def _as_large_as(size: float, lengths: np.ndarray) -> bool:
-    """Return whether a row may be one of numbers, or of lengths or their squares."""
+    """Return whether a row has the order of one, or of lengths or their squares."""
     units = np.concatenate([lengths, lengths**2])
     return bool(size > HALF or ((size > HALF * units) & (HALF * size < units)).any())
 
 
-def _known(
+def _with_bounds(
     states: GenericStates, samples: list[dict[str, np.ndarray]], block: Block
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the matrices of a block at samples, and bounds on their entries' errors.
+    """Return the matrices of a block at samples, and bounds on the errors of their entries.
 
-    Those are evaluated where an entry is so small in its row that rounding could make a pivot of
-    it after it was brought to the size of the others. Elsewhere rows tell enough.
+    The bounds are evaluated if an entry is so small in its row that rounding errors could become a
+    pivot after equilibration. Otherwise the sizes of rows suffice.
     """
     name, (count, width), cells = block
     matrices = np.array([s[name] for s in samples]).reshape(len(samples), count, width)
@@ -312,46 +316,46 @@ def _known(
     return matrices, states.uncertain(samples, cells).reshape(matrices.shape)
 
 
-def _nothing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
-    """Return which values are zero up to rounding at all states although their terms are not."""
-    left: np.ndarray = (np.abs(values) <= ROUNDED * bounds).all(axis=0) & (bounds > 0.0).all(axis=0)
-    return left
+def _vanishing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
+    """Return which values vanish up to rounding at all states although their terms do not."""
+    zero: np.ndarray = (np.abs(values) <= ROUNDED * bounds).all(axis=0) & (bounds > 0.0).all(axis=0)
+    return zero
 
 
 def _constant(states: GenericStates, rows: Iterable[int], sign: float = 1.0) -> list[int]:
-    """Return the rows that no input changes by more than rounding, with inputs of one `sign`.
+    """Return the rows whose derivatives vanish up to rounding, with inputs of one `sign`.
 
-    A row of large terms may be no more than their rounding, but changes with what they hold.
+    The value of a row of large terms may be within their rounding, but its derivatives are not.
     """
     every = [*states.holonomic, *states.velocity]
-    found = []
+    constant = []
     for k in map(int, rows):
         name, shape, cells = states.table("slopes", [every[k]], states.inputs)
         bounds = rounding_bounds(states.graph, cells)
         at = states.anywhere([(name, shape, cells), ("bounds", shape, bounds)], sign)
         slopes, terms = at[name], at["bounds"]
         small = np.abs(slopes) <= ROUNDED * terms
-        if (small | (np.isnan(slopes) & (sign < 0.0))).all():  # no value, as of √x, tells nothing
-            found.append(k)
-    return found
+        if (small | (np.isnan(slopes) & (sign < 0.0))).all():  # NaN, as of √x, is no evidence
+            constant.append(k)
+    return constant
 
 
 def _check_linear(equations: Equations, states: GenericStates) -> None:
-    """Refuse holonomic constraints that hold speeds, and others that are not linear in them."""
+    """Refuse holonomic constraints with speeds, and velocity constraints not linear in them."""
     speeds, slopes = set(states.speeds), jacobian(states.graph, states.velocity, states.speeds)
 
-    def held(nodes: Sequence[int]) -> bool:
+    def has_speeds(nodes: Sequence[int]) -> bool:
         return not speeds.isdisjoint(states.graph.reachable(nodes))
 
     rows = equations.constraints
     for k, (e, node) in enumerate(zip(rows.holonomic, states.holonomic, strict=True)):
-        if held([node]):
+        if has_speeds([node]):
             raise ValueError(
                 f"The holonomic constraint {k}, `{e}`, holds speeds or derivatives. Give it as a "
                 "velocity constraint."
             )
     for k, (e, row) in enumerate(zip(rows.velocity, slopes, strict=True)):
-        if held([*row.values()]):
+        if has_speeds([*row.values()]):
             raise ValueError(
                 f"The velocity constraint {k}, `{e}`, is not linear in the speeds. Replace it with "
                 "one that is."
@@ -363,12 +367,12 @@ def _seem_redundant(matrices: np.ndarray, bounds: np.ndarray) -> bool:
 
 
 def _of_full_rank(matrices: np.ndarray, bounds: np.ndarray) -> tuple[list[int], int]:
-    """Return which are of highest rank, and the rank, away from singular positions where possible.
+    """Return the matrices of highest rank, and the rank, preferring regular positions.
 
-    A linkage may be assembled in a degenerate way too, in which its constraints are redundant.
+    A linkage may also have a degenerate configuration in which its constraints are redundant.
     """
     clean = _in_one_size(_without_errors(matrices, bounds))[0]
-    clear = [k for k, own in enumerate(clean) if not _nearly_singular(own)]
+    clear = [k for k, matrix in enumerate(clean) if not _nearly_singular(matrix)]
     clear = clear or list(range(len(matrices)))
     ranks = [len(Chosen(matrices[k : k + 1], bounds=bounds[k : k + 1]).rows) for k in clear]
     return [k for k, rank in zip(clear, ranks, strict=True) if rank == max(ranks)], max(ranks)
@@ -388,22 +392,22 @@ def _checked(
     bounds: np.ndarray,
     rank: int,
 ) -> Chosen:
-    """Return a user's choice, or say why the constraints do not give it."""
-    argument, others = (
+    """Return the user's choice, or raise an error if the constraints do not determine it."""
+    argument, kind = (
         ("`dependent_coordinates`", "coordinates")
         if name == "holonomic"
         else ("`dependent_speeds`", "speeds")
     )
     if len(chosen) != rank:
         raise ValueError(
-            f"{argument} must have {rank} {others}, as many as there are independent {name} "
+            f"{argument} must have {rank} {kind}, as many as there are independent {name} "
             f"constraints, got {len(chosen)}: {describe(chosen)}. Leave it out to have them chosen."
         )
-    made = Chosen(matrices, [symbols.index(s) for s in chosen], bounds=bounds)
-    if len(made.columns) < rank:
+    choice = Chosen(matrices, [symbols.index(s) for s in chosen], bounds=bounds)
+    if len(choice.columns) < rank:
         raise ValueError(
-            f"The {name} constraints do not give the {others} {describe(chosen)}: their matrix is "
+            f"The {name} constraints do not give the {kind} {describe(chosen)}: their matrix is "
             f"singular at generic states. Choose other {argument}, or leave it out to have them "
             "chosen."
         )
-    return made
+    return choice

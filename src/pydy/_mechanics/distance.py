@@ -1,4 +1,4 @@
-"""Which expressions depend on a distance, or on another length, and on constants alone."""
+"""Expressions that depend on a distance, or on another length, and on constants only."""
 
 from __future__ import annotations
 
@@ -17,30 +17,34 @@ from pydy._rank import ROUNDED
 
 
 def may_depend_on(expression: Any, square: Any, moving: Sequence[Any]) -> bool:
-    """Return whether an expression may depend on the square of a distance and constants alone.
+    """Return whether an expression may depend on the square of a distance and constants only.
 
-    Then its gradient by all that is `moving` is along that of the square, up to rounding. Along
-    one axis all forces are along the lines to all points: numbers tell most of them apart at once,
-    where SymPy would write each anew.
+    Then its gradient is parallel to that of the square, up to rounding. If all points are on one
+    axis, every force is along the lines to all points: this numeric test excludes most candidates
+    before SymPy rewrites them.
     """
     graph = Graph()
     read = InputReader(graph, {}, ())
     try:
-        by = read.all(moving)
-        slopes = jacobian(graph, read.all([expression, square]), by).flat()
+        variables = read.all(moving)
+        slopes = jacobian(graph, read.all([expression, square]), variables).flat()
         bounds = rounding_bounds(graph, slopes, constants=True)
-        found = numbers_of(graph, [*slopes, *bounds]).reshape(-1, 2, 2, len(by))
-    except UnsupportedFunctionError:  # SymPy may still write it
+        values = numbers_of(graph, [*slopes, *bounds]).reshape(-1, 2, 2, len(variables))
+    except UnsupportedFunctionError:  # SymPy may still rewrite it
         return True
-    (own, way), (own_error, way_error) = found[:, 0].swapaxes(0, 1), found[:, 1].swapaxes(0, 1)
-    largest = np.abs(way).argmax(axis=1)[:, None]
-    own_0, way_0, own_error_0, way_error_0 = (
-        np.take_along_axis(table, largest, axis=1) for table in (own, way, own_error, way_error)
+    (slope, direction), (own_error, way_error) = (
+        values[:, 0].swapaxes(0, 1),
+        values[:, 1].swapaxes(0, 1),
     )
-    apart = np.abs(own * way_0 - own_0 * way)
-    rounded = own_error * np.abs(way_0) + np.abs(own) * way_error_0
-    rounded += own_error_0 * np.abs(way) + np.abs(own_0) * way_error
-    return not bool((apart > ROUNDED * rounded).any())
+    largest = np.abs(direction).argmax(axis=1)[:, None]
+    own_0, way_0, own_error_0, way_error_0 = (
+        np.take_along_axis(table, largest, axis=1)
+        for table in (slope, direction, own_error, way_error)
+    )
+    difference = np.abs(slope * way_0 - own_0 * direction)
+    rounded = own_error * np.abs(way_0) + np.abs(slope) * way_error_0
+    rounded += own_error_0 * np.abs(direction) + np.abs(own_0) * way_error
+    return not bool((difference > ROUNDED * rounded).any())
 
 
 def beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any:
@@ -49,11 +53,11 @@ def beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any
         return None
     graph = Graph()
     read = InputReader(graph, {}, ())
-    by = read.all(coordinates)
+    variables = read.all(coordinates)
     try:
-        slopes = jacobian(graph, read.all([total, square]), by).flat()
-        values = numbers_of(graph, slopes).reshape(-1, 2, len(by))
-    except UnsupportedFunctionError:  # of what is no function of the distance
+        slopes = jacobian(graph, read.all([total, square]), variables).flat()
+        values = numbers_of(graph, slopes).reshape(-1, 2, len(variables))
+    except UnsupportedFunctionError:  # not a function of the distance
         return None
     with np.errstate(divide="ignore", invalid="ignore"):
         shares = values[:, 0] / values[:, 1]
@@ -63,5 +67,5 @@ def beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any
     share = sm.cancel(total.diff(q) / square.diff(q))
     if share.has(*coordinates):
         return None
-    rest = sm.expand(total - share * square)
-    return None if rest.has(*coordinates) else (share, rest)
+    constant = sm.expand(total - share * square)
+    return None if constant.has(*coordinates) else (share, constant)

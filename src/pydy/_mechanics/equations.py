@@ -25,7 +25,7 @@ from pydy._names import name_of
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
-    """Bodies and loads as the user gave them; nothing is derived before it is asked for."""
+    """Bodies and loads as the user gave them; everything else is derived on demand."""
 
     frame: Any  # the inertial frame
     bodies: tuple[Any, ...]
@@ -38,15 +38,15 @@ class Mechanism:
 
     @cached_property
     def kinetic_energy(self) -> Any:
-        """The kinetic energy with the velocities as they were written, q' and all."""
+        """The kinetic energy by the velocities as the user wrote them, q' included."""
         with warnings.catch_warnings():
-            # SymPy makes up velocities that nobody set, and warns where there are several ways.
+            # SymPy derives velocities that were not set, and warns if the result is ambiguous.
             warnings.simplefilter("ignore", UserWarning)
             return self._written_energy()
 
     @property
     def energy(self) -> Any:
-        """The kinetic energy as it is computed: as it was formed, where it was."""
+        """The kinetic energy as it was formed, or else as written."""
         return self.kinetic_energy if self.known_energy is None else self.known_energy
 
     def _written_energy(self) -> Any:
@@ -56,19 +56,19 @@ class Mechanism:
             terms.append(body.mass * self._square(velocity) / 2)
             if not isinstance(body, Particle):
                 rate = body.frame.ang_vel_in(self.frame)
-                for size, left, right in body.central_inertia.args:
-                    terms.append(size * self.dot(rate, left) * self.dot(rate, right) / 2)
+                for size, first, second in body.central_inertia.args:
+                    terms.append(size * self.dot(rate, first) * self.dot(rate, second) / 2)
         return sm.Add(*terms)
 
     @cached_property
     def symbols(self) -> set[Any]:
-        """The symbols in the bodies and loads, whether the equations of motion hold them or not."""
-        still = (size for body in self.bodies for size in self._inertias(body))
-        return set().union(*(sm.sympify(part).free_symbols for part in (*self.parts, *still)))
+        """The symbols in the bodies and loads, whether they occur in the equations or not."""
+        inertias = (size for body in self.bodies for size in self._inertias(body))
+        return set().union(*(sm.sympify(part).free_symbols for part in (*self.parts, *inertias)))
 
     @cached_property
     def parts(self) -> tuple[Any, ...]:
-        """Masses, velocities, loads, and inertias that turn, of which energies are made."""
+        """Masses, velocities, loads and inertias of rotating bodies: the terms of energies."""
         parts = [body.mass for body in self.bodies]
         vectors = [vector for _, vector in self.loads]
         with warnings.catch_warnings():
@@ -77,12 +77,14 @@ class Mechanism:
         for body in self.bodies:
             if (sizes := self._inertias(body)) and body.frame.ang_vel_in(self.frame) != 0:
                 parts += sizes
-        parts += [part for vector in vectors for own, _ in vector.args for part in own]
+        parts += [
+            part for vector in vectors for components, _ in vector.args for part in components
+        ]
         return tuple(map(sm.sympify, parts))
 
     @staticmethod
     def _inertias(body: Any) -> list[Any]:
-        """Return the moments and products of inertia of a body, which a particle has none of."""
+        """Return the moments and products of inertia of a body; none for a particle."""
         point = isinstance(body, Particle)
         return [] if point else [size for size, _, _ in body.central_inertia.args]
 
@@ -95,26 +97,26 @@ class Mechanism:
     def components(self, vector: Any, frame: ReferenceFrame) -> Any:
         """Return the column matrix of a vector's components in a frame."""
         rows: tuple[list[Any], ...] = ([], [], [])
-        for part, own in vector.args:
-            if own == frame:
+        for part, source in vector.args:
+            if source == frame:
                 parts = part
             else:
-                turn = self._rotation(frame, own)
+                turn = self._rotation(frame, source)
                 parts = [_sum_of_products(turn[k, :], part) for k in range(3)]
             for row, entry in zip(rows, parts, strict=True):
                 row.append(entry)
         return sm.Matrix([sm.Add(*row) for row in rows])
 
     def dot(self, a: Any, b: Any) -> Any:
-        """Return the scalar product; `b` has its parts in few frames."""
+        """Return the scalar product; `b` should have components in few frames."""
         return sm.Add(
             *(_sum_of_products(self.components(a, frame), part) for part, frame in b.args)
         )
 
-    def _rotation(self, to: ReferenceFrame, own: ReferenceFrame) -> Any:
-        key = (to, own)
+    def _rotation(self, target: ReferenceFrame, source: ReferenceFrame) -> Any:
+        key = (target, source)
         if key not in self._rotations:
-            self._rotations[key] = to.dcm(own)
+            self._rotations[key] = target.dcm(source)
         return self._rotations[key]
 
 

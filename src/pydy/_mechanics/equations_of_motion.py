@@ -1,4 +1,4 @@
-"""The equations of motion to read: as SymPy, as short as a textbook prints them."""
+"""Print the equations of motion: SymPy expressions as short as in a textbook."""
 
 from __future__ import annotations
 
@@ -73,10 +73,10 @@ class EquationsOfMotion:
         for name, matrix in parts:
             for i in range(matrix.rows):
                 for j in range(matrix.cols):
-                    again = name == "M" and j < i and matrix[i, j] == matrix[j, i]
-                    if matrix[i, j] != 0 and not again:
-                        place = f"{i + 1}{j + 1}" if matrix.cols > 1 else f"{i + 1}"
-                        lines.append(f"{name}{place} = {_plain(matrix[i, j])}")
+                    is_repeated = name == "M" and j < i and matrix[i, j] == matrix[j, i]
+                    if matrix[i, j] != 0 and not is_repeated:
+                        indices = f"{i + 1}{j + 1}" if matrix.cols > 1 else f"{i + 1}"
+                        lines.append(f"{name}{indices} = {_plain(matrix[i, j])}")
         lines += [f"{symbol} = {_plain(meaning)}" for symbol, meaning in self.names.items()]
         return "\n".join(lines)
 
@@ -151,27 +151,27 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
     nodes = [*read.all(matrix), *(graph.neg(node) for node in read.all(bias)), *moved]
     rows = read.all(velocity)
     nodes += jacobian(graph, rows, [read.atoms[s] for s in u]).flat()
-    found, names = _short(graph, nodes, symbols, q)
-    cells = iter(found)
+    expressions, names = _short(graph, nodes, symbols, q)
+    cells = iter(expressions)
     sizes = ((n, n), (n, 1), (len(q), 1), (len(velocity), n))
-    made = [sm.Matrix(*size, [next(cells) for _ in range(size[0] * size[1])]) for size in sizes]
-    return EquationsOfMotion(q, u, made[0], made[1], made[2], made[3], names)
+    matrices = [sm.Matrix(*size, [next(cells) for _ in range(size[0] * size[1])]) for size in sizes]
+    return EquationsOfMotion(q, u, matrices[0], matrices[1], matrices[2], matrices[3], names)
 
 
 def _short(
     graph: Graph, nodes: list[int], symbols: Mapping[int, Any], coordinates: tuple[Any, ...]
 ) -> tuple[list[Any], dict[Any, Any]]:
     """Write nodes as a textbook would, or with named intermediate quantities."""
-    taken = {name_of(s) for s in symbols.values()}
-    name = _namer(coordinates, taken)
-    # Multiplied out as in textbooks. The terms of an arm in space grow tenfold with each joint:
-    # beyond three nobody prints them.
+    used_names = {name_of(s) for s in symbols.values()}
+    name = _namer(coordinates, used_names)
+    # Multiplied out as in textbooks. The number of terms of an arm in space grows tenfold with each
+    # joint: beyond three they are not printed.
     if len(coordinates) <= 3:
         textbook = Textbook(graph, symbols, name)
         try:
-            found = textbook(nodes)
+            expressions = textbook(nodes)
             names = sorted(textbook.names, key=lambda s: (s.name[1:], s.name[0]))
-            return found, {symbol: textbook.names[symbol] for symbol in names}
+            return expressions, {symbol: textbook.names[symbol] for symbol in names}
         except TooLongError:
             pass
     nodes = simplify(graph, nodes)
@@ -180,36 +180,36 @@ def _short(
     def intermediate(op: str, expression: Any) -> Any:
         if op in ("sin", "cos") and set(find_symbols(expression.args)) <= {*coordinates}:
             return name(op, expression.args[0])
-        return next(z for z in (sm.Symbol(f"z{k}") for k in numbers) if z.name not in taken)
+        return next(z for z in (sm.Symbol(f"z{k}") for k in numbers) if z.name not in used_names)
 
     return written(graph, nodes, symbols, intermediate)
 
 
-def _namer(coordinates: tuple[Any, ...], taken: set[str]) -> Callable[[str, Any], Any]:
+def _namer(coordinates: tuple[Any, ...], used_names: set[str]) -> Callable[[str, Any], Any]:
     """Return a function that names sines and cosines of sums of coordinates: s1, c12, s1m2."""
     names = [name_of(q) for q in coordinates]
     digits = [re.sub(r"^.*?(\d*)$", r"\1", n) for n in names]
     labels = dict(zip(coordinates, digits if all(digits) else names, strict=True))
     if len({*labels.values()}) < len(labels):
         labels = dict(zip(coordinates, names, strict=True))
-    between = "" if all(len(label) == 1 for label in labels.values()) else "_"
-    known: dict[Any, Any] = {}
+    separator = "" if all(len(label) == 1 for label in labels.values()) else "_"
+    symbols_of: dict[Any, Any] = {}
 
     def name(op: str, angle: Any) -> Any:
-        if (op, angle) not in known:
+        if (op, angle) not in symbols_of:
             text = ""
             for part in sm.Add.make_args(angle):
                 number, symbol = part.as_coeff_Mul()
                 label = labels.get(symbol)
                 if label is None or not number.is_Integer:
-                    text = f"_{len(known) + 1}"
+                    text = f"_{len(symbols_of) + 1}"
                     break
-                sign = "m" if number < 0 else between if text else ""
-                text += sign + between.join([label] * abs(int(number)))
-            others = (f"{op}_{text}{'_' * k}" for k in count())
-            text = next(s for s in chain([f"{op[0]}{text}"], others) if s not in taken)
-            taken.add(text)
-            known[op, angle] = sm.Symbol(text)
-        return known[op, angle]
+                sign = "m" if number < 0 else separator if text else ""
+                text += sign + separator.join([label] * abs(int(number)))
+            alternatives = (f"{op}_{text}{'_' * k}" for k in count())
+            text = next(s for s in chain([f"{op[0]}{text}"], alternatives) if s not in used_names)
+            used_names.add(text)
+            symbols_of[op, angle] = sm.Symbol(text)
+        return symbols_of[op, angle]
 
     return name

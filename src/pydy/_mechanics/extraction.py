@@ -1,4 +1,4 @@
-"""From a method object to its `Equations`, by type; bodies, joints, loads and actuators."""
+"""Read the `Equations` of a method object, by its type."""
 
 from __future__ import annotations
 
@@ -41,15 +41,15 @@ def equations_of_system(
     Its method knows nothing of activations and fibre lengths of musculotendons: where there are
     some, Kane's equations are formed from the bodies, and they are coordinates without a speed.
     """
-    ways = (lambda: _definition(system), lambda: _lagrange(system))
+    readers = (lambda: _definition(system), lambda: _lagrange(system))
     dynamics = activation_dynamics(system.actuators)
     formed = system.eom_method
     if dynamics and source != "method" and isinstance(formed, KanesMethod):
         formed = None
-    read = _read(formed, source, implicit, *ways)
-    if left := tuple(s for s in dynamics if s not in read.coordinates):
+    read = _read(formed, source, implicit, *readers)
+    if missing := tuple(s for s in dynamics if s not in read.coordinates):
         body = read.multibody
-        read = replace(read, multibody=body and replace(body, activations=left))
+        read = replace(read, multibody=body and replace(body, activations=missing))
     if read.mechanism is None:
         return read
     return replace(read, mechanism=replace(read.mechanism, joints=tuple(system.joints)))
@@ -94,18 +94,19 @@ def _read(
             "`equations='method'` needs the equations of `eom_method`: call its `form_eoms()` "
             "before it is handed to System."
         )
-    made = definition()
-    if not any(isinstance(u, Derivative) for u in made.speeds):
-        return equations_of_definition(made, None, implicit)
-    others = [u for u in made.speeds if not isinstance(u, Derivative)]
-    if others:
+    body = definition()
+    if not any(isinstance(u, Derivative) for u in body.speeds):
+        return equations_of_definition(body, None, implicit)
+    other_speeds = [u for u in body.speeds if not isinstance(u, Derivative)]
+    if other_speeds:
         raise ValueError(
-            f"Some speeds of `eom_method` are derivatives of coordinates, but {others[0]} is not. "
+            "Some speeds of `eom_method` are derivatives of coordinates, but "
+            f"{other_speeds[0]} is not. "
             "Kane's equations need speeds that are functions of time, Lagrange's the derivatives "
             "of the coordinates: give all joints speeds of one kind."
         )
     with warnings.catch_warnings():
-        # SymPy makes up velocities that nobody set, and warns where there are several ways.
+        # SymPy derives velocities that were not set, and warns if the result is ambiguous.
         warnings.simplefilter("ignore", UserWarning)
         return equations_of_lagrange(lagrange(), None, implicit)
 
@@ -147,20 +148,20 @@ def _plain(body: Any) -> Any:
     """Return a Particle or RigidBody for a body of the deprecated class that is either."""
     if getattr(body, "is_rigidbody", isinstance(body, RigidBody)):
         inertia = (body.central_inertia, body.masscenter)
-        made: Any = RigidBody(body.name, body.masscenter, body.frame, body.mass, inertia)
+        copy: Any = RigidBody(body.name, body.masscenter, body.frame, body.mass, inertia)
     else:
-        made = Particle(body.name, body.masscenter, body.mass)
-    made.potential_energy = body.potential_energy
-    return made
+        copy = Particle(body.name, body.masscenter, body.mass)
+    copy.potential_energy = body.potential_energy
+    return copy
 
 
 @singledispatch
 def extract(
     eom_method: Any, source: str | None = None, implicit: Implicit | None = None
 ) -> Equations:
-    """Return the equations that a method object holds, or that its bodies and loads give.
+    """Return the equations of a method object, or those formed from its bodies and loads.
 
-    Coordinates that are `implicit` join them.
+    The unknowns of `implicit` are added to the coordinates.
     """
     raise TypeError(
         "`eom_method` must be a KanesMethod, LagrangesMethod or System of sympy.physics.mechanics, "
@@ -169,16 +170,16 @@ def extract(
 
 
 def _checked(read: Callable[..., Equations]) -> Callable[..., Equations]:
-    """Return the reader of a user's object, which refuses contradictions in it."""
+    """Wrap the reader of a user's object with checks for contradictions."""
 
     def reader(*args: Any) -> Equations:
-        found = read(*args)
-        check_velocities(found)
-        warn_of_kinematics(found)
+        equations = read(*args)
+        check_velocities(equations)
+        warn_of_kinematics(equations)
         # Those of a System that has no equations yet were among the loads that were read.
         formed = isinstance(args[0], System) and args[0].eom_method is not None
-        warn_of_reversed_forces(found, args[0].actuators if formed else ())
-        return found
+        warn_of_reversed_forces(equations, args[0].actuators if formed else ())
+        return equations
 
     return reader
 

@@ -31,7 +31,7 @@ from pydy._graph import (
     substitute,
 )
 from pydy._mechanics.acceleration_constraints import multipliers_of
-from pydy._mechanics.components import numbers_of, turned
+from pydy._mechanics.components import numbers_of, product
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import lagranges_equations, moving
 from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
@@ -131,7 +131,7 @@ class ConstraintForces:
             [g.sum([(g.mul(c[i], c[j]), 1.0) for c in columns]) for j in range(d)] for i in range(d)
         ]
         share = g.solve(square, [force], "ldl")[0]
-        return turned(g, columns, share)
+        return product(g, columns, share)
 
     def reaction(
         self,
@@ -189,7 +189,7 @@ class ConstraintForces:
             w for w, bodies_there in owners.items() if isinstance(w, Point) and not bodies_there
         ):
             line = self._located_by(location)
-            at_rest = all(n == k.graph.zero for n in k.at(location)[1])
+            at_rest = all(n == k.graph.zero for n in k.velocity_of(location)[1])
             if at_rest and not any(b.masscenter in line for b in rigid):
                 steps = [FrameTree.positions(p)[before] for p, before in pairwise(line)]
                 frames_on_the_way[location] = {f for step in steps for _, f in step.args}
@@ -280,7 +280,8 @@ class ConstraintForces:
         if not is_rigid(body):
             return offsets
         ours, theirs = (
-            k.expressed(v, frame, k.inertial) for frame, v in map(k.at, (body.masscenter, point))
+            k.expressed(v, frame, k.inertial)
+            for frame, v in map(k.velocity_of, (body.masscenter, point))
         )
         spin = self._spin(body.frame)
         return [ours, [g.neg(n) for n in theirs], *(k.cross(spin, offset) for offset in offsets)]

@@ -1,9 +1,9 @@
 """Equations of motion formed from bodies, loads and kinematics, as nodes of one graph.
 
-Where gravity pulls all masses alike it is an acceleration of the inertial frame: one vector on its
-way outwards in place of a force at each body. Velocities that the user set hold, also where they
-are not the rates of places. Noncontributing forces that cancel are left out: with dependent speeds
-a contact force may be left as r R − r R.
+If gravity acts on all masses alike it becomes an acceleration of the inertial frame: one vector
+that is propagated outwards instead of a force at each body. Velocities that the user set are used
+even if they are not the derivatives of positions. Noncontributing forces that cancel are removed:
+with dependent speeds a contact force may appear as r R − r R.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import SAME_DIRECTION
 from pydy._rank import ROUNDED
 
-# Functions that are the same everywhere if they are so at random states; min, max and roots are
-# not, and stand for themselves.
+# Meromorphic functions are equal everywhere if they are equal at random states; min, max and roots
+# are not meromorphic and count as inputs.
 _MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"))
 
 
@@ -57,21 +57,19 @@ class Formed:
     # M; the rows of dependent speeds are those of the acceleration constraints.
     matrix: list[list[int]]
     forcing: list[int]
-    accelerations: list[int] | None  # u', where it is formed without the mass matrix of all speeds
-    # A part of u' that is known beforehand: with it the angular accelerations at u' = 0
-    # vanish.
+    accelerations: list[int] | None  # u', if it is formed without the mass matrix of all speeds
+    # A part of u' that is known beforehand: it cancels angular accelerations at u' = 0.
     start: list[int]
-    rest: list[int]  # F − M · start: u' is `start` and what this accelerates beyond
+    residual_forcing: list[int]  # F − M · start, so that u' = start + M⁻¹ · this
     kinetic: int  # the kinetic energy
-    # Those with a velocity of the user's that is not the rate of their place.
+    # Points with a velocity of the user that is not the derivative of their position.
     honoured: tuple[Any, ...] = ()
-    # Whether no vector had to be expressed in another frame: the choice of axes is none.
+    # Whether no vector had to be expressed in another frame: the axes make no difference.
     in_one_frame: bool = False
-    # What speeds move, and where: its constants are some of the equations', whether the form
-    # needs them or not.
+    # Inertias and velocities that depend on speeds: their constants count as constants of the
+    # equations, even if this formulation does not contain them.
     measures: tuple[int, ...] = ()
-    # q' and u' as simplification leaves them, in a graph of their own, where forms were
-    # counted.
+    # The simplified q' and u', in a graph of their own, if formulations were compared by count.
     simplified: tuple[Graph, list[int]] | None = None
 
     def inputs(self) -> set[tuple[str, int]]:
@@ -96,18 +94,18 @@ class Formed:
         symbols = self.input_symbols(time, (*coordinates, *speeds))
         return NodeExpression.of(self.graph, self.kinetic, symbols)
 
-    def placed(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Formed:
-        """Return the same with the inputs in the order of arrays p and r."""
+    def renumbered(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Formed:
+        """Return a copy whose inputs are numbered as in the arrays p and r."""
         needed = self.inputs()
         names: dict[tuple[str, int], tuple[str, int]] = {}
-        for group, own, order in (
+        for group, present, order in (
             ("p", self.constants, constants),
             ("r", self.specifieds, specifieds),
         ):
-            places = {symbol: k for k, symbol in enumerate(order)}
-            for k, symbol in enumerate(own):
-                if symbol in places:
-                    names[group, k] = group, places[symbol]
+            positions = {symbol: k for k, symbol in enumerate(order)}
+            for k, symbol in enumerate(present):
+                if symbol in positions:
+                    names[group, k] = group, positions[symbol]
                 elif (group, k) in needed:
                     raise ValueError(
                         f"`{symbol}` occurs in the bodies, loads or kinematics, but no argument "
@@ -122,9 +120,9 @@ class Formed:
         return replace(self, graph=self.graph.renamed(names), simplified=simplified)
 
     def ordered(self, coordinates: Sequence[int], speeds: Sequence[int]) -> Formed:
-        """Return the same with coordinates and speeds in another order.
+        """Return a copy with coordinates and speeds in another order, given by present positions.
 
-        It is given by the present positions. The rows of M move with the speeds.
+        The rows of M move with the speeds.
         """
         n, m = len(coordinates), len(speeds)
         if [*coordinates, *speeds] == [*range(n), *range(m)]:
@@ -144,12 +142,12 @@ class Formed:
             forcing=[self.forcing[k] for k in speeds],
             accelerations=None if solved is None else [solved[k] for k in speeds],
             start=[self.start[k] for k in speeds],
-            rest=[self.rest[k] for k in speeds],
+            residual_forcing=[self.residual_forcing[k] for k in speeds],
             simplified=simplified,
         )
 
     def for_body(self, body: Multibody) -> Formed:
-        """Return the same, formed with dependent speeds last, in the order of a body's states."""
+        """Return a copy in the order of the states; dependent speeds are last before."""
         first = body.independent_first
         return self.ordered(
             [first.coordinates.index(q) for q in body.coordinates],
@@ -166,51 +164,53 @@ def forms(
     from the outer bodies to the inner ones. With dependent speeds, or with loads that depend on
     accelerations, there is only the first.
     """
-    # With dependent speeds the constraints hold what is known of u' too: a rider's bicycle would
-    # take 4,359 operations in place of 4,211.
+    # With dependent speeds the constraints contain `start` as well: a rider's bicycle would take
+    # 4,359 operations instead of 4,211.
     free = not body.velocity
-    kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured, referred=free)
+    kinematics = moving(body, in_bodies, falling=in_bodies, fixed_honoured=honoured, referred=free)
     g = kinematics.graph
-    inertias, loads, plain = lumped(kinematics)
-    kinetic = _kinetic(kinematics, plain)
+    inertias, loads, body_inertias = lumped(kinematics)
+    kinetic = _kinetic(kinematics, body_inertias)
     if body.implicit is not None:
         check_forces(body, g, kinetic)
-    matrix, rest = composite(kinematics, inertias, loads)
-    start, moved = kinematics.start(), _depends_on_accelerations(kinematics, rest)
+    matrix, residual = composite(kinematics, inertias, loads)
+    start, moved = kinematics.start(), _depends_on_accelerations(kinematics, residual)
     if not moved:
         _check_masses(body, g, matrix, kinematics.read.specifieds)
-    found = [
+    formulations = [
         replace(
-            _composed(kinematics, matrix, rest, start),
+            _composed(kinematics, matrix, residual, start),
             kinetic=kinetic,
             honoured=tuple(sorted(kinematics.honoured, key=str)),
             in_one_frame=kinematics.in_one_frame,
-            measures=tuple(_measures(kinematics, plain)) if in_bodies else (),
+            measures=tuple(_measures(kinematics, body_inertias)) if in_bodies else (),
         )
     ]
     if not body.velocity and not moved:
-        fast, sound = eliminated(kinematics, inertias, loads, plain)
-        beyond = g.guard(matrix, rest, sound, fast)
-        found.append(replace(found[0], accelerations=kinematics.plus(start, beyond)))
-    return [_without_idle(formed) for formed in found] if body.auxiliary else found
+        fast, sound = eliminated(kinematics, inertias, loads, body_inertias)
+        correction = g.guard(matrix, residual, sound, fast)
+        formulations.append(
+            replace(formulations[0], accelerations=kinematics.plus(start, correction))
+        )
+    return [_without_idle(formed) for formed in formulations] if body.auxiliary else formulations
 
 
-def _composed(kinematics: Kinematics, matrix: list[Vec], rest: Vec, start: Vec) -> Formed:
+def _composed(kinematics: Kinematics, matrix: list[Vec], residual: Vec, start: Vec) -> Formed:
     """Return the equations M (u' − start) = rest of all speeds, reduced to independent ones."""
     g, read, accelerations = kinematics.graph, kinematics.read, None
     if kinematics.body.velocity:
-        moved = _depends_on_accelerations(kinematics, rest)
-        matrix, rest, accelerations = reduced(kinematics, matrix, rest, moved)
+        moved = _depends_on_accelerations(kinematics, residual)
+        matrix, residual, accelerations = reduced(kinematics, matrix, residual, moved)
     return Formed(
         g,
         read.constants,
         read.specifieds,
         kinematics.rates,
         matrix,
-        kinematics.plus(rest, kinematics.turned(matrix, start)),
+        kinematics.plus(residual, kinematics.product(matrix, start)),
         accelerations,
         start,
-        rest,
+        residual,
         kinetic=g.zero,
     )
 
@@ -220,24 +220,24 @@ def _depends_on_accelerations(kinematics: Kinematics, nodes: Vec) -> bool:
 
 
 def _without_idle(formed: Formed) -> Formed:
-    """Leave out specifieds that do no work: noncontributing forces."""
+    """Remove specifieds that do no work: noncontributing forces."""
     g = formed.graph
     inputs = [g.input("r", k) for k in range(len(formed.specifieds))]
-    nothing = dict.fromkeys(idle_inputs(g, formed.rest, inputs), g.zero)
+    nothing = dict.fromkeys(idle_inputs(g, formed.residual_forcing, inputs), g.zero)
     solved = formed.accelerations
     return replace(
         formed,
         forcing=substitute(g, formed.forcing, nothing),
-        rest=substitute(g, formed.rest, nothing),
+        residual_forcing=substitute(g, formed.residual_forcing, nothing),
         accelerations=solved and substitute(g, solved, nothing),
     )
 
 
 def useful_axes(body: Multibody) -> list[bool]:
-    """Return whether velocities of points are worth writing in the axes of bodies, or need not be.
+    """Return which axes to try for velocities of points: those of bodies, or the inertial ones.
 
-    In a plane either may cost less. In space the axes of bodies do, but where no point moves with
-    a body that turns: all velocities are given in the inertial frame.
+    In a plane either may cost less. In space the axes of bodies cost less, unless no point is fixed
+    in a rotating body, that is, all velocities are given in the inertial frame.
     """
     k = Kinematics(body, in_bodies=False)
     k.place(points_of(k))
@@ -250,15 +250,15 @@ def useful_axes(body: Multibody) -> list[bool]:
 
 
 def _check_masses(
-    body: Multibody, graph: Graph, matrix: list[list[int]], others: Collection[Any]
+    body: Multibody, graph: Graph, matrix: list[list[int]], specifieds: Collection[Any]
 ) -> None:
-    """Refuse an independent speed that moves nothing: no equation determines its derivative."""
+    """Refuse an independent speed that moves no mass: no equation determines its derivative."""
     n = len(body.speeds)
     free = n - len(body.velocity)
     bound = any(matrix[k][k] != graph.zero for k in range(free, n))
     for k, speed in enumerate(body.speeds[:free]):
         if matrix[k][k] == graph.zero and not bound:
-            alike = any(str(other) == str(speed) for other in others)
+            alike = any(str(symbol) == str(speed) for symbol in specifieds)
             raise ValueError(
                 f"The speed `{speed}` moves no mass and no inertia, so that nothing determines its "
                 "derivative. "
@@ -286,7 +286,7 @@ def _kinetic(kinematics: Kinematics, inertias: Sequence[Inertia]) -> int:
 def _measures(kinematics: Kinematics, inertias: Sequence[Inertia]) -> list[int]:
     """Return the inertias and the velocities of mass centres that depend on speeds."""
     rows = kinematics.rows
-    found = [
+    nodes = [
         n
         for body in kinematics.body.bodies
         for n in kinematics.motion(body.masscenter)[1]
@@ -294,9 +294,9 @@ def _measures(kinematics: Kinematics, inertias: Sequence[Inertia]) -> list[int]:
     ]
     for part in inertias:
         moved = [bool(rows(n)) for n in part.velocity]
-        for line, one in zip(part.matrix, moved, strict=True):
-            found += [n for n, two in zip(line, moved, strict=True) if one and two]
-    return found
+        for line, first in zip(part.matrix, moved, strict=True):
+            nodes += [n for n, second in zip(line, moved, strict=True) if first and second]
+    return nodes
 
 
 def moving(
@@ -304,47 +304,47 @@ def moving(
     in_bodies: bool,
     *,
     falling: bool = False,
-    known: Collection[Any] | None = None,
-    more: Iterable[Any] = (),
+    fixed_honoured: Collection[Any] | None = None,
+    further_points: Iterable[Any] = (),
     **how: bool,
 ) -> Kinematics:
-    """Return the kinematics with all points placed, more of them too; the user's velocities hold.
+    """Return the kinematics with all points connected, and those of `further_points`.
 
-    `how` is `auxiliary`, `referred` or `driven`, as for Kinematics; `falling` takes gravity for an
-    acceleration where it can, and refers bodies on hinges to other points of their axes. Which
-    velocities are to be honoured is found out, if it is not known.
+    `how` is `auxiliary`, `referred` or `driven`, as for Kinematics; `falling` replaces gravity by
+    an acceleration if possible, and moves joint points along their axes. Which velocities of the
+    user must be honoured is determined, unless it is fixed.
     """
-    honoured: set[Any] = set(known or ())
+    honoured: set[Any] = set(fixed_honoured or ())
     checked: dict[Any, Any] = {}
     while True:
         kinematics = Kinematics(body, in_bodies=in_bodies, honoured=honoured, **how)
         if falling:
             take_gravity_off(kinematics)
-        points = [*points_of(kinematics), *more]
+        points = [*points_of(kinematics), *further_points]
         kinematics.place(points)
         if falling:
             align(kinematics)
             move_along_axes(kinematics)
         for point in points:
             kinematics.motion(point)
-        if known is None and checked != (ways := _ways(kinematics, points)):
-            checked = ways
+        if fixed_honoured is None and checked != (paths := _paths(kinematics, points)):
+            checked = paths
             if wrong := disagreeing(kinematics):
                 honoured.update(wrong)
                 continue
         return kinematics
 
 
-def _ways(kinematics: Kinematics, points: Iterable[Any]) -> dict[Any, Any]:
-    return {p: kinematics.way(p)[0] for p in points}
+def _paths(kinematics: Kinematics, points: Iterable[Any]) -> dict[Any, Any]:
+    return {p: kinematics.path(p)[0] for p in points}
 
 
 @collector_paused()
 def form_lagrangian(body: Multibody) -> Formed:
     """Return the equations of motion of a Lagrangian.
 
-    With constraints, q'' follows from multipliers: that holds in every configuration, whatever
-    speeds are dependent. M and F are reduced as Kane's.
+    With constraints, q'' follows from multipliers, in every configuration and for any choice of
+    dependent speeds. M and F are reduced as in Kane's equations.
     """
     kinematics = moving(body.independent_first, in_bodies=True)
     matrix, forcing = lagranges_equations(kinematics)
@@ -382,8 +382,8 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
 def disagreeing(kinematics: Kinematics) -> list[Any]:
     """Return the points whose given velocity contradicts their position.
 
-    That is, if those that they are reached from move as they are said to, each with the given
-    velocity if it is one of the points returned.
+    The points that they are located from are assumed to move as given, with the user's velocity if
+    they are among the points returned.
     """
     k = kinematics
     points = [p for p in k.moved() if k.base(p) is not None and k.tree.velocity(p) is not None]
@@ -405,53 +405,53 @@ def _honoured(
 ) -> list[Any]:
     """Return the points whose velocities are given, from the inner ones to the outer ones.
 
-    A point that is reached from one whose velocity is given moves by the same difference from what
-    follows from its place. Directions that are given by numbers are rounded: products of them that
-    are equal are not so modulo a prime, but at random states.
+    The velocity of a point that is located from one with a given velocity differs from the rate of
+    its position by the same amount. Numeric directions are rounded: equal products of them differ
+    modulo a prime, but agree at random states.
     """
     k = kinematics
-    ways = {p: k.frames.way_in(k.motion(p)[0])[:-1] for p in unequal}
-    frames = list(dict.fromkeys(f for way in ways.values() for f in way))
+    chains = {p: k.frames.path_to_inertial(k.motion(p)[0])[:-1] for p in unequal}
+    frames = list(dict.fromkeys(f for chain in chains.values() for f in chain))
     steps = [n for f in frames for row in k.frames.step(f) for n in row]
     values = numbers_of(k.graph, [*steps, *(n for six in unequal.values() for n in six)])
     states = len(values)
-    turned = values[:, : len(steps)].reshape(states, -1, 3, 3)
-    step = {f: turned[:, i] for i, f in enumerate(frames)}
-    apart: dict[Any, np.ndarray] = {}
+    rotations = values[:, : len(steps)].reshape(states, -1, 3, 3)
+    step = {f: rotations[:, i] for i, f in enumerate(frames)}
+    differences: dict[Any, np.ndarray] = {}
     sizes: dict[Any, np.ndarray] = {}
     pairs = values[:, len(steps) :].reshape(states, -1, 2, 3)
     for i, p in enumerate(unequal):
         difference = pairs[:, i, 1] - pairs[:, i, 0]
-        for f in ways[p]:  # into the inertial frame
+        for f in chains[p]:  # into the inertial frame
             difference = np.einsum("sij,si->sj", step[f], difference)
-        apart[p], sizes[p] = difference, np.linalg.norm(pairs[:, i], axis=-1).sum(axis=-1)
-    found: dict[Any, None] = {}
+        differences[p], sizes[p] = difference, np.linalg.norm(pairs[:, i], axis=-1).sum(axis=-1)
+    given: dict[Any, None] = {}
     nothing = np.zeros((states, 3))
     for p in sorted(points, key=lambda p: len(_inner(k, p))):
-        inner = next((q for q in _inner(k, p) if q in found), None)
-        left = apart.get(p, nothing) - apart.get(inner, nothing)
+        inner = next((q for q in _inner(k, p) if q in given), None)
+        residual = differences.get(p, nothing) - differences.get(inner, nothing)
         size = sizes.get(p, 0.0) + sizes.get(inner, 0.0)
-        # What a singular solve gives is not a number, and equal to nothing.
-        if not (np.linalg.norm(left, axis=-1) <= SAME_DIRECTION * size).all():
-            found[p] = None
-    return list(found)
+        # A singular solve gives NaN, which compares unequal.
+        if not (np.linalg.norm(residual, axis=-1) <= SAME_DIRECTION * size).all():
+            given[p] = None
+    return list(given)
 
 
 def _inner(kinematics: Kinematics, point: Any) -> list[Any]:
-    """Return the points that a point is reached from, the nearest one first."""
-    found = []
+    """Return the points that a point is located from, the nearest one first."""
+    inner = []
     while (point := kinematics.base(point)) is not None:
-        found.append(point)
-    return found
+        inner.append(point)
+    return inner
 
 
 # -- gravity ---------------------------------------------------------------------------------------
 
 
 def take_gravity_off(kinematics: Kinematics) -> None:
-    """Turn weights into an acceleration, where every body with a mass has one.
+    """Replace weights by an acceleration of the inertial frame if every mass has one.
 
-    No point's motion may have been asked for.
+    No motion may have been computed yet.
     """
     weights: list[dict[int, Vec]] = []
     for body in kinematics.body.bodies:
@@ -459,39 +459,39 @@ def take_gravity_off(kinematics: Kinematics) -> None:
         if mass != kinematics.graph.zero:
             weights.append(_pulls(kinematics, body.masscenter, mass))
     for pull in weights[0].values() if weights else ():
-        spent = [_place(kinematics.graph, pull, own) for own in weights]
-        if None not in spent and len(set(spent)) == len(spent):
-            kinematics.loads = tuple(x for k, x in enumerate(kinematics.loads) if k not in spent)
+        used = [_load_with_pull(kinematics.graph, pull, body_pulls) for body_pulls in weights]
+        if None not in used and len(set(used)) == len(used):
+            kinematics.loads = tuple(x for k, x in enumerate(kinematics.loads) if k not in used)
             kinematics.pull = pull
             return
 
 
 def _pulls(kinematics: Kinematics, point: Any, mass: int) -> dict[int, Vec]:
-    """Return force over mass of the loads at a point that are written in the inertial frame."""
-    found = {}
-    for k, (where, vector) in enumerate(kinematics.loads):
-        if where is point and all(frame is kinematics.inertial for _, frame in vector.args):
+    """Return force over mass of the loads at a point that are given in the inertial frame."""
+    pulls = {}
+    for k, (location, vector) in enumerate(kinematics.loads):
+        if location is point and all(frame is kinematics.inertial for _, frame in vector.args):
             parts = kinematics.vector(vector, kinematics.inertial)
-            found[k] = [kinematics.graph.div(n, mass) for n in parts]
-    return found
+            pulls[k] = [kinematics.graph.div(n, mass) for n in parts]
+    return pulls
 
 
-def _place(graph: Graph, pull: Vec, own: dict[int, Vec]) -> int | None:
-    """Return which of a body's loads pulls it like that."""
-    return next((k for k, other in own.items() if alike(graph, pull, other)), None)
+def _load_with_pull(graph: Graph, pull: Vec, pulls: dict[int, Vec]) -> int | None:
+    """Return the load of a body that causes the acceleration `pull`, or None."""
+    return next((k for k, candidate in pulls.items() if alike(graph, pull, candidate)), None)
 
 
 def alike(graph: Graph, a: Vec, b: Vec) -> bool:
     """Return whether vectors are equal up to the rounding of numbers."""
     for x, y in zip(a, b, strict=True):
-        one, two = _split(graph, x), _split(graph, y)
-        if one[1] != two[1] or abs(one[0] - two[0]) > ROUNDED * abs(one[0]):
+        first, second = _split(graph, x), _split(graph, y)
+        if first[1] != second[1] or abs(first[0] - second[0]) > ROUNDED * abs(first[0]):
             return False
     return True
 
 
 def _split(graph: Graph, node: int) -> tuple[float, int]:
-    """Split a node into a number and the rest of the product."""
+    """Split a node into a numeric factor and the remaining product."""
     value = graph.value(node)
     return graph.scaled(node) if value is None else (value, graph.one)
 
@@ -503,54 +503,54 @@ def without_idle(
     forcing: Sequence[Any], auxiliary_equations: Iterable[Any], states: Collection[Any]
 ) -> tuple[Any, ...]:
     """Return the forcing without the forces of the auxiliary equations that cancel in it."""
-    held = find_symbols(forcing)
+    present = find_symbols(forcing)
     forces = [
         s
         for s in find_symbols(auxiliary_equations)
-        if isinstance(s, AppliedUndef) and s in held and s not in states
+        if isinstance(s, AppliedUndef) and s in present and s not in states
     ]
     if not forces:
         return tuple(forcing)
     graph = Graph()
-    atoms = graph.input_nodes(x=held)
+    atoms = graph.input_nodes(x=present)
     nodes = SymPyReader(graph, atoms, "the equations of motion").all(forcing)
-    idle = set(idle_inputs(graph, nodes, [atoms[s] for s in forces]))
-    nothing = {s: sm.S.Zero for s in forces if atoms[s] in idle}
-    return tuple(replace_symbols(e, nothing) for e in forcing) if nothing else tuple(forcing)
+    cancelling = set(idle_inputs(graph, nodes, [atoms[s] for s in forces]))
+    zeros = {s: sm.S.Zero for s in forces if atoms[s] in cancelling}
+    return tuple(replace_symbols(e, zeros) for e in forcing) if zeros else tuple(forcing)
 
 
 def idle_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> list[int]:
-    """Return the inputs that are in the forcing, which does not change with them."""
+    """Return the inputs on which the forcing does not depend although it contains them."""
     slopes: dict[int, list[int]] = {n: [] for n in inputs}
     for row in jacobian(graph, forcing, inputs):
         for k, node in row.items():
             slopes[inputs[k]].append(node)
-    return [n for n, own in slopes.items() if _vanish(graph, own)]
+    return [n for n, derivatives in slopes.items() if _vanish(graph, derivatives)]
 
 
 def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
     """Return whether nodes are zero as functions."""
     if not any(signatures(graph, nodes)):
         return True
-    # Identities of angles are not seen modulo a prime.
+    # Trigonometric identities do not hold modulo a prime.
     leaves = _leaves(graph, nodes)
     inputs = [graph.input("x", k) for k in range(len(leaves))]
-    rest = substitute(graph, nodes, dict(zip(leaves, inputs, strict=True)))
-    found = numbers_of(graph, [*rest, *rounding_bounds(graph, rest)])
-    left, bounds = np.hsplit(np.abs(found), 2)
-    return bool(((left <= ROUNDED * bounds) & (bounds > 0.0)).all())
+    relabelled = substitute(graph, nodes, dict(zip(leaves, inputs, strict=True)))
+    values = numbers_of(graph, [*relabelled, *rounding_bounds(graph, relabelled)])
+    magnitudes, bounds = np.hsplit(np.abs(values), 2)
+    return bool(((magnitudes <= ROUNDED * bounds) & (bounds > 0.0)).all())
 
 
 def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return the inputs, and nodes that are treated like inputs."""
-    found: dict[int, None] = {}
-    seen, left = set(nodes), list(nodes)
-    while left:
-        n = left.pop()
+    """Return the inputs, and the nodes that count as inputs."""
+    leaves: dict[int, None] = {}
+    visited, stack = set(nodes), list(nodes)
+    while stack:
+        n = stack.pop()
         if graph.ops[n] in _MEROMORPHIC:
-            new = [m for m in graph.operands(n) if m not in seen]
-            seen.update(new)
-            left += new
+            new = [m for m in graph.operands(n) if m not in visited]
+            visited.update(new)
+            stack += new
         elif graph.ops[n] != "const":
-            found[n] = None
-    return list(found)
+            leaves[n] = None
+    return list(leaves)

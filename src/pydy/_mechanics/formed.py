@@ -1,15 +1,15 @@
-"""Equations of motion from a `Multibody`, whatever it was read from.
+"""Equations of motion from a `Multibody`: selection of the formulation, classes of constraints.
 
-The form is chosen by counting. Articulated bodies win for chains and trees, composite bodies for
-few speeds and for springs in a row; none wins everywhere. Equations that a method derived are
-replaced by those formed from its bodies where both give the same numbers at random states that keep
-the constraints, and hold the same symbols. What decides is logged.
+The formulation is selected by operation count. Articulated bodies are cheapest for chains and
+trees, composite bodies for few speeds and for springs in a row. Equations that a method derived are
+replaced by those formed from its bodies if both have the same values at random consistent states
+and the same symbols. The reason is logged.
 
-Nonholonomic constraints are told from the rates of holonomic ones by the row space of the velocity
-constraints: its dimension beyond that of the holonomic ones' rates is the number of nonholonomic
-constraints. It does not depend on the axes in which a contact's velocity is resolved, where each
-single row may mix both kinds. Ranks are taken at generic points of the configuration manifold: a
-user may have simplified a rate with the constraint itself, so that it agrees only there.
+The row space of the velocity constraints distinguishes nonholonomic constraints from rates of
+holonomic ones: its dimension beyond that of these rates is the number of nonholonomic constraints.
+It does not depend on the axes of a contact velocity, whose components may mix both kinds. Ranks are
+taken at generic points of the configuration manifold: a user may have simplified a rate by the
+constraint itself, so that it is valid only there.
 """
 
 from __future__ import annotations
@@ -95,10 +95,10 @@ def kinematics_of(body: Multibody) -> Equations:
 def equations_of(body: Multibody) -> Equations:
     """Return the equations of motion, formed on a graph."""
     base = kinematics_of(body)
-    found = chosen(body)
-    energy = found.energy(body.time, body.coordinates, body.speeds)
+    formed = chosen(body)
+    energy = formed.energy(body.time, body.coordinates, body.speeds)
     mechanism = Mechanism(body.frame, body.bodies, body.loads, energy)
-    made = classify(replace(base, formed=found, mechanism=mechanism))
+    made = classify(replace(base, formed=formed, mechanism=mechanism))
     return with_auxiliary(made) if body.auxiliary else made
 
 
@@ -107,26 +107,26 @@ def equations_of(body: Multibody) -> Equations:
 
 @collector_paused()
 def chosen(body: Multibody) -> Formed:
-    """Return the equations of motion in the form that takes fewest operations.
+    """Return the equations of motion in the formulation with the fewest operations.
 
-    The axes are chosen by estimates, articulated or composite bodies by what is compiled. Beyond a
-    dozen speeds one set of axes is tried, and estimates decide both. Specifieds that cancel are
-    left out where rates of some occur, which the kinematics brings in unasked. Dependent speeds are
-    last while equations are formed, and in their own places afterwards.
+    The axes are selected by estimates, articulated or composite bodies by compiled counts. Beyond a
+    dozen speeds one set of axes is tried, and estimates decide. Specifieds that cancel are removed
+    if rates of specifieds occur, which the kinematics may introduce. Dependent speeds are last
+    while equations are formed, and in their original positions afterwards.
     """
     return _fewest(body.independent_first).for_body(body)
 
 
 def _fewest(body: Multibody) -> Formed:
-    # Forms are estimated then, and one set of axes is tried: to count them takes as long as all the
-    # rest (twice the time for a tree of 29 joints, four times for 20 links).
-    many = len(body.speeds) > 12
-    first, *others = useful_axes(body)[-1:] if many else useful_axes(body)
-    found = [forms(body, in_bodies=first)]
-    for other in others if not found[0][0].in_one_frame else ():
-        found.append(forms(body, in_bodies=other, honoured=found[0][0].honoured))
-    kinds: list[Formed] = [min(same, key=_estimated) for same in zip(*found, strict=True)]
-    if many or len(kinds) == 1:
+    # Compiled counts would take as long as everything else (twice the time for a tree of 29 joints,
+    # four times for 20 links).
+    is_large = len(body.speeds) > 12
+    first, *other_axes = useful_axes(body)[-1:] if is_large else useful_axes(body)
+    candidates = [forms(body, in_bodies=first)]
+    for in_bodies in other_axes if not candidates[0][0].in_one_frame else ():
+        candidates.append(forms(body, in_bodies=in_bodies, honoured=candidates[0][0].honoured))
+    kinds: list[Formed] = [min(same, key=_estimated) for same in zip(*candidates, strict=True)]
+    if is_large or len(kinds) == 1:
         best = min(kinds, key=_estimated)
     else:
         best = min((replace(f, simplified=_simplified(f)) for f in kinds), key=_counted)
@@ -135,49 +135,49 @@ def _fewest(body: Multibody) -> Formed:
 
 
 def _without_cancelled(formed: Formed) -> Formed:
-    """Return the same without specifieds that cancel, or as it is.
+    """Return the equations without specifieds that cancel, or unchanged.
 
-    A particle that moves along a direction has no work from the direction's own rate, which is in
-    its acceleration all the same.
+    The rate of a prescribed direction occurs in the acceleration of a particle that moves along it,
+    but does no work.
     """
     graph = formed.graph.copy()
-    parts = [formed.rates, *formed.matrix, formed.forcing, formed.start, formed.rest]
+    parts = [formed.rates, *formed.matrix, formed.forcing, formed.start, formed.residual_forcing]
     parts += [[*formed.measures], formed.accelerations or []]
     nodes = iter(simplify(graph, [node for part in parts for node in part]))
     rates, *rows, measures, solved = [[next(nodes) for _ in part] for part in parts]
-    matrix, (forcing, start, rest) = rows[:-3], rows[-3:]
+    matrix, (forcing, start, residual) = rows[:-3], rows[-3:]
     kinetic = simplify(graph, [formed.kinetic])
-    found = replace(
+    reduced = replace(
         formed,
         graph=graph,
         rates=rates,
         matrix=matrix,
         forcing=forcing,
         start=start,
-        rest=rest,
+        residual_forcing=residual,
         kinetic=kinetic[0],
         measures=tuple(measures),
         accelerations=solved if formed.accelerations is not None else None,
     )
-    gone = formed.inputs() - found.inputs()
+    removed = formed.inputs() - reduced.inputs()
     inputs = {graph.args[k] for k in graph.inputs(kinetic)}
-    return found if any(g == "r" and (g, k) not in inputs for g, k in gone) else formed
+    return reduced if any(g == "r" and (g, k) not in inputs for g, k in removed) else formed
 
 
 def _estimated(formed: Formed) -> int:
     """Estimate the operations of q' and u' as they are before simplification."""
-    graph, n = formed.graph, len(formed.rest)
+    graph, n = formed.graph, len(formed.residual_forcing)
     if formed.accelerations is not None:
         roots, solving = list(formed.accelerations), 0
         guards = [k for k in graph.reachable(roots) if graph.ops[k] == "guard"]
         if guards:
             roots = list(graph.args[guards[0]][4])
     else:
-        system = formed.matrix, formed.rest
+        system = formed.matrix, formed.residual_forcing
         matrix, column = difference_basis(graph, *system) or system
         lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
         filled = sum(node != graph.zero for node in lower) - n
-        # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.
+        # The cost of LDLᵀ with so many entries; its structure saves half of it.
         solving = filled * (filled // n + 9) // 3
         roots = [*lower, *column]
     return operation_count(graph, [*formed.rates, *formed.start, *roots]) + solving
@@ -197,8 +197,8 @@ def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
     graph = formed.graph.copy()
     solved = formed.accelerations
     if solved is None:
-        beyond = solve_accelerations(graph, formed.matrix, formed.rest, "ldl")
-        solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
+        correction = solve_accelerations(graph, formed.matrix, formed.residual_forcing, "ldl")
+        solved = [graph.add(*parts) for parts in zip(formed.start, correction, strict=True)]
     return graph, simplify(graph, [*formed.rates, *solved])
 
 
@@ -207,7 +207,7 @@ def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
 
 @collector_paused()
 def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
-    """Return the equations formed from bodies, or None where the method's own are kept."""
+    """Return the equations formed from bodies, or None to use those of the method."""
     why = _unfit(equations, body)
     if not why:
         try:
@@ -215,9 +215,9 @@ def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
         except (ValueError, TypeError, NotImplementedError) as error:
             why = str(error)
         else:
-            own = set(formed.symbols(equations.kinematics.speed_rates))
-            if more := [s for s in own if s not in equations.symbols]:
-                why = f"they hold {more[0]}, which the method's do not"
+            symbols = set(formed.symbols(equations.kinematics.speed_rates))
+            if additional := [s for s in symbols if s not in equations.symbols]:
+                why = f"they hold {additional[0]}, which the method's do not"
             elif not _agree(equations, formed):
                 why = "they give other numbers: a velocity or a load differs"
     if not why:
@@ -235,10 +235,10 @@ def _unfit(equations: Equations, body: Multibody) -> str:
 
 
 def _agree(equations: Equations, formed: Formed) -> bool:
-    """Return whether both give the same accelerations.
+    """Return whether both have the same accelerations.
 
-    With those of the one, M u' − F of the other must vanish: u' itself is less accurate where M is
-    nearly singular.
+    With the u' of one, M u' − F of the other must vanish: comparing u' would be less accurate if M
+    is nearly singular.
     """
     n = len(equations.speeds)
     written = [*equations.matrices.mass_matrix, *equations.matrices.forcing]
@@ -248,10 +248,10 @@ def _agree(equations: Equations, formed: Formed) -> bool:
     block = "equations", (n * (n + 1),), states.read.all(written)
     theirs = evaluator_of(states.graph, [block])(*inputs)["equations"]
     numbers = states.by_symbol(inputs)
-    own = formed.input_symbols(equations.time, (*equations.coordinates, *equations.speeds))
+    inputs_ = formed.input_symbols(equations.time, (*equations.coordinates, *equations.speeds))
     nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
     values_at = formed.graph.evaluator(nodes)
-    ours = values_at({node: numbers[symbol] for node, symbol in own.items()}, 2)
+    ours = values_at({node: numbers[symbol] for node, symbol in inputs_.items()}, 2)
     finite = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1)
     fit = states.closed(inputs, finite)
     pairs = zip(theirs[fit], ours[fit], strict=True)
@@ -269,9 +269,9 @@ def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
 
 
 def _magnitudes(matrix: np.ndarray) -> np.ndarray:
-    """Return the sizes of entries; tiny ones may be left over from cancelling terms.
+    """Return the magnitudes of entries, with a lower bound for remainders of cancelling terms.
 
-    Rows and columns are scaled until their largest entries are about 1, as units would do.
+    Rows and columns are equilibrated to make the bound independent of units.
     """
     sizes = np.abs(matrix)
     scaled, scale = sizes, np.ones(matrix.shape)
@@ -279,8 +279,8 @@ def _magnitudes(matrix: np.ndarray) -> np.ndarray:
         most = np.sqrt(scaled.max(axis=axis, keepdims=True))
         most[most == 0.0] = 1.0
         scaled, scale = scaled / most, scale * most
-    found: np.ndarray = np.maximum(sizes, CANCELLED * scale)
-    return found
+    sizes_: np.ndarray = np.maximum(sizes, CANCELLED * scale)
+    return sizes_
 
 
 # -- constraints -----------------------------------------------------------------------------------
@@ -319,18 +319,22 @@ def _classified(equations: Equations) -> ConstraintEquations:
     moves = _Space(len(motion), motion.shape[1])
     for row in motion:
         moves.extend(row)
-    beyond = [bool(moves.beyond(row).any()) for row in rows]
-    implied = tuple(k for k, row in enumerate(rows) if row.any() and not beyond[k])
+    unexplained = [bool(moves.beyond(row).any()) for row in rows]
+    implied = tuple(k for k, row in enumerate(rows) if row.any() and not unexplained[k])
     residuals = constraints.residuals.rows  # which are solved
-    undifferentiated = tuple(k for k, lost in enumerate(beyond) if lost and k not in residuals)
+    undifferentiated = tuple(
+        k for k, is_unexplained in enumerate(unexplained) if is_unexplained and k not in residuals
+    )
     chosen = _completing(rows, motion)
     # What was redundant may be the rate of a holonomic constraint, which stands for itself now, and
     # what was kept may be what is redundant beside it.
-    others = [k for k in range(len(motion)) if redundant and k not in chosen]
+    dropped = [k for k in range(len(motion)) if redundant and k not in chosen]
     pool = [*zip(redundant, values["redundant"], strict=True)]
-    pool += [(constraints.velocity[k], motion[k]) for k in others]
+    pool += [(constraints.velocity[k], motion[k]) for k in dropped]
     implied_rows = rows[list(implied)]
-    alike = [max((_likeness(row, other) for row in implied_rows), default=0) for _, other in pool]
+    alike = [
+        max((_likeness(row, candidate) for row in implied_rows), default=0) for _, candidate in pool
+    ]
     implied_velocity = sorted(sorted(range(len(pool)), key=alike.__getitem__)[: len(redundant)])
     return replace(
         constraints,
@@ -342,9 +346,9 @@ def _classified(equations: Equations) -> ConstraintEquations:
 
 
 def _clearest(states: GenericStates, blocks: list[Block]) -> dict[str, np.ndarray] | None:
-    """Find the state farthest from singular positions, in which rows are rounding errors.
+    """Return the values at the sample farthest from singular positions; None if there is none.
 
-    A search may end in one: if it always did, begin all around the circle.
+    If all samples are nearly singular, start angles from all around the circle.
     """
     every: list[dict[str, np.ndarray]] = []
     for trials, around in ((3, False), (AROUND, True)):
@@ -362,15 +366,15 @@ def _clearest(states: GenericStates, blocks: list[Block]) -> dict[str, np.ndarra
     return every[int(least.argmax())] if every else None
 
 
-def _likeness(row: np.ndarray, other: np.ndarray) -> int:
-    """Tell whether rows are equal (2) or parallel (1), which where one speed moves all rows are."""
-    if np.linalg.norm(row - other) <= HALF * np.linalg.norm(row):
+def _likeness(row: np.ndarray, reference: np.ndarray) -> int:
+    """Return 2 for equal rows, 1 for parallel ones, as all are with one speed, 0 otherwise."""
+    if np.linalg.norm(row - reference) <= HALF * np.linalg.norm(row):
         return 2
-    return int(not _completing(row[None], other[None]))
+    return int(not _completing(row[None], reference[None]))
 
 
 def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:
-    """Return which motion rows, taken in order, complete the row space of the rates."""
+    """Return the motion rows that extend the row space of the rates, in order."""
     space = _Space(len(rates) + len(motion), motion.shape[1])
     for row in rates:
         space.extend(row)
@@ -378,26 +382,26 @@ def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:
 
 
 class _Space:
-    """The row space of some rows, by unit vectors."""
+    """A row space, with an orthonormal basis."""
 
     def __init__(self, most: int, width: int) -> None:
         self._basis, self._found = np.zeros((most, width)), 0
 
     def beyond(self, row: np.ndarray) -> np.ndarray:
-        """Return the part of a row, of length one, that is not in the space."""
+        """Return the component of a normalised row outside the space, or zero."""
         basis, size = self._basis[: self._found], np.linalg.norm(row)
-        rest = row / size if size else row
+        residual = row / size if size else row
         for _ in range(2):  # the second orthogonalization removes the rounding of the first
-            rest = rest - (basis @ rest) @ basis
-        return np.where(np.linalg.norm(rest) > HALF, rest, 0.0)
+            residual = residual - (basis @ residual) @ basis
+        return np.where(np.linalg.norm(residual) > HALF, residual, 0.0)
 
     def extend(self, row: np.ndarray) -> bool:
         """Add a row to the space; return whether it was not in it."""
-        rest = self.beyond(row)
-        if rest.any():
-            self._basis[self._found] = rest / np.linalg.norm(rest)
+        residual = self.beyond(row)
+        if residual.any():
+            self._basis[self._found] = residual / np.linalg.norm(residual)
             self._found += 1
-        return bool(rest.any())
+        return bool(residual.any())
 
 
 def _rows(states: GenericStates, name: str, nodes: list[int]) -> Block:

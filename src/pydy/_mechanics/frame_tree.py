@@ -1,4 +1,4 @@
-"""Frames and points of SymPy: where they are relative to one another, as the user gave it.
+"""Frames and points of SymPy: relative orientations and positions as the user gave them.
 
 The only module that reads the private attributes of SymPy's vector classes.
 """
@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 from pydy._forks import cached_property
 
 # The point from which a point is reached, None for a root, and the vectors on the way.
-Way = tuple[Any, tuple[Any, ...]]
+Path = tuple[Any, tuple[Any, ...]]
 
 
 class FrameTree:
@@ -30,8 +30,8 @@ class FrameTree:
     @staticmethod
     def orientations(frame: Any) -> dict[Any, Any]:
         """Return the frames that a frame is oriented in or relative to it, with the matrices."""
-        found: dict[Any, Any] = frame._dcm_dict
-        return found
+        related: dict[Any, Any] = frame._dcm_dict
+        return related
 
     @cached_property
     def frame_depth(self) -> dict[Any, int]:
@@ -42,9 +42,9 @@ class FrameTree:
         """Return the matrices of all orientations, from the inertial frame outwards."""
         depth = self.frame_depth
         pairs = [
-            (matrix, depth[other] > depth[frame])
+            (matrix, depth[neighbour] > depth[frame])
             for frame in depth
-            for other, matrix in self.orientations(frame).items()
+            for neighbour, matrix in self.orientations(frame).items()
         ]
         return [m.as_immutable() for m, outwards in pairs if outwards]  # one may be the user's own
 
@@ -54,7 +54,7 @@ class FrameTree:
         return distances(self.inertial, lambda f: f._ang_vel_dict)
 
     def parent(self, frame: Any) -> Any:
-        """Return the next frame on the way to the inertial one, None for that itself."""
+        """Return the parent of a frame; None for the inertial frame."""
         if frame not in self.frame_depth:
             raise ValueError(
                 f"The frame {frame} has no orientation in the inertial frame {self.inertial}. "
@@ -66,7 +66,7 @@ class FrameTree:
     def turns_in(self, frame: Any) -> Any:
         """Return the frame in which a frame's angular velocity is given, None for the inertial."""
         if frame not in self.spin_depth:
-            self.parent(frame)  # says more where it is not even oriented
+            self.parent(frame)  # a more specific error if it has no orientation
             raise ValueError(
                 f"The frame {frame} has no angular velocity in the inertial frame "
                 f"{self.inertial}. Give it one: `{frame}.set_ang_vel({self.inertial}, ...)`."
@@ -92,8 +92,8 @@ class FrameTree:
     @staticmethod
     def positions(point: Any) -> dict[Any, Any]:
         """Return the points that are located relative to a point, with the vectors from there."""
-        found: dict[Any, Any] = point._pos_dict
-        return found
+        related: dict[Any, Any] = point._pos_dict
+        return related
 
     @staticmethod
     def points_from(points: Sequence[Any]) -> dict[Any, Any]:
@@ -111,20 +111,21 @@ class FrameTree:
         """Return the acceleration that the user set, or None."""
         return point._acc_dict.get(self.inertial)
 
-    def paths(self, points: Iterable[Any], roles: Mapping[Any, str]) -> dict[Any, Way]:
-        """Return for each point another one and the vectors from there, (None, ()) for roots.
+    def paths(self, points: Iterable[Any], roles: Mapping[Any, str]) -> dict[Any, Path]:
+        """Return for each point its base and the vectors from there, (None, ()) for roots.
 
-        The vectors lead to a point whose motion is known without this one's: a given velocity can
-        then be compared with that of the place. None is shorter than one whose components are
-        speeds: that is a root. A point without one hangs on the nearest that has one, as in SymPy.
+        The base moves independently of the point, so that a given velocity can be compared with the
+        rate of the position. A velocity whose components are speeds is as simple as possible: such
+        a point is a root. A point without a velocity is located from the nearest with one, as in
+        SymPy.
         """
-        wanted = list(dict.fromkeys(points))
-        seen = list(self.points_from(wanted))
-        given = [p for p in seen if self.velocity(p) is not None]
-        simple = sorted(given, key=lambda p: len(self.velocity(p).args) > 0)
+        targets = list(dict.fromkeys(points))
+        reached = list(self.points_from(targets))
+        with_velocity = [p for p in reached if self.velocity(p) is not None]
+        simple = sorted(with_velocity, key=lambda p: len(self.velocity(p).args) > 0)
         if simple and self.velocity(simple[0]).args:
-            simple = sorted(given, key=lambda p: _length(self.velocity(p)))
-        nearest = self.points_from(given)
+            simple = sorted(with_velocity, key=lambda p: _length(self.velocity(p)))
+        nearest = self.points_from(with_velocity)
         rank: dict[Any, int] = {}
         above: dict[Any, Any] = {}
         for root in simple:
@@ -132,82 +133,82 @@ class FrameTree:
                 continue
             for point, base in self.points_from([root]).items():
                 rank[point], above[point] = len(rank), base
-        for point in wanted:
+        for point in targets:
             if point not in nearest:
                 role = f", {roles[point]}," if point in roles else ""
-                rest = _beginning(point)
+                origin = _first_located_from(point)
                 remedy = (
                     f"Use `{point}.set_vel({self.inertial}, ...)` or `{point}.set_pos(...)`."
-                    if rest is point
-                    else f"If {rest}, from which it is placed, is at rest, use `{rest}.set_vel("
+                    if origin is point
+                    else f"If {origin}, from which it is placed, is at rest, use `{origin}.set_vel("
                     f"{self.inertial}, 0)`."
                 )
                 raise ValueError(
                     f"The point {point}{role} has no velocity in the inertial frame "
                     f"{self.inertial}, and no place from a point that has one. {remedy}"
                 )
-        hung = self._hung(wanted, nearest)
-        found: dict[Any, Way] = {}
-        for point in wanted:
-            while point is not None and point not in found:
+        located_from = self._hung(targets, nearest)
+        paths: dict[Any, Path] = {}
+        for point in targets:
+            while point is not None and point not in paths:
                 if nearest[point] is not None:
-                    found[point] = hung(point)
+                    paths[point] = located_from(point)
                 elif above[point] is None or _of_speeds(self.velocity(point)):
-                    found[point] = None, ()
+                    paths[point] = None, ()
                 else:
-                    found[point] = self._structural(point, above, rank, nearest, hung)
-                point = found[point][0]
-        return found
+                    paths[point] = self._structural(point, above, rank, nearest, located_from)
+                point = paths[point][0]
+        return paths
 
-    def _hung(self, wanted: Sequence[Any], nearest: dict[Any, Any]) -> Callable[[Any], Way]:
-        """Return the step that locates a point without a velocity from a point with one.
+    def _hung(self, targets: Sequence[Any], nearest: dict[Any, Any]) -> Callable[[Any], Path]:
+        """Return the function that locates a point without a velocity from a point with one.
 
-        That is the next on the way to a nearest given velocity. Where several are equally near and
-        contradict each other it matters which: it is the one that SymPy takes.
+        It returns the next step to the nearest given velocity. If several are equally near and
+        contradict each other, the one that SymPy chooses is used.
         """
-        own: dict[Any, Way] = {}
+        given_paths: dict[Any, Path] = {}
         root: dict[Any, Any] = {}
-        for point in wanted:
-            if nearest[point] is not None and (way := self._nearest_given(point, own)):
-                own[point] = way
-                root[point] = root.get(own[point][0], own[point][0])
-        ways: dict[Any, Way] = {}
-        ends: dict[Any, Any] = {}  # where the ways that agree lead to
+        for point in targets:
+            if nearest[point] is not None and (path := self._nearest_given(point, given_paths)):
+                given_paths[point] = path
+                root[point] = root.get(given_paths[point][0], given_paths[point][0])
+        chosen: dict[Any, Path] = {}
+        ends: dict[Any, Any] = {}  # the roots of the paths that agree
 
-        def hung(point: Any) -> Way:
+        def located_from(point: Any) -> Path:
             before = nearest[point]
-            return ways.get(point) or (before, (FrameTree.positions(point)[before],))
+            return chosen.get(point) or (before, (FrameTree.positions(point)[before],))
 
-        for point in own:
+        for point in given_paths:
             chain, end = [], point
             while nearest[end] is not None and end not in ends:
                 chain.append(end)
-                end = hung(end)[0]
+                end = located_from(end)[0]
             end = ends.get(end, end)
             agrees = all(root.get(p, end) is end for p in chain)
-            if not agrees and point not in ways:
-                ways[point] = own[point]
+            if not agrees and point not in chosen:
+                chosen[point] = given_paths[point]
             elif agrees:
-                ways |= {p: hung(p) for p in chain}
+                chosen |= {p: located_from(p) for p in chain}
                 ends |= dict.fromkeys(chain, end)
-        return hung
+        return located_from
 
-    def _nearest_given(self, point: Any, resolved: Container[Any]) -> Way | None:
-        """Return the nearest point with a velocity, in SymPy's order, and the way from there.
+    def _nearest_given(self, point: Any, resolved: Container[Any]) -> Path | None:
+        """Return the nearest point with a velocity, in SymPy's order, and the path from there.
 
-        Like SymPy's search this one leaves out places in frames without orientation.
+        As in SymPy's search, positions in frames without orientation are ignored.
         """
         steps: dict[Any, tuple[Any, ...]] = {point: ()}
         todo = deque([point])
         while todo:
             item = todo.popleft()
-            for other, vector in FrameTree.positions(item).items():
-                if other in steps or not all(f in self.frame_depth for _, f in vector.args):
+            for neighbour, vector in FrameTree.positions(item).items():
+                if neighbour in steps or not all(f in self.frame_depth for _, f in vector.args):
                     continue
-                steps[other] = (vector, *steps[item])
-                if other in resolved or self.velocity(other) is not None:
-                    return other, steps[other]
-                todo.append(other)
+                steps[neighbour] = (vector, *steps[item])
+                if neighbour in resolved or self.velocity(neighbour) is not None:
+                    return neighbour, steps[neighbour]
+                todo.append(neighbour)
         return None
 
     @staticmethod
@@ -216,14 +217,14 @@ class FrameTree:
         above: dict[Any, Any],
         rank: dict[Any, int],
         nearest: dict[Any, Any],
-        hung: Callable[[Any], Way],
-    ) -> Way:
+        located_from: Callable[[Any], Path],
+    ) -> Path:
         """Return the point before one with a given velocity, and the vector between."""
         base, steps = above[point], [FrameTree.positions(point)[above[point]]]
         while True:
             source = base
             while nearest[source] is not None:
-                source = hung(source)[0]
+                source = located_from(source)[0]
             if rank[source] < rank[point]:
                 return base, tuple(steps[::-1])
             steps.append(FrameTree.positions(base)[above[base]])
@@ -231,80 +232,84 @@ class FrameTree:
 
 
 def given_velocity(point: Any, frame: Any) -> Any:
-    """Return the velocity that was set, or None; SymPy's `vel` would make one up."""
+    """Return the velocity that was set, or None; SymPy's `vel` would derive one."""
     return point._vel_dict.get(frame)
 
 
 def velocity_in(point: Any, frame: Any) -> Any:
-    """Return the velocity of a point, made up from a neighbour's where nobody set it.
+    """Return the velocity of a point, derived from a neighbour if it was not set.
 
-    SymPy's `vel` takes that of the first neighbour that has one, then looks at all others of the
-    mechanism, for a warning: along a chain that is n² points.
+    SymPy's `vel` uses the first neighbour with a velocity, then searches the whole mechanism for a
+    warning: along a chain these are n² points.
     """
     if given_velocity(point, frame) is None:
-        known = (p for p in FrameTree.positions(point) if given_velocity(p, frame) is not None)
-        if (neighbour := next(known, None)) is not None:
-            with suppress(ValueError):  # of frames that nobody connected: SymPy takes another
+        with_velocity = (
+            p for p in FrameTree.positions(point) if given_velocity(p, frame) is not None
+        )
+        if (neighbour := next(with_velocity, None)) is not None:
+            with suppress(ValueError):  # frames are not connected: SymPy uses another neighbour
                 rate = FrameTree.positions(point)[neighbour].dt(frame)
                 point.set_vel(frame, rate + given_velocity(neighbour, frame))
     return point.vel(frame)
 
 
 def numbers_in_places(frame: Any, bodies: Iterable[Any]) -> set[float]:
-    """Return the sizes of the numbers by which bodies are placed: the lengths that have values.
+    """Return the magnitudes of the numbers in positions of bodies: the lengths with values.
 
-    Other mechanisms may hang on the same origin: what is placed along axes by which no body that
-    moves in the inertial `frame` is reached is theirs.
+    Other mechanisms may have the same origin: positions along axes that occur on no path to a body
+    that moves in the inertial `frame` are theirs.
     """
     bodies = list(bodies)
     centres = [body.masscenter for body in bodies]
     axes = {getattr(body, "frame", None) for body in bodies}
-    given = [given_velocity(centre, frame) for centre in centres]
-    moving = [c for c, velocity in zip(centres, given, strict=True) if getattr(velocity, "args", 1)]
-    ways = [way for centre in moving for way in FrameTree.positions(centre).values()]
+    velocities = [given_velocity(centre, frame) for centre in centres]
+    moving = [
+        c for c, velocity in zip(centres, velocities, strict=True) if getattr(velocity, "args", 1)
+    ]
+    vectors = [vector for centre in moving for vector in FrameTree.positions(centre).values()]
     reached = distances(centres[0], FrameTree.positions) if centres else {}
     for point in reached.keys() & centres:  # from the first of them
-        ways += steps_to(point, reached)
-    axes |= {along for way in ways for _, along in way.args}
-    waiting, seen, found = [*centres], {*centres}, set()
+        vectors += steps_to(point, reached)
+    axes |= {axis for vector in vectors for _, axis in vector.args}
+    waiting, visited, numbers = [*centres], {*centres}, set()
     while waiting:
-        for other, way in FrameTree.positions(waiting.pop()).items():
-            if not {along for _, along in way.args} <= axes:
+        for neighbour, vector in FrameTree.positions(waiting.pop()).items():
+            if not {axis for _, axis in vector.args} <= axes:
                 continue
-            every = (e for part, _ in way.args for e in part)
+            every = (e for part, _ in vector.args for e in part)
             for term in (term for e in every for term in sm.Add.make_args(e)):
                 if not isinstance(term.as_coeff_Mul()[1], AppliedUndef):  # coordinates have factors
-                    found |= {abs(float(number)) for number in term.atoms(sm.Number)}
-            if other not in seen:
-                seen.add(other)
-                waiting.append(other)
-    return {size for size in found if size > 0.0}
+                    numbers |= {abs(float(number)) for number in term.atoms(sm.Number)}
+            if neighbour not in visited:
+                visited.add(neighbour)
+                waiting.append(neighbour)
+    return {size for size in numbers if size > 0.0}
 
 
 def breadth_first(
     roots: Sequence[Any], neighbours: Callable[[Any], Iterable[Any]]
 ) -> dict[Any, Any]:
-    """Return roots and all that can be reached from them, the nearest first, with their parents."""
+    """Return roots and all items connected with them, nearest first, with their parents."""
     parent, todo = dict.fromkeys(roots), deque(roots)
     while todo:
         item = todo.popleft()
-        for other in neighbours(item):
-            if other not in parent:
-                parent[other] = item
-                todo.append(other)
+        for neighbour in neighbours(item):
+            if neighbour not in parent:
+                parent[neighbour] = item
+                todo.append(neighbour)
     return parent
 
 
 def distances(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, int]:
-    """Return all that can be reached from a root, and in how many steps."""
-    found: dict[Any, int] = {}
+    """Return all items connected with a root, and the number of steps to each."""
+    steps: dict[Any, int] = {}
     for item, before in breadth_first([root], neighbours).items():
-        found[item] = 0 if before is None else found[before] + 1
-    return found
+        steps[item] = 0 if before is None else steps[before] + 1
+    return steps
 
 
 def steps_to(point: Any, away: Mapping[Any, int]) -> list[Any]:
-    """Return the vectors on the way to a point from where `away` counts from, the last first."""
+    """Return the vectors on the path to a point from the root of `away`, the last first."""
     steps = []
     for _ in range(away[point]):
         before = _nearer(point, FrameTree.positions(point), away)
@@ -314,16 +319,16 @@ def steps_to(point: Any, away: Mapping[Any, int]) -> list[Any]:
 
 
 def _nearer(item: Any, neighbours: Iterable[Any], away: Mapping[Any, int]) -> Any:
-    """Return the first neighbour nearer to the root, as SymPy does, None for the root itself."""
+    """Return the first neighbour nearer to the root, as SymPy does; None for the root."""
     return next((n for n in neighbours if away[n] < away[item]), None)
 
 
-def _beginning(point: Any) -> Any:
-    """Return the point from which a chain of places began, as far as their order tells."""
-    seen = [point]
-    while (before := next(iter(FrameTree.positions(seen[-1])), None)) not in (None, *seen):
-        seen.append(before)
-    return seen[-1]
+def _first_located_from(point: Any) -> Any:
+    """Return the first point of a chain of positions, in order of definition."""
+    chain = [point]
+    while (before := next(iter(FrameTree.positions(chain[-1])), None)) not in (None, *chain):
+        chain.append(before)
+    return chain[-1]
 
 
 def _of_speeds(vector: Any) -> bool:

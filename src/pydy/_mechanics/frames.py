@@ -1,4 +1,4 @@
-"""Frames as the equations see them: between them there may be axes that the user did not name."""
+"""The frames in which components are expressed, including axes that the user did not define."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph import Graph, SymPyReader, signatures
-from pydy._mechanics.components import identity, numbers_of, turned, unrounded
+from pydy._mechanics.components import identity, numbers_of, product, unrounded
 from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.planes import plane_rotations
 from pydy._mechanics.reader import InputReader
@@ -20,11 +20,11 @@ Vec = list[int]
 
 
 class Frames:
-    """The tree of frames, with axes put between them (`pydy._mechanics.alignment`).
+    """The tree of frames, with additional axes between them (`pydy._mechanics.alignment`).
 
-    Axes are put `above` others, beside which they turn as fast as `turns` tells (None: they are
-    fixed). A frame's components are `written` in axes, by a matrix or as they are; `steps` are
-    matrices that give components in a frame from those in its parent.
+    Additional axes have parents, `above`, and relative angular velocities, `turns` (None: they are
+    fixed). Components in a frame of the user are `written` in axes, by a matrix or unchanged;
+    `steps` are matrices that give components in axes from those in their parent.
     """
 
     def __init__(self, graph: Graph, tree: FrameTree, read: InputReader) -> None:
@@ -36,57 +36,59 @@ class Frames:
         self._planes: dict[Any, list[list[Vec]]] = {}
 
     def insert(self, axes: Any, above: Any, step: list[Vec], turns: Vec | None, depth: int) -> None:
-        """Add axes after others; `turns` is their angular velocity, None if fixed."""
+        """Insert axes below others; `turns` is their angular velocity, None if fixed."""
         self.above[axes], self.steps[axes], self.turns[axes] = above, step, turns
         self.tree.frame_depth[axes] = depth
 
     def write(self, frame: Any, axes: Any, matrix: list[Vec] | None) -> None:
-        """Write components of a frame in other axes that are fixed in it."""
+        """Express components of a frame in other axes that are fixed in it."""
         self.written[frame] = axes, matrix
 
     def axes(self, frame: Any) -> Any:
-        """Return the axes that a frame's components are written in."""
+        """Return the axes in which the components of a frame are expressed."""
         return self.written.get(frame, (frame, None))[0]
 
     def written_in(self, frame: Any) -> tuple[Any, list[Vec]]:
-        """Return the axes that a frame's components are written in, and the rotation."""
+        """Return the axes in which the components of a frame are expressed, and the rotation."""
         g = self.graph
         axes, matrix = self.written.get(frame, (frame, None))
         return axes, matrix or identity(g)
 
     def in_axes(self, v: Vec, frame: Any) -> tuple[Vec, Any]:
-        """Return components in a frame as they are written, and the axes."""
+        """Return components in a frame as expressed in its axes, and the axes."""
         axes, matrix = self.written.get(frame, (frame, None))
-        return (v if matrix is None else unrounded(self.graph, turned(self.graph, matrix, v))), axes
+        return (
+            v if matrix is None else unrounded(self.graph, product(self.graph, matrix, v))
+        ), axes
 
     def parent(self, axes: Any) -> Any:
-        """Return the axes next to these on the way to the inertial frame, None for that itself."""
+        """Return the parent of axes; None for the inertial frame."""
         return self.above.get(axes) or self.axes(self.tree.parent(axes))
 
     def base(self, axes: Any) -> Any:
         """Return the axes in which an angular velocity is given, None for the inertial frame."""
         return self.above.get(axes) or self.axes(self.tree.turns_in(axes))
 
-    def way_in(self, axes: Any) -> list[Any]:
-        """Return the axes on the way to the inertial frame, these first."""
-        way = [axes]
-        while (parent := self.parent(way[-1])) is not None:
-            way.append(parent)
-        return way
+    def path_to_inertial(self, axes: Any) -> list[Any]:
+        """Return the axes on the path to the inertial frame, these first."""
+        path = [axes]
+        while (parent := self.parent(path[-1])) is not None:
+            path.append(parent)
+        return path
 
     def is_fixed(self, axes: Any) -> bool:
-        """Return whether axes are fixed in those that they were added after."""
+        """Return whether axes were inserted and are fixed in their parent."""
         return axes in self.turns and self.turns[axes] is None
 
     def step(self, axes: Any) -> list[Vec]:
-        """Return the matrix from components in the parent to components in some axes."""
+        """Return the matrix from components in the parent to components in axes."""
         if axes not in self.steps:
             above = self.tree.parent(axes)
             self.steps[axes] = [self.in_axes(row, above)[0] for row in self.given(axes, above)]
         return self.steps[axes]
 
     def planes(self, axes: Any) -> list[list[Vec]]:
-        """Return rotations one after the other that together are the step to axes."""
+        """Return plane rotations whose product is the step to axes."""
         if axes not in self._planes:
             self._planes[axes] = plane_rotations(self.graph, self.step(axes))
         return self._planes[axes]
@@ -117,5 +119,5 @@ def orthogonality_residuals(matrices: Iterable[Any], read: SymPyReader) -> list[
     rows = [row for row, value in zip(rows, signatures(g, rows), strict=True) if value]
     if not rows:
         return []
-    apart = np.abs(numbers_of(g, rows)).max(axis=0)
-    return [row for row, left in zip(rows, apart, strict=True) if left > ROUNDED]
+    largest = np.abs(numbers_of(g, rows)).max(axis=0)
+    return [row for row, size in zip(rows, largest, strict=True) if size > ROUNDED]

@@ -1,9 +1,9 @@
-"""Numbers at generic states that keep the constraints: what ranks and identities are judged by.
+"""Values at generic consistent states, by which ranks and identities are determined.
 
-Quaternions are of length one, whether a constraint says so or not. A user may have simplified a
-velocity or a rate with a constraint, so that it holds only there. All symbols that are not states
-count as specifieds: the search for a consistent state may move them too, since a four-bar with
-lengths chosen at random need not close.
+Quaternions have unit length, with or without a constraint. A user may have simplified a velocity or
+a rate by a constraint, so that it is valid only where the constraint is satisfied. All symbols that
+are not states count as specifieds: the search for a consistent state may change them too, since a
+four-bar linkage with random lengths need not close.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from pydy._mechanics.tuning import FULL_STEPS, OPEN
 from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
 _STEPS = 50
-_NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
+_NEAR = 0.03  # deviation of first guesses from a configuration, relative to its largest number
 
-AROUND = 60  # more, where rows seem redundant: in a three-stage lift each sixth finds its shape
+AROUND = 60  # further samples if rows seem redundant: one in six closes a three-stage lift
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 
 _STATE = ("time of the state", "state", "specifieds at the state")
@@ -38,9 +38,9 @@ Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
 class GenericStates:
     """Expressions of a system as nodes of a graph, and their values at generic states.
 
-    `expressions` are read besides the constraints and the kinematics; `what` names them in
-    messages. The `inputs` are all that they hold, with time; `moving` has what moves with its rate:
-    coordinates, time, and specifieds whose derivatives occur.
+    `expressions` are read in addition to the constraints and the kinematics; `what` names them in
+    messages. The `inputs` are all their inputs, with time; `moving` pairs those that change in time
+    with their rates: coordinates, time, and specifieds whose derivatives occur.
     """
 
     def __init__(self, equations: Equations, expressions: Iterable[Any], what: str) -> None:
@@ -51,42 +51,46 @@ class GenericStates:
         turns = [] if made_from is None else FrameTree(made_from.frame).rotation_matrices()
         kinematics, constraints = equations.kinematics, equations.constraints
         derivatives = kinematics.coordinate_derivatives
-        # The rates of what residuals with speeds give hold u', which moves no constraint.
-        idle = {*kinematics.speed_rates} & {*find_symbols(derivatives)}
-        known = {*states, *kinematics.zeros, t, *kinematics.coordinate_rates, *idle}
-        said = *constraints.holonomic, *constraints.velocity, *derivatives
-        found = find_symbols((*expressions, *said, *turns)).keys() - known
-        found |= {rate_of(s, t) for s in found if isinstance(s, AppliedUndef)}
-        others = sort_symbols(found)
-        atoms = graph.input_nodes(x=states, r=others, t=[t])
+        # The rates of unknowns whose residuals contain speeds contain u': no constraint does.
+        accelerations = {*kinematics.speed_rates} & {*find_symbols(derivatives)}
+        defined = {*states, *kinematics.zeros, t, *kinematics.coordinate_rates, *accelerations}
+        constraint_expressions = *constraints.holonomic, *constraints.velocity, *derivatives
+        symbols = find_symbols((*expressions, *constraint_expressions, *turns)).keys() - defined
+        symbols |= {rate_of(s, t) for s in symbols if isinstance(s, AppliedUndef)}
+        free_symbols = sort_symbols(symbols)
+        atoms = graph.input_nodes(x=states, r=free_symbols, t=[t])
         self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]
-        self._others, time = [atoms[s] for s in others], atoms[t]
-        self.inputs = [*self.coordinates, *self.speeds, *self._others, time]
-        self._symbols = t, *states, *others
-        self._sizes = (len(states), len(others), 0)
-        atoms |= dict.fromkeys((*kinematics.zeros, *idle), graph.zero)
+        self._free, time = [atoms[s] for s in free_symbols], atoms[t]
+        self.inputs = [*self.coordinates, *self.speeds, *self._free, time]
+        self._symbols = t, *states, *free_symbols
+        self._sizes = (len(states), len(free_symbols), 0)
+        atoms |= dict.fromkeys((*kinematics.zeros, *accelerations), graph.zero)
         self.read = SymPyReader(graph, atoms, what)
         rates = self.read.all(derivatives)
-        # What residuals with speeds give are forces, which no constraint holds: they stay put.
-        still = [k for k, e in enumerate(derivatives) if not idle.isdisjoint(find_symbols([e]))]
-        for k in still:
+        # These unknowns are forces, which occur in no other constraint: they are held constant.
+        of_speeds = [
+            k for k, e in enumerate(derivatives) if not accelerations.isdisjoint(find_symbols([e]))
+        ]
+        for k in of_speeds:
             rates[k] = graph.zero
         for rate, node in zip(kinematics.coordinate_rates, rates, strict=True):
             self.read.define(rate, node)
         # A prescribed motion y(t) moves a constraint through y'(t).
         self.moving = [*zip(self.coordinates, rates, strict=True), (time, graph.one)]
-        self.moving += [(atoms[s], atoms[s.diff(t)]) for s in others if isinstance(s, AppliedUndef)]
+        self.moving += [
+            (atoms[s], atoms[s.diff(t)]) for s in free_symbols if isinstance(s, AppliedUndef)
+        ]
         self._moved = {node for node, _ in self.moving}
         self.holonomic = self.read.all(constraints.holonomic)
-        if still:
+        if of_speeds:
             implicit = constraints.residuals.implicit
             start = {} if implicit is None else implicit.start
-            forces = {self.coordinates[k]: start[q[k]] for k in still}
-            held = {*forces, *self.speeds}
+            forces = {self.coordinates[k]: start[q[k]] for k in of_speeds}
+            fixed = {*forces, *self.speeds}
             rows = [
                 k
                 for k in constraints.residuals.rows
-                if not held.isdisjoint(graph.reachable([self.holonomic[k]]))
+                if not fixed.isdisjoint(graph.reachable([self.holonomic[k]]))
             ]
             for k, (node, value) in zip(rows, forces.items(), strict=True):
                 self.holonomic[k] = graph.sum([(node, 1.0)], -value)
@@ -94,13 +98,13 @@ class GenericStates:
         self._turning = orthogonality_residuals(turns, self.read)
 
     @cached_property
-    def placed(self) -> list[float]:
-        """The sizes of the numbers by which bodies are placed, ascending."""
-        made = self._made_from
-        return [] if made is None else sorted(numbers_in_places(made.frame, made.bodies))
+    def lengths_of_bodies(self) -> list[float]:
+        """The magnitudes of the numbers that locate bodies, ascending."""
+        source = self._made_from
+        return [] if source is None else sorted(numbers_in_places(source.frame, source.bodies))
 
     def leave_out(self, rows: Sequence[int]) -> None:
-        """Take constraints, holonomic ones first, as satisfied."""
+        """Omit constraints, numbered with holonomic ones first."""
         split, zero = len(self.holonomic), self.graph.zero
         every = [*self.holonomic, *self.velocity]
         every = [zero if k in rows else node for k, node in enumerate(every)]
@@ -130,11 +134,11 @@ class GenericStates:
         near: Mapping[Any, float] | None = None,
         left_open: bool = False,
     ) -> Iterator[dict[str, np.ndarray]]:
-        """Yield the values of blocks at states that keep the constraints, where all are finite.
+        """Yield the values of blocks at consistent states at which all are finite.
 
-        The search begins `near` a configuration, or with angles all `around` the circle to find all
-        ways in which a linkage can be assembled. Where it ends at none that keeps them, and if they
-        may be `left_open`, all states count.
+        The search begins `near` a configuration, or with angles all `around` the circle, to find
+        all assembly configurations of a linkage. All states are yielded if none is consistent, or
+        if the constraints may be `left_open`.
         """
         inputs = self.consistent(trials, around=around, near=near)
         values = evaluator_of(self.graph, blocks)(*inputs)
@@ -148,44 +152,45 @@ class GenericStates:
     def where(
         self, node: int, blocks: Sequence[Block], trials: int
     ) -> Iterator[dict[str, np.ndarray]]:
-        """Yield the same at states at which a node is zero, too."""
-        own = self.holonomic
-        self.holonomic = [*own, node]
-        yield from self.kept(blocks, trials, around=True)
-        self.holonomic = own
+        """Yield the values at consistent states at which a node is zero as well."""
+        holonomic = self.holonomic
+        self.holonomic = [*holonomic, node]
+        yield from self.consistent_samples(blocks, trials, around=True)
+        self.holonomic = holonomic
 
-    def kept(
+    def consistent_samples(
         self, blocks: Sequence[Block], trials: int, **options: Any
     ) -> list[dict[str, np.ndarray]]:
-        """Return the `samples` that keep the constraints: none where none does."""
+        """Return the `samples` that are consistent; there may be none."""
         return closed(list(self.samples([*blocks, *self.closing()], trials, **options)))
 
     def uncertain(self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]) -> Any:
         """Return bounds on the errors of nodes due to residuals of the constraints.
 
-        Shape (samples, nodes). Roundings add to it, and what is left of the constraints: a step of
-        Newton's method takes that away, so the state is not known better than by its length.
+        Shape (samples, nodes). The state is uncertain by rounding errors and by the length of a
+        Newton step that would remove the residuals.
         """
         t, x, r = (np.array([s[name] for s in samples]) for name in _STATE)
-        free, held = [*self.coordinates, *self._others], self._held()
+        free, constraint_rows = [*self.coordinates, *self._free], self._satisfied_rows()
+        bounds = rounding_bounds(self.graph, constraint_rows)
         blocks = [
-            ("held", (len(held),), held),
-            ("bounds", (len(held),), rounding_bounds(self.graph, held)),
-            self.table("gradient", held, free),
+            ("residuals", (len(constraint_rows),), constraint_rows),
+            ("bounds", (len(constraint_rows),), bounds),
+            self.table("gradient", constraint_rows, free),
         ]
         at = evaluator_of(self.graph, blocks)(t, x, r, np.zeros((len(t), 0)))
         scaled, rows, columns = equilibrated(np.nan_to_num(at["gradient"]))
-        # A step of Newton's method bounds the way to where the constraints hold, four times over:
-        # at a double root it goes half the way, and twice for the curvature on it.
-        left = (4.0 * np.abs(at["held"]) / ROUNDED + at["bounds"])[..., None] / rows
-        steps = np.abs(np.linalg.pinv(scaled, rcond=HALF)) @ left
+        # Four Newton steps bound the distance to the exact state: at a double root a step covers
+        # half the distance, and the curvature may double it again.
+        residuals = (4.0 * np.abs(at["residuals"]) / ROUNDED + at["bounds"])[..., None] / rows
+        steps = np.abs(np.linalg.pinv(scaled, rcond=HALF)) @ residuals
         errors = {node: self.graph.input("p", k) for k, node in enumerate(free)}
         bounds = rounding_bounds(self.graph, cells, errors=errors)
-        known = evaluator_of(self.graph, [("bounds", (len(cells),), bounds)])
-        return ROUNDED * known(t, x, r, columns[:, 0] * steps[..., 0])["bounds"]
+        bounds_at = evaluator_of(self.graph, [("bounds", (len(cells),), bounds)])
+        return ROUNDED * bounds_at(t, x, r, columns[:, 0] * steps[..., 0])["bounds"]
 
     def closing(self) -> list[Block]:
-        """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
+        """Return the constraints, and their derivatives by coordinates and by speeds."""
         residuals = [*self.holonomic, *self.velocity]
         bounds = rounding_bounds(self.graph, residuals)
         return [
@@ -195,102 +200,106 @@ class GenericStates:
             ("bounds", (len(bounds),), bounds),
         ]
 
-    def closed(self, inputs: Inputs, among: np.ndarray) -> np.ndarray:
-        """Return which of some states keep the constraints; where none does, all of these count.
+    def closed(self, inputs: Inputs, finite: np.ndarray) -> np.ndarray:
+        """Return which of the finite states are consistent; all of them if none is.
 
         A search may close a loop by lengths that vanish, where values are not finite.
         """
         count = len(inputs[0])
         if not (self.holonomic or self.velocity):
-            return among
+            return finite
         values = evaluator_of(self.graph, self.closing())(*inputs)
         every = [{name: block[k] for name, block in values.items()} for k in range(count)]
-        found = among & (np.array(openness(every)) < OPEN)
-        return found if found.any() else among
+        consistent = finite & (np.array(openness(every)) < OPEN)
+        return consistent if consistent.any() else finite
 
     def anywhere(self, blocks: Sequence[Block], sign: float = 1.0) -> dict[str, np.ndarray]:
-        """Return the values of blocks at generic states that need not keep the constraints.
+        """Return the values of blocks at generic states, consistent or not.
 
         All numbers but time have the same `sign`.
         """
         return generic_values(self.graph, blocks, self._sizes, 3, sign)
 
-    def _held(self) -> list[int]:
-        """Return the rows that a state keeps, whatever the speeds.
+    def _satisfied_rows(self) -> list[int]:
+        """Return the rows that a state must satisfy, whatever the speeds.
 
-        Velocity constraints that no speed can keep are conditions for all the rest.
+        Velocity constraints without speeds are conditions for the other variables.
         """
         speeds, g = set(self.speeds), self.graph
-        others = [n for n in self.velocity if speeds.isdisjoint(g.reachable([n]))]
-        return [*self.holonomic, *self._turning, *others]
+        conditions = [n for n in self.velocity if speeds.isdisjoint(g.reachable([n]))]
+        return [*self.holonomic, *self._turning, *conditions]
 
     def _beginning(self, trials: int, around: bool, near: Mapping[Any, float]) -> Inputs:
-        """Return where the search for consistent states begins."""
+        """Return the first guesses of the search for consistent states."""
         n = len(self.coordinates)
         inputs = generic_inputs(self._sizes, trials)
         x = inputs[1]
         if around:
             x[:, :n] = np.pi * (2.0 * (x[:, :n] - _LOW) / (_HIGH - _LOW) - 1.0)
         moved = self._symbols[1 : 1 + n]
-        sizes = dict(zip(moved, self._beside(moved, near), strict=True)) if near else {}
+        sizes = dict(zip(moved, self._magnitudes(moved, near), strict=True)) if near else {}
         for symbol, column in self.by_symbol(inputs).items():
             if symbol in near:
                 size = _NEAR * sizes.get(symbol, 0.0)
                 column[:] = near[symbol] + size * (column - 1.0)
         return inputs
 
-    def _resized(self, inputs: Inputs, near: Mapping[Any, float], gradient: np.ndarray) -> bool:
+    def _scale_lengths(
+        self, inputs: Inputs, near: Mapping[Any, float], gradient: np.ndarray
+    ) -> bool:
         """Scale free lengths from order one to the size of the mechanism.
 
-        Beside legs of one metre, offsets of nanometres vanish, and rows seem to follow from others.
-        The mechanism's lengths are those `near` which it is assembled, or the levers of angles, as
-        the `gradient` has them, or the numbers by which bodies are placed.
+        Next to free lengths of one metre, offsets of nanometres would vanish, and rows would seem
+        redundant. The size is that of the lengths `near` which it is assembled, or of the lever
+        arms of angles in the `gradient`, or of the numbers that locate bodies.
         """
-        placed = max(self.placed, default=0.0)
+        placed = max(self.lengths_of_bodies, default=0.0)
         if row_units(np.full((1, 1, 1), placed)) == 1.0 and (column_units(gradient) == 1.0).all():
             return False
         steep, sizes = self._per_unit(), np.nan_to_num(np.abs(gradient)).max(axis=0, initial=0.0)
         n = len(self.coordinates)
         free = (*self._symbols[1 : 1 + n], *self._symbols[1 + inputs[1].shape[1] :])
         long = np.array([isinstance(s, AppliedUndef) for s in free]) & (steep == 0.0)
-        given = [abs(near[s]) for s, own in zip(free, long, strict=True) if own and s in near]
+        given_lengths = [
+            abs(near[s]) for s, is_long in zip(free, long, strict=True) if is_long and s in near
+        ]
         turns = steep > 0.0
-        turned = (sizes[:, turns] / steep[turns]).max(axis=1, keepdims=True, initial=0.0)
-        found = np.where(sizes > 0.0, turned / or_one(sizes), 0.0).max(axis=0, initial=0.0)
-        found[found == 0.0] = found[long].max(initial=0.0) or placed
-        if any(given):
-            found[:] = max(given)
-        units, known = row_units(found[None, :, None]), self.by_symbol(inputs)
+        levers = (sizes[:, turns] / steep[turns]).max(axis=1, keepdims=True, initial=0.0)
+        lengths = np.where(sizes > 0.0, levers / or_one(sizes), 0.0).max(axis=0, initial=0.0)
+        lengths[lengths == 0.0] = lengths[long].max(initial=0.0) or placed
+        if any(given_lengths):
+            lengths[:] = max(given_lengths)
+        units, by_symbol = row_units(lengths[None, :, None]), self.by_symbol(inputs)
         for k in np.flatnonzero(long):
             if free[k] not in near:
-                known[free[k]] *= units[k]
+                by_symbol[free[k]] *= units[k]
         return True
 
-    def _beside(self, moved: Sequence[Any], near: Mapping[Any, float]) -> list[float]:
-        """Return how large coordinates are near a configuration, each in its unit.
+    def _magnitudes(self, coordinates: Sequence[Any], near: Mapping[Any, float]) -> list[float]:
+        """Return the magnitude of each coordinate near a configuration, in its unit.
 
-        Angles and quaternions are numbers: beside lengths in nanometres or in any other unit they
-        are as large as they are among themselves, or as one.
+        Angles and quaternions are dimensionless: their magnitude is that of their largest, at least
+        one, whatever the unit of the lengths.
         """
-        steep = self._per_unit()[: len(moved)]
-        given = np.array([abs(near.get(s, 0.0)) for s in moved])
+        steep = self._per_unit()[: len(coordinates)]
+        numbers = np.array([abs(near.get(s, 0.0)) for s in coordinates])
         largest = max((abs(value) for value in near.values()), default=0.0)
-        lengths = given[steep == 0.0].max(initial=0.0) or largest
-        turned = max(float((given * steep).max(initial=0.0)), 1.0)
-        return [min(largest, turned / s) if s > 0.0 else lengths for s in steep]
+        lengths = numbers[steep == 0.0].max(initial=0.0) or largest
+        largest_number = max(float((numbers * steep).max(initial=0.0)), 1.0)
+        return [min(largest, largest_number / s) if s > 0.0 else lengths for s in steep]
 
     def _per_unit(self) -> np.ndarray:
         """Return the natural units of coordinates and free numbers; see `per_unit`.
 
         Coordinates come first, then all symbols without a value.
         """
-        graph, places = self.graph, [*self.coordinates, *self._others]
-        slopes = per_unit(graph, [*self.holonomic, *self.velocity], places)
-        at = self.anywhere([("slopes", (len(places),), slopes)])
-        found: np.ndarray = np.nan_to_num(at["slopes"]).max(axis=0, initial=0.0)
+        graph, variables = self.graph, [*self.coordinates, *self._free]
+        slopes = per_unit(graph, [*self.holonomic, *self.velocity], variables)
+        at = self.anywhere([("slopes", (len(variables),), slopes)])
+        units: np.ndarray = np.nan_to_num(at["slopes"]).max(axis=0, initial=0.0)
         turning = {*graph.reachable(self._turning)}
-        found[[k for k, node in enumerate(places) if node in turning]] = 1.0
-        return found
+        units[[k for k, node in enumerate(variables) if node in turning]] = 1.0
+        return units
 
     def by_symbol(self, inputs: Inputs) -> dict[Any, np.ndarray]:
         """Return the numbers of each symbol, as views."""
@@ -300,13 +309,13 @@ class GenericStates:
     def consistent(
         self, trials: int, *, around: bool = False, near: Mapping[Any, float] | None = None
     ) -> Inputs:
-        """Return states that keep the constraints, as far as Newton's method finds them."""
+        """Return states that are consistent if Newton's method converges."""
         n = len(self.coordinates)
-        free = [*self.coordinates, *self._others]
-        held = self._held()
+        free = [*self.coordinates, *self._free]
+        constraint_rows = self._satisfied_rows()
         blocks = [
-            ("held", (len(held),), held),
-            self.table("gradient", held, free),
+            ("residuals", (len(constraint_rows),), constraint_rows),
+            self.table("gradient", constraint_rows, free),
             ("velocity", (len(self.velocity),), self.velocity),
             self.table("slope", self.velocity, self.speeds),
         ]
@@ -318,54 +327,55 @@ class GenericStates:
 
         searching, usable = list(range(trials)), list(range(trials))
         first = residuals(searching)
-        if held and self._resized(inputs, near or {}, first["gradient"]):
+        if constraint_rows and self._scale_lengths(inputs, near or {}, first["gradient"]):
             first = residuals(searching)
-        if near:  # near zero the vector of a quaternion moves no row
-            beside = x.copy()
+        if near:  # the vector part of a quaternion near zero changes no row
+            generic = x.copy()
             numbers = np.flatnonzero(self._per_unit()[:n])
-            beside[:, numbers] = generic_inputs(self._sizes, trials)[1][:, numbers]
-            first = closing(t, beside, r, p)
+            generic[:, numbers] = generic_inputs(self._sizes, trials)[1][:, numbers]
+            first = closing(t, generic, r, p)
         units, sizes = row_units(first["gradient"]), column_units(first["gradient"])
         speeds = column_units(first["slope"])
         for share in FULL_STEPS:
             for _ in range(_STEPS):
                 if not searching:
                     break
-                now, still = residuals(searching), []
-                for k, gradient, left in zip(searching, now["gradient"], now["held"], strict=True):
-                    if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
+                values, unsatisfied = residuals(searching), []
+                rows = zip(searching, values["gradient"], values["residuals"], strict=True)
+                for k, gradient, residual in rows:
+                    if not (np.isfinite(gradient).all() and np.isfinite(residual).all()):
                         usable.remove(k)
-                    elif np.abs(left / units).max(initial=0.0) >= ROUNDED:
-                        step = -_solved(gradient, left, share, sizes)
+                    elif np.abs(residual / units).max(initial=0.0) >= ROUNDED:
+                        step = -_solved(gradient, residual, share, sizes)
                         x[k, :n] += step[:n]
                         r[k] += step[n:]
-                        still.append(k)
-                searching = still
-        now = residuals(usable)
-        for k, slope, left in zip(usable, now["slope"], now["velocity"], strict=True):
-            if left.size and np.isfinite(slope).all():
-                x[k, n:] -= _solved(slope, left, FULL_STEPS[-1], speeds)
+                        unsatisfied.append(k)
+                searching = unsatisfied
+        values = residuals(usable)
+        for k, slope, residual in zip(usable, values["slope"], values["velocity"], strict=True):
+            if residual.size and np.isfinite(slope).all():
+                x[k, n:] -= _solved(slope, residual, FULL_STEPS[-1], speeds)
         return t, x, r, p
 
 
 def closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]:
-    """Return those of some samples, with the blocks of `closing`, that keep the constraints."""
-    apart = openness(samples) if samples else []
-    return [s for s, left in zip(samples, apart, strict=True) if left < OPEN]
+    """Return the consistent samples; they have the blocks of `closing`."""
+    deviations = openness(samples) if samples else []
+    return [s for s, deviation in zip(samples, deviations, strict=True) if deviation < OPEN]
 
 
 def openness(samples: list[dict[str, np.ndarray]]) -> list[float]:
-    """Return how far states are from the constraints, whatever the units of the rows.
+    """Return the largest residual of each sample, in units of the rows.
 
-    What rounding leaves does not count. SymPy adds up numbers beforehand: a row that is a number
-    is what it left of some as large as those of the other rows.
+    Residuals within rounding count as zero. A row that is a plain number is what SymPy's folding
+    left of numbers as large as those of the other rows.
     """
-    every, found = units_of(samples), []
+    every, deviations = units_of(samples), []
     for s in samples:
         sizes = np.abs(s["residuals"])
         rounded = ROUNDED * np.where(s["bounds"] > 0.0, s["bounds"], s["bounds"].max(initial=0.0))
-        found.append(float(np.where(sizes <= rounded, 0.0, sizes / every).max(initial=0.0)))
-    return found
+        deviations.append(float(np.where(sizes <= rounded, 0.0, sizes / every).max(initial=0.0)))
+    return deviations
 
 
 def units_of(samples: list[dict[str, np.ndarray]]) -> np.ndarray:
@@ -377,7 +387,7 @@ def units_of(samples: list[dict[str, np.ndarray]]) -> np.ndarray:
 def _solved(
     gradient: np.ndarray, residuals: np.ndarray, share: float, units: np.ndarray
 ) -> np.ndarray:
-    """Return the least step, in units, along directions that move the residuals noticeably."""
+    """Return the least-norm step, in units, along directions that change the residuals."""
     gradient = gradient * units
     sizes = np.linalg.norm(gradient, axis=1)
     scale = np.where(sizes > 0.0, sizes, 1.0)
@@ -387,30 +397,30 @@ def _solved(
 
 
 def row_units(tables: np.ndarray) -> np.ndarray:
-    """Return the unit of each row of tables at several states: a power of 1024, as SI's prefixes.
+    """Return the unit of each row of tables at several states, a power of 1024 like SI prefixes.
 
-    It is that of the longest, since rows may vanish in singular positions.
+    The longest row over all states decides, since rows may vanish in singular positions.
     """
     sizes = np.linalg.norm(tables, axis=2)
     longest = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, 0.0).max(axis=0)
-    found: np.ndarray = np.exp2(10.0 * np.round(np.log2(np.where(longest, longest, 1.0)) / 10.0))
-    return found
+    units: np.ndarray = np.exp2(10.0 * np.round(np.log2(np.where(longest, longest, 1.0)) / 10.0))
+    return units
 
 
 def column_units(tables: np.ndarray) -> np.ndarray:
-    """Return the unit of each column of tables at several states, a power of 1024 too.
+    """Return the unit of each column of tables at several states, a power of 1024.
 
-    What moves by kilometres would stand still beside angles, which close no loop alone.
+    Without it, steps of coordinates in kilometres would be negligible next to those of angles.
     """
     sizes = np.abs(tables)
     largest = np.where(np.isfinite(sizes), sizes, 0.0).max(axis=0)
     columns = equilibrated(largest)[2][0]
-    found: np.ndarray = np.exp2(10.0 * np.round(np.log2(columns) / 10.0))
-    return found
+    units: np.ndarray = np.exp2(10.0 * np.round(np.log2(columns) / 10.0))
+    return units
 
 
 def generic_inputs(sizes: tuple[int, int, int], trials: int) -> Inputs:
-    """Return times, states, specifieds and constants of samples, all nothing particular."""
+    """Return times, states, specifieds and constants of generic samples."""
     n, s, k = sizes
     rngs = [np.random.default_rng(seed) for seed in range(trials)]
     x = np.array([rng.uniform(_LOW, _HIGH, n) for rng in rngs])

@@ -1,9 +1,9 @@
-"""Quantities that residuals give: equations inside the equations, which are solved numerically.
+"""Unknowns that are defined implicitly by residuals, which are solved numerically.
 
-Such a quantity z becomes a coordinate without a speed. By the implicit function theorem, z' follows
-from g(z, q, t) = 0, as from a kinematic equation, and g = 0 is a holonomic constraint that no
-motion violates, as the norm of a quaternion is. What is done with coordinates is done with z.
-Where g holds speeds too, z' holds u', and z may stand in loads and outputs only.
+Such an unknown z becomes a coordinate without a speed. By the implicit function theorem, z' follows
+from g(z, q, t) = 0, as from a kinematic equation, and g = 0 is a holonomic constraint that all
+motions satisfy, like the norm of a quaternion. Otherwise z is treated as a coordinate. If g
+contains speeds, z' contains u', and z may occur in loads and outputs only.
 """
 
 from __future__ import annotations
@@ -91,23 +91,23 @@ class Implicit:
                     f"`residuals[{symbol}]`, `{residual}`, holds none of {describe([*residuals])}: "
                     "nothing follows from it. Give an expression that does."
                 )
-        given = check_mapping("start", start)
-        own = Places([*self.residuals], "keys of `residuals`")
+        start_values = check_mapping("start", start)
+        unknowns = Places([*self.residuals], "keys of `residuals`")
         self.start = dict.fromkeys(self.residuals, 0.0) | {
             key: number(value, f"`start[{key}]`", finite=True)
-            for key, value in own.by_symbol(given, "start").items()
+            for key, value in unknowns.by_symbol(start_values, "start").items()
         }
 
     def __repr__(self) -> str:
         return f"<Implicit {describe([*self.residuals])}>"
 
     def joined(self, body: Multibody) -> Multibody:
-        """Return a system with these coordinates, and their residuals as holonomic constraints."""
+        """Return the body with these coordinates, and their residuals as holonomic constraints."""
         time, unknowns = body.time, tuple(self.residuals)
-        known = (*body.coordinates, *body.speeds, *body.auxiliary)
-        if taken := [z for z in unknowns if z in known]:
+        existing = (*body.coordinates, *body.speeds, *body.auxiliary)
+        if duplicates := [z for z in unknowns if z in existing]:
             raise ValueError(
-                f"`implicit` gives {describe(taken)}, which the system has as a coordinate or "
+                f"`implicit` gives {describe(duplicates)}, which the system has as a coordinate or "
                 "speed already. Leave it out of the one or the other."
             )
         mapping = dict(zip(body.coordinate_rates, body.coordinate_derivatives, strict=True))
@@ -117,9 +117,9 @@ class Implicit:
         ]
         moving = {*body.speed_rates, *body.auxiliary, *(rate_of(z, time) for z in unknowns)}
         for z, residual in zip(unknowns, residuals, strict=True):
-            if held := [s for s in find_symbols([residual]) if s in moving]:
+            if refused := [s for s in find_symbols([residual]) if s in moving]:
                 raise ValueError(
-                    f"The residual of `{z}`, `{residual}`, holds {describe(held)}: it may hold "
+                    f"The residual of `{z}`, `{residual}`, holds {describe(refused)}: it may hold "
                     "coordinates and speeds, but no derivatives of speeds or unknowns. Write what "
                     "depends on accelerations as an output."
                 )
@@ -142,48 +142,53 @@ def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
     """Refuse positions and constraints that contain unknowns of residuals with speeds."""
     rates = zip(body.coordinates, body.coordinate_derivatives, strict=True)
     moved = {*body.speed_rates}
-    found = [z for z, rate in rates if not moved.isdisjoint(find_symbols([rate]))]
-    if not found:
+    unknowns = [z for z, rate in rates if not moved.isdisjoint(find_symbols([rate]))]
+    if not unknowns:
         return
-    held = find_symbols([*body.position_constraints, *body.velocity])
-    if "a" in graph.inputs_of([kinetic]) or not held.keys().isdisjoint(found):
+    contained = find_symbols([*body.position_constraints, *body.velocity])
+    if "a" in graph.inputs_of([kinetic]) or not contained.keys().isdisjoint(unknowns):
         raise ValueError(
-            f"A position, velocity or constraint holds {describe(found)}, whose residuals hold "
+            f"A position, velocity or constraint holds {describe(unknowns)}, whose residuals hold "
             "speeds. What depends on speeds may stand in loads and outputs only."
         )
 
 
 def _rates(body: Multibody, unknowns: Sequence[Any], residuals: Sequence[Any]) -> list[Any]:
-    """Return z' of the implicit function theorem, block by block, as functions of their symbols.
+    """Return z' by the implicit function theorem, block by block, as expressions.
 
-    They are found on a graph: SymPy takes minutes for a wheel that creeps on a rail.
+    They are computed on a graph: SymPy takes minutes for a wheel that creeps on a rail.
     """
     kinematics = Kinematics(body, in_bodies=False, driven=True)
     g, read = kinematics.graph, kinematics.read
-    nodes, own = read.all(residuals), read.all(unknowns)
-    slopes = jacobian(g, nodes, own)
+    nodes, unknown_nodes = read.all(residuals), read.all(unknowns)
+    slopes = jacobian(g, nodes, unknown_nodes)
     rates = dict.fromkeys(read.all(rate_of(z, body.time) for z in unknowns), g.zero)
-    rest = substitute(g, kinematics.dt(nodes), rates)
-    found: dict[int, int] = {}
+    right_sides = substitute(g, kinematics.dt(nodes), rates)
+    solved: dict[int, int] = {}
     for rows, columns in blocks_of(residuals, unknowns):
         matrix = [[slopes[i].get(j, g.zero) for j in columns] for i in rows]
         values = signatures(g, flat(matrix))
         if inverse([values[k : k + len(rows)] for k in range(0, len(values), len(rows))]) is None:
-            given = describe([unknowns[k] for k in columns])
+            names = describe([unknowns[k] for k in columns])
             raise ValueError(
-                f"`implicit` cannot be solved for {given}: their residuals depend on "
+                f"`implicit` cannot be solved for {names}: their residuals depend on "
                 "each other. Give as many independent ones as unknowns."
             )
-        known = [
-            [(g.mul(d, found[j]), -1.0) for j, d in slopes[i].items() if j in found] for i in rows
+        known_terms = [
+            [(g.mul(d, solved[j]), -1.0) for j, d in slopes[i].items() if j in solved] for i in rows
         ]
-        right = [g.sum([(rest[i], -1.0), *terms]) for i, terms in zip(rows, known, strict=True)]
+        right = [
+            g.sum([(right_sides[i], -1.0), *terms])
+            for i, terms in zip(rows, known_terms, strict=True)
+        ]
         if len(rows) == 1:
-            found[columns[0]] = g.div(right[0], matrix[0][0])
+            solved[columns[0]] = g.div(right[0], matrix[0][0])
         else:
-            found |= zip(columns, g.solve(matrix, [right], "lu")[0], strict=True)
+            solved |= zip(columns, g.solve(matrix, [right], "lu")[0], strict=True)
     symbols = kinematics.symbols()
-    return [NodeExpression.of(g, found[k], symbols, f"rate of {z}") for k, z in enumerate(unknowns)]
+    return [
+        NodeExpression.of(g, solved[k], symbols, f"rate of {z}") for k, z in enumerate(unknowns)
+    ]
 
 
 def blocks_of(
@@ -192,18 +197,18 @@ def blocks_of(
     """Return the positions of residuals and unknowns, in blocks that are solved in turn."""
     if len(residuals) <= 1:
         return [([k], [k]) for k, _ in enumerate(residuals)]
-    from scipy.sparse import csr_array  # which other models do without
+    from scipy.sparse import csr_array  # other models do not need SciPy
     from scipy.sparse.csgraph import maximum_bipartite_matching
 
     n, order = len(unknowns), {z: k for k, z in enumerate(unknowns)}
-    held = np.zeros((n, n), dtype=bool)
+    incidence = np.zeros((n, n), dtype=bool)
     for k, residual in enumerate(residuals):
-        held[k, [order[s] for s in find_symbols([residual]) if s in order]] = True
-    gives = maximum_bipartite_matching(csr_array(held), perm_type="column")
+        incidence[k, [order[s] for s in find_symbols([residual]) if s in order]] = True
+    gives = maximum_bipartite_matching(csr_array(incidence), perm_type="column")
     if (gives < 0).any():
-        return [([*range(n)], [*range(n)])]  # which is refused
+        return [([*range(n)], [*range(n)])]  # which is refused later
     # Equations that need each other, at last, are a block; what needs more comes later.
-    needs = np.linalg.matrix_power(held[:, gives] | np.eye(n, dtype=bool), n)
+    needs = np.linalg.matrix_power(incidence[:, gives] | np.eye(n, dtype=bool), n)
     blocks: dict[bytes, list[int]] = {}
     for k in np.argsort(needs.sum(axis=1), kind="stable"):
         blocks.setdefault(needs[k].tobytes(), []).append(int(k))

@@ -1,20 +1,20 @@
-"""What bodies and loads contribute, at the components of their velocities.
+"""Contributions of bodies and loads to the equations, at the components of velocities.
 
-That is a quadratic form in the components of a velocity, m v·v or ω·I·ω, and a force on them: the
-load, less what the body needs for its acceleration at u' = 0, m a or I α + ω × I ω.
+A body contributes a quadratic form in the components of a velocity, m v·v or ω·I·ω, and a force on
+them: the load, minus the inertia force at u' = 0, m a or I α + ω × I ω.
 
-Bodies whose motion is that of one frame are joined. What moves with the frame has a mass m, a first
-moment h and an inertia I about a point P that is fixed there: constants, which add up in the set-up
+Bodies that are fixed in one frame form a composite body, with a mass m, a first moment h and an
+inertia I about a point P that is fixed in the frame: constants, which are summed in the set-up
 stage. With the frame's angular velocity and acceleration in U = [α] + [ω][ω], a mass at r from P
-needs a + U r, so that
+has the acceleration a + U r, so that
 
     force  m a + U h,        torque about P  h × a + Σ m r × U r.
 
-A joint lets some of that move with the body before too, as constants: a mass at the point P that
-both bodies share; where the joint turns about an axis e through P, all that lies on the axis. For
-a revolute joint three of ten parameters are left out in this way at every body (the base inertial
-parameters: Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, ch. 9). What is
-left of a body is no body: its mass is zero. Sums with the body before are what they were.
+A joint does not affect part of that inertia, which is transferred to the parent body: the mass at a
+point P that both bodies share; for a rotation about an axis e through P, all inertia on the axis.
+For a revolute joint this removes three of the ten parameters of every body (the base inertial
+parameters: Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, ch. 9). The
+remaining inertia has no mass, and is not that of a real body; its sum with the parent is unchanged.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from pydy._mechanics.components import flat, in_rows, transposed, unrounded
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid
 
-# A frame, and the point fixed in it to which a lump is referred.
+# A frame, and the point fixed in it that is the origin of a composite body.
 _Key = tuple[Any, Any]
 
 
@@ -54,7 +54,7 @@ class Load:
 def points_of(kinematics: Kinematics) -> list[Any]:
     """Return the points whose motion the equations need, in the order in which SymPy asks."""
     body = kinematics.body
-    return [where for where, _ in body.loads if isinstance(where, Point)] + [
+    return [location for location, _ in body.loads if isinstance(location, Point)] + [
         b.masscenter for b in body.bodies
     ]
 
@@ -67,18 +67,18 @@ def loads_and_inertias(kinematics: Kinematics) -> tuple[list[Inertia], list[Load
 def contributions(
     kinematics: Kinematics, bodies: Iterable[Any]
 ) -> tuple[list[Inertia], list[Load]]:
-    """Return the contributions of some bodies, and of all loads."""
+    """Return the contributions of the given bodies, and of all loads."""
     inertias: list[Inertia] = []
     loads: list[Load] = []
     for body in bodies:
         for law in (newton, euler):
-            found = law(kinematics, body)
-            if found is not None:
-                _, velocity, inertia, needed = found
+            terms = law(kinematics, body)
+            if terms is not None:
+                _, velocity, inertia, needed = terms
                 inertias.append(Inertia(velocity, inertia))
                 loads.append(Load(velocity, [kinematics.graph.neg(x) for x in needed]))
-    for where, vector in kinematics.loads:
-        home, v = kinematics.at(where)
+    for location, vector in kinematics.loads:
+        home, v = kinematics.velocity_of(location)
         loads.append(Load(v, kinematics.vector(vector, home)))
     return inertias, loads
 
@@ -86,26 +86,26 @@ def contributions(
 def without_rest(
     kinematics: Kinematics, inertias: list[Inertia], loads: list[Load]
 ) -> tuple[list[Inertia], list[Load]]:
-    """Replace velocities that vanish by zero: forces there, as at a contact, do no work."""
+    """Replace velocities that vanish identically by zero: forces there do no work."""
     nodes = [n for a in inertias for n in a.velocity] + [n for b in loads for n in b.velocity]
     values = signatures(kinematics.graph, nodes)
-    rest = {n for n, value in zip(nodes, values, strict=True) if not value}
+    vanishing = {n for n, value in zip(nodes, values, strict=True) if not value}
 
-    def kept(v: Vec) -> Vec:
-        return [kinematics.graph.zero if n in rest else n for n in v]
+    def nonvanishing(v: Vec) -> Vec:
+        return [kinematics.graph.zero if n in vanishing else n for n in v]
 
     return (
-        [Inertia(kept(part.velocity), part.matrix) for part in inertias],
-        [Load(kept(part.velocity), part.force) for part in loads],
+        [Inertia(nonvanishing(part.velocity), part.matrix) for part in inertias],
+        [Load(nonvanishing(part.velocity), part.force) for part in loads],
     )
 
 
-# Axes, a velocity in them, the inertia of a body's motion there, and what it needs.
+# Axes, a velocity in them, its inertia, and the inertia force with opposite sign.
 _Law = tuple[Any, Vec, list[Vec], Vec]
 
 
 def newton(kinematics: Kinematics, body: Any) -> _Law | None:
-    """Return the velocity of a mass centre, and the force m a + m' v that it needs."""
+    """Return the velocity of a mass centre, the mass, and the force m a + m' v."""
     g = kinematics.graph
     mass = kinematics.read(body.mass)
     if mass == g.zero:
@@ -125,11 +125,11 @@ def euler(kinematics: Kinematics, body: Any) -> _Law | None:
     home, tensor, change = inertia_seen(kinematics, body.frame, terms)
     w, _ = kinematics.spin(body.frame, home)
     alpha = kinematics.angular_acceleration(body.frame, home)
-    momentum = kinematics.turned(tensor, w)
+    momentum = kinematics.product(tensor, w)
     needed = kinematics.plus(
-        kinematics.turned(tensor, alpha),
+        kinematics.product(tensor, alpha),
         kinematics.cross(w, momentum),
-        kinematics.turned(change, w),
+        kinematics.product(change, w),
     )
     return home, w, tensor, needed
 
@@ -137,47 +137,47 @@ def euler(kinematics: Kinematics, body: Any) -> _Law | None:
 def inertia_seen(
     kinematics: Kinematics, frame: Any, terms: tuple[Any, ...]
 ) -> tuple[Any, list[Vec], list[Vec]]:
-    """Return the axes to write a body's rotation in, its inertia there, and the rate of that.
+    """Return the axes for a body's rotation, its inertia in them, and the rate of the inertia.
 
-    Those are the innermost axes in which the inertia is constant. A wheel's does not change as it
-    spins: in the axes of the fork its spin angle does not occur at all.
+    These are the innermost axes in which the inertia is constant. The inertia of a wheel is
+    constant in the axes of the fork, where its spin angle does not occur.
     """
     zero = kinematics.graph.zero
-    still = [[zero] * 3 for _ in range(3)]
+    no_change = [[zero] * 3 for _ in range(3)]
     written = {f for _, a, b in terms for vector in (a, b) for _, f in vector.args}
     frame = kinematics.frames.axes(frame)
     home = kinematics.frames.axes(written.pop()) if len(written) == 1 else frame
     tensor = kinematics.tensor(terms, home)
     change = [kinematics.dt(row) for row in tensor]
     if home is not frame:
-        # With the axes turning by w beside the body the inertia changes by w × I - I × w.
-        w, own = kinematics.spin(home)[0], kinematics.spin(frame, home)[0]
-        relative = [kinematics.graph.sub(a, b) for a, b in zip(w, own, strict=True)]
-        turned = transposed([kinematics.cross(relative, row) for row in tensor])
-        both = map(kinematics.plus, turned, transposed(turned))
-        change = [kinematics.plus(a, b) for a, b in zip(change, both, strict=True)]
-    if any(signatures(kinematics.graph, flat(change))):
+        # If the axes rotate by w relative to the body, the inertia changes by w × I - I × w.
+        w, body_spin = kinematics.spin(home)[0], kinematics.spin(frame, home)[0]
+        relative = [kinematics.graph.sub(a, b) for a, b in zip(w, body_spin, strict=True)]
+        rate = transposed([kinematics.cross(relative, row) for row in tensor])
+        sums = map(kinematics.plus, rate, transposed(rate))
+        change = [kinematics.plus(a, b) for a, b in zip(change, sums, strict=True)]
+    if not vanish(kinematics.graph, flat(change)):
         return home, tensor, change
     while home in kinematics.tree.frame_depth:
         if (parent := kinematics.frames.parent(home)) is None:
             break
         # In the parent's axes: R' I R, with the axes here as the rows of R.
         rotation = transposed(kinematics.frames.step(home))
-        half = [kinematics.turned(rotation, column) for column in transposed(tensor)]
-        outer = [kinematics.turned(rotation, row) for row in transposed(half)]
+        half = [kinematics.product(rotation, column) for column in transposed(tensor)]
+        outer = [kinematics.product(rotation, row) for row in transposed(half)]
         if not kinematics.equal(flat(tensor), flat(outer)):
             break
         home = parent
-    return home, tensor, still
+    return home, tensor, no_change
 
 
 @dataclass
 class _Lump:
     """Mass, first moment, second moments Σ m r rᵀ and inertia about a point, in a frame's axes.
 
-    Inertia and second moments follow from each other. Both are kept because each is a sum of what
-    has one sign: one computed from the other would lose the moment of a slender body about its own
-    axis in the rounding of the others.
+    Inertia and second moments determine each other. Both are stored because each is a sum of terms
+    of one sign: computing one from the other would lose the moment of a slender body about its axis
+    in rounding errors.
     """
 
     mass: int
@@ -187,9 +187,9 @@ class _Lump:
 
 
 def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
-    """Return the contributions of bodies, lumped where possible, and loads; the inertias too.
+    """Return the contributions of composite bodies and loads, and the inertias of all bodies.
 
-    The last are what pivots are judged by. Bodies are joined where vectors are in their axes.
+    The latter set the scale of the pivots. Composite bodies need vectors in the axes of bodies.
     """
     if kinematics.in_bodies:
         return _Lumps(kinematics).contributions()
@@ -198,7 +198,7 @@ def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Iner
 
 
 def weights_of(kinematics: Kinematics, fall: Vec) -> list[Load]:
-    """Return the weights of all bodies, which `fall` in the inertial frame pulls with."""
+    """Return the weights of all bodies in free fall with an acceleration in the inertial frame."""
     return _Lumps(kinematics).weights(fall)
 
 
@@ -208,31 +208,31 @@ class _Lumps:
         self.lumps: dict[_Key, _Lump] = {}
         self.inertias: list[Inertia] = []
         self.loads: list[Load] = []
-        self.plain: list[Inertia] = []
+        self.body_inertias: list[Inertia] = []
 
     def contributions(self) -> tuple[list[Inertia], list[Load], list[Inertia]]:
         k = self.kinematics
-        rest = [body for body in k.body.bodies if not self._joined(body)]
-        inertias, loads = contributions(k, rest)
-        self.plain += inertias
+        separate = [body for body in k.body.bodies if not self._add_body(body)]
+        inertias, loads = contributions(k, separate)
+        self.body_inertias += inertias
         self.inertias += inertias
         self.loads += loads
         for (frame, point), lump in self.lumps.items():
-            self.plain.append(self._inertia(frame, point, lump))
-        self._hand_all_on()
+            self.body_inertias.append(self._inertia(frame, point, lump))
+        self._transfer_all()
         for (frame, point), lump in self.lumps.items():
-            self._place(frame, point, lump)
+            self._add_contributions(frame, point, lump)
         inertias, self.loads = without_rest(k, self.inertias, self.loads)
-        return inertias, self.loads, without_rest(k, self.plain, [])[0]
+        return inertias, self.loads, without_rest(k, self.body_inertias, [])[0]
 
     def weights(self, fall: Vec) -> list[Load]:
         k, g, loads = self.kinematics, self.graph, []
         for body in k.body.bodies:
-            if not self._joined(body):
+            if not self._add_body(body):
                 home, v, _ = k.motion(body.masscenter)
                 down, mass = k.expressed(fall, k.inertial, home), k.read(body.mass)
                 loads.append(Load(v, [g.mul(mass, x) for x in down]))
-        self._hand_all_on()
+        self._transfer_all()
         for (frame, point), lump in self.lumps.items():
             down = k.expressed(fall, k.inertial, frame)
             loads.append(Load(k.motion_in(point, frame)[0], [g.mul(lump.mass, x) for x in down]))
@@ -241,8 +241,8 @@ class _Lumps:
 
     # -- bodies -----------------------------------------------------------------------------------
 
-    def _joined(self, body: Any) -> bool:
-        """Add a body to the lump of its frame, unless it must stay separate."""
+    def _add_body(self, body: Any) -> bool:
+        """Add a body to the composite body of its frame, unless it must stay separate."""
         k, g = self.kinematics, self.graph
         if not is_rigid(body) or body.frame is k.inertial:
             return False
@@ -259,20 +259,20 @@ class _Lumps:
             or home is k.inertial
         ):
             return False
-        if home is not frame and not self._spins(frame, home, tensor):
+        if home is not frame and not self._separate_spin(frame, home, tensor):
             return False
         while k.frames.is_fixed(home):
-            tensor, home = self._turned(tensor, home), k.frames.parent(home)
-        point, place = self._root(body.masscenter, home)
+            tensor, home = self._in_outer_axes(tensor, home), k.frames.parent(home)
+        point, position = self._root(body.masscenter, home)
         lump = self._at(home, point)
-        self._add(lump, _Lump(mass, [g.zero] * 3, self._second(tensor), tensor), place)
+        self._add(lump, _Lump(mass, [g.zero] * 3, self._second(tensor), tensor), position)
         return True
 
-    def _spins(self, frame: Any, home: Any, tensor: list[Vec]) -> bool:
-        """Separate a wheel's spin; `tensor` becomes that of a body without spin."""
+    def _separate_spin(self, frame: Any, home: Any, tensor: list[Vec]) -> bool:
+        """Separate the spin of a wheel; `tensor` becomes that of a body without spin."""
         k, g = self.kinematics, self.graph
-        own, alpha = k.spin(frame, home)
-        relative = [g.sub(a, b) for a, b in zip(own, k.spin(home)[0], strict=True)]
+        spin, alpha = k.spin(frame, home)
+        relative = [g.sub(a, b) for a, b in zip(spin, k.spin(home)[0], strict=True)]
         moved = [i for i in range(3) if relative[i] != g.zero]
         if len(moved) != 1:
             return False
@@ -282,35 +282,35 @@ class _Lumps:
         if not even or any(tensor[r][c] != g.zero for r in range(3) for c in range(3) if r != c):
             return False
         size = tensor[i][i]
-        momentum = g.mul(size, own[i])
+        momentum = g.mul(size, spin[i])
         torque = [g.zero] * 3
         torque[i] = g.mul(size, alpha[i])
-        torque[j] = g.mul(momentum, own[m])
-        torque[m] = g.neg(g.mul(momentum, own[j]))
+        torque[j] = g.mul(momentum, spin[m])
+        torque[m] = g.neg(g.mul(momentum, spin[j]))
         matrix = [[g.zero] * 3 for _ in range(3)]
         matrix[i][i] = size
-        part = Inertia(own, matrix)
+        part = Inertia(spin, matrix)
         self.inertias.append(part)
-        self.plain.append(part)
-        self.loads.append(Load(own, [g.neg(x) for x in torque]))
+        self.body_inertias.append(part)
+        self.loads.append(Load(spin, [g.neg(x) for x in torque]))
         tensor[i] = [g.zero] * 3
         return True
 
     def _root(self, point: Any, frame: Any) -> tuple[Any, Vec]:
-        """Return the innermost point that is fixed in a frame with another, and the way from it."""
+        """Return the innermost point fixed in a frame together with a point, and the vector."""
         k, g = self.kinematics, self.graph
-        place = [g.zero] * 3
+        position = [g.zero] * 3
         point = k.first_there(point)
         while (step := k.fixed_step(point)) is not None and step[1] is frame:
-            point, place = k.first_there(step[0]), k.plus(place, step[2])
-        return point, place
+            point, position = k.first_there(step[0]), k.plus(position, step[2])
+        return point, position
 
     def _at(self, frame: Any, point: Any) -> _Lump:
         zero = self.graph.zero
         return self.lumps.setdefault((frame, point), _Lump(zero, [zero] * 3, *_empty(zero)))
 
     def _second(self, tensor: list[Vec]) -> list[Vec]:
-        """Return Σ m r rᵀ of an inertia: half its trace, less itself."""
+        """Return Σ m r rᵀ of an inertia: half its trace, minus the inertia."""
         g = self.graph
         trace = [(tensor[i][i], 0.5) for i in range(3)]
         return [
@@ -318,17 +318,17 @@ class _Lumps:
             for i in range(3)
         ]
 
-    def _add(self, lump: _Lump, part: _Lump, place: Vec) -> None:
-        """Add inertia referred to a point at the position `place`."""
+    def _add(self, lump: _Lump, part: _Lump, position: Vec) -> None:
+        """Add inertia whose origin is at `position`."""
         g, axes = self.graph, range(3)
-        moved = [g.sum([(part.first[i], 1.0), (g.mul(part.mass, place[i]), 1.0)]) for i in axes]
+        moved = [g.sum([(part.first[i], 1.0), (g.mul(part.mass, position[i]), 1.0)]) for i in axes]
         lump.second = [
             [
                 g.add(
                     lump.second[i][j],
                     part.second[i][j],
-                    g.mul(place[i], part.first[j]),
-                    g.mul(moved[i], place[j]),
+                    g.mul(position[i], part.first[j]),
+                    g.mul(moved[i], position[j]),
                 )
                 for j in axes
             ]
@@ -336,7 +336,9 @@ class _Lumps:
         ]
         lump.tensor = [
             [
-                g.add(lump.tensor[i][j], part.tensor[i][j], self._steiner(part, moved, place, i, j))
+                g.add(
+                    lump.tensor[i][j], part.tensor[i][j], self._steiner(part, moved, position, i, j)
+                )
                 for j in axes
             ]
             for i in axes
@@ -344,12 +346,12 @@ class _Lumps:
         lump.first = [g.add(a, b) for a, b in zip(lump.first, moved, strict=True)]
         lump.mass = g.add(lump.mass, part.mass)
 
-    def _steiner(self, part: _Lump, moved: Vec, place: Vec, i: int, j: int) -> int:
-        """Return the parallel-axis term of an inertia whose own point is at `place`."""
+    def _steiner(self, part: _Lump, moved: Vec, position: Vec, i: int, j: int) -> int:
+        """Return the parallel-axis term of an inertia whose origin is at `position`."""
         g = self.graph
 
         def moment(a: int, b: int) -> int:
-            return g.add(g.mul(place[a], part.first[b]), g.mul(moved[a], place[b]))
+            return g.add(g.mul(position[a], part.first[b]), g.mul(moved[a], position[b]))
 
         if i != j:
             return g.neg(moment(i, j))
@@ -357,26 +359,26 @@ class _Lumps:
 
     # -- joints -----------------------------------------------------------------------------------
 
-    def _hand_all_on(self) -> None:
+    def _transfer_all(self) -> None:
         turns = self.kinematics.tree.frame_depth
         for key in sorted(self.lumps, key=lambda key: -turns.get(key[0], 0)):
-            self._hand_on(*key)
+            self._transfer_to_parent(*key)
 
-    def _hand_on(self, frame: Any, point: Any) -> None:
-        """Move the inertia that a joint does not displace to the body before."""
+    def _transfer_to_parent(self, frame: Any, point: Any) -> None:
+        """Move the inertia that a joint does not affect to the parent body."""
         k, g = self.kinematics, self.graph
         inner = before = k.frames.parent(frame) if frame in k.tree.frame_depth else None
         while k.frames.is_fixed(before):
             before = k.frames.parent(before)
         host = before
         if (before, point) in self.lumps:
-            origin, place = point, [g.zero] * 3
+            origin, position = point, [g.zero] * 3
         elif before is not k.inertial or not k.at_rest(point, before):
             step = k.fixed_step(point)
             if step is None:
                 return
             before = step[1]
-            origin, place = self._root(point, before)
+            origin, position = self._root(point, before)
             if (before, origin) not in self.lumps and not k.at_rest(origin, before):
                 return
         else:
@@ -395,26 +397,26 @@ class _Lumps:
                 lump.tensor[i][i] = g.sub(lump.tensor[i][i], size)
         while k.frames.is_fixed(inner) and axis is not None:
             part.second, part.tensor = (
-                self._turned(part.second, inner),
-                self._turned(part.tensor, inner),
+                self._in_outer_axes(part.second, inner),
+                self._in_outer_axes(part.tensor, inner),
             )
-            part.first = unrounded(g, k.turned(transposed(k.frames.step(inner)), part.first))
+            part.first = unrounded(g, k.product(transposed(k.frames.step(inner)), part.first))
             inner = k.frames.parent(inner)
         if target is not None:
-            self._add(target, part, place)
+            self._add(target, part, position)
 
-    def _turned(self, tensor: list[Vec], axes: Any) -> list[Vec]:
-        """Return a constant tensor in the axes that others are fixed in."""
+    def _in_outer_axes(self, tensor: list[Vec], axes: Any) -> list[Vec]:
+        """Return a constant tensor in the axes in which `axes` are fixed."""
         k = self.kinematics
         turn = transposed(k.frames.step(axes))
-        half = [k.turned(turn, row) for row in tensor]
-        found = [k.turned(turn, row) for row in transposed(half)]
-        return in_rows(unrounded(self.graph, flat(found)))
+        half = [k.product(turn, row) for row in tensor]
+        rotated = [k.product(turn, row) for row in transposed(half)]
+        return in_rows(unrounded(self.graph, flat(rotated)))
 
     # -- contributions ----------------------------------------------------------------------------
 
     def _inertia(self, frame: Any, point: Any, lump: _Lump) -> Inertia:
-        """Return the form of the point's velocity and the frame's angular velocity."""
+        """Return the form in the velocity of the point and the angular velocity of the frame."""
         k, g, axes, zero = self.kinematics, self.graph, range(3), self.graph.zero
         v, _ = k.motion_in(point, frame)
         matrix = [[zero] * 6 for _ in range(6)]
@@ -426,7 +428,7 @@ class _Lumps:
             matrix[3 + i][3:] = lump.tensor[i]
         return Inertia([*v, *k.spin(frame)[0]], matrix)
 
-    def _place(self, frame: Any, point: Any, lump: _Lump) -> None:
+    def _add_contributions(self, frame: Any, point: Any, lump: _Lump) -> None:
         k, g, axes = self.kinematics, self.graph, range(3)
         self.inertias.append(self._inertia(frame, point, lump))
         v, a = k.motion_in(point, frame)

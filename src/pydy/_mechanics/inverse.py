@@ -206,9 +206,9 @@ class BodyDynamics:
                 for i, j in _ENTRIES:
                     part = [[g.zero] * 3 for _ in range(3)]
                     part[i][j] = part[j][i] = g.one
-                    momentum = kinematics.turned(part, w)
+                    momentum = kinematics.product(part, w)
                     couple = kinematics.plus(
-                        kinematics.turned(part, alpha), kinematics.cross(w, momentum)
+                        kinematics.product(part, alpha), kinematics.cross(w, momentum)
                     )
                     pairs.append(([g.zero] * 3, couple))
             for force, torque in pairs:
@@ -259,11 +259,11 @@ class BodyDynamics:
 
         Either may be None. Components are in the inertial frame; rows come one after the other.
         """
-        kinematics = moving(body, in_bodies=True, more=() if point is None else (point,))
+        kinematics = moving(body, in_bodies=True, further_points=() if point is None else (point,))
         cells: Vec = []
         for item in (point, frame):
             if item is not None:
-                home, velocity = kinematics.at(item)
+                home, velocity = kinematics.velocity_of(item)
                 rows = partials(kinematics, kinematics.expressed(velocity, home, body.frame))
                 cells += [n for row in rows for n in row]
         return self.in_symbols(kinematics, cells)

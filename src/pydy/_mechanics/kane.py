@@ -54,14 +54,18 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
 def _rates(kane: KanesMethod) -> dict[Any, Any]:
     """Return q' in terms of the states.
 
-    SymPy divides by pivots that are zero in some states, or in all that it could not simplify.
+    SymPy divides by pivots that may vanish in some states, or in all if it did not simplify them.
     """
-    found, matrix = dict(kane.kindiffdict()), kane._k_kqdot_implicit
+    rates_of_sympy, matrix = dict(kane.kindiffdict()), kane._k_kqdot_implicit
     if matrix.is_diagonal():
-        return found
+        return rates_of_sympy
     rows = matrix * kane._qdot + kane._k_ku_implicit * kane.u + kane._f_k_implicit
-    own = dict(zip(kane._qdot, solve_rates(list(rows), list(kane._qdot), "kd_eqs"), strict=True))
-    return found if divide_alike(list(found.values()), list(own.values())) else own
+    solved = dict(zip(kane._qdot, solve_rates(list(rows), list(kane._qdot), "kd_eqs"), strict=True))
+    return (
+        rates_of_sympy
+        if divide_alike(list(rates_of_sympy.values()), list(solved.values()))
+        else solved
+    )
 
 
 def equations_of_kane(
@@ -115,14 +119,14 @@ def equations_of_kane(
     return with_auxiliary(base) if body.auxiliary else base
 
 
-# What was found out about a method, with its equations: they may be derived anew, or written over.
+# Formed equations by method, with the equations that they were compared with: these may change.
 _known: WeakKeyDictionary[KanesMethod, tuple[Any, Formed | None]] = WeakKeyDictionary()
 
 
 def _alike(kane: KanesMethod, base: Equations, body: Multibody) -> Formed | None:
-    now = *base.matrices.mass_matrix, *base.matrices.forcing
-    equations, found = _known.get(kane, (None, None))
-    if equations != now:
-        found = formed_alike(base, body)
-        _known[kane] = now, found
-    return found
+    own_equations = *base.matrices.mass_matrix, *base.matrices.forcing
+    equations, formed = _known.get(kane, (None, None))
+    if equations != own_equations:
+        formed = formed_alike(base, body)
+        _known[kane] = own_equations, formed
+    return formed

@@ -32,43 +32,43 @@ class Multibody:
     # Of the coordinates and speeds; the speeds in the order of the velocity constraints.
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
-    chosen: tuple[Any, ...] = ()  # those of the dependent ones that the user did not name
+    chosen: tuple[Any, ...] = ()  # the dependent ones that the user did not choose
     # In place of bodies; the speeds are then the derivatives of the coordinates.
     lagrangian: Any = None
     # More velocity constraints, which follow from the others at generic states.
     redundant: tuple[Any, ...] = ()
     # More holonomic constraints, which follow from the others wherever their speeds do.
     closed: tuple[Any, ...] = ()
-    # Whether no choice of dependent speeds is to be relied on: the rank of the constraints,
-    # or what they can be solved for, may change as the system moves.
+    # Whether the choice of dependent speeds may become invalid: the rank of the constraints, or
+    # the speeds for which they can be solved, may change as the system moves.
     changing: bool = False
     implicit: Any = None  # the `Implicit` that gave some coordinates and holonomic constraints
     activations: tuple[Any, ...] = ()  # states of musculotendons that are specifieds here
-    # The bodies as they were when they were first read, which SymPy lets change afterwards.
-    noted: tuple[tuple[Any, tuple[Any, ...]], ...] = ()
+    # The properties of the bodies when they were read: SymPy lets users change them.
+    snapshots: tuple[tuple[Any, tuple[Any, ...]], ...] = ()
 
     def __post_init__(self) -> None:
-        if not self.noted:
-            noted = tuple((body, _noted(body)) for body in self.bodies)
-            object.__setattr__(self, "noted", noted)
+        if not self.snapshots:
+            snapshots = tuple((body, _snapshot(body)) for body in self.bodies)
+            object.__setattr__(self, "snapshots", snapshots)
 
     @property
     def position_constraints(self) -> list[Any]:
         """The holonomic constraints, except the residuals of an `Implicit`."""
-        given = set() if self.implicit is None else {*self.implicit.residuals.values()}
-        return [e for e in (*self.holonomic, *self.closed) if e not in given]
+        residuals = set() if self.implicit is None else {*self.implicit.residuals.values()}
+        return [e for e in (*self.holonomic, *self.closed) if e not in residuals]
 
     def check_unchanged(self) -> None:
-        """Refuse bodies that changed since they were read: later derivations would contradict."""
-        for body, before in self.noted:
+        """Refuse bodies that changed since they were read: their equations would be outdated."""
+        for body, before in self.snapshots:
             names = ("mass", "inertia", "mass center", "frame", "position", "orientation")
-            for name, old, new in zip(names, before, _noted(body), strict=True):
+            for name, old, new in zip(names, before, _snapshot(body), strict=True):
                 if isinstance(old, dict):  # SymPy adds neighbours as it goes
                     new = {key: new.get(key) for key in old}
                 if old is not new and old != new:
-                    said = "" if isinstance(old, dict) else f" from {old} to {new}"
+                    change = "" if isinstance(old, dict) else f" from {old} to {new}"
                     raise ValueError(
-                        f"The {name} of the body `{body.name}` has been changed{said} since the "
+                        f"The {name} of the body `{body.name}` has been changed{change} since the "
                         "System was made. Its equations of motion are those from before: make a "
                         "new System, or undo the change. For values that vary, use constants."
                     )
@@ -85,7 +85,7 @@ class Multibody:
 
     @property
     def independent_first(self) -> Multibody:
-        """The same with the dependent coordinates and speeds last, as equations are formed."""
+        """A copy with the dependent coordinates and speeds last, as equations are formed."""
         coordinates = _last(self.coordinates, self.dependent_coordinates)
         speeds = _last(self.speeds, self.dependent_speeds)
         if (coordinates, speeds) == (self.coordinates, self.speeds):
@@ -105,7 +105,7 @@ def _last(symbols: Sequence[Any], dependent: Sequence[Any]) -> tuple[Any, ...]:
     return (*(s for s in symbols if s not in dependent), *dependent)
 
 
-def _noted(body: Any) -> tuple[Any, ...]:
+def _snapshot(body: Any) -> tuple[Any, ...]:
     """Return a record of a body's properties for `Multibody.check_unchanged`."""
     point = body.masscenter
     positions = {**FrameTree.positions(point)}

@@ -748,7 +748,7 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # An integral of |sin(q)|, for instance, may be valid for some revolutions only.
     for far in _SEARCH_STARTS if switching else ():
         near = dict.fromkeys(equations.coordinates, far)
-        samples += states.kept(blocks, _TRIALS, near=near)
+        samples += states.consistent_samples(blocks, _TRIALS, near=near)
     for switch in switching:
         across = list(_across_switch(states, switch, blocks))
         if across and _jumps(states, switch, energy):

@@ -1,4 +1,4 @@
-"""Constraint forces as a user asks for them: by name, for bodies, at a point."""
+"""Multipliers by name, and reactions on bodies at a point, as `System` returns them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Multipliers(dict[Any, Any]):
 
 @dataclass(frozen=True, eq=False)
 class Reaction:
-    """The force and torque by which a joint holds some bodies.
+    """The force and torque that a joint exerts on a group of bodies.
 
     Attributes
     ----------
@@ -55,11 +55,11 @@ class Reaction:
             and ``name_Tz``.
         """
         text(name, "`name`", empty=False)
-        found = {}
+        outputs = {}
         for part, vector in (("F", self.force), ("T", self.torque)):
             for axis, value in zip("xyz", vector.to_matrix(self.frame), strict=True):
-                found[sm.Symbol(f"{name}_{part}{axis}")] = value
-        return found
+                outputs[sm.Symbol(f"{name}_{part}{axis}")] = value
+        return outputs
 
 
 class Reactions:
@@ -98,9 +98,9 @@ class Reactions:
             frame = forces.body.frame
         instance(frame, ReferenceFrame, "`frame`")
         loads = read_loads(listed("loads", further_loads, "loads"))
-        for where, _ in loads:
-            if isinstance(where, Point):
-                _check_located(where, point)
+        for location, _ in loads:
+            if isinstance(location, Point):
+                _check_located(location, point)
         for item in members:
             if not isinstance(item, ReferenceFrame):
                 _check_located(item if isinstance(item, Point) else item.masscenter, point)
@@ -134,16 +134,17 @@ class Reactions:
     def _bodies_beyond(self, joint: Any, bodies: Sequence[Any]) -> list[Any]:
         """Return the child of a joint, and the bodies that further joints attach to it."""
         joints = self._joints
-        if not any(joint is other for other in joints):
+        if not any(joint is candidate for candidate in joints):
             raise ValueError(
                 f"The joint {joint.name} is not one of the joints of `eom_method`: "
-                f"{describe([other.name for other in joints])}. Give all bodies beyond it instead."
+                f"{describe([candidate.name for candidate in joints])}. Give all bodies beyond it "
+                "instead."
             )
         points = [joint.child.masscenter]
         for point in points:
-            for other in joints:
-                ends = [other.parent.masscenter, other.child.masscenter]
-                if other is not joint and point in ends:
+            for candidate in joints:
+                ends = [candidate.parent.masscenter, candidate.child.masscenter]
+                if candidate is not joint and point in ends:
                     points += [end for end in ends if end not in points]
         return [body for body in bodies if body.masscenter in points]
 

@@ -30,10 +30,10 @@ from pydy._rank import ROUNDED
 
 def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
     """Return loads as pairs of a point and a force, or a frame and a torque."""
-    found: list[tuple[Any, Any]] = []
+    pairs: list[tuple[Any, Any]] = []
     for load in loads:
         if hasattr(load, "to_loads"):
-            found += [(where, vector) for where, vector in read_loads(_loads_of(load))]
+            pairs += [(location, vector) for location, vector in read_loads(_loads_of(load))]
             continue
         if not isinstance(load, tuple) or len(load) != 2:
             raise TypeError(
@@ -42,17 +42,18 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
                 "Point and a force Vector, a pair of a ReferenceFrame and a torque Vector, a "
                 "Force, a Torque, or an actuator with `to_loads()`."
             )
-        where, vector = load
-        if not isinstance(where, (Point, ReferenceFrame)):
+        location, vector = load
+        if not isinstance(location, (Point, ReferenceFrame)):
             raise ValueError(
-                f"The load ({where}, {vector}) must begin with the Point that the force acts at, "
-                f"or the ReferenceFrame that the torque acts on, got a {type(where).__name__}."
+                f"The load ({location}, {vector}) must begin with the Point that the force acts "
+                "at, or the ReferenceFrame that the torque acts on, got a "
+                f"{type(location).__name__}."
             )
         if vector != 0:
-            checked_vector(vector, f"The load at {where}")
-            # What an actuator made is a Force, which `pydy._mechanics.wrapping` looks at.
-            found.append(load)
-    return tuple(found)
+            checked_vector(vector, f"The load at {location}")
+            # Loads of actuators are Forces, which `pydy._mechanics.wrapping` examines.
+            pairs.append(load)
+    return tuple(pairs)
 
 
 def checked_vector(value: Any, what: str) -> Any:
@@ -71,18 +72,20 @@ def checked_vector(value: Any, what: str) -> Any:
 def _loads_of(actuator: Any) -> Any:
     """Return the loads of an actuator.
 
-    SymPy differentiates a damper's length, the root of all terms of its square. The length times
-    its rate is the way between the points times that way's own rate, which is a velocity.
+    SymPy differentiates a damper's length, a root of many terms. The length times its rate is the
+    vector between the points times the rate of that vector, which is a velocity.
     """
     if is_reversed(actuator):
         warn_of_reversed(f"A {type(actuator).__name__}")
     if type(actuator) is not LinearDamper or type(actuator.pathway) is not LinearPathway:
         return actuator.to_loads()
     start, end = actuator.pathway.attachments
-    way = end.pos_from(start)
-    if way == 0:
+    vector = end.pos_from(start)
+    if vector == 0:
         return actuator.to_loads()
-    force = actuator.damping * way.dt(way.args[0][1]).dot(way) / way.dot(way) * way
+    force = (
+        actuator.damping * vector.dt(vector.args[0][1]).dot(vector) / vector.dot(vector) * vector
+    )
     return [(start, force), (end, -force)]
 
 
@@ -112,10 +115,10 @@ def activation_states(loads: Iterable[Any], coordinates: Container[Any]) -> list
 
 def activation_dynamics(loads: Iterable[Any]) -> dict[Any, Any]:
     """Return the derivatives of the states of musculotendons."""
-    found: dict[Any, Any] = {}
+    derivatives: dict[Any, Any] = {}
     for muscle in _with_states(loads):
-        found.update(zip(muscle.x, muscle.rhs(), strict=True))
-    return found
+        derivatives.update(zip(muscle.x, muscle.rhs(), strict=True))
+    return derivatives
 
 
 def _with_states(loads: Iterable[Any]) -> list[Any]:
@@ -131,7 +134,7 @@ def _with_states(loads: Iterable[Any]) -> list[Any]:
 def wrapped_force_pulls() -> bool:
     """Return whether a positive force along a quarter of a cylinder pulls at its ends.
 
-    Springs, dampers and muscles mean one that pushes; that SymPy's geometry does not may be mended.
+    Springs, dampers and muscles expect one that pushes; a later SymPy may correct its geometry.
     """
     frame, centre = ReferenceFrame("N"), Point("O")
     start, end = centre.locatenew("P", frame.x), centre.locatenew("Q", frame.y)
@@ -146,14 +149,14 @@ def is_rigid(body: Any) -> bool:
 
 def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
     """Return bodies as a tuple."""
-    found, seen = tuple(bodies), set()
-    for body in found:
-        if id(body) in seen:
+    bodies_, identities = tuple(bodies), set()
+    for body in bodies_:
+        if id(body) in identities:
             raise ValueError(
                 f"`bodies` has {getattr(body, 'name', body)} more than once: its mass would count "
                 "as often. Name it once."
             )
-        seen.add(id(body))
+        identities.add(id(body))
         if not isinstance(body, (RigidBody, Particle)):
             raise TypeError(
                 f"`bodies` must hold Particle and RigidBody objects, got {shown(body)} of type "
@@ -161,21 +164,21 @@ def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
             )
         if is_rigid(body):
             _check_symmetric(body)
-    return found
+    return bodies_
 
 
 def _check_symmetric(body: Any) -> None:
-    """Refuse an inertia dyadic in one frame of which a product is there only once."""
+    """Refuse an inertia dyadic in one frame that is not symmetric."""
     terms = body.central_inertia.args
-    # A dyadic holds its frame's own unit vectors: to compare them takes longer.
+    # A dyadic holds the unit vectors of its frame: comparing identities is faster.
     axes = {id(axis) for axis in terms[0][1].args[0][1]} if terms else set()
-    if any(id(v) not in axes for _, *both in terms for v in both):
+    if any(id(v) not in axes for _, *vectors in terms for v in vectors):
         return
     cells = {(id(a), id(b)): size for size, a, b in terms}
     unlike = [
-        (size, other, a, b)
+        (size, mirrored, a, b)
         for size, a, b in terms
-        if size != (other := cells.get((id(b), id(a)), sm.S.Zero))
+        if size != (mirrored := cells.get((id(b), id(a)), sm.S.Zero))
     ]
     if not unlike:
         return
@@ -183,11 +186,11 @@ def _check_symmetric(body: Any) -> None:
     read = InputReader(graph, {}, ()).all
     values = numbers_of(graph, read([*(e for row in unlike for e in row[:2]), *cells.values()]))
     allowed = ROUNDED * abs(values).max(axis=1)
-    for k, (size, other, a, b) in enumerate(unlike):
+    for k, (size, mirrored, a, b) in enumerate(unlike):
         if (abs(values[:, 2 * k] - values[:, 2 * k + 1]) > allowed).any():
             raise ValueError(
                 f"The inertia of the body {body.name} is not symmetric: it has {size} at "
-                f"({a}|{b}), and {other} at ({b}|{a}). Give both, as `inertia(frame, ixx, iyy, "
+                f"({a}|{b}), and {mirrored} at ({b}|{a}). Give both, as `inertia(frame, ixx, iyy, "
                 "izz, ixy, iyz, izx)` does."
             )
 

@@ -23,7 +23,7 @@ from pydy._mechanics.acceleration_constraints import (
     solved_soundly,
     usual_sizes,
 )
-from pydy._mechanics.components import dot, identity, turned
+from pydy._mechanics.components import dot, identity, product
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.tuning import (
     CLEAR,
@@ -249,7 +249,7 @@ def solve_by_cofactors(
             for column, solution in zip(columns, solutions, strict=True)
         ]
         inverse = _inverse(graph, block)
-        values = [turned(graph, inverse, right_side) for right_side in right_sides]
+        values = [product(graph, inverse, right_side) for right_side in right_sides]
         for solution, several in zip(solutions, values, strict=True):
             solution.update(zip(unknowns, several, strict=True))
         determinants.append(_determinant(graph, block))

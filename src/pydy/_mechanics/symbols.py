@@ -1,4 +1,4 @@
-"""Which symbols occur in expressions: one walk, each distinct object once."""
+"""Find, sort and replace symbols in expressions, visiting each distinct object once."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._graph import evaluated_derivative
+from pydy._assembly import differentiated
 from pydy._names import written_out
 
 
@@ -45,22 +45,22 @@ def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
     SymPy's ``free_symbols`` walks the tree, which for multibody equations can be larger than the
     graph of distinct objects by orders of magnitude; this walk does not.
     """
-    found: dict[Any, None] = {}
-    seen: dict[int, Any] = {}  # by identity, and with the objects: what is freed lends its id
+    symbols: dict[Any, None] = {}
+    visited: dict[int, Any] = {}  # by identity, and with the objects: what is freed lends its id
     stack = list(expressions)
     while stack:
         expr = stack.pop()
         key = id(expr)
-        if key in seen:
+        if key in visited:
             continue
-        seen[key] = expr
-        if (derivative := evaluated_derivative(expr)) is not None:
-            stack.append(derivative)
+        visited[key] = expr
+        if is_unevaluated(expr):
+            stack.append(differentiated(expr))
         elif isinstance(expr, (AppliedUndef, sm.Derivative, sm.Symbol)):
-            found[expr] = None
+            symbols[expr] = None
         else:
             stack.extend(expr.args)
-    return found
+    return symbols
 
 
 def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
@@ -71,18 +71,19 @@ def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     """
     root = sm.sympify(expression)
     done: dict[int, Any] = {}
-    made: dict[int, Any] = {}
+    derivatives: dict[int, Any] = {}
     stack = [(root, False)]
     while stack:
         expr, ready = stack.pop()
         key = id(expr)
         if key in done:
             continue
-        if ready and key in made:
-            done[key] = done[id(made[key])]
-        elif (derivative := evaluated_derivative(expr)) is not None:
-            made[key] = derivative
-            stack += [(expr, True), (derivative, False)]
+        if is_unevaluated(expr):
+            if ready:
+                done[key] = done[id(derivatives[key])]
+            else:
+                derivatives[key] = differentiated(expr)
+                stack += [(expr, True), (derivatives[key], False)]
         elif not expr.args or isinstance(expr, (AppliedUndef, sm.Derivative)):
             done[key] = mapping.get(expr, expr)
         elif ready:

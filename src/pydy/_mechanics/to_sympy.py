@@ -1,4 +1,4 @@
-"""Graph nodes as SymPy expressions, with names for what occurs more than once."""
+"""Graph nodes as SymPy expressions, with names for common subexpressions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pydy._program import OPERATIONS
 
 
 def exact(value: float) -> Any:
-    """Return a number as a whole number or a common fraction where it is one, else as a float."""
+    """Return a number as an integer or a simple fraction if it is one, else as a float."""
     # The fractions of moments of inertia.
     fraction = Fraction(value).limit_denominator(12) if abs(value) < 2**53 else None
     if fraction is not None and float(fraction) == value:
@@ -23,7 +23,7 @@ def exact(value: float) -> Any:
     return sm.Float(f"{value:.15g}")
 
 
-_OTHERS: dict[str, Callable[..., Any]] = {
+_SPECIAL: dict[str, Callable[..., Any]] = {
     "select": lambda condition, yes, no: sm.Piecewise((yes, condition), (no, True)),
     "min": sm.Min,
     "max": sm.Max,
@@ -38,7 +38,7 @@ _OTHERS: dict[str, Callable[..., Any]] = {
 def applied(op: str, args: Sequence[Any]) -> Any:
     """Return an operation applied to SymPy expressions."""
     row = OPERATIONS.get(op)
-    function = _OTHERS.get(op) or (getattr(sm, row.sympy) if row and row.sympy else None)
+    function = _SPECIAL.get(op) or (getattr(sm, row.sympy) if row and row.sympy else None)
     if function is None:
         raise UnsupportedFunctionError(
             f"The operation `{op}` cannot be written with SymPy: its row in OPERATIONS names no "
@@ -62,30 +62,30 @@ def written(
     uses = Counter(nodes)
     for node in reached:
         uses.update(graph.operands(node))
-    found: dict[int, Any] = {}
+    expressions: dict[int, Any] = {}
     names: dict[Any, Any] = {}
     for node in reached:
         op, args = graph.ops[node], graph.args[node]
         if op == "input":
-            found[node] = symbols[node]
+            expressions[node] = symbols[node]
             continue
         if op == "const":
-            found[node] = exact(args[0])
+            expressions[node] = exact(args[0])
             continue
         if op == "bool":
-            found[node] = sm.true if args[0] else sm.false
+            expressions[node] = sm.true if args[0] else sm.false
             continue
         if op == "sum":
-            terms = [exact(c) * found[n] for n, c in args[1]]
-            made = sm.Add(exact(args[0]), *terms)
+            terms = [exact(c) * expressions[n] for n, c in args[1]]
+            expression = sm.Add(exact(args[0]), *terms)
         elif op == "prod":
-            made = sm.Mul(*(found[n] ** e for n, e in args))
+            expression = sm.Mul(*(expressions[n] ** e for n, e in args))
         else:
-            made = applied(op, [found[n] for n in args])
+            expression = applied(op, [expressions[n] for n in args])
         symbol = None
         if name is not None and (uses[node] > 1 or op in ("sin", "cos")):
-            symbol = name(op, made)
+            symbol = name(op, expression)
         if symbol is not None:
-            names[symbol] = made
-        found[node] = made if symbol is None else symbol
-    return [found[node] for node in nodes], names
+            names[symbol] = expression
+        expressions[node] = expression if symbol is None else symbol
+    return [expressions[node] for node in nodes], names

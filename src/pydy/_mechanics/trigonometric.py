@@ -1,14 +1,14 @@
-"""Polynomials in sines and cosines, written as short as a textbook writes them.
+"""Polynomials in sines and cosines, in the short forms of textbooks.
 
 A node of sums, products and powers of inputs, and of sines and cosines of sums of angles, is a
 Laurent polynomial in e^{iθ} of each angle θ:
 
     f = Σ c_{n,m} e^{i n·θ} x^m,        n whole numbers, x all other inputs,
 
-in which everything that cancels does: it has one such form. It is then written in several bases,
-cosines of sums of angles as they are, or products of those of single or added angles with sin² or
-cos² taken out, and the shortest is taken. Common factors are taken out, the most frequent ones
-first. What is no such polynomial, a root say, stands for itself.
+which is unique, so that all terms cancel that can. It is then expressed in several bases, cosines
+of sums of angles or products of functions of single or accumulated angles with sin² or cos²
+eliminated, and the shortest result is selected. Common factors are extracted, the most frequent
+first. A node that is not such a polynomial, a root for instance, counts as an input.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ from pydy._rank import ROUNDED
 
 Powers = tuple[tuple[Any, int], ...]  # of angles or factors, none zero, in order
 Key = tuple[Powers, Powers]  # the harmonic n, and the powers m
-# Coefficients, each with the sum of the magnitudes that it was added up from.
+# Coefficients, each with the sum of the magnitudes of its terms.
 Polynomial = dict[Key, tuple[complex, float]]
 
 
 class TooLongError(Exception):
-    """More terms than anybody reads."""
+    """The expression has too many terms to be readable."""
 
 
 def _times(a: Powers, b: Powers) -> Powers:
@@ -45,12 +45,12 @@ def _times(a: Powers, b: Powers) -> Powers:
 
 
 def _added(parts: Sequence[tuple[Polynomial, complex]]) -> Polynomial:
-    found: Polynomial = {}
+    total: Polynomial = {}
     for polynomial, factor in parts:
         for key, (c, size) in polynomial.items():
-            before = found.get(key, (0.0, 0.0))
-            found[key] = before[0] + factor * c, before[1] + abs(factor) * size
-    return {key: pair for key, pair in found.items() if abs(pair[0]) > ROUNDED * pair[1]}
+            before = total.get(key, (0.0, 0.0))
+            total[key] = before[0] + factor * c, before[1] + abs(factor) * size
+    return {key: pair for key, pair in total.items() if abs(pair[0]) > ROUNDED * pair[1]}
 
 
 def _multiplied(a: Polynomial, b: Polynomial) -> Polynomial:
@@ -61,17 +61,17 @@ def _multiplied(a: Polynomial, b: Polynomial) -> Polynomial:
         for (n, p), (c, s) in a.items()
         for (m, q), (d, t) in b.items()
     ]
-    found = _added(parts)
-    if len(found) > READABLE:
+    product_ = _added(parts)
+    if len(product_) > READABLE:
         raise TooLongError
-    return found
+    return product_
 
 
 def _power(base: Polynomial, exponent: int) -> Polynomial:
-    found: Polynomial = {((), ()): (1.0, 1.0)}
+    power: Polynomial = {((), ()): (1.0, 1.0)}
     for _ in range(exponent):
-        found = _multiplied(found, base)
-    return found
+        power = _multiplied(power, base)
+    return power
 
 
 @dataclass
@@ -93,7 +93,7 @@ class Textbook:
     _named: dict[Any, Any] = field(default_factory=dict)
 
     def __call__(self, nodes: Sequence[int]) -> list[Any]:
-        """Return nodes as expressions; a TooLongError tells that they would be too long."""
+        """Return nodes as expressions; raises TooLongError if they would be too long."""
         for node in self.graph.reachable(nodes):
             op, args = self.graph.ops[node], self.graph.args[node]
             if op == "bool":
@@ -116,10 +116,10 @@ class Textbook:
             parts: list[tuple[Polynomial, complex]] = [(self._found[n], c) for n, c in args[1]]
             return _added([({((), ()): (1.0, 1.0)}, args[0]), *parts])
         if op == "prod":
-            found: Polynomial = {((), ()): (1.0, 1.0)}
+            product_: Polynomial = {((), ()): (1.0, 1.0)}
             for n, e in args:
-                found = _multiplied(found, self._raised(self._found[n], e))
-            return found
+                product_ = _multiplied(product_, self._raised(self._found[n], e))
+            return product_
         if op in ("sin", "cos") and (harmonic := self._harmonic(self._found[args[0]])) is not None:
             back = tuple((angle, -n) for angle, n in harmonic)
             half = (0.5, 0.5) if op == "cos" else (-0.5j, 0.5)
@@ -154,22 +154,22 @@ class Textbook:
 
     def _harmonic(self, angle: Polynomial) -> Powers | None:
         """Return whole multiples of angles, or None for other arguments."""
-        found = []
+        multiples = []
         for (harmonic, powers), (c, _) in angle.items():
-            whole = c == complex(c).real and float(complex(c).real).is_integer()
-            if harmonic or not whole or len(powers) != 1 or powers[0][1] != 1:
+            is_integer = c == complex(c).real and float(complex(c).real).is_integer()
+            if harmonic or not is_integer or len(powers) != 1 or powers[0][1] != 1:
                 return None
             symbol = self._factors[powers[0][0]]
             if symbol not in self._angles:
                 self._angles.append(symbol)
-            found.append((self._angles.index(symbol), int(complex(c).real)))
-        return tuple(sorted(found)) if found else None
+            multiples.append((self._angles.index(symbol), int(complex(c).real)))
+        return tuple(sorted(multiples)) if multiples else None
 
     # -- writing -----------------------------------------------------------------------------------
 
     def _shortest(self, polynomial: Polynomial) -> Any:
-        found = [self._nested([*terms]) for terms in self._written(polynomial)]
-        best = min(found, key=lambda expression: sm.count_ops(expression))
+        candidates = [self._nested([*terms]) for terms in self._written(polynomial)]
+        best = min(candidates, key=lambda expression: sm.count_ops(expression))
         used = best.free_symbols
         for candidate, meaning in self._named.items():
             if candidate in used:
@@ -182,10 +182,10 @@ class Textbook:
         used = sorted({angle for harmonic, _ in polynomial for angle, _ in harmonic})
         if not any(sum(abs(n) for _, n in harmonic) > 1 for harmonic, _ in polynomial):
             return
-        for joined in product((False, True), repeat=max(len(used) - 1, 0)):
+        for accumulated in product((False, True), repeat=max(len(used) - 1, 0)):
             for square in ("sin", "cos"):
                 try:
-                    yield self._as_products(polynomial, used, joined, square)
+                    yield self._as_products(polynomial, used, accumulated, square)
                 except TooLongError:
                     continue
 
@@ -193,11 +193,11 @@ class Textbook:
         for (harmonic, powers), (c, _) in polynomial.items():
             factors = [(self._factors[k], n) for k, n in powers]
             if not harmonic:
-                yield complex(c).real, _joined(factors)
+                yield complex(c).real, _collected(factors)
             elif harmonic[0][1] > 0:
                 for op, value in (("cos", 2.0 * complex(c).real), ("sin", -2.0 * complex(c).imag)):
                     if value:
-                        yield value, _joined([(self._trigonometric(op, harmonic), 1), *factors])
+                        yield value, _collected([(self._trigonometric(op, harmonic), 1), *factors])
 
     def _trigonometric(self, op: str, harmonic: Powers) -> Any:
         angle = sm.Add(*(n * self._angles[k] for k, n in harmonic))
@@ -206,24 +206,26 @@ class Textbook:
         return symbol
 
     def _as_products(
-        self, polynomial: Polynomial, used: Sequence[int], joined: Sequence[bool], square: str
+        self, polynomial: Polynomial, used: Sequence[int], accumulated: Sequence[bool], square: str
     ) -> list[tuple[float, dict[Any, int]]]:
         """Write e^{i n θ} as powers of cosines and sines; one of the two occurs at most once.
 
-        Where `joined` says so an angle is replaced by its sum with those before.
+        If `accumulated`, an angle is replaced by its sum with those before.
         """
         sums: list[Powers] = []
         for k, angle in enumerate(used):
-            sums.append(((angle, 1),) if k == 0 or not joined[k - 1] else (*sums[-1], (angle, 1)))
-        # Numbers of factors beyond those in use: cosine and sine of each angle.
+            sums.append(
+                ((angle, 1),) if k == 0 or not accumulated[k - 1] else (*sums[-1], (angle, 1))
+            )
+        # Numbers after the existing factors: cosine and sine of each angle.
         first = len(self._factors)
         total: list[tuple[Polynomial, complex]] = []
         for (harmonic, powers), (c, size) in polynomial.items():
-            left, counts = dict(harmonic), [0] * len(used)
+            remaining, counts = dict(harmonic), [0] * len(used)
             for k in reversed(range(len(used))):
-                counts[k] = left.get(used[k], 0)
+                counts[k] = remaining.get(used[k], 0)
                 for angle, _ in sums[k]:
-                    left[angle] = left.get(angle, 0) - counts[k]
+                    remaining[angle] = remaining.get(angle, 0) - counts[k]
             term: Polynomial = {((), powers): (c, size)}
             for k, count in enumerate(counts):
                 cosine, sine = first + 2 * k, first + 2 * k + 1
@@ -234,22 +236,22 @@ class Textbook:
                 for _ in range(abs(count)):
                     term = _reduced(_multiplied(term, turn), cosine, sine, square)
             total.append((term, 1.0))
-        both = {
+        functions = {
             first + 2 * k + j: (op, sums[k])
             for k in range(len(used))
             for j, op in enumerate(("cos", "sin"))
         }
-        found = []
+        terms = []
         for (_, powers), (c, _) in _added(total).items():
             factors = [
-                (self._trigonometric(*both[k]) if k in both else self._factors[k], n)
+                (self._trigonometric(*functions[k]) if k in functions else self._factors[k], n)
                 for k, n in powers
             ]
-            found.append((complex(c).real, _joined(factors)))
-        return found
+            terms.append((complex(c).real, _collected(factors)))
+        return terms
 
     def _nested(self, terms: list[tuple[float, dict[Any, int]]]) -> Any:
-        """Return a sum with common factors taken out, the most frequent ones first."""
+        """Return a sum with common factors extracted, the most frequent first."""
         if len(terms) < 2:
             return sm.Add(*(_product(c, powers) for c, powers in terms))
         counts: Counter[tuple[Any, int]] = Counter()
@@ -258,29 +260,29 @@ class Textbook:
             counts.update((f, n) for f, n in powers.items() if n > 0)
             for f, n in powers.items():
                 kinds.setdefault(f, set()).add(n)
-        # l² + 2 l c stays as it is: textbooks do not write l (l + 2 c).
+        # l² + 2 l c is not factored: textbooks do not write l (l + 2 c).
         even = {f: count for (f, n), count in counts.items() if kinds[f] == {n}}
         most = max(even.values(), default=0)
         if most < 2:
             return sm.Add(*(_product(c, powers) for c, powers in terms))
         factor = min((f for f, count in even.items() if count == most), key=sm.default_sort_key)
-        own = [(c, powers) for c, powers in terms if factor in powers]
-        rest = [(c, powers) for c, powers in terms if factor not in powers]
-        least = own[0][1][factor]
+        with_factor = [(c, powers) for c, powers in terms if factor in powers]
+        without_factor = [(c, powers) for c, powers in terms if factor not in powers]
+        least = with_factor[0][1][factor]
         inner = []
-        for c, powers in own:
+        for c, powers in with_factor:
             inner.append((c, {f: n for f, n in powers.items() if f != factor}))
         sizes = {abs(c) for c, _ in inner}
         number = sizes.pop() if len(sizes) == 1 else 1.0
         if all(c < 0.0 for c, _ in inner):
             number = -number
-        within = self._nested([(c / number, powers) for c, powers in inner])
-        found = sm.Mul(exact(number), factor**least, within, evaluate=True)
-        return found + self._nested(rest) if rest else found
+        quotient = self._nested([(c / number, powers) for c, powers in inner])
+        product_ = sm.Mul(exact(number), factor**least, quotient, evaluate=True)
+        return product_ + self._nested(without_factor) if without_factor else product_
 
 
-def _joined(factors: Sequence[tuple[Any, int]]) -> dict[Any, int]:
-    """Add up powers of equal factors; 1/cos θ is a factor of its own, next to cos θ."""
+def _collected(factors: Sequence[tuple[Any, int]]) -> dict[Any, int]:
+    """Sum the powers of equal factors; 1/cos θ is a separate factor from cos θ."""
     powers: dict[Any, int] = {}
     for factor, n in factors:
         powers[factor] = powers.get(factor, 0) + n
@@ -292,15 +294,15 @@ def _product(c: float, powers: Mapping[Any, int]) -> Any:
 
 
 def _reduced(polynomial: Polynomial, cosine: int, sine: int, square: str) -> Polynomial:
-    """Write the square of a sine (or cosine) as one less that of the other."""
-    gone, kept = (sine, cosine) if square == "sin" else (cosine, sine)
+    """Replace the square of a sine (or cosine) by one minus that of the other."""
+    replaced, replacement = (sine, cosine) if square == "sin" else (cosine, sine)
     parts: list[tuple[Polynomial, complex]] = []
     for (harmonic, powers), pair in polynomial.items():
-        n = dict(powers).get(gone, 0)
+        n = dict(powers).get(replaced, 0)
         if n < 2:
             parts.append(({(harmonic, powers): pair}, 1.0))
             continue
-        left = _times(powers, ((gone, -2),))
-        parts.append(({(harmonic, left): pair}, 1.0))
-        parts.append(({(harmonic, _times(left, ((kept, 2),))): pair}, -1.0))
+        reduced = _times(powers, ((replaced, -2),))
+        parts.append(({(harmonic, reduced): pair}, 1.0))
+        parts.append(({(harmonic, _times(reduced, ((replacement, 2),))): pair}, -1.0))
     return _added(parts)

@@ -1,4 +1,4 @@
-"""The forces along coordinates that a power holds, by the structure of its expressions."""
+"""Generalised forces from the power of loads, by the structure of the expressions."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ _Linear = dict[Any, dict[Any, Any]]
 
 
 def forces_of_power(powers: Iterable[Any], speeds: Collection[Any]) -> dict[Any, Any] | None:
-    """Return what each speed is multiplied with in a sum of powers, without those that are zero.
+    """Return the coefficient of each speed in a sum of powers, without those that are zero.
 
-    None where a power is not seen to be linear in the speeds. Equal terms are collected as they
-    are met: in a chain the velocity of each body is the sum of all rates before, and of two
-    opposite forces those cancel. SymPy's polynomials in all speeds and coordinates of n bodies
-    would have n² terms of n exponents.
+    None if a power is not recognised as linear in the speeds. Equal terms are collected on the fly:
+    in a chain the velocity of each body is the sum of all rates before it, and those of two
+    opposite forces cancel. SymPy's polynomials in all speeds and coordinates of n bodies would have
+    n² terms of n exponents.
     """
-    among = {*speeds}
+    speed_set = {*speeds}
     total: _Linear = {}
     for power in powers:
-        parts = _linear(sm.sympify(power), among)
+        parts = _linear(sm.sympify(power), speed_set)
         if parts is None:
             return None
         for speed, terms in parts.items():
@@ -52,17 +52,17 @@ def _linear(expression: Any, speeds: set[Any]) -> _Linear | None:
     parts = _linear(moving[0], speeds) if len(moving) == 1 else None
     if parts is None:
         return None
-    rest = (e for e in expression.args if e is not moving[0])
-    number, factor = sm.Mul(*rest).as_coeff_Mul()
+    factors = (e for e in expression.args if e is not moving[0])
+    number, factor = sm.Mul(*factors).as_coeff_Mul()
     return {u: _multiplied(terms, number, factor) for u, terms in parts.items()}
 
 
 def _multiplied(terms: dict[Any, Any], number: Any, factor: Any) -> dict[Any, Any]:
-    found: dict[Any, Any] = {}
+    scaled: dict[Any, Any] = {}
     for term, share in terms.items():
-        more, product = (1, factor) if term is sm.S.One else (term * factor).as_coeff_Mul()
-        _collect(found, {product: share * more * number})
-    return found
+        coefficient, product = (1, factor) if term is sm.S.One else (term * factor).as_coeff_Mul()
+        _collect(scaled, {product: share * coefficient * number})
+    return scaled
 
 
 def _collect(total: dict[Any, Any], terms: dict[Any, Any]) -> None:
@@ -71,7 +71,7 @@ def _collect(total: dict[Any, Any], terms: dict[Any, Any]) -> None:
 
 
 def has_quotients(expression: Any) -> bool:
-    """Return whether an expression holds a sum in a denominator or under a root."""
+    """Return whether an expression has a sum in a denominator or under a root."""
     return any(
         p.base.has(sm.Add) and not (p.exp.is_Integer and p.exp > 0)
         for p in expression.atoms(sm.Pow)

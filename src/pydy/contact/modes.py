@@ -112,7 +112,7 @@ class Mode:
             graph=g,
             accelerations=accelerations,
             forcing=forcing,
-            rest=forcing,
+            residual_forcing=forcing,
             start=[g.zero] * len(forcing),
         )
         constraints = base.constraints

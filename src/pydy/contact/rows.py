@@ -226,7 +226,7 @@ class ContactRows:
         if formed.accelerations is not None:
             return list(formed.accelerations)
         kind = "ldl" if self.equations.matrices.positive_definite else "lu"
-        beyond = solve_accelerations(g, formed.matrix, formed.rest, kind)
+        beyond = solve_accelerations(g, formed.matrix, formed.residual_forcing, kind)
         return [g.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
 
     def _moves(self) -> list[list[int]]:
