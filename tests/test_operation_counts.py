@@ -25,8 +25,9 @@ from pydy._program.program import Program
 from pydy.system import System
 
 # Operations at every call in M and F that were written out, and with the solve for the
-# accelerations; the last column is what sympy.cse leaves of M and F. Models formed from bodies
-# are the reference set for what a pass earns: see `FORMED` and `tests/_mechanics/test_formed.py`.
+# accelerations; the last column is what sympy.cse leaves of M and F. Models formed from bodies are
+# the reference set for what a pass earns: see `FORMED` and
+# `tests/_mechanics/test_select_formulation.py`.
 LIMITS = {
     "pendulum-1": (9, 20, 16),
     "pendulum-5": (143, 302, 416),

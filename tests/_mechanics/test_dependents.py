@@ -6,8 +6,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._mechanics.dependents import Chosen, _of_full_rank
-from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import GenericStates
+from pydy._mechanics.select_formulation import kinematics_of
 from pydy.mechanics import Definition
 from pydy.system import System
 from singular import defined_windows

@@ -4,7 +4,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._mechanics.form import moving
+from pydy._mechanics.formulations import moving
 from pydy._mechanics.kane import multibody_of_kane
 from zoo import inertial_frame
 

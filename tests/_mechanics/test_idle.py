@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 
 from cases import close
 from oracle import Oracle
-from pydy._mechanics.form import without_idle
+from pydy._mechanics.formulations import without_idle
 from pydy.mechanics import Definition
 from pydy.system import System
 from rolling import ball_on_a_turntable

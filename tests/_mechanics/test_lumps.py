@@ -7,8 +7,8 @@ import sympy.physics.mechanics as me
 
 from graphs import form
 from pydy._graph.lowering import lower
-from pydy._mechanics.form import moving
-from pydy._mechanics.inertia import lumped
+from pydy._mechanics.formulations import moving
+from pydy._mechanics.inertia import composite_contributions
 from pydy._mechanics.kane import multibody_of_kane
 from pydy._program.interpret import run
 from zoo import inertial_frame
@@ -71,7 +71,7 @@ def test_accelerations_are_those_of_bodies_taken_one_by_one(axes, articulated):
 
 def test_what_is_left_of_a_hinged_body_has_no_mass_and_nothing_along_its_axis():
     kinematics = moving(arm([(0, 0, 0), (1, 2, 3)]), in_bodies=True, falling=True)
-    inertias, _, plain = lumped(kinematics)
+    inertias, _, plain = composite_contributions(kinematics)
     zero = kinematics.graph.zero
     for part, whole, axis in zip(inertias, plain, (2, 0), strict=True):
         matrix = part.matrix

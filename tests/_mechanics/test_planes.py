@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
-from pydy._mechanics.planes import Detours, plane_rotations, split
+from pydy._mechanics.planes import IntermediateFrames, plane_rotations, split
 from pydy._program.interpret import run
 
 SEQUENCES = ["".join(s) for s in itertools.product("123", repeat=3) if s[0] != s[1] != s[2]]
@@ -75,8 +75,8 @@ def test_only_what_is_made_of_changing_anchors_with_three_components_is_handed_o
     changing, constant = graph.input("x", 0), graph.input("p", 0)
     outer = {1: {11: changing, 12: changing, 13: changing}}
     inner = {11: {21: constant, 22: constant, 23: constant}, 12: {24: constant}}
-    detours = Detours(rows={key: {} for key in (1, 11, 12)})
-    assert detours.paying(graph, [[1], [11], [12]], outer | inner) == {11}
+    intermediate_frames = IntermediateFrames(rows={key: {} for key in (1, 11, 12)})
+    assert intermediate_frames.paying(graph, [[1], [11], [12]], outer | inner) == {11}
 
 
 def test_groups_are_split_into_what_turns_and_what_does_not():
@@ -85,5 +85,5 @@ def test_groups_are_split_into_what_turns_and_what_does_not():
 
 
 def test_groups_between_two_frames_come_before_the_first_that_is_handed_on_there():
-    detours = Detours(stages={("A", "B"): (1, [[[5], [6]], [[7]]])})
-    assert detours.arranged([[1], [2], [3]]) == [[1], [5], [6], [7], [2], [3]]
+    intermediate_frames = IntermediateFrames(stages={("A", "B"): (1, [[[5], [6]], [[7]]])})
+    assert intermediate_frames.arranged([[1], [2], [3]]) == [[1], [5], [6], [7], [2], [3]]

@@ -7,7 +7,7 @@ import pytest
 
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
-from pydy._mechanics.planes import joined_turns, turn_of
+from pydy._mechanics.planes import merged_rotations, plane_rotation_of
 from pydy._program.interpret import run
 
 SIGNS = list(itertools.product((1.0, -1.0), repeat=3))
@@ -37,7 +37,7 @@ def test_a_block_of_the_form_is_turned_on_both_sides(left, right):
     turns, matrices = [], []
     for signs in (left, right):
         nodes, values = rotation(graph, angle, signs)
-        turns.append(turn_of(graph, dict(enumerate(nodes)), [0, 1]))
+        turns.append(plane_rotation_of(graph, dict(enumerate(nodes)), [0, 1]))
         matrices.append(values)
     image = turns[0].transform(graph, cells, turns[1])
     program = lower(graph, (1, 0, 4), [("image", (4,), [n for row in image for n in row])])
@@ -59,7 +59,7 @@ def test_what_is_no_rotation_has_no_turn():
         [{8: c, 9: graph.sum([(s, 2.0)])}, {8: graph.sum([(s, -2.0)]), 9: c}],
         [{8: c}, {8: s}],
     ):
-        assert turn_of(graph, dict(enumerate(rows)), [0, 1]) is None
+        assert plane_rotation_of(graph, dict(enumerate(rows)), [0, 1]) is None
 
 
 def test_pairs_that_turn_by_one_angle_are_joined_unless_one_is_made_of_the_other():
@@ -70,6 +70,6 @@ def test_pairs_that_turn_by_one_angle_are_joined_unless_one_is_made_of_the_other
         return [{x: c, y: s}, {x: graph.neg(s), y: c}]
 
     apart = dict(enumerate([*pair(100, 101), *pair(102, 103)]))
-    assert joined_turns(graph, [[0, 1], [2, 3]], apart) == [[0, 1, 2, 3]]
+    assert merged_rotations(graph, [[0, 1], [2, 3]], apart) == [[0, 1, 2, 3]]
     stacked = dict(enumerate([*pair(2, 3), *pair(102, 103)]))
-    assert joined_turns(graph, [[0, 1], [2, 3]], stacked) == [[0, 1], [2, 3]]
+    assert merged_rotations(graph, [[0, 1], [2, 3]], stacked) == [[0, 1], [2, 3]]

@@ -11,7 +11,7 @@ from .extraction import (
     method_of as method_of,
     symbolic_matrices as symbolic_matrices,
 )
-from .form import Formed as Formed
+from .formulations import EquationGraph as EquationGraph
 from .frame_tree import FrameTree as FrameTree
 from .frames import orthogonality_residuals as orthogonality_residuals
 from .generic import generic_values as generic_values

@@ -116,13 +116,13 @@ class AccelerationConstraints:
             values: Sequence[int], sizes: Sequence[tuple[int, int]], *, rounded: bool = False
         ) -> int:
             """Return the largest value, in units of its row; rows of rounding errors have none."""
-            found = g.zero
+            maximum = g.zero
             bounds = rounding_bounds(g, values) if rounded else [g.zero] * len(values)
             for value, bound, (size, nothing) in zip(values, bounds, sizes, strict=True):
-                whole = g.sum([(g.call("abs", value), 1.0), (bound, SINGULAR)])
-                share = g.call("select", nothing, g.zero, g.div(whole, size))
-                found = g.call("max", found, share)
-            return found
+                total = g.sum([(g.call("abs", value), 1.0), (bound, SINGULAR)])
+                share = g.call("select", nothing, g.zero, g.div(total, size))
+                maximum = g.call("max", maximum, share)
+            return maximum
 
         def sizes_of(squares: Sequence[int], units: Sequence[int]) -> list[tuple[int, int]]:
             sizes = [g.call("sqrt", size) for size in squares]
@@ -131,11 +131,11 @@ class AccelerationConstraints:
                 (size, g.call("le", size, limit)) for size, limit in zip(sizes, limits, strict=True)
             ]
 
-        sizes, along = sizes_of(squares, units), [row for _, row in self.position_residuals]
+        sizes, position_rows = sizes_of(squares, units), [row for _, row in self.position_residuals]
         acceleration_change = largest([dot(g, row, change) for row in rows], sizes)
         rate = largest([dot(g, row, change) for row in self.row_rates], sizes)
         velocity_error = largest(self.velocity_residuals, sizes, rounded=True)
-        sizes = sizes_of(_squares(g, along, weights), _roundings(g, matrix, along))
+        sizes = sizes_of(_squares(g, position_rows, weights), _roundings(g, matrix, position_rows))
         position_error = largest([node for node, _ in self.position_residuals], sizes, rounded=True)
         uncertain = g.add(
             g.mul(position_error, g.powi(rate, 2)), g.mul(velocity_error, rate, acceleration_change)

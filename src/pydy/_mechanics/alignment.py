@@ -76,7 +76,7 @@ class _Joint:
     shortened: int
 
 
-def move_along_axes(kinematics: Kinematics) -> None:
+def choose_joint_points(kinematics: Kinematics) -> None:
     """Move joint points along the axes of their hinges if that saves products."""
     k, g = kinematics, kinematics.graph
     joints = _joints(k)
@@ -215,7 +215,7 @@ class _Turn:
     even: np.ndarray
     odd: np.ndarray
     before: np.ndarray  # n₁, the axis in the frame before
-    own: np.ndarray  # n₂, in the own one
+    own_axis: np.ndarray  # n₂, the axis in the frame itself
 
 
 @dataclass(eq=False)
@@ -285,7 +285,7 @@ class _Alignment:
         before = k.tree.parent(frame)
         body = _Body(frame, before, frames={frame: self.unit})
         if frame in k.tree.spin_depth and k.tree.turns_in(frame) is before:
-            matrix = k.frames.given(frame, before)
+            matrix = k.frames.user_rotation(frame, before)
             spin = k.tree.relative_spin(frame, before)
             if all(g.constant[n] for row in matrix for n in row) and not spin.args:
                 group = self.bodies[frame] = self.bodies[before]
@@ -305,7 +305,7 @@ class _Alignment:
         assert turn is not None
         total: list[tuple[int, float]] = []
         for part, frame in spin.args:
-            axis = {body.root: turn.own, body.before: turn.before}.get(frame)
+            axis = {body.root: turn.own_axis, body.before: turn.before}.get(frame)
             if axis is None:
                 return False
             rows = [g.linear(n) for n in self.kinematics.read.all(part)]
@@ -353,8 +353,8 @@ class _Alignment:
             for child in sorted(body.hinged, key=lambda b: -b.weight)
             if child.turn is not None and (matrix := frames[child.before]) is not None
         ]
-        ahead = [v for v in ahead if np.linalg.norm(np.cross(turn.own, v)) > SAME_DIRECTION]
-        bends, index, sign = _bends(rotation @ turn.before, _axis(turn.own))
+        ahead = [v for v in ahead if np.linalg.norm(np.cross(turn.own_axis, v)) > SAME_DIRECTION]
+        bends, index, sign = _bends(rotation @ turn.before, _axis(turn.own_axis))
         for bend in bends:
             rotation = _snapped(bend @ rotation)
         rotation_to_axes = _own_axes(turn, rotation, index, sign, ahead)
@@ -378,7 +378,7 @@ class _Alignment:
         g, turn = self.graph, body.turn
         assert turn is not None
         axis = _axis(turn.before)
-        if axis is None or axis != _axis(turn.own):
+        if axis is None or axis != _axis(turn.own_axis):
             return False
         index, sign = axis
         hinge_angle = _angle(turn.even, turn.odd, index)
@@ -551,17 +551,20 @@ def _own_axes(
     turn: _Turn, rotation: np.ndarray, index: int, sign: float, ahead: list[np.ndarray]
 ) -> np.ndarray:
     """Return the matrix from components in a body's frame to those in its axes."""
-    if _axis(turn.own) == (index, sign) and np.count_nonzero(_snapped(sum(ahead[:1], _ZERO))) < 3:
+    if (
+        _axis(turn.own_axis) == (index, sign)
+        and np.count_nonzero(_snapped(sum(ahead[:1], _ZERO))) < 3
+    ):
         return _UNIT
     if not ahead:
         # Parallel to the axes before at zero angle.
-        return _snapped(rotation @ (np.outer(turn.own, turn.before) + turn.even).T)
-    normal = np.cross(turn.own, ahead[0])
+        return _snapped(rotation @ (np.outer(turn.own_axis, turn.before) + turn.even).T)
+    normal = np.cross(turn.own_axis, ahead[0])
     # The normal of nearly parallel axes is inaccurate: remove its component along the axis.
     normal /= np.linalg.norm(normal)
-    normal -= turn.own * (turn.own @ normal)
+    normal -= turn.own_axis * (turn.own_axis @ normal)
     rows = np.zeros((3, 3))
-    rows[index], rows[(index + 1) % 3] = sign * turn.own, normal / np.linalg.norm(normal)
+    rows[index], rows[(index + 1) % 3] = sign * turn.own_axis, normal / np.linalg.norm(normal)
     rows[(index + 2) % 3] = np.cross(rows[index], rows[(index + 1) % 3])
     return _snapped(rows)
 

@@ -10,7 +10,7 @@ from pydy._graph import NodeExpression, jacobian, substitute
 from pydy._mechanics.closures import LoopShares, loop_points
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.form import moving
+from pydy._mechanics.formulations import moving
 from pydy._mechanics.inertia import loads_and_inertias
 from pydy._mechanics.kinematics import Kinematics, Vec
 
@@ -32,7 +32,7 @@ def with_auxiliary(equations: Equations) -> Equations:
         k = moving(body, in_bodies=True, auxiliary=True, driven=True, further_points=points)
         rows = k.read.all(body.velocity)
         moved = jacobian(k.graph, rows, k.auxiliary).dense()
-        shares = LoopShares(k, points, [rows[j] for j in loops]).found(equations)
+        shares = LoopShares(k, points, [rows[j] for j in loops]).derivatives(equations)
         # If the user included auxiliary speeds in one row, they are complete in all rows.
         has_auxiliary = any(j not in loops for j in range(len(rows)) if _of_loop(equations, j))
         for j, share in zip(loops, shares, strict=True):
@@ -66,8 +66,8 @@ def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:
     The velocity constraints' derivatives by the auxiliary speeds are `moved`.
     """
     g, n, body = k.graph, len(k.speeds), k.body
-    _, rest = composite(k, [], loads_and_inertias(k)[1])
-    residuals = rest[n:]
+    _, forces = composite(k, [], loads_and_inertias(k)[1])
+    residuals = forces[n:]
     if body.velocity:
         nodes = k.read.all(body.velocity)
         dependent = body.dependent_columns
@@ -77,7 +77,7 @@ def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:
         columns = [[g.neg(row[a]) for row in moved] for a in range(len(residuals))]
         shares = g.solve(dependent_part, columns, "lu")
         for a, share in enumerate(shares):
-            terms = [(g.mul(s, rest[j]), 1.0) for s, j in zip(share, dependent, strict=True)]
+            terms = [(g.mul(s, forces[j]), 1.0) for s, j in zip(share, dependent, strict=True)]
             residuals[a] = g.sum([(residuals[a], 1.0), *terms])
     residuals = substitute(g, residuals, dict.fromkeys(k.auxiliary, g.zero))
     return [NodeExpression.of(g, node, k.symbols()) for node in residuals]

@@ -114,13 +114,13 @@ class LoopShares:
 
     def __init__(self, k: Kinematics, points: dict[Any, Any], rows: Sequence[int]) -> None:
         self.k, g = k, k.graph
-        self._place: dict[Any, Vec] = {}
+        self._position: dict[Any, Vec] = {}
         self._root: dict[Any, Any] = {}
         for point, before in points.items():
-            self._place[point], self._root[point] = [g.zero] * 3, point
+            self._position[point], self._root[point] = [g.zero] * 3, point
             if before is not None:
                 step = k.vector(FrameTree.positions(point)[before], k.inertial)
-                self._place[point] = k.plus(self._place[before], step)
+                self._position[point] = k.plus(self._position[before], step)
                 self._root[point] = self._root[before]
         frames = [f for f in k.tree.frame_depth if f in k.tree.spin_depth]
         self._axes = {f: [k.expressed(e, f, k.inertial) for e in identity(g)] for f in frames}
@@ -136,7 +136,7 @@ class LoopShares:
     def _number(self, holonomic: Vec) -> None:
         """Evaluate positions and axes, and derivatives of all rates by all speeds."""
         k, g, n = self.k, self.k.graph, len(self.k.speeds)
-        positions = flat([*self._place.values()])
+        positions = flat([*self._position.values()])
         axes = [c for row in self._axes.values() for axis in row for c in axis]
         rates = [*k.dt([*positions, *axes]), *flat([*self._motion.values()])]
         slopes = flat(jacobian(g, rates, [*k.speeds, *k.auxiliary]).dense())
@@ -165,7 +165,7 @@ class LoopShares:
 
     # -- the choice -------------------------------------------------------------------------------
 
-    def found(self, equations: Equations) -> list[Vec | None]:
+    def derivatives(self, equations: Equations) -> list[Vec | None]:
         """Return the derivatives of each row by the auxiliary speeds, None if unknown."""
         g, count = self.k.graph, len(self._rows)
         fits = [self._fitting(j, self._usual()) for j in range(count)]
@@ -372,7 +372,7 @@ class LoopShares:
                 turning = np.einsum("csabn,cspb->cspan", de, r)
                 values = np.moveaxis(np.einsum("csab,cspb->cspa", e, r), 1, 3)
                 columns = _columns(translation + turning)
-                yield _Closures(ends, columns, partial(self._along, frame), values, frame)
+                yield _Closures(ends, columns, partial(self._component_rates, frame), values, frame)
                 # Velocities that the user set may differ from rates of positions: wheel contacts.
                 columns = np.einsum("csab,cspbn->cspan", e, v)
                 rates = partial(self._moved, frame)
@@ -387,7 +387,7 @@ class LoopShares:
             a, b = self._frames[i], self._frames[j]
             spin = w[:, :, i] - w[:, :, j]
             columns = np.einsum("csab,csbn->csan", self._e[:, :, i], spin)
-            yield _Closures([(a, b)], _columns(columns[:, :, None]), self._turned)
+            yield _Closures([(a, b)], _columns(columns[:, :, None]), self._spin_components)
             if i < j:
                 columns = np.einsum("csabn,csdb->csadn", self._de[:, :, i], self._e[:, :, j])
                 columns = columns + np.einsum(
@@ -431,27 +431,27 @@ class LoopShares:
     def _minus(self, a: Vec, b: Vec) -> Vec:
         return [self.k.graph.sub(x, y) for x, y in zip(a, b, strict=True)]
 
-    def _between(self, a: Any, b: Any) -> tuple[Vec, Vec]:
+    def _relative(self, a: Any, b: Any) -> tuple[Vec, Vec]:
         """Return the vector between two points and the relative velocity."""
-        position, motion = self._place, self._motion
+        position, motion = self._position, self._motion
         return self._minus(position[a], position[b]), self._minus(motion[a], motion[b])
 
-    def _along(self, frame: Any, a: Any, b: Any) -> Vec:
-        k, (r, v) = self.k, self._between(a, b)
+    def _component_rates(self, frame: Any, a: Any, b: Any) -> Vec:
+        k, (r, v) = self.k, self._relative(a, b)
         rate = self._minus(v, k.cross(self._motion[frame], r))
         return product(k.graph, self._axes[frame], rate)
 
     def _moved(self, frame: Any, a: Any, b: Any) -> Vec:
-        return product(self.k.graph, self._axes[frame], self._between(a, b)[1])
+        return product(self.k.graph, self._axes[frame], self._relative(a, b)[1])
 
     def _square(self, a: Any, b: Any) -> Vec:
-        return [dot(self.k.graph, *self._between(a, b))]
+        return [dot(self.k.graph, *self._relative(a, b))]
 
     def _distance(self, a: Any, b: Any) -> Vec:
-        g, (r, v) = self.k.graph, self._between(a, b)
+        g, (r, v) = self.k.graph, self._relative(a, b)
         return [g.div(dot(g, r, v), g.call("sqrt", dot(g, r, r)))]
 
-    def _turned(self, a: Any, b: Any) -> Vec:
+    def _spin_components(self, a: Any, b: Any) -> Vec:
         spin = self._minus(self._motion[a], self._motion[b])
         return product(self.k.graph, self._axes[a], spin)
 
@@ -465,7 +465,7 @@ class LoopShares:
         wa, wb = (nothing if f is None else self._motion[f] for f in (fa, fb))
         v = self._motion[a]
         if b is not None:
-            arm, v = self._between(a, b)
+            arm, v = self._relative(a, b)
             v = self._minus(v, k.cross(wb, arm))
         return [
             *product(k.graph, self._axes[axes], v),

@@ -27,7 +27,7 @@ from pydy._errors import warn_user
 from pydy._graph import jacobian, rounding_bounds, signatures
 from pydy._mechanics.components import flat, identity, numbers_of
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.form import moving
+from pydy._mechanics.formulations import moving
 from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.inertia import points_of
@@ -171,7 +171,7 @@ def _frames(k: Kinematics) -> Iterator[Moved]:
             visited.add(frame)
             parent = k.tree.parent(frame)
             if k.tree.turns_in(frame) is parent:
-                axes = k.frames.given(frame, parent)
+                axes = k.frames.user_rotation(frame, parent)
                 w = k.vector(k.tree.relative_spin(frame, parent), parent)
             else:
                 axes = [k.expressed(unit, frame, k.inertial) for unit in identity(k.graph)]

@@ -23,11 +23,11 @@ from pydy._checks import (
 from pydy._forks import cached_property
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.formed import equations_of
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import activation_states, check_bodies, read_loads
+from pydy._mechanics.select_formulation import equations_of
 from pydy._mechanics.symbols import find_symbols, rate_of
 
 _COORDINATES = "pass all of them in `coordinates`, and the dependent ones also in"
@@ -281,7 +281,7 @@ class Definition:
             activations=self._activations,
         )
         if implicit is not None:
-            body = implicit.joined(body)
+            body = implicit.added_to(body)
         if not body.holonomic and not self.holonomic_constraints and not self._motion:
             for argument in ("dependent_coordinates", "dependent_speeds"):
                 if getattr(self, argument):

@@ -17,9 +17,9 @@ import numpy as np
 from pydy._checks import describe
 from pydy._graph import Graph, jacobian, rounding_bounds, signatures
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import AROUND, Block, GenericStates, closed, openness, units_of
 from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.select_formulation import kinematics_of
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT
 from pydy._names import few
 from pydy._rank import HALF, OF_FEW, ROUNDED, equilibrated, is_zero, or_one

@@ -22,7 +22,12 @@ from pydy._graph import Graph, Row, signatures, substitute
 from pydy._mechanics.components import dot, transposed
 from pydy._mechanics.inertia import Inertia, Load
 from pydy._mechanics.kinematics import Kinematics
-from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
+from pydy._mechanics.planes import (
+    IntermediateFrames,
+    merged_rotations,
+    plane_rotation_of,
+    split,
+)
 from pydy._rank import ROUNDING
 
 
@@ -68,9 +73,14 @@ def eliminated(
 
     `plain` are the inertias of whole bodies, where `inertias` are divided up in another way.
     """
-    detours = kinematics.detours
+    intermediate_frames = kinematics.intermediate_frames
     push = _Push(
-        kinematics, detours.arranged(kinematics.groups), inertias, loads, body_inertias, detours
+        kinematics,
+        intermediate_frames.arranged(kinematics.groups),
+        inertias,
+        loads,
+        body_inertias,
+        intermediate_frames,
     )
     graph, speeds = push.graph, push.speeds
     remaining = dict.fromkeys(speeds)
@@ -142,7 +152,7 @@ class _Push:
         inertias: Sequence[Inertia],
         loads: Sequence[Load],
         body_inertias: Sequence[Inertia] = (),
-        detours: Detours | None = None,
+        intermediate_frames: IntermediateFrames | None = None,
     ) -> None:
         graph, rows = kinematics.graph, kinematics.rows
         self.graph, self.speeds = graph, [*kinematics.speeds, *kinematics.auxiliary]
@@ -174,13 +184,15 @@ class _Push:
         self._find_moving_speeds(order)
         self.groups = _needed(order, self.whole_rows, set(needed))
         self.order = self.groups
-        if detours is not None and (turning := detours.paying(graph, order, self.whole_rows)):
-            self.step_rows.update((k, detours.rows[k]) for k in turning)
+        if intermediate_frames is not None and (
+            turning := intermediate_frames.paying(graph, order, self.whole_rows)
+        ):
+            self.step_rows.update((k, intermediate_frames.rows[k]) for k in turning)
             groups = split(groups, self.step_rows, turning)
             order = _sorted_groups(groups, self.step_rows)[::-1]
             self.order = _needed(order, self.step_rows, needed)
         self.waiting = Counter(c for group in self.order for k in group for c in self.step_rows[k])
-        self.order = joined_turns(graph, self.order, self.step_rows)
+        self.order = merged_rotations(graph, self.order, self.step_rows)
 
     def _products(self, inertia: Inertia, rows: list[Row]) -> Iterator[tuple[int, int, int, float]]:
         """Yield the entries of an inertia at the anchors."""
@@ -265,7 +277,7 @@ class _Push:
     def _turn(self, group: list[int], matrix: list[list[int]]) -> bool:
         """Add Rᵀ K R if all anchors rotate by one angle; return whether they do."""
         pairs = [group[k : k + 2] for k in range(0, len(group), 2)]
-        turns = [turn_of(self.graph, self.step_rows, pair) for pair in pairs]
+        turns = [plane_rotation_of(self.graph, self.step_rows, pair) for pair in pairs]
         used = {c for turn in turns if turn for c in turn.columns}
         same = {turn and (turn.cosine, turn.sine) for turn in turns}
         if None in same or len(same) > 1 or len(used) < len(group):

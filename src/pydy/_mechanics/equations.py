@@ -16,7 +16,7 @@ from sympy.physics.mechanics import Particle, ReferenceFrame
 from pydy._forks import cached_property
 from pydy._mechanics.constraints import ConstraintEquations, DependentStates
 from pydy._mechanics.forces import ConstraintForces
-from pydy._mechanics.form import Formed
+from pydy._mechanics.formulations import EquationGraph
 from pydy._mechanics.frame_tree import velocity_in
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols
@@ -178,7 +178,7 @@ class Equations:
     # The bodies and loads behind the equations, where the method knows them.
     mechanism: Mechanism | None = None
     # The equations of motion as nodes of a graph, formed from the bodies and loads.
-    formed: Formed | None = None
+    formed: EquationGraph | None = None
     # What the equations of motion can be formed from, where the method knows it.
     multibody: Multibody | None = None
 
@@ -199,16 +199,16 @@ class Equations:
             "nonholonomic constraints": constraints.nonholonomic,
             "auxiliary equations": self.auxiliary.residuals,
         }
-        lines += [f"{len(own)} {kind}" for kind, own in rows.items() if own]
+        lines += [f"{len(group)} {kind}" for kind, group in rows.items() if group]
         return "\n  ".join(lines)
 
     @cached_property
     def symbols(self) -> dict[Any, None]:
         """The symbols, functions of time and derivatives that occur in the equations of motion."""
-        found = find_symbols(self.expressions)
+        occurring = find_symbols(self.expressions)
         if self.formed is not None:
-            found.update(dict.fromkeys(self.formed.symbols(self.kinematics.speed_rates)))
-        return found
+            occurring.update(dict.fromkeys(self.formed.symbols(self.kinematics.speed_rates)))
+        return occurring
 
     @property
     def expressions(self) -> tuple[Any, ...]:

@@ -69,15 +69,15 @@ class EquationsOfMotion:
             ("J", self.constraint_jacobian),
         ]  # fmt: skip
         head = "M u' = F" + (" + J.T λ, J u + … = 0" if self.constraint_jacobian.rows else "")
-        lines = [f"{head}, with u = ({', '.join(map(_plain, self.speeds))})"]
+        lines = [f"{head}, with u = ({', '.join(map(_as_text, self.speeds))})"]
         for name, matrix in parts:
             for i in range(matrix.rows):
                 for j in range(matrix.cols):
                     is_repeated = name == "M" and j < i and matrix[i, j] == matrix[j, i]
                     if matrix[i, j] != 0 and not is_repeated:
                         indices = f"{i + 1}{j + 1}" if matrix.cols > 1 else f"{i + 1}"
-                        lines.append(f"{name}{indices} = {_plain(matrix[i, j])}")
-        lines += [f"{symbol} = {_plain(meaning)}" for symbol, meaning in self.names.items()]
+                        lines.append(f"{name}{indices} = {_as_text(matrix[i, j])}")
+        lines += [f"{symbol} = {_as_text(meaning)}" for symbol, meaning in self.names.items()]
         return "\n".join(lines)
 
     def _repr_latex_(self) -> str:
@@ -105,7 +105,7 @@ class EquationsOfMotion:
         )
 
 
-def _plain(expression: Any) -> str:
+def _as_text(expression: Any) -> str:
     """Return an expression as text, functions of time by their names, derivatives with dashes."""
     short = {}
     for symbol in find_symbols([expression]):

@@ -59,7 +59,7 @@ def equations_of_joints(
     method: JointsMethod, source: str | None = None, implicit: Implicit | None = None
 ) -> Equations:
     """Return the equations of a JointsMethod, read like those of a SymPy System."""
-    bodies = [_plain(body) for body in method.bodies]
+    bodies = [_as_standard_body(body) for body in method.bodies]
 
     def definition() -> Definition:
         return Definition(
@@ -144,7 +144,7 @@ def _lagrange(system: System) -> LagrangesMethod:
     )
 
 
-def _plain(body: Any) -> Any:
+def _as_standard_body(body: Any) -> Any:
     """Return a Particle or RigidBody for a body of the deprecated class that is either."""
     if getattr(body, "is_rigidbody", isinstance(body, RigidBody)):
         inertia = (body.central_inertia, body.masscenter)

@@ -33,7 +33,7 @@ from pydy._graph import (
 from pydy._mechanics.acceleration_constraints import multipliers_of
 from pydy._mechanics.components import numbers_of, product
 from pydy._mechanics.elimination import composite
-from pydy._mechanics.form import lagranges_equations, moving
+from pydy._mechanics.formulations import lagranges_equations, moving
 from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.inertia import euler, loads_and_inertias, newton

@@ -84,7 +84,9 @@ class Frames:
         """Return the matrix from components in the parent to components in axes."""
         if axes not in self.steps:
             above = self.tree.parent(axes)
-            self.steps[axes] = [self.in_axes(row, above)[0] for row in self.given(axes, above)]
+            self.steps[axes] = [
+                self.in_axes(row, above)[0] for row in self.user_rotation(axes, above)
+            ]
         return self.steps[axes]
 
     def planes(self, axes: Any) -> list[list[Vec]]:
@@ -93,7 +95,7 @@ class Frames:
             self._planes[axes] = plane_rotations(self.graph, self.step(axes))
         return self._planes[axes]
 
-    def given(self, frame: Any, parent: Any) -> list[Vec]:
+    def user_rotation(self, frame: Any, parent: Any) -> list[Vec]:
         """Return the user's matrix from components in the parent to those in a frame."""
         matrix = self.tree.rotation(frame, parent)
         return [self.read.all(matrix.row(i)) for i in range(3)]

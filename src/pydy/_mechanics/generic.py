@@ -149,7 +149,7 @@ class GenericStates:
         for k in np.flatnonzero(finite if left_open else self.closed(inputs, finite)):
             yield {name: block[k] for name, block in values.items()}
 
-    def where(
+    def samples_where_zero(
         self, node: int, blocks: Sequence[Block], trials: int
     ) -> Iterator[dict[str, np.ndarray]]:
         """Yield the values at consistent states at which a node is zero as well."""

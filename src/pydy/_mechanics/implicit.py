@@ -101,7 +101,7 @@ class Implicit:
     def __repr__(self) -> str:
         return f"<Implicit {describe([*self.residuals])}>"
 
-    def joined(self, body: Multibody) -> Multibody:
+    def added_to(self, body: Multibody) -> Multibody:
         """Return the body with these coordinates, and their residuals as holonomic constraints."""
         time, unknowns = body.time, tuple(self.residuals)
         existing = (*body.coordinates, *body.speeds, *body.auxiliary)

@@ -172,7 +172,7 @@ def inertia_seen(
 
 
 @dataclass
-class _Lump:
+class _CompositeBody:
     """Mass, first moment, second moments Σ m r rᵀ and inertia about a point, in a frame's axes.
 
     Inertia and second moments determine each other. Both are stored because each is a sum of terms
@@ -186,26 +186,28 @@ class _Lump:
     tensor: list[Vec]
 
 
-def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
+def composite_contributions(
+    kinematics: Kinematics,
+) -> tuple[list[Inertia], list[Load], list[Inertia]]:
     """Return the contributions of composite bodies and loads, and the inertias of all bodies.
 
     The latter set the scale of the pivots. Composite bodies need vectors in the axes of bodies.
     """
     if kinematics.in_bodies:
-        return _Lumps(kinematics).contributions()
+        return _CompositeBodies(kinematics).contributions()
     inertias, loads = loads_and_inertias(kinematics)
     return inertias, loads, inertias
 
 
 def weights_of(kinematics: Kinematics, fall: Vec) -> list[Load]:
     """Return the weights of all bodies in free fall with an acceleration in the inertial frame."""
-    return _Lumps(kinematics).weights(fall)
+    return _CompositeBodies(kinematics).weights(fall)
 
 
-class _Lumps:
+class _CompositeBodies:
     def __init__(self, kinematics: Kinematics) -> None:
         self.kinematics, self.graph = kinematics, kinematics.graph
-        self.lumps: dict[_Key, _Lump] = {}
+        self.composites: dict[_Key, _CompositeBody] = {}
         self.inertias: list[Inertia] = []
         self.loads: list[Load] = []
         self.body_inertias: list[Inertia] = []
@@ -217,11 +219,11 @@ class _Lumps:
         self.body_inertias += inertias
         self.inertias += inertias
         self.loads += loads
-        for (frame, point), lump in self.lumps.items():
-            self.body_inertias.append(self._inertia(frame, point, lump))
+        for (frame, point), composite in self.composites.items():
+            self.body_inertias.append(self._inertia(frame, point, composite))
         self._transfer_all()
-        for (frame, point), lump in self.lumps.items():
-            self._add_contributions(frame, point, lump)
+        for (frame, point), composite in self.composites.items():
+            self._add_contributions(frame, point, composite)
         inertias, self.loads = without_rest(k, self.inertias, self.loads)
         return inertias, self.loads, without_rest(k, self.body_inertias, [])[0]
 
@@ -233,10 +235,12 @@ class _Lumps:
                 down, mass = k.expressed(fall, k.inertial, home), k.read(body.mass)
                 loads.append(Load(v, [g.mul(mass, x) for x in down]))
         self._transfer_all()
-        for (frame, point), lump in self.lumps.items():
+        for (frame, point), composite in self.composites.items():
             down = k.expressed(fall, k.inertial, frame)
-            loads.append(Load(k.motion_in(point, frame)[0], [g.mul(lump.mass, x) for x in down]))
-            loads.append(Load(k.spin(frame)[0], k.cross(lump.first, down)))
+            loads.append(
+                Load(k.motion_in(point, frame)[0], [g.mul(composite.mass, x) for x in down])
+            )
+            loads.append(Load(k.spin(frame)[0], k.cross(composite.first, down)))
         return loads
 
     # -- bodies -----------------------------------------------------------------------------------
@@ -264,8 +268,10 @@ class _Lumps:
         while k.frames.is_fixed(home):
             tensor, home = self._in_outer_axes(tensor, home), k.frames.parent(home)
         point, position = self._root(body.masscenter, home)
-        lump = self._at(home, point)
-        self._add(lump, _Lump(mass, [g.zero] * 3, self._second(tensor), tensor), position)
+        composite = self._at(home, point)
+        self._add(
+            composite, _CompositeBody(mass, [g.zero] * 3, self._second(tensor), tensor), position
+        )
         return True
 
     def _separate_spin(self, frame: Any, home: Any, tensor: list[Vec]) -> bool:
@@ -305,9 +311,11 @@ class _Lumps:
             point, position = k.first_there(step[0]), k.plus(position, step[2])
         return point, position
 
-    def _at(self, frame: Any, point: Any) -> _Lump:
+    def _at(self, frame: Any, point: Any) -> _CompositeBody:
         zero = self.graph.zero
-        return self.lumps.setdefault((frame, point), _Lump(zero, [zero] * 3, *_empty(zero)))
+        return self.composites.setdefault(
+            (frame, point), _CompositeBody(zero, [zero] * 3, *_empty(zero))
+        )
 
     def _second(self, tensor: list[Vec]) -> list[Vec]:
         """Return Σ m r rᵀ of an inertia: half its trace, minus the inertia."""
@@ -318,14 +326,14 @@ class _Lumps:
             for i in range(3)
         ]
 
-    def _add(self, lump: _Lump, part: _Lump, position: Vec) -> None:
+    def _add(self, composite: _CompositeBody, part: _CompositeBody, position: Vec) -> None:
         """Add inertia whose origin is at `position`."""
         g, axes = self.graph, range(3)
         moved = [g.sum([(part.first[i], 1.0), (g.mul(part.mass, position[i]), 1.0)]) for i in axes]
-        lump.second = [
+        composite.second = [
             [
                 g.add(
-                    lump.second[i][j],
+                    composite.second[i][j],
                     part.second[i][j],
                     g.mul(position[i], part.first[j]),
                     g.mul(moved[i], position[j]),
@@ -334,19 +342,21 @@ class _Lumps:
             ]
             for i in axes
         ]
-        lump.tensor = [
+        composite.tensor = [
             [
                 g.add(
-                    lump.tensor[i][j], part.tensor[i][j], self._steiner(part, moved, position, i, j)
+                    composite.tensor[i][j],
+                    part.tensor[i][j],
+                    self._steiner(part, moved, position, i, j),
                 )
                 for j in axes
             ]
             for i in axes
         ]
-        lump.first = [g.add(a, b) for a, b in zip(lump.first, moved, strict=True)]
-        lump.mass = g.add(lump.mass, part.mass)
+        composite.first = [g.add(a, b) for a, b in zip(composite.first, moved, strict=True)]
+        composite.mass = g.add(composite.mass, part.mass)
 
-    def _steiner(self, part: _Lump, moved: Vec, position: Vec, i: int, j: int) -> int:
+    def _steiner(self, part: _CompositeBody, moved: Vec, position: Vec, i: int, j: int) -> int:
         """Return the parallel-axis term of an inertia whose origin is at `position`."""
         g = self.graph
 
@@ -361,7 +371,7 @@ class _Lumps:
 
     def _transfer_all(self) -> None:
         turns = self.kinematics.tree.frame_depth
-        for key in sorted(self.lumps, key=lambda key: -turns.get(key[0], 0)):
+        for key in sorted(self.composites, key=lambda key: -turns.get(key[0], 0)):
             self._transfer_to_parent(*key)
 
     def _transfer_to_parent(self, frame: Any, point: Any) -> None:
@@ -371,7 +381,7 @@ class _Lumps:
         while k.frames.is_fixed(before):
             before = k.frames.parent(before)
         host = before
-        if (before, point) in self.lumps:
+        if (before, point) in self.composites:
             origin, position = point, [g.zero] * 3
         elif before is not k.inertial or not k.at_rest(point, before):
             step = k.fixed_step(point)
@@ -379,22 +389,22 @@ class _Lumps:
                 return
             before = step[1]
             origin, position = self._root(point, before)
-            if (before, origin) not in self.lumps and not k.at_rest(origin, before):
+            if (before, origin) not in self.composites and not k.at_rest(origin, before):
                 return
         else:
             origin = point
-        target = self.lumps.get((before, origin))
-        lump, zero = self.lumps[frame, point], g.zero
-        part = _Lump(lump.mass, [zero] * 3, *_empty(zero))
-        lump.mass = zero
+        target = self.composites.get((before, origin))
+        composite, zero = self.composites[frame, point], g.zero
+        part = _CompositeBody(composite.mass, [zero] * 3, *_empty(zero))
+        composite.mass = zero
         axis = hinge_axis(k, frame, inner) if before is host else None
         if axis is not None:
-            part.first[axis], lump.first[axis] = lump.first[axis], zero
-            size = lump.second[axis][axis]
-            part.second[axis][axis], lump.second[axis][axis] = size, zero
+            part.first[axis], composite.first[axis] = composite.first[axis], zero
+            size = composite.second[axis][axis]
+            part.second[axis][axis], composite.second[axis][axis] = size, zero
             for i in {0, 1, 2} - {axis}:
                 part.tensor[i][i] = size
-                lump.tensor[i][i] = g.sub(lump.tensor[i][i], size)
+                composite.tensor[i][i] = g.sub(composite.tensor[i][i], size)
         while k.frames.is_fixed(inner) and axis is not None:
             part.second, part.tensor = (
                 self._in_outer_axes(part.second, inner),
@@ -415,33 +425,33 @@ class _Lumps:
 
     # -- contributions ----------------------------------------------------------------------------
 
-    def _inertia(self, frame: Any, point: Any, lump: _Lump) -> Inertia:
+    def _inertia(self, frame: Any, point: Any, composite: _CompositeBody) -> Inertia:
         """Return the form in the velocity of the point and the angular velocity of the frame."""
         k, g, axes, zero = self.kinematics, self.graph, range(3), self.graph.zero
         v, _ = k.motion_in(point, frame)
         matrix = [[zero] * 6 for _ in range(6)]
         for i in axes:
             j, m = (i + 1) % 3, (i + 2) % 3
-            matrix[i][i] = lump.mass
-            for r, c, n in ((j, m, g.neg(lump.first[i])), (m, j, lump.first[i])):
+            matrix[i][i] = composite.mass
+            for r, c, n in ((j, m, g.neg(composite.first[i])), (m, j, composite.first[i])):
                 matrix[3 + r][c] = matrix[c][3 + r] = n
-            matrix[3 + i][3:] = lump.tensor[i]
+            matrix[3 + i][3:] = composite.tensor[i]
         return Inertia([*v, *k.spin(frame)[0]], matrix)
 
-    def _add_contributions(self, frame: Any, point: Any, lump: _Lump) -> None:
+    def _add_contributions(self, frame: Any, point: Any, composite: _CompositeBody) -> None:
         k, g, axes = self.kinematics, self.graph, range(3)
-        self.inertias.append(self._inertia(frame, point, lump))
+        self.inertias.append(self._inertia(frame, point, composite))
         v, a = k.motion_in(point, frame)
         turning = k.turning(frame)
         force = [
             g.sum(
-                [(g.mul(lump.mass, a[i]), -1.0)]
-                + [(g.mul(turning[i][j], lump.first[j]), -1.0) for j in axes]
+                [(g.mul(composite.mass, a[i]), -1.0)]
+                + [(g.mul(turning[i][j], composite.first[j]), -1.0) for j in axes]
             )
             for i in axes
         ]
-        torque = [g.neg(self._torque(turning, lump.second, i)) for i in axes]
-        torque = k.plus(torque, k.cross(a, lump.first))
+        torque = [g.neg(self._torque(turning, composite.second, i)) for i in axes]
+        torque = k.plus(torque, k.cross(a, composite.first))
         self.loads.append(Load(v, force))
         self.loads.append(Load(k.spin(frame)[0], torque))
 

@@ -30,7 +30,7 @@ from pydy._graph import (
     substitute,
 )
 from pydy._mechanics.elimination import composite, partials
-from pydy._mechanics.form import (
+from pydy._mechanics.formulations import (
     alike,
     idle_inputs,
     lagranges_equations,
@@ -38,7 +38,7 @@ from pydy._mechanics.form import (
     useful_axes,
 )
 from pydy._mechanics.frame_tree import FrameTree, distances, steps_to
-from pydy._mechanics.inertia import Load, lumped, weights_of
+from pydy._mechanics.inertia import Load, composite_contributions, weights_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import is_rigid
@@ -135,7 +135,7 @@ class BodyDynamics:
             matrix, forcing = lagranges_equations(kinematics)
         else:
             kinematics = moving(body, in_bodies=True, falling=True)
-            inertias, loads, _ = lumped(kinematics)
+            inertias, loads, _ = composite_contributions(kinematics)
             matrix, forcing = composite(kinematics, inertias, loads)
         g = kinematics.graph
         moved = jacobian(g, forcing, kinematics.accelerations).dense()
@@ -278,7 +278,7 @@ def _required(body: Multibody) -> tuple[Kinematics, Vec]:
     candidates = []
     for in_bodies in useful_axes(body):
         kinematics = moving(body, in_bodies, falling=in_bodies, driven=True)
-        loads = lumped(kinematics)[1]
+        loads = composite_contributions(kinematics)[1]
         forces = [kinematics.graph.neg(node) for node in _pushed(kinematics, loads)]
         candidates.append((operation_count(kinematics.graph, forces), kinematics, forces))
     return min(candidates, key=lambda item: item[0])[1:]
@@ -343,7 +343,7 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
     common = nothing
     for fall in pulls[0]:
         matching = [
-            [k for k, other in enumerate(body_pulls) if alike(g, fall, other)]
+            [k for k, candidate in enumerate(body_pulls) if alike(g, fall, candidate)]
             for body_pulls in pulls[1:]
         ]
         if all(matching):

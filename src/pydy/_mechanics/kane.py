@@ -11,12 +11,12 @@ from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 from pydy._checks import describe
 from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.form import Formed, without_idle
-from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
+from pydy._mechanics.formulations import EquationGraph, without_idle
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.rates import divide_alike, solve_rates
 from pydy._mechanics.reader import activation_states, check_bodies, read_loads
+from pydy._mechanics.select_formulation import classify, equations_of, formed_alike, kinematics_of
 
 
 def multibody_of_kane(kane: KanesMethod) -> Multibody:
@@ -76,8 +76,8 @@ def equations_of_kane(
     Without `source`, where ``kanes_equations()`` has been called, the former are taken if they give
     the same numbers.
     """
-    called = kane._fr is not None and kane._frstar is not None
-    if source == "method" and not called:
+    has_equations = kane._fr is not None and kane._frstar is not None
+    if source == "method" and not has_equations:
         raise ValueError(
             "`equations='method'` needs the equations of `eom_method`: call its "
             "`kanes_equations(bodies, loads)` before it is handed to System."
@@ -87,7 +87,7 @@ def equations_of_kane(
             "`equations='method'` is not possible with `implicit`: the method took "
             f"{describe([*implicit.residuals])} for prescribed motions. Leave it out."
         )
-    formed = source == "graph" or not called or implicit is not None
+    formed = source == "graph" or not has_equations or implicit is not None
     if formed and not kane.bodies:
         raise ValueError(
             "`eom_method` holds no equations of motion yet, and no bodies to form them from: "
@@ -100,7 +100,7 @@ def equations_of_kane(
         )
     body = multibody_of_kane(kane)
     if implicit is not None:
-        body = implicit.joined(body)
+        body = implicit.added_to(body)
     if formed:
         return equations_of(body)
     auxiliary = tuple(kane.auxiliary_eqs) if body.auxiliary else ()
@@ -120,13 +120,15 @@ def equations_of_kane(
 
 
 # Formed equations by method, with the equations that they were compared with: these may change.
-_known: WeakKeyDictionary[KanesMethod, tuple[Any, Formed | None]] = WeakKeyDictionary()
+_formed_by_method: WeakKeyDictionary[KanesMethod, tuple[Any, EquationGraph | None]] = (
+    WeakKeyDictionary()
+)
 
 
-def _alike(kane: KanesMethod, base: Equations, body: Multibody) -> Formed | None:
+def _alike(kane: KanesMethod, base: Equations, body: Multibody) -> EquationGraph | None:
     own_equations = *base.matrices.mass_matrix, *base.matrices.forcing
-    equations, formed = _known.get(kane, (None, None))
+    equations, formed = _formed_by_method.get(kane, (None, None))
     if equations != own_equations:
         formed = formed_alike(base, body)
-        _known[kane] = own_equations, formed
+        _formed_by_method[kane] = own_equations, formed
     return formed

@@ -21,7 +21,7 @@ from pydy._mechanics.components import flat, in_rows, product, transposed, unrou
 from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.frames import Frames
 from pydy._mechanics.multibody import Multibody
-from pydy._mechanics.planes import Detours
+from pydy._mechanics.planes import IntermediateFrames
 from pydy._mechanics.reader import InputReader, checked_vector
 
 Vec = list[int]
@@ -38,7 +38,7 @@ class Kinematics:
     frame. The `auxiliary` speeds are inputs, or zero. Accelerations are those at u' = 0, at the u'
     of `start` if `referred`, or at u' that are inputs if `driven`. Points are `honoured` if the
     velocity that the user set is not the derivative of their position. Instead of weights among
-    the `loads`, `pull` is subtracted from the accelerations of points (`pydy._mechanics.form`).
+    the `loads`, `pull` is subtracted from the accelerations of points.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class Kinematics:
         variables = [*self.speeds, *self.auxiliary]
         self.rows = Rows(g, {n: {n: g.one} for n in variables})
         self.groups: list[list[int]] = []
-        self.detours = Detours()
+        self.intermediate_frames = IntermediateFrames()
         self._referred = referred
         self.tree = FrameTree(body.frame)
         self.frames = Frames(g, self.tree, self.read)
@@ -240,7 +240,7 @@ class Kinematics:
         direct = self.inertial not in (frame, target) and self.frames.parent(target) is frame
         if direct and len(self.groups) > count and len(planes := self.frames.planes(target)) > 1:
             parts = (self.graph, self.rows, (frame, target), (count, self.groups[count]), planes)
-            self.detours.add(*parts, (v, components), self.anchored)
+            self.intermediate_frames.add(*parts, (v, components), self.anchored)
         return components
 
     # -- frames -----------------------------------------------------------------------------------
@@ -354,7 +354,7 @@ class Kinematics:
 
     # -- points -----------------------------------------------------------------------------------
 
-    def place(self, points: Iterable[Any]) -> None:
+    def connect(self, points: Iterable[Any]) -> None:
         """Connect points by their positions, before the motion of any of them is computed."""
         roles = {location: "which a load acts at" for location, _ in self.body.loads}
         roles |= {b.masscenter: f"the mass centre of the body {b.name}" for b in self.body.bodies}

@@ -9,11 +9,11 @@ from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymb
 
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.form import form_lagrangian
-from pydy._mechanics.formed import classify, kinematics_of
+from pydy._mechanics.formulations import form_lagrangian
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import activation_states, check_bodies, is_rigid, read_loads
+from pydy._mechanics.select_formulation import classify, kinematics_of
 
 
 def equations_of_lagrange(

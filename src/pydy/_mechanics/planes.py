@@ -30,7 +30,7 @@ Groups = list[list[int]]
 
 
 @dataclass
-class Detours:
+class IntermediateFrames:
     """Anchors in the frames between the plane rotations that lead from one frame to another."""
 
     # Rows of the anchors in the second frame, by the anchors before the last rotation.
@@ -170,7 +170,7 @@ def _plane(graph: Graph, axis: int, column: int, row: list[int]) -> Matrix | Non
 
 
 @dataclass(frozen=True)
-class Turn:
+class PlaneRotation:
     """A plane rotation that maps two anchors to two others, up to signs."""
 
     # The others, ordered so that the derivative of the first by the first is the cosine.
@@ -181,7 +181,7 @@ class Turn:
     sine: int
 
     def transform(
-        self, graph: Graph, block: Sequence[Sequence[int]], right: Turn
+        self, graph: Graph, block: Sequence[Sequence[int]], right: PlaneRotation
     ) -> list[list[int]]:
         """Return Rᵀ K R for a block of the form; the right R is that of another rotation."""
 
@@ -207,7 +207,9 @@ class Turn:
         ]
 
 
-def turn_of(graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]) -> Turn | None:
+def plane_rotation_of(
+    graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]
+) -> PlaneRotation | None:
     """Return the plane rotation that maps two anchors to two others, or None."""
     if len(pair) != 2:
         return None
@@ -222,7 +224,7 @@ def turn_of(graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]) -> Turn 
         if second[x] == graph.sum([(s, -sign * first_sign)]) and second[y] == graph.sum(
             [(c, sign * second_sign)]
         ):
-            return Turn((x, y), (first_sign, second_sign), sign, c, s)
+            return PlaneRotation((x, y), (first_sign, second_sign), sign, c, s)
     return None
 
 
@@ -246,14 +248,14 @@ def _by_numbers(graph: Graph, row: dict[int, int]) -> _Parts | None:
     return (x, 1.0, c), (y, 1.0, s)
 
 
-def joined_turns(
-    graph: Graph, order: Sequence[list[int]], rows: Mapping[int, dict[int, int]]
+def merged_rotations(
+    graph: Graph, order: Sequence[list[int]], rows: Mapping[int, Row]
 ) -> list[list[int]]:
     """Merge pairs with the same rotation: the two velocities of a body."""
     groups: list[list[int]] = []
     open_turns: dict[tuple[int, int], int] = {}
     for group in order:
-        turn = turn_of(graph, rows, group)
+        turn = plane_rotation_of(graph, rows, group)
         key = turn and (turn.cosine, turn.sine)
         earlier = open_turns.pop(key, None) if key else None
         if earlier is not None:

@@ -796,7 +796,7 @@ def _jumps(states: GenericStates, switch: int, energy: int) -> bool:
     above, below = Branches(states.graph, [energy]).sides(switch)
     step = states.graph.sub(*above, *below)
     block = [("step", (1,), [step])]
-    samples = list(states.where(switch, block, _TRIALS))
+    samples = list(states.samples_where_zero(switch, block, _TRIALS))
     if not samples:  # undefined at the switch, but it may have a limit
         near = [list(_across_switch(states, switch, block, (share,))) for share in NEAR]
         first_jump, second_jump = (
@@ -816,4 +816,4 @@ def _across_switch(
         return
     sizes = [float(s["switch"][0]) for s in states.samples([("switch", (1,), [switch])], 1)]
     for target in (size * share for size in sizes for share in shares):
-        yield from states.where(graph.sum([(switch, 1.0)], -target), blocks, _TRIALS)
+        yield from states.samples_where_zero(graph.sum([(switch, 1.0)], -target), blocks, _TRIALS)

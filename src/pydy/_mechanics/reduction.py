@@ -91,8 +91,8 @@ def reduced(
         if matrix[i][i] != g.zero:
             limit = g.sum([(basis.sizes[i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
             sound = g.call("and", sound, g.call("not", g.call("lt", matrix[i][i], limit)))
-    found = basis.combined(shares)
-    return *system, bound.accelerations_at_any_rank(g, matrix, forcing, sound, found)
+    fast = basis.combined(shares)
+    return *system, bound.accelerations_at_any_rank(g, matrix, forcing, sound, fast)
 
 
 class _Basis:
@@ -113,29 +113,31 @@ class _Basis:
     ) -> None:
         g, p = graph, len(directions)
         self.graph = g
-        self._moves, self._pushed, self._base = list(directions), list(pushed), base
+        self._directions, self._pushed, self._base = list(directions), list(pushed), base
         self.sizes = [g.zero] * p
         for i in range(p):
             self.sizes[i] = dot(g, directions[i], pushed[i])
         for number, i in enumerate(orthogonalised):
-            size = dot(g, self._moves[i], self._pushed[i])
+            size = dot(g, self._directions[i], self._pushed[i])
             for j in orthogonalised[number + 1 :]:
-                share = g.div(dot(g, self._pushed[i], self._moves[j]), size)
-                self._moves[j] = self._less(self._moves[j], share, self._moves[i])
-                self._pushed[j] = self._less(self._pushed[j], share, self._pushed[i])
+                share = g.div(dot(g, self._pushed[i], self._directions[j]), size)
+                self._directions[j] = self._subtracted(
+                    self._directions[j], share, self._directions[i]
+                )
+                self._pushed[j] = self._subtracted(self._pushed[j], share, self._pushed[i])
             share = g.div(dot(g, self._pushed[i], self._base), size)
-            self._base = self._less(self._base, share, self._moves[i])
+            self._base = self._subtracted(self._base, share, self._directions[i])
         self.square = [
             [
                 g.zero
                 if i != j and i in orthogonalised and j in orthogonalised
-                else dot(g, self._moves[j], self._pushed[i])
+                else dot(g, self._directions[j], self._pushed[i])
                 for j in range(p)
             ]
             for i in range(p)
         ]
 
-    def _less(self, a: list[int], share: int, b: list[int]) -> list[int]:
+    def _subtracted(self, a: list[int], share: int, b: list[int]) -> list[int]:
         """Return a − share · b, protected from rewriting."""
         g = self.graph
         return [g.call("kept", g.sub(x, g.mul(share, y))) for x, y in zip(a, b, strict=True)]
@@ -148,7 +150,7 @@ class _Basis:
                 [(dot(g, direction, forcing), 1.0)]
                 + [(g.mul(a, w), -1.0) for a, w in zip(pushed, self._base, strict=True)]
             )
-            for direction, pushed in zip(self._moves, self._pushed, strict=True)
+            for direction, pushed in zip(self._directions, self._pushed, strict=True)
         ]
 
     def combined(self, shares: Sequence[int]) -> list[int]:
@@ -158,7 +160,7 @@ class _Basis:
             g.sum(
                 [
                     (w, 1.0),
-                    *((g.mul(z, c[k]), 1.0) for z, c in zip(shares, self._moves, strict=True)),
+                    *((g.mul(z, c[k]), 1.0) for z, c in zip(shares, self._directions, strict=True)),
                 ]
             )
             for k, w in enumerate(self._base)

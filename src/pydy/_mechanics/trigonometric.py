@@ -86,7 +86,7 @@ class Textbook:
     symbols: Mapping[int, Any]
     name: Callable[[str, Any], Any]
     names: dict[Any, Any] = field(default_factory=dict)
-    _found: dict[int, Polynomial] = field(default_factory=dict)
+    _polynomials: dict[int, Polynomial] = field(default_factory=dict)
     _truths: dict[int, Any] = field(default_factory=dict)
     _factors: list[Any] = field(default_factory=list)
     _angles: list[Any] = field(default_factory=list)
@@ -101,8 +101,8 @@ class Textbook:
             elif op in OPERATIONS.truths:
                 self._truths[node] = applied(op, self._operands(node))
             else:
-                self._found[node] = self._polynomial(node)
-        return [self._shortest(self._found[node]) for node in nodes]
+                self._polynomials[node] = self._polynomial(node)
+        return [self._shortest(self._polynomials[node]) for node in nodes]
 
     # -- reading -----------------------------------------------------------------------------------
 
@@ -113,24 +113,29 @@ class Textbook:
         if op == "input":
             return self._factor(self.symbols[node])
         if op == "sum":
-            parts: list[tuple[Polynomial, complex]] = [(self._found[n], c) for n, c in args[1]]
+            parts: list[tuple[Polynomial, complex]] = [
+                (self._polynomials[n], c) for n, c in args[1]
+            ]
             return _added([({((), ()): (1.0, 1.0)}, args[0]), *parts])
         if op == "prod":
             product_: Polynomial = {((), ()): (1.0, 1.0)}
             for n, e in args:
-                product_ = _multiplied(product_, self._raised(self._found[n], e))
+                product_ = _multiplied(product_, self._raised(self._polynomials[n], e))
             return product_
-        if op in ("sin", "cos") and (harmonic := self._harmonic(self._found[args[0]])) is not None:
+        if (
+            op in ("sin", "cos")
+            and (harmonic := self._harmonic(self._polynomials[args[0]])) is not None
+        ):
             back = tuple((angle, -n) for angle, n in harmonic)
             half = (0.5, 0.5) if op == "cos" else (-0.5j, 0.5)
             return {(harmonic, ()): half, (back, ()): (half[0].conjugate(), 0.5)}
         if op == "kept":
-            return self._found[args[0]]
+            return self._polynomials[args[0]]
         return self._factor(applied(op, self._operands(node)))
 
     def _operands(self, node: int) -> list[Any]:
         return [
-            self._truths[n] if n in self._truths else self._shortest(self._found[n])
+            self._truths[n] if n in self._truths else self._shortest(self._polynomials[n])
             for n in self.graph.operands(node)
         ]
 

@@ -22,7 +22,7 @@ from pydy._errors import UnsupportedFunctionError
 from pydy._graph import Graph
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.form import moving
+from pydy._mechanics.formulations import moving
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import InputReader, is_reversed, warn_of_reversed, wrapped_force_pulls
 from pydy._rank import HALF

@@ -29,7 +29,7 @@ from pydy._graph import (
     substitute,
 )
 from pydy._kernel import Kernel
-from pydy._mechanics import Equations, Formed, dot, find_symbols
+from pydy._mechanics import EquationGraph, Equations, dot, find_symbols
 from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact, InfeasibleError
 from pydy.contact.smooth import Switched, switched
@@ -440,7 +440,7 @@ def _check_direction(name: str, gap: np.ndarray, moves: np.ndarray, axes: np.nda
             )
 
 
-def _checked(equations: Equations) -> Formed:
+def _checked(equations: Equations) -> EquationGraph:
     """Return the equations on the graph, or say why contacts cannot use them."""
     formed = equations.formed
     if formed is None:

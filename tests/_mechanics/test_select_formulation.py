@@ -22,10 +22,10 @@ from pydy._assembly import assembly
 from pydy._graph.lowering import lower
 from pydy._graph.simplification import simplify
 from pydy._graph.solve.choose import solve_accelerations
-from pydy._mechanics import formed
-from pydy._mechanics.form import useful_axes
-from pydy._mechanics.formed import chosen
+from pydy._mechanics import select_formulation as formed
+from pydy._mechanics.formulations import useful_axes
 from pydy._mechanics.kane import multibody_of_kane
+from pydy._mechanics.select_formulation import chosen
 from pydy.examples import whipple_bicycle
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System

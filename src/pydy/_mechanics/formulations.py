@@ -27,11 +27,11 @@ from pydy._graph import (
     signatures,
     substitute,
 )
-from pydy._mechanics.alignment import align, in_a_plane, move_along_axes
+from pydy._mechanics.alignment import align, choose_joint_points, in_a_plane
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.implicit import check_forces
-from pydy._mechanics.inertia import Inertia, loads_and_inertias, lumped, points_of
+from pydy._mechanics.inertia import Inertia, composite_contributions, loads_and_inertias, points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reduction import reduced
@@ -45,7 +45,7 @@ _MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "co
 
 
 @dataclass(eq=False)
-class Formed:
+class EquationGraph:
     """Equations of motion ``M u' = F`` and kinematics ``q' = G`` as nodes."""
 
     # Its inputs are 'x' (coordinates, then speeds), 't', 'a' (derivatives of the speeds, in
@@ -94,7 +94,7 @@ class Formed:
         symbols = self.input_symbols(time, (*coordinates, *speeds))
         return NodeExpression.of(self.graph, self.kinetic, symbols)
 
-    def renumbered(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Formed:
+    def renumbered(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> EquationGraph:
         """Return a copy whose inputs are numbered as in the arrays p and r."""
         needed = self.inputs()
         names: dict[tuple[str, int], tuple[str, int]] = {}
@@ -119,7 +119,7 @@ class Formed:
             simplified = simplified[0].renamed(names), simplified[1]
         return replace(self, graph=self.graph.renamed(names), simplified=simplified)
 
-    def ordered(self, coordinates: Sequence[int], speeds: Sequence[int]) -> Formed:
+    def ordered(self, coordinates: Sequence[int], speeds: Sequence[int]) -> EquationGraph:
         """Return a copy with coordinates and speeds in another order, given by present positions.
 
         The rows of M move with the speeds.
@@ -146,7 +146,7 @@ class Formed:
             simplified=simplified,
         )
 
-    def for_body(self, body: Multibody) -> Formed:
+    def for_body(self, body: Multibody) -> EquationGraph:
         """Return a copy in the order of the states; dependent speeds are last before."""
         first = body.independent_first
         return self.ordered(
@@ -157,7 +157,7 @@ class Formed:
 
 def forms(
     body: Multibody, *, in_bodies: bool, honoured: Collection[Any] | None = None
-) -> list[Formed]:
+) -> list[EquationGraph]:
     """Return the equations of motion, composite bodies first, then articulated ones.
 
     In the first form u' is left to a solve; in the second, the speeds are eliminated one by one,
@@ -169,7 +169,7 @@ def forms(
     free = not body.velocity
     kinematics = moving(body, in_bodies, falling=in_bodies, fixed_honoured=honoured, referred=free)
     g = kinematics.graph
-    inertias, loads, body_inertias = lumped(kinematics)
+    inertias, loads, body_inertias = composite_contributions(kinematics)
     kinetic = _kinetic(kinematics, body_inertias)
     if body.implicit is not None:
         check_forces(body, g, kinetic)
@@ -195,13 +195,15 @@ def forms(
     return [_without_idle(formed) for formed in formulations] if body.auxiliary else formulations
 
 
-def _composed(kinematics: Kinematics, matrix: list[Vec], residual: Vec, start: Vec) -> Formed:
-    """Return the equations M (u' − start) = rest of all speeds, reduced to independent ones."""
+def _composed(
+    kinematics: Kinematics, matrix: list[Vec], residual: Vec, start: Vec
+) -> EquationGraph:
+    """Return the equations M (u' − start) = residual, reduced to independent speeds."""
     g, read, accelerations = kinematics.graph, kinematics.read, None
     if kinematics.body.velocity:
         moved = _depends_on_accelerations(kinematics, residual)
         matrix, residual, accelerations = reduced(kinematics, matrix, residual, moved)
-    return Formed(
+    return EquationGraph(
         g,
         read.constants,
         read.specifieds,
@@ -219,7 +221,7 @@ def _depends_on_accelerations(kinematics: Kinematics, nodes: Vec) -> bool:
     return not {*kinematics.accelerations}.isdisjoint(kinematics.graph.reachable(nodes))
 
 
-def _without_idle(formed: Formed) -> Formed:
+def _without_idle(formed: EquationGraph) -> EquationGraph:
     """Remove specifieds that do no work: noncontributing forces."""
     g = formed.graph
     inputs = [g.input("r", k) for k in range(len(formed.specifieds))]
@@ -240,7 +242,7 @@ def useful_axes(body: Multibody) -> list[bool]:
     in a rotating body, that is, all velocities are given in the inertial frame.
     """
     k = Kinematics(body, in_bodies=False)
-    k.place(points_of(k))
+    k.connect(points_of(k))
     if in_a_plane(k):
         return [True, False]
     vectors = [k.tree.velocity(p) for p in k.placed() if k.base(p) is None]
@@ -321,10 +323,10 @@ def moving(
         if falling:
             take_gravity_off(kinematics)
         points = [*points_of(kinematics), *further_points]
-        kinematics.place(points)
+        kinematics.connect(points)
         if falling:
             align(kinematics)
-            move_along_axes(kinematics)
+            choose_joint_points(kinematics)
         for point in points:
             kinematics.motion(point)
         if fixed_honoured is None and checked != (paths := _paths(kinematics, points)):
@@ -340,7 +342,7 @@ def _paths(kinematics: Kinematics, points: Iterable[Any]) -> dict[Any, Any]:
 
 
 @collector_paused()
-def form_lagrangian(body: Multibody) -> Formed:
+def form_lagrangian(body: Multibody) -> EquationGraph:
     """Return the equations of motion of a Lagrangian.
 
     With constraints, q'' follows from multipliers, in every configuration and for any choice of
@@ -425,16 +427,16 @@ def _honoured(
         for f in chains[p]:  # into the inertial frame
             difference = np.einsum("sij,si->sj", step[f], difference)
         differences[p], sizes[p] = difference, np.linalg.norm(pairs[:, i], axis=-1).sum(axis=-1)
-    given: dict[Any, None] = {}
+    honoured: dict[Any, None] = {}
     nothing = np.zeros((states, 3))
     for p in sorted(points, key=lambda p: len(_inner(k, p))):
-        inner = next((q for q in _inner(k, p) if q in given), None)
+        inner = next((q for q in _inner(k, p) if q in honoured), None)
         residual = differences.get(p, nothing) - differences.get(inner, nothing)
         size = sizes.get(p, 0.0) + sizes.get(inner, 0.0)
         # A singular solve gives NaN, which compares unequal.
         if not (np.linalg.norm(residual, axis=-1) <= SAME_DIRECTION * size).all():
-            given[p] = None
-    return list(given)
+            honoured[p] = None
+    return list(honoured)
 
 
 def _inner(kinematics: Kinematics, point: Any) -> list[Any]:

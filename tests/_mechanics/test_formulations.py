@@ -12,7 +12,7 @@ from graphs import form
 from oracle import oracle
 from pydy._graph.lowering import lower
 from pydy._mechanics.elimination import composite
-from pydy._mechanics.form import forms, moving
+from pydy._mechanics.formulations import forms, moving
 from pydy._mechanics.inertia import loads_and_inertias
 from pydy._mechanics.kane import multibody_of_kane
 from pydy._program.interpret import run

@@ -45,7 +45,7 @@ from pydy._mechanics.equations import (
     MassAndForcing,
     Mechanism,
 )
-from pydy._mechanics.form import Formed, forms, useful_axes
+from pydy._mechanics.formulations import EquationGraph, forms, useful_axes
 from pydy._mechanics.generic import (
     AROUND,
     Block,
@@ -98,15 +98,15 @@ def equations_of(body: Multibody) -> Equations:
     formed = chosen(body)
     energy = formed.energy(body.time, body.coordinates, body.speeds)
     mechanism = Mechanism(body.frame, body.bodies, body.loads, energy)
-    made = classify(replace(base, formed=formed, mechanism=mechanism))
-    return with_auxiliary(made) if body.auxiliary else made
+    equations = classify(replace(base, formed=formed, mechanism=mechanism))
+    return with_auxiliary(equations) if body.auxiliary else equations
 
 
 # -- the form -------------------------------------------------------------------------------------
 
 
 @collector_paused()
-def chosen(body: Multibody) -> Formed:
+def chosen(body: Multibody) -> EquationGraph:
     """Return the equations of motion in the formulation with the fewest operations.
 
     The axes are selected by estimates, articulated or composite bodies by compiled counts. Beyond a
@@ -117,7 +117,7 @@ def chosen(body: Multibody) -> Formed:
     return _fewest(body.independent_first).for_body(body)
 
 
-def _fewest(body: Multibody) -> Formed:
+def _fewest(body: Multibody) -> EquationGraph:
     # Compiled counts would take as long as everything else (twice the time for a tree of 29 joints,
     # four times for 20 links).
     is_large = len(body.speeds) > 12
@@ -125,7 +125,9 @@ def _fewest(body: Multibody) -> Formed:
     candidates = [forms(body, in_bodies=first)]
     for in_bodies in other_axes if not candidates[0][0].in_one_frame else ():
         candidates.append(forms(body, in_bodies=in_bodies, honoured=candidates[0][0].honoured))
-    kinds: list[Formed] = [min(same, key=_estimated) for same in zip(*candidates, strict=True)]
+    kinds: list[EquationGraph] = [
+        min(same, key=_estimated) for same in zip(*candidates, strict=True)
+    ]
     if is_large or len(kinds) == 1:
         best = min(kinds, key=_estimated)
     else:
@@ -134,7 +136,7 @@ def _fewest(body: Multibody) -> Formed:
     return _without_cancelled(best) if rates else best
 
 
-def _without_cancelled(formed: Formed) -> Formed:
+def _without_cancelled(formed: EquationGraph) -> EquationGraph:
     """Return the equations without specifieds that cancel, or unchanged.
 
     The rate of a prescribed direction occurs in the acceleration of a particle that moves along it,
@@ -164,7 +166,7 @@ def _without_cancelled(formed: Formed) -> Formed:
     return reduced if any(g == "r" and (g, k) not in inputs for g, k in removed) else formed
 
 
-def _estimated(formed: Formed) -> int:
+def _estimated(formed: EquationGraph) -> int:
     """Estimate the operations of q' and u' as they are before simplification."""
     graph, n = formed.graph, len(formed.residual_forcing)
     if formed.accelerations is not None:
@@ -183,7 +185,7 @@ def _estimated(formed: Formed) -> int:
     return operation_count(graph, [*formed.rates, *formed.start, *roots]) + solving
 
 
-def _counted(formed: Formed) -> int:
+def _counted(formed: EquationGraph) -> int:
     """Count the operations of q' and u' as they are compiled."""
     assert formed.simplified is not None
     graph, nodes = formed.simplified
@@ -192,7 +194,7 @@ def _counted(formed: Formed) -> int:
     return sum(program.operation_count["run"].values())
 
 
-def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
+def _simplified(formed: EquationGraph) -> tuple[Graph, list[int]]:
     """Simplify q' and u' in a graph of their own."""
     graph = formed.graph.copy()
     solved = formed.accelerations
@@ -206,7 +208,7 @@ def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
 
 
 @collector_paused()
-def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
+def formed_alike(equations: Equations, body: Multibody) -> EquationGraph | None:
     """Return the equations formed from bodies, or None to use those of the method."""
     why = _unfit(equations, body)
     if not why:
@@ -234,7 +236,7 @@ def _unfit(equations: Equations, body: Multibody) -> str:
     return ""
 
 
-def _agree(equations: Equations, formed: Formed) -> bool:
+def _agree(equations: Equations, formed: EquationGraph) -> bool:
     """Return whether both have the same accelerations.
 
     With the u' of one, M u' − F of the other must vanish: comparing u' would be less accurate if M
@@ -316,10 +318,10 @@ def _classified(equations: Equations) -> ConstraintEquations:
     sizes = np.linalg.norm(terms, axis=1)
     # What cancels is no row: the rate of a quaternion's norm.
     rows[np.linalg.norm(rows, axis=1) <= HALF * sizes] = 0.0
-    moves = _Space(len(motion), motion.shape[1])
+    motion_space = _Space(len(motion), motion.shape[1])
     for row in motion:
-        moves.extend(row)
-    unexplained = [bool(moves.beyond(row).any()) for row in rows]
+        motion_space.extend(row)
+    unexplained = [bool(motion_space.outside(row).any()) for row in rows]
     implied = tuple(k for k, row in enumerate(rows) if row.any() and not unexplained[k])
     residuals = constraints.residuals.rows  # which are solved
     undifferentiated = tuple(
@@ -385,11 +387,11 @@ class _Space:
     """A row space, with an orthonormal basis."""
 
     def __init__(self, most: int, width: int) -> None:
-        self._basis, self._found = np.zeros((most, width)), 0
+        self._basis, self._count = np.zeros((most, width)), 0
 
-    def beyond(self, row: np.ndarray) -> np.ndarray:
+    def outside(self, row: np.ndarray) -> np.ndarray:
         """Return the component of a normalised row outside the space, or zero."""
-        basis, size = self._basis[: self._found], np.linalg.norm(row)
+        basis, size = self._basis[: self._count], np.linalg.norm(row)
         residual = row / size if size else row
         for _ in range(2):  # the second orthogonalization removes the rounding of the first
             residual = residual - (basis @ residual) @ basis
@@ -397,10 +399,10 @@ class _Space:
 
     def extend(self, row: np.ndarray) -> bool:
         """Add a row to the space; return whether it was not in it."""
-        residual = self.beyond(row)
+        residual = self.outside(row)
         if residual.any():
-            self._basis[self._found] = residual / np.linalg.norm(residual)
-            self._found += 1
+            self._basis[self._count] = residual / np.linalg.norm(residual)
+            self._count += 1
         return bool(residual.any())
 
 
