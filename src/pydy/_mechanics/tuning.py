@@ -1,7 +1,7 @@
-"""Thresholds of the mechanics, each with what it was found by.
+"""Thresholds of the mechanics, each with its reason.
 
-Numbers at generic states are of order one, so that rounding leaves 1e-16 times a condition number;
-those that differ differ by 1e-3 or more.
+Values at generic states are of order one: rounding errors are 1e-16 times a condition number, and
+values that differ do so by 1e-3 or more.
 """
 
 import sys
@@ -9,56 +9,58 @@ import sys
 from pydy._rank import DEPENDENT, SOUND
 
 CANCELLED = 1e-4
-"""The share of its row and column below which an entry of a mass matrix may be what is left of
-terms that cancel: where half the digits agree, differences of 1e-12 of them are rounding."""
+"""Fraction of its row and column below which an entry of a mass matrix may be the remainder of
+cancelling terms: if half the digits agree, differences of 1e-12 of the terms are rounding."""
 
 OPEN = 1e-7
-"""Residuals of constraints, in their units, above which they certainly do not hold."""
+"""Residuals of constraints, in their units, above which they are certainly violated."""
 
 FULL_STEPS = (0.05, 1e-14)
-"""Shares below which singular values are left out of Newton's steps: first with few directions,
-since redundant constraints draw full steps to singular positions; then with all."""
+"""Relative singular values below which Newton's steps omit a direction: large at first, since
+redundant constraints attract full steps to singular positions; then small."""
 
 SAME_DIRECTION = 1e-12
-"""The difference of two unit vectors, and of two rotations, that are the same: users' axes are
-normalised to rounding, or to all digits that they wrote."""
+"""Difference below which two unit vectors, or two rotations, are equal: users normalise axes to
+rounding, or to all digits that they type."""
 
 NEARLY_DEPENDENT = (DEPENDENT, 1e-4)
-"""Singular values between are neither zero nor sound: such a state is not counted."""
+"""Singular values in this interval are neither zero nor reliable: such states are ignored."""
 
 SOUND_PIVOT = SOUND
-"""A pivot below this share of its row's size has all rows take part: two digits are lost. A row of
-J with such a pivot is nearly singular: left out where the state does not tell its multiplier."""
+"""Fraction of its row below which a pivot causes the full system to be solved: two digits are lost.
+A row of J with such a pivot is nearly singular, and omitted if the state does not determine its
+multiplier."""
 
 SOUND_SHARE = 0.1
-"""What a size is multiplied with beside `SOUND_PIVOT` where independent speeds are solved for:
-three digits are lost at most, where a wrong choice of dependent speeds would lose all."""
+"""Further factor on `SOUND_PIVOT` in the equations of the independent speeds: at most three digits
+are lost, where a wrong choice of dependent speeds would lose all."""
 
 CLEAR = 1e-4
-"""The share of a determinant's usual size below which constraints may depend on each other: with
-1e-2 one of three rows took the fallback in every twelfth state of a rider's arms, far from any
-singular position."""
+"""Fraction of its usual size below which a determinant indicates dependent constraints. With 1e-2 a
+system of three rows took the fallback in every twelfth state of a rider's arms, far from singular
+positions."""
 
 GUARDED_UP_TO = 12
-"""Independent speeds up to which their elimination is written out, with its pivots looked at."""
+"""Independent speeds up to which their elimination is written out, with checked pivots."""
 
 OFTEN, LESS_OFTEN = 0.03, 0.7
-"""The share of random states from which independent speeds whose motions are nearly parallel are
-taken apart, a ninth with a rider's arms, none with a bicycle; and how far that must lower it."""
+"""Fraction of random states with small pivots above which nearly parallel directions are
+orthogonalised (1/9 for a rider's arms, 0 for a bicycle), and the factor by which this must reduce
+it."""
 
 LIGHT, LIGHTEST = 2e-7, 1e-4
-"""What an independent speed moves by itself, as a share of what moves with it: below, three digits
-of the dependent speeds' derivatives are lost; the second where pivots are not looked at, since of
-the independent ones' equations twice as many are."""
+"""Smallest ratio of an independent speed's own inertia to the inertia that it carries along: below,
+three digits of the dependent speeds' derivatives are lost. The second applies if pivots are not
+checked, since the equations of the independent speeds lose twice as many."""
 
 READABLE = 2000
-"""Terms of an equation that are multiplied out to be written like a textbook's: those of an arm of
-three joints in space, with all moments and products of inertia, are some hundreds."""
+"""Largest number of terms that are expanded for printing: an arm of three joints in space, with all
+moments and products of inertia, has some hundreds."""
 
 DIGITS = sys.float_info.dig
-"""Decimals that every float keeps as they were typed: what has few bits, but more decimals, is left
-of others."""
+"""Decimals that every float represents exactly as typed: a number with few bits but more decimals
+is the remainder of a cancellation."""
 
 NEAR = (2.0**-20, 2.0**-30)
-"""So near to a switch, in sizes of what switches, that a jump alone is as large at both: what tends
-to zero has become a thousandth of itself, and what has no bound has grown."""
+"""Two relative distances from a switch at which only a jump has equal sizes: a term that tends to
+zero shrinks by a factor of a thousand, an unbounded one grows."""

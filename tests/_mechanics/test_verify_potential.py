@@ -5,7 +5,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._mechanics.kane import equations_of_kane
-from pydy._mechanics.potential import has_momenta_of, is_potential_of
+from pydy._mechanics.verify_potential import has_momenta_of, is_potential_of
 from zoo import inertial_frame
 
 M, G, L = sm.symbols("m g l", positive=True)
