@@ -8,7 +8,11 @@ from .derivative import (
     hessian as hessian,
     jacobian as jacobian,
 )
-from .from_sympy import NodeExpression as NodeExpression, SymPyReader as SymPyReader
+from .from_sympy import (
+    NodeExpression as NodeExpression,
+    SymPyReader as SymPyReader,
+    evaluated_derivative as evaluated_derivative,
+)
 from .identities import signatures as signatures
 from .lowering import lower as lower
 from .node import Graph as Graph

@@ -96,7 +96,7 @@ class ConstraintForces:
         if self.body.changing:  # no speed is dependent in all configurations
             dependent = tuple(range(len(kinematics.speeds)))
         bound = jacobian(g, rows, [kinematics.speeds[k] for k in dependent])
-        columns = dense_rows(g, bound, len(dependent))  # Jᵀ, by columns
+        columns = bound.dense()  # Jᵀ, by columns
         force = [g.neg(unbalanced[k]) for k in dependent]
         if self.body.changing:
             multipliers = multipliers_of(g, columns, force, rank)

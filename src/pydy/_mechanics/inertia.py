@@ -156,7 +156,7 @@ def inertia_seen(
         rate = transposed([kinematics.cross(relative, row) for row in tensor])
         sums = map(kinematics.plus, rate, transposed(rate))
         change = [kinematics.plus(a, b) for a, b in zip(change, sums, strict=True)]
-    if not vanish(kinematics.graph, flat(change)):
+    if any(signatures(kinematics.graph, flat(change))):
         return home, tensor, change
     while home in kinematics.tree.frame_depth:
         if (parent := kinematics.frames.parent(home)) is None:

@@ -11,7 +11,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._assembly import differentiated
+from pydy._graph import evaluated_derivative
 from pydy._names import written_out
 
 
@@ -54,8 +54,8 @@ def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
         if key in visited:
             continue
         visited[key] = expr
-        if is_unevaluated(expr):
-            stack.append(differentiated(expr))
+        if (derivative := evaluated_derivative(expr)) is not None:
+            stack.append(derivative)
         elif isinstance(expr, (AppliedUndef, sm.Derivative, sm.Symbol)):
             symbols[expr] = None
         else:
@@ -78,12 +78,11 @@ def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
         key = id(expr)
         if key in done:
             continue
-        if is_unevaluated(expr):
-            if ready:
-                done[key] = done[id(derivatives[key])]
-            else:
-                derivatives[key] = differentiated(expr)
-                stack += [(expr, True), (derivatives[key], False)]
+        if ready and key in derivatives:
+            done[key] = done[id(derivatives[key])]
+        elif (derivative := evaluated_derivative(expr)) is not None:
+            derivatives[key] = derivative
+            stack += [(expr, True), (derivative, False)]
         elif not expr.args or isinstance(expr, (AppliedUndef, sm.Derivative)):
             done[key] = mapping.get(expr, expr)
         elif ready:

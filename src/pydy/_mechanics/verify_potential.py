@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph import dense_jacobian, rounding_bounds, sides, switches
+from pydy._graph import Branches, jacobian, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import Block, GenericStates
 from pydy._mechanics.tuning import NEAR
@@ -29,7 +29,7 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # The rate may be finite where the energy is not: the rate of atan(x/√-l) has no root.
     generic = list(states.samples([*blocks, ("energy", (), [energy])], _TRIALS))
     samples = [*generic]
-    switching = switches(states.graph, [energy, *power_nodes])
+    switching = Branches(states.graph, [energy, *power_nodes]).switches()
     # An integral of |sin(q)|, for instance, may be valid for some revolutions only.
     for far in _SEARCH_STARTS if switching else ():
         near = dict.fromkeys(equations.coordinates, far)
@@ -44,7 +44,9 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # A one-sided load that acts at none of the states must have an energy with a switch.
     acting = np.any([sample["powers"] for sample in samples], axis=0).tolist()
     inactive = [n for n, acts in zip(power_nodes, acting, strict=True) if not acts]
-    return not switches(states.graph, inactive) or bool(switches(states.graph, [energy]))
+    return not Branches(states.graph, inactive).switches() or bool(
+        Branches(states.graph, [energy]).switches()
+    )
 
 
 def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
@@ -52,7 +54,7 @@ def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
     states = GenericStates(equations, (lagrangian, kinetic), "the energy")
     nodes = states.read.all((lagrangian, kinetic))
     shape = 2, len(states.speeds)
-    momenta = np.reshape(dense_jacobian(states.graph, nodes, states.speeds), shape).tolist()
+    momenta = np.reshape(jacobian(states.graph, nodes, states.speeds).flat(), shape).tolist()
     sums = [[a, states.graph.neg(b)] for a, b in zip(*momenta, strict=True)]
     samples = list(states.samples([_with_bounds(states, sums)], _TRIALS))
     return bool(samples) and all(_small(sample["pairs"], sums) for sample in samples)
@@ -76,7 +78,7 @@ def _small(pairs: np.ndarray, sums: Sequence[Sequence[int]]) -> bool:
 
 def _jumps(states: GenericStates, switch: int, energy: int) -> bool:
     """Return whether an energy jumps at a switch."""
-    above, below = sides(states.graph, [energy], switch)
+    above, below = Branches(states.graph, [energy]).sides(switch)
     step = states.graph.sub(*above, *below)
     block = [("step", (1,), [step])]
     samples = list(states.samples_where_zero(switch, block, _TRIALS))

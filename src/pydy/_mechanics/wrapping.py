@@ -19,7 +19,7 @@ import numpy as np
 from sympy.physics.mechanics import Force
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import Graph
+from pydy._graph import Graph, signatures
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formulations import moving
@@ -74,7 +74,7 @@ def _in_balance(vectors: Iterable[Any]) -> bool:
         except UnsupportedFunctionError:
             return False  # no pathway's
         sums[frame] = [graph.add(a, b) for a, b in zip(total, nodes, strict=True)]
-    return vanish(graph, flat([*sums.values()]))
+    return not any(signatures(graph, flat([*sums.values()])))
 
 
 def _is_negative(body: Multibody, loads: Sequence[Any]) -> bool:
