@@ -4,9 +4,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import by_hand
 from graphs import form
-from pydy._mechanics.frame_tree import FrameTree, velocity_in
 from pydy._mechanics.kane import multibody_of_kane
 from pydy._mechanics.reader import check_bodies, read_loads
 from pydy.system import System
@@ -117,14 +115,6 @@ def test_a_method_without_kinematic_equations_is_refused():
         System(kane)
 
 
-def test_a_velocity_whose_components_are_speeds_is_not_replaced_by_the_rate_of_its_place():
-    model = by_hand.satellite()
-    centre, tip = (body.masscenter for body in model.kane.bodies)
-    ways = FrameTree(model.kane._inertial).paths([centre, tip], {})
-    assert ways[centre] == (None, ())
-    assert ways[tip][0] is centre
-
-
 def test_where_nothing_rests_the_point_that_may_rest_is_named():
     frame, origin = me.ReferenceFrame("N"), me.Point("O")
     hinge = origin.locatenew("H", me.dynamicsymbols("q") * frame.x)
@@ -163,26 +153,3 @@ def test_a_body_that_is_given_twice_is_named():
     with pytest.raises(ValueError, match="`bodies` has p more than once: its mass would count"):
         formed([body, body], frame=frame)
     assert check_bodies([body, other]) == (body, other)
-
-
-def test_velocities_along_a_chain_are_those_that_sympy_makes_up():
-    q = me.dynamicsymbols("q:3")
-    made = []
-    for velocity in (velocity_in, lambda point, frame: point.vel(frame)):
-        frame, origin = inertial_frame()
-        arm = frame.orientnew("A", "Axis", (q[0], frame.z))
-        one = origin.locatenew("one", q[1] * arm.x)
-        two = one.locatenew("two", q[2] * frame.y)
-        velocities = [velocity(point, frame) for point in (one, two)]
-        made.append([v.to_matrix(frame) for v in velocities])
-    assert made[0] == made[1]
-
-
-def test_a_neighbour_that_moves_in_a_frame_of_its_own_tells_no_velocity():
-    frame, origin = inertial_frame()
-    stranger, elsewhere = me.Point("S"), me.ReferenceFrame("E")
-    stranger.set_vel(frame, 7 * frame.x)
-    point = me.Point("P")
-    point.set_pos(stranger, elsewhere.x)
-    point.set_pos(origin, 2 * me.dynamicsymbols._t * frame.x)
-    assert velocity_in(point, frame) == 2 * frame.x
