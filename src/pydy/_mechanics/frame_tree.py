@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 from pydy._forks import cached_property
 
 # The point from which a point is reached, None for a root, and the vectors on the way.
-Path = tuple[Any, tuple[Any, ...]]
+BaseAndSteps = tuple[Any, tuple[Any, ...]]
 
 
 class FrameTree:
@@ -111,7 +111,7 @@ class FrameTree:
         """Return the acceleration that the user set, or None."""
         return point._acc_dict.get(self.inertial)
 
-    def paths(self, points: Iterable[Any], roles: Mapping[Any, str]) -> dict[Any, Path]:
+    def paths(self, points: Iterable[Any], roles: Mapping[Any, str]) -> dict[Any, BaseAndSteps]:
         """Return for each point its base and the vectors from there, (None, ()) for roots.
 
         The base moves independently of the point, so that a given velocity can be compared with the
@@ -148,7 +148,7 @@ class FrameTree:
                     f"{self.inertial}, and no place from a point that has one. {remedy}"
                 )
         located_from = self._hung(targets, nearest)
-        paths: dict[Any, Path] = {}
+        paths: dict[Any, BaseAndSteps] = {}
         for point in targets:
             while point is not None and point not in paths:
                 if nearest[point] is not None:
@@ -160,22 +160,24 @@ class FrameTree:
                 point = paths[point][0]
         return paths
 
-    def _hung(self, targets: Sequence[Any], nearest: dict[Any, Any]) -> Callable[[Any], Path]:
+    def _hung(
+        self, targets: Sequence[Any], nearest: dict[Any, Any]
+    ) -> Callable[[Any], BaseAndSteps]:
         """Return the function that locates a point without a velocity from a point with one.
 
         It returns the next step to the nearest given velocity. If several are equally near and
         contradict each other, the one that SymPy chooses is used.
         """
-        given_paths: dict[Any, Path] = {}
+        given_paths: dict[Any, BaseAndSteps] = {}
         root: dict[Any, Any] = {}
         for point in targets:
             if nearest[point] is not None and (path := self._nearest_given(point, given_paths)):
                 given_paths[point] = path
                 root[point] = root.get(given_paths[point][0], given_paths[point][0])
-        chosen: dict[Any, Path] = {}
+        chosen: dict[Any, BaseAndSteps] = {}
         ends: dict[Any, Any] = {}  # the roots of the paths that agree
 
-        def located_from(point: Any) -> Path:
+        def located_from(point: Any) -> BaseAndSteps:
             before = nearest[point]
             return chosen.get(point) or (before, (FrameTree.positions(point)[before],))
 
@@ -193,7 +195,7 @@ class FrameTree:
                 ends |= dict.fromkeys(chain, end)
         return located_from
 
-    def _nearest_given(self, point: Any, resolved: Container[Any]) -> Path | None:
+    def _nearest_given(self, point: Any, resolved: Container[Any]) -> BaseAndSteps | None:
         """Return the nearest point with a velocity, in SymPy's order, and the path from there.
 
         As in SymPy's search, positions in frames without orientation are ignored.
@@ -217,8 +219,8 @@ class FrameTree:
         above: dict[Any, Any],
         rank: dict[Any, int],
         nearest: dict[Any, Any],
-        located_from: Callable[[Any], Path],
-    ) -> Path:
+        located_from: Callable[[Any], BaseAndSteps],
+    ) -> BaseAndSteps:
         """Return the point before one with a given velocity, and the vector between."""
         base, steps = above[point], [FrameTree.positions(point)[above[point]]]
         while True:

@@ -52,29 +52,29 @@ def reduced(
     g, n = kinematics.graph, len(forcing)
     d = len(kinematics.body.velocity)
     p = n - d
-    rows, drift = _constraints(kinematics, kinematics.body.velocity)
+    rows, bias = _constraints(kinematics, kinematics.body.velocity)
     dependent_part = [row[p:] for row in rows]
-    columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
+    columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in bias]]
     solved, determinants = solve_by_cofactors(g, dependent_part, columns) or (
         g.solve(dependent_part, columns, "lu"),
         [],
     )
     null_space = [[*unit, *column] for unit, column in zip(identity(g, p), solved[:p], strict=True)]
-    upper = [
+    upper_rows = [
         [dot(g, direction, [row[j] for row in matrix]) for j in range(n)]
         for direction in null_space
     ]
     force = [dot(g, direction, forcing) for direction in null_space]
-    user_rows = _given_accelerations(kinematics, rows, drift)
-    below, pull = user_rows or (rows, drift)
-    system = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
+    user_rows = _given_accelerations(kinematics, rows, bias)
+    lower_rows, row_bias = user_rows or (rows, bias)
+    system = [*upper_rows, *lower_rows], [*force, *(g.neg(x) for x in row_bias)]
     if user_rows or moved:
         return *system, None
-    bound = _all_constraints(kinematics, rows, drift)
+    bound = _all_constraints(kinematics, rows, bias)
     if kinematics.body.changing and definite(g, matrix):
         return *system, bound.accelerations(g, matrix, forcing)
     base = [g.zero] * p + solved[p]
-    basis = _Basis(g, null_space, upper, base, _nearly_parallel(g, matrix, rows))
+    basis = _Basis(g, null_space, upper_rows, base, _nearly_parallel(g, matrix, rows))
     sound = g.boolean(True)
     for determinant in determinants:
         sound = g.call("and", sound, _is_clear(g, determinant))
@@ -82,11 +82,14 @@ def reduced(
         # The retained rows may lose rank on a regular path, which then requires all rows.
         sound = g.boolean(False)
     if 1 < p <= GUARDED_UP_TO:
-        sizes = [g.zero, *(g.sum([(basis.square[i][i], SOUND_SHARE)]) for i in range(1, p))]
-        shares, well = solved_soundly(g, basis.square, basis.right(forcing), sizes)
+        sizes = [
+            g.zero,
+            *(g.sum([(basis.projected_mass_matrix[i][i], SOUND_SHARE)]) for i in range(1, p)),
+        ]
+        shares, well = solved_soundly(g, basis.projected_mass_matrix, basis.right(forcing), sizes)
         sound = g.call("and", sound, well)
     else:
-        shares = g.solve(basis.square, [basis.right(forcing)], "ldl")[0]
+        shares = g.solve(basis.projected_mass_matrix, [basis.right(forcing)], "ldl")[0]
     for i in range(p):
         if matrix[i][i] != g.zero:
             limit = g.sum([(basis.sizes[i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
@@ -99,8 +102,8 @@ class _Basis:
     """A basis u' = z₁ c₁ + … + w of consistent accelerations, and its mass matrix.
 
     Nearly parallel directions, and w, are made M-orthogonal by the modified Gram–Schmidt process
-    (Björck, BIT 7, 1967): the equations for all z would lose twice as many digits. `square` holds
-    cᵢ·M cⱼ, `sizes` its diagonal before the process.
+    (Björck, BIT 7, 1967): the equations for all z would lose twice as many digits.
+    `projected_mass_matrix` holds cᵢ·M cⱼ, `sizes` its diagonal before the process.
     """
 
     def __init__(
@@ -127,7 +130,7 @@ class _Basis:
                 self._pushed[j] = self._subtracted(self._pushed[j], share, self._pushed[i])
             share = g.div(dot(g, self._pushed[i], self._base), size)
             self._base = self._subtracted(self._base, share, self._directions[i])
-        self.square = [
+        self.projected_mass_matrix = [
             [
                 g.zero
                 if i != j and i in orthogonalised and j in orthogonalised
@@ -168,24 +171,24 @@ class _Basis:
 
 
 def _all_constraints(
-    kinematics: Kinematics, rows: list[list[int]], drift: list[int]
+    kinematics: Kinematics, rows: list[list[int]], bias: list[int]
 ) -> AccelerationConstraints:
     """Return the constraints, redundant ones included, and their residuals."""
     body, read, dt = kinematics.body, kinematics.read, kinematics.dt
     velocity = body.velocity
     if body.changing:
-        redundant_rows, pull = _constraints(kinematics, body.redundant)
-        velocity, rows, drift = (
+        redundant_rows, redundant_bias = _constraints(kinematics, body.redundant)
+        velocity, rows, bias = (
             (*velocity, *body.redundant),
             [*rows, *redundant_rows],
-            [*drift, *pull],
+            [*bias, *redundant_bias],
         )
     rates = [dt(row) for row in rows]
     residuals = read.all(body.position_constraints)
     residual_rows = jacobian(kinematics.graph, dt(residuals), kinematics.speeds).dense()
     d = len(body.velocity)
     pairs = list(zip(residuals, residual_rows, strict=True))
-    return AccelerationConstraints(rows, drift, d, rates, read.all(velocity), pairs)
+    return AccelerationConstraints(rows, bias, d, rates, read.all(velocity), pairs)
 
 
 def _constraints(
@@ -197,7 +200,7 @@ def _constraints(
 
 
 def _given_accelerations(
-    kinematics: Kinematics, rows: list[list[int]], drift: list[int]
+    kinematics: Kinematics, rows: list[list[int]], derived_bias: list[int]
 ) -> tuple[list[list[int]], list[int]] | None:
     """Return K and b of the user's acceleration constraints, unless they equal those of `rows`."""
     g, body = kinematics.graph, kinematics.body
@@ -207,7 +210,7 @@ def _given_accelerations(
     table = jacobian(g, nodes, kinematics.accelerations).dense()
     bias = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
     flat = [n for row in (*table, bias) for n in row]
-    derived = [n for row in (*rows, drift) for n in row]
+    derived = [n for row in (*rows, derived_bias) for n in row]
     return None if kinematics.equal(flat, derived) else (table, bias)
 
 
