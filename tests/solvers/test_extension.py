@@ -196,7 +196,7 @@ def test_states_at_the_ends_of_steps_take_no_step_again():
     system = oscillator(dop853, MANY)
     dense = system.simulate()._dense
     states = dense(dense.starts)
-    assert not dense._twin._free  # nothing was reserved for that
+    assert not dense._workspaces._free  # nothing was reserved for that
     np.testing.assert_allclose(states[:, 0], np.cos(dense.starts), atol=1e-6)
     between = dense(np.append(dense.starts, 2.0) - 1e-9 * np.append(dense.starts > 0.0, True))
     np.testing.assert_allclose(between[1:-1], states[1:], atol=1e-8)

@@ -564,7 +564,7 @@ def test_ctrl_c_hands_over_the_motion(monkeypatch, capsys):
     def interrupted(*arguments):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(DiscreteAdjoint, "through", interrupted)
+    monkeypatch.setattr(DiscreteAdjoint, "sweep_back", interrupted)
     with pytest.raises(IntegrationInterrupted, match="way back through the motion") as caught:
         system.adjoint_gradient("k0", **run)
     assert caught.value.time == 1e4

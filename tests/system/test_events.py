@@ -420,13 +420,13 @@ def test_a_bouncing_ball_bounces_as_the_closed_form_says(solver):
 
 @pytest.mark.parametrize("solver", ALL)
 def test_resets_in_compiled_code_are_those_of_python(solver, monkeypatch):
-    own, seen, acted = Workspace._acting, Integration._act, []
+    own, seen, acted = Workspace._bind_event_actions, Integration._act, []
     monkeypatch.setattr(Integration, "_act", lambda one: acted.append(one) or seen(one))
     times = np.linspace(0.0, 12.0, num=31)
     few = [bounce(0.95), Event(V, name="top"), Event(T - 5, reset={V: V + 1}, name="push")]
     found = []
     for alone in (own, lambda *given: ([0] * 3, np.zeros(1), np.zeros(1))):
-        monkeypatch.setattr(Workspace, "_acting", alone)
+        monkeypatch.setattr(Workspace, "_bind_event_actions", alone)
         acted.clear()
         x, info = run(ball(solver, times=times), few, dense_output=True)
         assert (len(acted) > 10) == (alone is not own)

@@ -162,7 +162,7 @@ class AugmentedSystem:
         """
         found = tuple(parameter.sized for parameter in self.parameters)
         least = least_sizes(options, self.columns.states).tolist()
-        return tuple(s._replace(least=least[s.entry]) if s.group == "x" else s for s in found)
+        return tuple(s._replace(least=least[s.position]) if s.group == "x" else s for s in found)
 
     @property
     def whole(self) -> AugmentedSystem:

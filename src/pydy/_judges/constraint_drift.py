@@ -493,7 +493,7 @@ def check_drift(motion: Motion) -> None:
     report = check.report(partial(_part, motion))
     if report is None:
         return
-    details, t = report.details, float(check.times[report.row])
+    details, t = report.details, float(check.times[report.state_index])
     if "unimplied" in details:
         status = text = f"cannot keep all constraints. {contradiction(equations, t, **details)}"
     else:
@@ -507,7 +507,7 @@ def check_drift(motion: Motion) -> None:
         motion.times,
         motion.states,
         t,
-        check.states[report.row],
+        check.states[report.state_index],
         {**statistics, "method": motion.method, "code": int(report.outcome), "status": status},
     )
     error.motion = motion

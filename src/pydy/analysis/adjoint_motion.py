@@ -396,7 +396,7 @@ class MotionSegment:
         self.stopped = info["code"] == Outcome.TERMINATED
         ended = integration.memory.x[:width].copy()
         self.last = ended if self.stopped or not len(states) else states[-1]
-        rows: Any = integration.kept_steps()
+        rows: Any = integration.recorded_steps()
         starts = rows[rows[:, 1] > 0.0, 0]
         ends = np.append(starts, self.end)[1:]  # of those that events cut short, too
         moves = ends > starts
@@ -561,7 +561,7 @@ class MotionSegment:
                 self._adjoint[:n] = projections.back(k, self._adjoint[:n])
             own = slice(start, stop)
             steps = self.starts[own], self.ends[own], self.before[own]
-            sweep = self._back.through(*steps, self._adjoint, self._told)
+            sweep = self._back.sweep_back(*steps, self._adjoint, self._told)
             if not np.isfinite(sweep.adjoint).all():
                 begin, past = float(self.starts[start]), float(self.ends[stop - 1])
                 raise ValueError(
@@ -572,7 +572,7 @@ class MotionSegment:
                 )
             self._adjoint = sweep.adjoint
             self._totals += sweep.totals
-            self._seen.append((sweep.times, sweep.kept))
+            self._seen.append((sweep.times, sweep.stagewise))
         if projections is not None:
             self._projected(projections)
 

@@ -395,7 +395,7 @@ class _Joined:
             values["sizes"] = np.broadcast_to(values["sizes"].max(axis=0), values["sizes"].shape)
             if not (report := DriftReport.contradiction(values)):
                 continue
-            k, t = report.row, float(times[report.row])
+            k, t = report.state_index, float(times[report.state_index])
             status = f"cannot keep all constraints. {contradiction(equations, t, **report.details)}"
             info = {"code": int(Outcome.LEFT_CONSTRAINTS), "status": status}
             raise IntegrationError(f"`collocation` {status}", times, states, t, states[k], info)

@@ -26,7 +26,7 @@ from pydy._forks import cached_property
 from pydy._rank import or_one
 from pydy.control.kernel import Functions
 from pydy.control.tuning import UNEVEN
-from pydy.solvers import tables_of
+from pydy.solvers import sampled_input_tables
 
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
@@ -291,7 +291,7 @@ class Native:
             np.empty(points, np.uint8),
             np.ascontiguousarray(to, np.int64),
         )
-        tables, (length, runs) = tables_of(piece.signals), runs_of(piece.at)
+        tables, (length, runs) = sampled_input_tables(piece.signals), runs_of(piece.at)
         return [
             *(*words.tolist(), *(self._kept_at(a) for a in arrays), rows, costs),
             *(len(tables[0]), len(piece.data) - 5 * len(tables[0]), *map(self._kept_at, tables)),

@@ -502,7 +502,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                 )
                 report = check.report(partial(part_of, j))
                 if report is not None:
-                    reached = places[max(0, report.row - 1)] + 1
+                    reached = places[max(0, report.state_index - 1)] + 1
                     _lose(results, k, times, reached, report.outcome)
 
 

@@ -21,7 +21,7 @@ from .outcome import Outcome as Outcome
 from .run.backward import DiscreteAdjoint as DiscreteAdjoint
 from .run.integration import Integration as Integration
 from .run.lanes import LaneSolver as LaneSolver, LaneTasks as LaneTasks
-from .run.problem import tables_of as tables_of
+from .run.problem import sampled_input_tables as sampled_input_tables
 from .sensitivities import (
     CompiledSensitivities as CompiledSensitivities,
     ParameterSize as ParameterSize,

@@ -64,7 +64,7 @@ class DriftReport(NamedTuple):
     """A defect of a motion: which it is, and the first state that shows it."""
 
     outcome: Outcome  # LEFT_CONSTRAINTS or ENERGY_CHANGED
-    row: int  # the first time and state at which it was observed
+    state_index: int  # of the first time and state at which it was observed
     details: dict[str, Any]  # for the text of the outcome; `row` is a number
 
     @classmethod

@@ -171,7 +171,7 @@ class ParameterSize(NamedTuple):
     """Where the size of a parameter comes from: the unit of the derivatives by it."""
 
     group: str  # 'x', 'r' or 'p': an initial condition, a specified or a constant
-    entry: int  # in that array
+    position: int  # in that array
     columns: int = 1  # one, or the number of samples
     largest: float | None = None  # of the samples
     least: float = 1.0  # the least size of an initial condition
@@ -193,7 +193,7 @@ class ParameterSize(NamedTuple):
         arrays = {"x": x, "r": r, "p": p}
         scales, column = np.ones((*x.shape[:-1], columns)), 0
         for parameter in parameters:
-            sizes = np.abs(arrays[parameter.group][..., parameter.entry])
+            sizes = np.abs(arrays[parameter.group][..., parameter.position])
             if parameter.largest is not None:
                 sizes = np.full_like(sizes, parameter.largest)
             elif parameter.group == "x":

@@ -1,4 +1,4 @@
-"""Back through recorded steps from Python's side: arrays for the compiled loop, step by step."""
+"""The discrete adjoint of recorded steps: arrays for the compiled loop."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from pydy.solvers import layout as at
 from pydy.solvers.layout import Backward, rows_of, table_of
 from pydy.solvers.options import Options
 from pydy.solvers.run.problem import (
-    Bound,
     Callback,
-    blocks,
-    lined_up,
-    problem_of,
+    KernelBinding,
+    aligned_zeros,
+    block_count,
+    problem_arrays,
 )
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import Workspace
@@ -29,128 +29,131 @@ from pydy.solvers.tuning import BLOCK
 
 
 @dataclass(frozen=True, eq=False)
-class Sweep:
-    """The adjoint before some steps, and the contributions of the steps to gradients."""
+class AdjointSweep:
+    """The adjoint before some steps, and the contributions of the steps to a gradient."""
 
     adjoint: np.ndarray  # (n,): of the state at its beginning
-    totals: np.ndarray  # (k,): the derivatives by what else is wanted
+    totals: np.ndarray  # (k,): the derivatives by the further inputs
     times: np.ndarray  # (m,): of the RK stages
-    kept: np.ndarray  # (m, j): the last j of the totals, stage by stage
+    stagewise: np.ndarray  # (m, j): the last j of the totals, for each stage
 
 
 @lru_cache(maxsize=32)
-def _turned(method: str, length: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the columns of a tableau as `Backward` needs them: the terms, then the weight."""
+def _tableau_columns(method: str, length: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the columns of a tableau for `Backward`: the coefficients, then the weight."""
     tableau = tableau_of(method)
     stages = len(tableau.stages)
     table = np.zeros((stages + 1, stages))
     for k, row in enumerate((*tableau.stages, tableau.weights)):
         table[k, list(row)] = list(row.values())
-    places = [np.flatnonzero(column) for column in table.T]
+    indices = [np.flatnonzero(column) for column in table.T]
     return (
-        np.cumsum([0, *map(len, places)]),
-        np.concatenate(places) * length,
-        np.concatenate([column[place] for column, place in zip(table.T, places, strict=True)]),
+        np.cumsum([0, *map(len, indices)]),
+        np.concatenate(indices) * length,
+        np.concatenate([column[index] for column, index in zip(table.T, indices, strict=True)]),
     )
 
 
 class DiscreteAdjoint:
-    """The adjoint of an explicit method: repeats its steps and goes back through their stages.
+    """The discrete adjoint of an explicit method: repeats its steps and reverses their stages.
 
-    The calls are of the derivatives of the n states, and of the same inputs with n weights after
-    r: the derivatives of Σ weight · rate by the states and by `further` other inputs, of which the
-    last `kept` are wanted stage by stage. The first call knows when the Kernel switches by time
-    alone, as in the steps that were taken.
+    The first call evaluates the `rates` of the n states, with the switches by time of the original
+    integration. The second one has n weights after the inputs r: it evaluates the `derivatives` of
+    Σ weight · rate by the states and by `further` other inputs, of which the last `stagewise` ones
+    are returned for each stage.
     """
 
     def __init__(
         self,
         method: str,
         rates: KernelCall,
-        turned: KernelCall,
+        derivatives: KernelCall,
         further: int,
-        kept: int,
+        stagewise: int,
     ) -> None:
         self.rates = rates
         self.n = n = rates.kernel.program.num_states
-        self.length = BLOCK * blocks(n)
-        self.further, self.kept = further, kept
-        self._turned = _turned(method, self.length)
+        self.length = BLOCK * block_count(n)
+        self.further, self.stagewise = further, stagewise
+        self._tableau_columns = _tableau_columns(method, self.length)
         self._work = Workspace(method, rates, n, np.zeros(1), (), Options())
         self.nodes = np.array(tableau_of(method).nodes)[: len(tableau_of(method).stages)]
-        self._python = turned.kernel.addresses is None
-        self._problem = self._bound(replace(turned, switched=rates.switched))
+        self._python = derivatives.kernel.addresses is None
+        self._problem = self._bind(replace(derivatives, switched=rates.switched))
 
-    def _bound(self, call: KernelCall) -> Any:
-        """Return the derivatives as the compiled loop reads them."""
+    def _bind(self, call: KernelCall) -> Any:
+        """Return the derivatives as arguments of the compiled loop."""
         n = self.n
         if not self._python:
-            return problem_of(Bound(call.kernel, call.p), n, call)
+            return problem_arrays(KernelBinding(call.kernel, call.p), n, call)
         s = len(call.r) - n
         problem: list[np.ndarray] = []
 
-        def called(x: np.ndarray, t: float) -> np.ndarray:
+        def derivatives(x: np.ndarray, t: float) -> np.ndarray:
             r = call.inputs_at(x, t)
             r[s:] = problem[0][s : s + n]
-            found: np.ndarray = call.kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
-            return found
+            values: np.ndarray = call.kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
+            return values
 
         outputs = n + self.further
-        self._callback = Callback(called, n, outputs, "The derivatives", Interrupts())
-        made = problem_of(self._callback, n, call)
-        problem.append(made.r)
-        return made
+        self._callback = Callback(derivatives, n, outputs, "The derivatives", Interrupts())
+        bound_problem = problem_arrays(self._callback, n, call)
+        problem.append(bound_problem.r)
+        return bound_problem
 
-    def through(
+    def sweep_back(
         self,
         times: np.ndarray,
         ends: np.ndarray,
         states: np.ndarray,
         adjoint: np.ndarray,
-        told: Callable[[int], None],
-    ) -> Sweep:
-        """Go back through some steps, which begin and end at these times, the first in `states`.
+        on_steps: Callable[[int], None],
+    ) -> AdjointSweep:
+        """Reverse steps, given their initial times and states and their `ends`.
 
-        The adjoint is of the state at the end; the number of steps is `told` now and then.
+        The adjoint is that of the state at the end. The number of finished steps is passed to
+        `on_steps` now and then.
         """
         totals = np.zeros(self.further)
         instants: list[np.ndarray] = []
-        kept: list[np.ndarray] = []
-        # A million numbers of stages between two looks at whether to go on.
+        stagewise: list[np.ndarray] = []
+        # Between two calls of `on_steps`: a million numbers of stages.
         most, last = max(1, 2**20 // (len(self.nodes) * self.length)), len(times)
         while last:
-            some = slice(max(0, last - most), last)
-            part = self._part(times[some], ends[some] - times[some], states[some], adjoint)
+            steps = slice(max(0, last - most), last)
+            part = self._sweep_steps(
+                times[steps], ends[steps] - times[steps], states[steps], adjoint
+            )
             adjoint, totals = part.adjoint, totals + part.totals
             instants.append(part.times)
-            kept.append(part.kept)
-            told(last - some.start)
-            last = some.start
-        none = np.zeros((0, self.kept))
-        return Sweep(
-            adjoint, totals, np.concatenate([[], *instants]), np.concatenate([none, *kept])
+            stagewise.append(part.stagewise)
+            on_steps(last - steps.start)
+            last = steps.start
+        none = np.zeros((0, self.stagewise))
+        return AdjointSweep(
+            adjoint, totals, np.concatenate([[], *instants]), np.concatenate([none, *stagewise])
         )
 
-    def _part(
+    def _sweep_steps(
         self, times: np.ndarray, sizes: np.ndarray, states: np.ndarray, adjoint: np.ndarray
-    ) -> Sweep:
+    ) -> AdjointSweep:
         n, length, count = self.n, self.length, len(self.nodes)
-        adjoints = lined_up((count + 1) * length)
+        adjoints = aligned_zeros((count + 1) * length)
         adjoints[count * length : count * length + n] = adjoint
         back = Backward(
-            np.array([len(self.rates.r), self.further, self.kept, -1]),
-            *self._turned,
+            np.array([len(self.rates.r), self.further, self.stagewise, -1]),
+            *self._tableau_columns,
             np.ascontiguousarray(times),
             sizes,
             np.ascontiguousarray(states),
             adjoints,
             np.zeros(n + self.further),
             np.zeros(self.further),
-            np.zeros((len(times) * count, self.kept)),
+            np.zeros((len(times) * count, self.stagewise)),
         )
         table = table_of(rows_of(self._problem), rows_of(back))
         python = self._python or bool(self._work.callbacks)
-        function_of("step_back", python)(self._work.place, address(table))
+        function_of("step_back", python)(self._work.table_address, address(table))
         after = adjoints[count * length : count * length + n].copy()
         if back.words[at.BACK_WRONG] >= 0:
             after[:] = np.nan
@@ -159,4 +162,4 @@ class DiscreteAdjoint:
         jumps, before, _ = self._work.problem.jumps.T
         until = np.append(before, np.inf)[np.searchsorted(jumps, times, side="right")]
         instants = np.minimum(instants, until[:, None]).ravel()
-        return Sweep(after, back.totals, instants, back.kept)
+        return AdjointSweep(after, back.totals, instants, back.kept)

@@ -43,9 +43,9 @@ from pydy.solvers.run.departure import (
     is_stationary,
     on_surface,
 )
-from pydy.solvers.run.extension import Extension
+from pydy.solvers.run.extension import DenseOutput
 from pydy.solvers.run.shipped import function_of, stepper
-from pydy.solvers.run.workspace import Twin, Workspace
+from pydy.solvers.run.workspace import Workspace, WorkspaceCopy
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import (
     BLOCK,
@@ -135,7 +135,7 @@ class Integration(Workspace):
         self._rows_shape = (self._time_count + -(-BLOCK // max(1, n)), n)
         self._rows = _NO_ROWS  # of the current or failed run
         entry = "advance_implicit" if method == IMPLICIT else "advance"
-        self._advance = stepper(entry, self.place, bool(self.callbacks))
+        self._advance = stepper(entry, self.table_address, bool(self.callbacks))
 
     @property
     def times(self) -> np.ndarray:
@@ -185,8 +185,8 @@ class Integration(Workspace):
         self._rows[0] = self._x0 = x0
         self.code = int(Outcome.NOT_COMPUTED)
         self.records, self.departures_from_zero = [], {}
-        if self.keeps:
-            self.forget_steps()
+        if self.records_steps:
+            self.clear_steps()
         if self.options.events is not None:
             self.watch.rests[:], self.watch.latest[:] = np.nan, -np.inf
             self.inactive_at_start = []
@@ -265,7 +265,7 @@ class Integration(Workspace):
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
                 elif code == at.STEPS_FULL:
-                    self.put_steps_aside()
+                    self.store_steps()
                 elif code != at.PAUSED:
                     self._fail(code)
                 if ask is not None and count[at.STEPS] + count[at.REJECTED] >= MANY_STEPS:
@@ -312,7 +312,7 @@ class Integration(Workspace):
         if self._nearly_exact_tolerances:
             self._check_tolerances()
         if self.options.constraints is not None:
-            self.seen[:] = 0.0
+            self.projection_record[:] = 0.0
             self._warn_of_redundant(self.options.constraints)
             self._project(self.memory.x, self.options.constraints, Outcome.START_OFF_CONSTRAINTS)
         if self.options.events is not None:
@@ -346,7 +346,7 @@ class Integration(Workspace):
 
         The last number measures how well they determine the dependent speeds.
         """
-        constraints, call, seen = self.options.constraints, self.call, self.seen
+        constraints, call, seen = self.options.constraints, self.call, self.projection_record
         if constraints is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
             return 1.0, "", 1.0
         values, longest = call.evaluate(constraints.kernel, x, t), seen[at.WHERE + self.n :]
@@ -359,7 +359,7 @@ class Integration(Workspace):
         """Project an initial state onto the constraints, unless it is far from them."""
         before, t = x.copy(), float(self.progress.state[at.TIME])
         entry = "project" if self.options.sensitivities is None else "project_columns"
-        code = function_of(entry, bool(self.callbacks))(self.place, t, address(x), 0)
+        code = function_of(entry, bool(self.callbacks))(self.table_address, t, address(x), 0)
         change = constraints.relative_change(before[: self.states], x[: self.states], self.span)
         if code != 0 or (change > STARTING_MOVE).any():
             k = int(np.argmax(change))
@@ -701,16 +701,16 @@ class Integration(Workspace):
 
     def _nearness(self) -> float:
         """Return how near the projected constraints came to losing rank."""
-        seen = self.seen
+        seen = self.projection_record
         return float(seen[at.NEARNESS]) if seen.size and seen[at.RANK] else 1.0
 
-    def _extension(self) -> Extension | None:
-        rows = self.kept_steps()
+    def _extension(self) -> DenseOutput | None:
+        rows = self.recorded_steps()
         if self.code not in (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE):
             return None
         if rows is None or not len(rows):
             return None
-        return Extension(Twin(self), rows, self.n, self.backward)
+        return DenseOutput(WorkspaceCopy(self), rows, self.n, self.backward)
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()

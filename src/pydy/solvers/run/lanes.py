@@ -28,7 +28,7 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import Outcome
 from pydy.solvers.run.departure import on_surface
 from pydy.solvers.run.integration import SLICE
-from pydy.solvers.run.problem import NO_JUMPS, lined_up, tables_of
+from pydy.solvers.run.problem import NO_JUMPS, aligned_zeros, sampled_input_tables
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import (
     NO_CONSTRAINTS,
@@ -36,7 +36,7 @@ from pydy.solvers.run.workspace import (
     constraints_for,
     memory_for,
     newton_for,
-    seen_of,
+    projection_record_size,
 )
 from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LARGEST_IN_LANES, LEAST_TOLERANCE, ROUNDING, STARTING_MOVE
@@ -61,7 +61,7 @@ class LaneTasks:
     _compiled: CompiledConstraints | None = None
 
     def __init__(self, m: int) -> None:
-        self.seen, self.prepared = np.zeros((m, 0)), list[tuple[int, int]]()
+        self.projection_record, self.prepared = np.zeros((m, 0)), list[tuple[int, int]]()
 
     @staticmethod
     def with_events(
@@ -81,11 +81,14 @@ class LaneTasks:
 
     def add_constraints(self, compiled: CompiledConstraints, kernel: Kernel) -> None:
         """Project motions onto constraints; the `kernel` is the one compiled for lanes."""
-        n, (place, c, prepared) = kernel.program.num_states, _bound(kernel)
+        n, (slot, c, prepared) = kernel.program.num_states, _bound(kernel)
         self.constraints, self._scratch = constraints_for(
-            compiled, "project_lanes", (place, c), n, LANES
+            compiled, "project_lanes", (slot, c), n, LANES
         )
-        self.seen, self._compiled = np.zeros((len(self.seen), seen_of(compiled, n))), compiled
+        self.projection_record, self._compiled = (
+            np.zeros((len(self.projection_record), projection_record_size(compiled, n))),
+            compiled,
+        )
         self.prepared += prepared
 
     def begin(self, x: np.ndarray, span: float, table: int) -> None:
@@ -103,8 +106,10 @@ class LaneTasks:
     def nearness(self) -> np.ndarray:
         """Return how near the constraints of each sample came to losing rank."""
         if self._compiled is None:
-            return np.ones(len(self.seen))
-        return np.where(self.seen[:, at.RANK] != 0.0, self.seen[:, at.NEARNESS], 1.0)
+            return np.ones(len(self.projection_record))
+        return np.where(
+            self.projection_record[:, at.RANK] != 0.0, self.projection_record[:, at.NEARNESS], 1.0
+        )
 
     def empty_log(self) -> None:
         """Copy the events that compiled code has recorded."""
@@ -143,7 +148,7 @@ class _EventTasks(LaneTasks):
         events = workspace.options.events
         assert events is not None
         super().__init__(len(samples[0]))
-        self._copies, runs, prepared = workspace.alone(LANES)
+        self._copies, runs, prepared = workspace.lane_copies(LANES)
         self.alone = Alone(runs, prepared)
         self._workspace = workspace  # its memory is used by compiled code
         self._events, self._times, self._samples, self._logs = events, times, samples, logs
@@ -155,7 +160,7 @@ class _EventTasks(LaneTasks):
         self.watch = self._watch(workspace)
 
     def _watch(self, workspace: Workspace) -> LaneWatch:
-        single, m, n = workspace.watch, len(self.seen), workspace.n
+        single, m, n = workspace.watch, len(self.projection_record), workspace.n
         number, words = len(self._events.names), np.append(single.words, 0)
         words[at.WATCHER], c, self.prepared = _bound(self._kernels[0])
         reach_c = np.zeros(0)
@@ -174,13 +179,13 @@ class _EventTasks(LaneTasks):
         return LaneWatch(
             words=words,
             c=c,
-            reach=lined_up(LANES * len(single.reach)),
+            reach=aligned_zeros(LANES * len(single.reach)),
             reach_c=reach_c,
             moving=np.array(moving, dtype=np.int64),
-            ends=lined_up(LANES * (at.PARTS + 1) * number),
-            further=lined_up(LANES * 2 * number),
-            sides=lined_up(LANES * number),
-            known=lined_up(LANES),
+            ends=aligned_zeros(LANES * (at.PARTS + 1) * number),
+            further=aligned_zeros(LANES * 2 * number),
+            sides=aligned_zeros(LANES * number),
+            known=aligned_zeros(LANES),
             began=np.zeros((m, number), dtype=np.int64),
             first=np.zeros((m, number)),
             rests=np.full((m, 2 * number), np.nan),
@@ -316,7 +321,7 @@ class LaneSolver:
         memory, memory_rows = memory_for(arrays, length)
         memory.rtol[:controlled], memory.rtol[controlled:n] = options.rtol, relative
         memory.atol[:controlled] = np.maximum(options.atol, LEAST_TOLERANCE)
-        lanes = Lanes(*lined_up(len(Lanes._fields), LANES))._replace(
+        lanes = Lanes(*aligned_zeros(len(Lanes._fields), LANES))._replace(
             samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
         )
         done = _NO_TASKS if tasks is None else tasks
@@ -330,7 +335,7 @@ class LaneSolver:
             bounds=np.maximum(absolute, LEAST_TOLERANCE),
             counts=np.zeros((m, 4), dtype=np.int64),
             reached=np.full(m, times[0]),
-            seen=done.seen,
+            seen=done.projection_record,
         )
         newton, prepared = ((), []) if self.jacobian is None else _newton(n, self.jacobian)
         problem = _problem(
@@ -374,8 +379,8 @@ class LaneSolver:
         if out.size:
             evaluation = Evaluation(
                 places=np.array([address(states), *(step // 8 for step in states.strides)]),
-                x=lined_up(max(1, n) * LANES),
-                buffer=lined_up(len(out) * LANES),
+                x=aligned_zeros(max(1, n) * LANES),
+                buffer=aligned_zeros(len(out) * LANES),
                 r=np.ascontiguousarray(r),
                 p=np.ascontiguousarray(p),
                 times=np.ascontiguousarray(times),
@@ -389,9 +394,9 @@ class LaneSolver:
 
 def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[int, int]]]:
     """Return the arrays of an implicit step of n states, and what prepares its constants."""
-    place, c, prepared = _bound(jacobian)
+    slot, c, prepared = _bound(jacobian)
     newton = newton_for(n, n, LANES)._replace(c=c)
-    newton.words[at.GRADIENT] = place
+    newton.words[at.GRADIENT] = slot
     return newton, prepared
 
 
@@ -400,9 +405,9 @@ def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
     addresses = kernel.addresses
     assert addresses is not None
     assert kernel.lanes == LANES
-    c = lined_up(LANES * max(1, len(kernel.program.carried)))
-    place = address(addresses)
-    return place, c, [(place + 8, address(c))]
+    c = aligned_zeros(LANES * max(1, len(kernel.program.carried)))
+    slot = address(addresses)
+    return slot, c, [(slot + 8, address(c))]
 
 
 def _problem(
@@ -412,20 +417,20 @@ def _problem(
     further_prepared: Sequence[tuple[int, int]] = (),
     switched: np.ndarray | None = None,
 ) -> LaneProblem:
-    program, (place, c, prepared) = kernel.program, _bound(kernel)
+    program, (slot, c, prepared) = kernel.program, _bound(kernel)
     n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
-    tables, knots, cubics = tables_of(sampled)
-    until = lined_up(LANES)
+    tables, knots, cubics = sampled_input_tables(sampled)
+    until = aligned_zeros(LANES)
     until[:] = np.inf
     jumps = jumps_of(sampled) if sampled else NO_JUMPS
     if switched is not None:
         jumps = merged_jumps([jumps, switched])
     switches = 0 if switched is None else len(switched)
     return LaneProblem(
-        words=np.array([place, n, n, n - bounded, n, switches, n if bounded else 0, *inputs]),
-        clock=lined_up(LANES),
-        r=lined_up(LANES * max(1, program.num_specifieds)),
-        p=lined_up(LANES * max(1, program.num_constants)),
+        words=np.array([slot, n, n, n - bounded, n, switches, n if bounded else 0, *inputs]),
+        clock=aligned_zeros(LANES),
+        r=aligned_zeros(LANES * max(1, program.num_specifieds)),
+        p=aligned_zeros(LANES * max(1, program.num_constants)),
         c=c,
         prepared=np.array([*prepared, *further_prepared]),
         tables=np.ascontiguousarray(tables[:, :3]),

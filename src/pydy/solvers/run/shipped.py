@@ -28,7 +28,7 @@ def _code(name: str) -> Code:
 def address_of(name: str) -> int:
     """Return the address of an entry, the name of a file in ``ir``.
 
-    It is compiled, or loaded, when this is first asked for.
+    It is compiled, or loaded, at the first call.
     """
     return _code(name).addresses[name]
 
@@ -50,14 +50,14 @@ def function_of(name: str, python: bool = False) -> Callable[..., int]:
     return kind(ctypes.c_int64, ctypes.c_int64, *numbers)(address_of(name))
 
 
-def stepper(name: str, place: int, python: bool) -> Callable[[np.ndarray, bool], int]:
+def stepper(name: str, table: int, python: bool) -> Callable[[np.ndarray, bool], int]:
     """Return an entry that steps, bound to the table at an address.
 
     Its arguments are the matrix of states, and whether an integration begins there. As for
     `function_of`, `python` tells whether it may call Python functions.
     """
     if FITS and not python:
-        return gates().step.function(np.array([address_of(name), place], dtype=np.int64))
+        return gates().step.function(np.array([address_of(name), table], dtype=np.int64))
     kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
     step = kind(*[ctypes.c_int64] * 4)(address_of(name))
-    return lambda states, fresh: step(place, address(states), fresh)
+    return lambda states, fresh: step(table, address(states), fresh)

@@ -35,21 +35,21 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import Outcome
 from pydy.solvers.run import shipped
 from pydy.solvers.run.problem import (
-    Bound,
     Callback,
-    blocks,
-    jumps_in,
-    lined_up,
-    problem_of,
-    switching,
+    KernelBinding,
+    aligned_zeros,
+    block_count,
+    jumps_of_call,
+    problem_arrays,
+    with_switch_times,
 )
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
 from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE, STEPS_MEMORY
 
-_STEPS = 2**13  # numbers of kept steps between two visits in Python
+_STEPS = 2**13  # numbers of recorded steps between two returns to Python
 
-# Compiled code neither reads nor writes these any further.
+# What compiled code does not use; these arrays are never written.
 NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
 _NO_EVENTS = Watch(*[np.zeros(4)] * len(Watch._fields))
 _NO_STEPS = Steps(np.zeros(2, dtype=np.int64), np.zeros((1, 1)))
@@ -59,20 +59,20 @@ _NO_STEPS_ROWS = rows_of(_NO_STEPS)
 
 @cache
 def _method(name: str, length: int) -> tuple[Method, list[int]]:
-    """Return a method's arrays and their rows, together.
+    """Return a method's arrays and their rows of addresses, which belong together.
 
-    Of two threads that come first at the same time one may get arrays that no cache keeps: it keeps
-    them itself, and must not have rows that name others.
+    If two threads call `method_arrays` first at the same time, one of them gets arrays that are in
+    no cache: its rows must have the addresses of these.
     """
     arrays = method_arrays(name, length)
     return arrays, rows_of(arrays)
 
 
 def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
-    """Reserve a method's vectors of some length in one block of memory; return their rows too."""
+    """Allocate a method's vectors in one block of memory; return them and their rows."""
     stages, depth = max(1, len(method.nodes)), method.depth
     counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
-    flat = lined_up(sum(counts) * length)
+    flat = aligned_zeros(sum(counts) * length)
     start, first = address(flat), 0
     vectors: list[np.ndarray] = []
     rows: list[int] = []
@@ -84,61 +84,76 @@ def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
     return Memory(*vectors), rows
 
 
-def seen_of(wanted: CompiledConstraints, n: int) -> int:
-    """Return how many numbers the projection of n states notes."""
-    return at.WHERE + n + wanted.velocity
+def projection_record_size(constraints: CompiledConstraints, n: int) -> int:
+    """Return how many numbers the projection of n states records."""
+    return at.WHERE + n + constraints.velocity
 
 
 def constraints_for(
-    wanted: CompiledConstraints, entry: str, bound: tuple[int, np.ndarray], n: int, lanes: int = 1
+    constraints: CompiledConstraints,
+    entry: str,
+    binding: tuple[int, np.ndarray],
+    n: int,
+    lanes: int = 1,
 ) -> tuple[Constraints, tuple[Any, ...]]:
-    """Return the arrays of the projection of n states, and others that the caller keeps.
+    """Return the arrays of the projection of n states, and others that must stay alive.
 
-    It is that of an `entry`, whose Kernel is `bound` to an address and constants.
+    The projection is an `entry` of the loops; the `binding` of its Kernel is a slot and constants.
     """
-    h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
-    some, most = max(h, v) * lanes, max(q, u) * lanes
+    h, v, q, u = (
+        constraints.holonomic,
+        constraints.velocity,
+        constraints.coordinates,
+        constraints.speeds,
+    )
+    rows_size, columns_size = max(h, v) * lanes, max(q, u) * lanes
     scratch = Projection(
         factor=np.zeros((u, u * lanes)),
         kinematics=np.zeros((q, u * lanes)),
         gradient=np.zeros((h, q * lanes)),
         holonomic=np.zeros((h, u * lanes)),
         velocity=np.zeros((v, u * lanes)),
-        step=np.zeros(most),
-        right=np.zeros(some),
-        scale=np.zeros(some),
-        lengths=np.zeros(some),
-        kept=np.zeros(some),
-        mended=np.zeros(some),
-        best=np.zeros(most),
+        step=np.zeros(columns_size),
+        right=np.zeros(rows_size),
+        scale=np.zeros(rows_size),
+        lengths=np.zeros(rows_size),
+        kept=np.zeros(rows_size),
+        mended=np.zeros(rows_size),
+        best=np.zeros(columns_size),
     )
     table, words = table_of(rows_of(scratch)), np.zeros(13, dtype=np.int64)
     words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of(entry)
-    words[at.PROJECTOR], c = bound
+    words[at.PROJECTOR], c = binding
     words[at.HOLONOMIC], words[at.VELOCITY], words[at.COORDINATES], words[at.SPEEDS] = h, v, q, u
-    words[at.WEIGHTED], words[at.JUDGED] = wanted.weighted, wanted.judged
-    words[at.POSITIONS], words[at.MOTIONS] = h - wanted.left_out[0], v - wanted.left_out[1]
+    words[at.WEIGHTED], words[at.JUDGED] = constraints.weighted, constraints.judged
+    words[at.POSITIONS], words[at.MOTIONS] = (
+        h - constraints.left_out[0],
+        v - constraints.left_out[1],
+    )
     words[at.SCRATCH] = address(table)
-    size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
-    values = lined_up((size + seen_of(wanted, n)) * lanes)
+    size = sum(b.stop - b.start for b in constraints.kernel.program.blocks)
+    values = aligned_zeros((size + projection_record_size(constraints, n)) * lanes)
     return Constraints(words, c, values), (scratch, table)
 
 
-def newton_for(n: int, own: int, lanes: int = 1) -> Newton:
-    """Reserve the arrays of an implicit step of n numbers, of which so many are states."""
-    square, padded = own * own, BLOCK * blocks(n)  # estimates of errors are read in whole blocks
+def newton_for(n: int, states: int, lanes: int = 1) -> Newton:
+    """Allocate the arrays of an implicit step of n numbers, of which so many are states."""
+    square, padded = (
+        states * states,
+        BLOCK * block_count(n),
+    )  # error estimates are read in whole blocks
     matrices, stages = (square, square, square, 2 * square), [3 * n] * 3
-    counts = (4, 1, *matrices, own, own, *stages, 4 * n, padded, 2 * n, n)
-    return Newton(np.zeros(6, dtype=np.int64), *(lined_up(count * lanes) for count in counts))
+    counts = (4, 1, *matrices, states, states, *stages, 4 * n, padded, 2 * n, n)
+    return Newton(np.zeros(6, dtype=np.int64), *(aligned_zeros(count * lanes) for count in counts))
 
 
 class Workspace:
-    """The arrays of one integration, reserved once for all its runs.
+    """The arrays of one integration, allocated once for all its runs.
 
     Its parameters are those of `pydy.solvers.run.integration.Integration`, and the interrupts that
-    callbacks look at. The `call` is None when `f` is a Python function alone; `seen` is the part of
-    ``constraints.values`` that the projection notes something in, `beginning` is made of what
-    `progress` is at the beginning of each run, and `place` is the address of the table.
+    callbacks check. The `call` is None if `f` is only a Python function; `projection_record` is the
+    part of ``constraints.values`` that the projection writes; `beginning` has the values of
+    `progress` at the beginning of each run.
     """
 
     def __init__(
@@ -155,20 +170,20 @@ class Workspace:
         self.interrupts = interrupts or Interrupts()
         self._f, self._args = f, args
         self.callbacks: list[Callback] = []
-        self._bound: list[Bound] = []
+        self._bound: list[KernelBinding] = []
         native = getattr(f, "native", None)
         self.call: KernelCall | None = None if native is None else native(args)
         if self.call is not None and self.call.switched is None:
-            self.call = switching(self.call, times, options)
+            self.call = with_switch_times(self.call, times, options)
         self.problem = self._bind(f, args)
-        beside = options.sensitivities
-        if beside is not None and not beside.controlled:
+        sensitivities = options.sensitivities
+        if sensitivities is not None and not sensitivities.controlled:
             words = self.problem.words
-            words[at.CONTROLLED], words[at.BOUNDED] = beside.states, n
+            words[at.CONTROLLED], words[at.BOUNDED] = sensitivities.states, n
         self.method, self.memory = self._reserve()
-        self.seen = np.zeros(0)
-        self.constraints = self._hold()
-        self.watch = self._look_out()
+        self.projection_record = np.zeros(0)
+        self.constraints = self._bind_constraints()
+        self.watch = self._bind_events()
         state, count = np.zeros(7), np.zeros(12, dtype=np.int64)
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
         state[at.SIZE] = options.first_step or options.step or 0.0
@@ -176,14 +191,15 @@ class Workspace:
         self.beginning = Beginning(state, count)
         self.progress = Progress(state.copy(), count.copy(), np.array(times, order="C"))
         self.steps = _NO_STEPS
-        self.keeps = options.dense_output or options.recorded is not None
-        if self.keeps:
+        self.records_steps = options.dense_output or options.recorded is not None
+        if self.records_steps:
             width = 2 + n * (1 + (3 if method == IMPLICIT else 0))
             room = 4 + _STEPS // width
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
-        self._aside: list[np.ndarray] = []
-        self.twins: list[Workspace] = []  # what `Twin` has reserved, while no other has it
-        self._further = self._reserve_newton() if method == IMPLICIT else []
+        self._stored_steps: list[np.ndarray] = []
+        # Allocated by `WorkspaceCopy`, while they are not in use.
+        self.copies: list[Workspace] = []
+        self._newton_rows = self._reserve_newton() if method == IMPLICIT else []
         self._table = table_of(
             self._method_rows,
             rows_of(self.problem),
@@ -192,35 +208,35 @@ class Workspace:
             _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
             rows_of(self.beginning),
-            rows_of(self.steps) if self.keeps else _NO_STEPS_ROWS,
-            self._further,
+            rows_of(self.steps) if self.records_steps else _NO_STEPS_ROWS,
+            self._newton_rows,
         )
-        self.place = address(self._table)
+        self.table_address = address(self._table)
 
-    def alone(self, lanes: int) -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
-        """Return what `layout.Alone` needs of so many trajectories that share all but some arrays.
+    def lane_copies(self, lanes: int) -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
+        """Return copies of the arrays that lanes do not share, and the fields of `layout.Alone`.
 
-        Before that come the arrays that each has by itself, which the caller keeps.
+        The copies must stay alive.
         """
         tables, lane = np.tile(self._table, (lanes, 1)), np.arange(lanes)
-        columns = {place: 3 * k for k, place in enumerate(self._table[::3].tolist())}
-        own, places = [tables], {}
+        columns = {column: 3 * k for k, column in enumerate(self._table[::3].tolist())}
+        copies, addresses = [tables], {}
         watch = self.watch
-        noted = (watch.sides, watch.fired, watch.values, watch.rests, watch.latest)
+        records = (watch.sides, watch.fired, watch.values, watch.rests, watch.latest)
         log = (watch.log_times, watch.log_events, watch.log_states, watch.log_after)
         constants = (watch.c, watch.rates_c, watch.resets_c)
-        for array in (self.problem.r, self.progress.counts, *noted, *log, *constants):
-            if (place := columns.get(address(array))) is not None:
-                own.append(array[None].repeat(lanes, axis=0))
-                places[id(array)] = tables[:, place] = address(own[-1]) + array.nbytes * lane
-        prepared = [[b.place + 8, *places[id(b.c)]] for b in self._bound if id(b.c) in places]
+        for array in (self.problem.r, self.progress.counts, *records, *log, *constants):
+            if (column := columns.get(address(array))) is not None:
+                copies.append(array[None].repeat(lanes, axis=0))
+                addresses[id(array)] = tables[:, column] = address(copies[-1]) + array.nbytes * lane
+        prepared = [[b.slot + 8, *addresses[id(b.c)]] for b in self._bound if id(b.c) in addresses]
         runs = address(tables) + tables.strides[0] * lane
-        return own, runs, np.array(prepared, dtype=np.int64).reshape(-1, 1 + lanes)
+        return copies, runs, np.array(prepared, dtype=np.int64).reshape(-1, 1 + lanes)
 
     def rebind(self, call: KernelCall | None, times: np.ndarray) -> bool:
-        """Take other times and another call of the same Kernel, or return False.
+        """Use other times and another call of the same Kernel, or return False.
 
-        Compiled code reads the arrays anew at the beginning of each run.
+        Compiled code reads the arrays at the beginning of each run.
         """
         before = self.call
         if (
@@ -236,14 +252,14 @@ class Workspace:
             return False
         if before.switched is not None:
             if call.switched is None:
-                call = switching(call, times, self.options)
-            jumps, words = jumps_in(call), self.problem.words
+                call = with_switch_times(call, times, self.options)
+            jumps, words = jumps_of_call(call), self.problem.words
             if jumps.shape != self.problem.jumps.shape:
                 return False
             self.problem.jumps[:] = jumps
             words[at.SWITCHED] = 0 if call.switched is None else len(call.switched)
         for bound in self._bound:
-            bound.take(call.p)
+            bound.set_constants(call.p)
         self.problem.r[: len(call.r)] = call.r
         self.progress.times[:] = times
         self.beginning.state[at.TIME] = times[0]
@@ -251,11 +267,11 @@ class Workspace:
         return True
 
     def retune(self, options: Options) -> bool:
-        """Take other tolerances, step sizes and numbers of steps, or return False."""
+        """Change tolerances, step sizes and step limits; return False if that is impossible."""
         before = self.options
-        kept = ("events", "constraints", "sensitivities", "recorded", "progress", "dense_output")
+        fixed = ("events", "constraints", "sensitivities", "recorded", "progress", "dense_output")
         if options.sensitivities is not None or any(
-            getattr(options, name) is not getattr(before, name) for name in kept
+            getattr(options, name) is not getattr(before, name) for name in fixed
         ):
             return False
         self.options = options
@@ -268,20 +284,20 @@ class Workspace:
         count[at.LIMIT] = options.max_steps
         return True
 
-    def forget_steps(self) -> None:
-        """Begin with no kept steps, and room for them."""
+    def clear_steps(self) -> None:
+        """Remove all recorded steps."""
         words, rows = self.steps
-        self._aside, words[at.KEPT], words[at.ROOM] = [], 0, len(rows)
+        self._stored_steps, words[at.KEPT], words[at.ROOM] = [], 0, len(rows)
 
-    def put_steps_aside(self) -> None:
-        """Make room for further steps, or keep none where they need too much memory."""
+    def store_steps(self) -> None:
+        """Empty the array of steps; give up recording if they need too much memory."""
         words, rows = self.steps
-        self._aside.append(rows[: words[at.KEPT]].copy())
+        self._stored_steps.append(rows[: words[at.KEPT]].copy())
         words[at.KEPT] = 0
-        if self.options.recorded is None and len(self._aside) * rows.nbytes > STEPS_MEMORY:
-            self._aside, words[at.ROOM] = [], 0
+        if self.options.recorded is None and len(self._stored_steps) * rows.nbytes > STEPS_MEMORY:
+            self._stored_steps, words[at.ROOM] = [], 0
 
-    def kept_steps(self) -> np.ndarray | None:
+    def recorded_steps(self) -> np.ndarray | None:
         """Return the rows of all steps, and the state at the end, after an event there."""
         words, rows = self.steps
         if words[at.ROOM] == 0:
@@ -291,7 +307,7 @@ class Workspace:
         # A step that an event has cut short ends in a row that is counted; what follows is old.
         number = int(words[at.KEPT])
         latest = rows[: number + 1 if number and rows[number - 1, 1] > 0.0 else number]
-        return np.concatenate([*self._aside, latest, last])
+        return np.concatenate([*self._stored_steps, latest, last])
 
     def _callback(self, function: Callable[..., Any], outputs: int, what: str) -> Callback:
         callback = Callback(function, self.n, outputs, what, self.interrupts)
@@ -306,50 +322,50 @@ class Workspace:
                     f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
                     f"got {n}."
                 )
-            return problem_of(self._bind_native(call.kernel, call.p), n, call)
+            return problem_arrays(self._bind_native(call.kernel, call.p), n, call)
         what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
 
-        def called(x: np.ndarray, t: float) -> Any:
+        def rates(x: np.ndarray, t: float) -> Any:
             try:
                 return f(x, t, *args)
             except TypeError as error:
                 error.add_note("This came from `f`, called as f(x, t, *args).")
                 raise
 
-        callback = self._callback(called, n, what)
-        return problem_of(callback, n, call)
+        callback = self._callback(rates, n, what)
+        return problem_arrays(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
-        """Return the place of the address and the constants of a further Kernel of the system."""
+        """Bind another Kernel of the system; return its slot and constants."""
         call = self.call
         assert call is not None
         if call.inputs is None and kernel.addresses is not None:
             bound = self._bind_native(kernel, call.p)
-            return bound.place, bound.c
+            return bound.slot, bound.c
         outputs = sum(b.stop - b.start for b in kernel.program.blocks)
         what = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
         callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, what)
-        return callback.place, callback.c
+        return callback.slot, callback.c
 
-    def _bind_native(self, kernel: Kernel, p: np.ndarray) -> Bound:
-        self._bound.append(Bound(kernel, p))
+    def _bind_native(self, kernel: Kernel, p: np.ndarray) -> KernelBinding:
+        self._bound.append(KernelBinding(kernel, p))
         return self._bound[-1]
 
     def _reserve(self) -> tuple[Method, Memory]:
         n = self.n
-        method, self._method_rows = _method(self.name, BLOCK * blocks(n))
-        memory, self._memory_rows = memory_for(method, BLOCK * blocks(n))
+        method, self._method_rows = _method(self.name, BLOCK * block_count(n))
+        memory, self._memory_rows = memory_for(method, BLOCK * block_count(n))
         self._set_tolerances(memory)
         return method, memory
 
     def _set_tolerances(self, memory: Memory) -> None:
         memory.rtol[: self.n], memory.atol[: self.n] = self._tolerances()
         np.maximum(memory.atol, LEAST_TOLERANCE, out=memory.atol)
-        memory.atol[self.n :] = 1.0  # of what fills the last block
+        memory.atol[self.n :] = 1.0  # the padding of the last block
 
     def _tolerances(self) -> tuple[np.ndarray, np.ndarray]:
-        options, beside = self.options, self.options.sensitivities
-        n = self.n if beside is None else beside.states
+        options, sensitivities = self.options, self.options.sensitivities
+        n = self.n if sensitivities is None else sensitivities.states
         rtol, atol = np.empty(n), np.empty(n)
         try:
             rtol[:], atol[:] = options.rtol, options.atol
@@ -358,43 +374,45 @@ class Workspace:
                 f"`rtol` and `atol` must be numbers or have the shape ({n},), got the shapes "
                 f"{np.shape(options.rtol)} and {np.shape(options.atol)}."
             ) from None
-        if beside is None:
+        if sensitivities is None:
             return rtol, atol
-        return beside.tolerances(rtol, atol)
+        return sensitivities.tolerances(rtol, atol)
 
-    def _hold(self) -> Constraints:
-        wanted = self.options.constraints
-        if wanted is None:
+    def _bind_constraints(self) -> Constraints:
+        compiled = self.options.constraints
+        if compiled is None:
             return NO_CONSTRAINTS
-        held, self._projection = constraints_for(
-            wanted, "project", self._bind_kernel(wanted.kernel), self.n
+        constraints, self._projection = constraints_for(
+            compiled, "project", self._bind_kernel(compiled.kernel), self.n
         )
-        self.seen = held.values[-seen_of(wanted, self.n) :]
+        self.projection_record = constraints.values[-projection_record_size(compiled, self.n) :]
         if self.options.sensitivities is not None:
-            self._hold_columns(held.words, self.options.sensitivities)
-        return held
+            self._bind_constraint_columns(constraints.words, self.options.sensitivities)
+        return constraints
 
-    def _hold_columns(self, words: np.ndarray, beside: CompiledSensitivities) -> None:
-        """Let the projection correct the sensitivities with the state."""
-        residuals, k = words[at.HOLONOMIC] + words[at.VELOCITY], beside.columns
-        place, c = self._bind_kernel(beside.constraints())
+    def _bind_constraint_columns(
+        self, words: np.ndarray, sensitivities: CompiledSensitivities
+    ) -> None:
+        """Let the projection correct the sensitivities together with the state."""
+        residuals, k = words[at.HOLONOMIC] + words[at.VELOCITY], sensitivities.columns
+        slot, c = self._bind_kernel(sensitivities.constraints())
         self._tangents = Tangents(
-            np.array([words[at.PROJECT], place, k]), c, np.zeros(residuals * k)
+            np.array([words[at.PROJECT], slot, k]), c, np.zeros(residuals * k)
         )
         self._tangents_table = table_of(rows_of(self._tangents))
         words[at.PROJECT] = shipped.address_of("project_columns")
         words[at.TANGENTS] = address(self._tangents_table)
 
-    def _look_out(self) -> Watch:
-        wanted = self.options.events
-        if wanted is None:
+    def _bind_events(self) -> Watch:
+        events = self.options.events
+        if events is None:
             return _NO_EVENTS
-        number = len(wanted.names)
-        place, c = self._bind_kernel(wanted.values)
-        stops = zip(wanted.terminal, wanted.resetting, strict=True)
+        number = len(events.names)
+        slot, c = self._bind_kernel(events.values)
+        stops = zip(events.terminal, events.resetting, strict=True)
         acting = [end or resets for end, resets in stops]
-        rows = 256 + number if number else 0  # between two visits in Python
-        # Steps of fixed size are as the user set them.
+        rows = 256 + number if number else 0  # between two returns to Python
+        # Events do not shorten steps of fixed size.
         fixed = self.options.step is not None
         kinds = [
             at.LINEAR * (linear or fixed)
@@ -403,26 +421,30 @@ class Workspace:
             + at.STOPS * (ends and not resets)
             + at.REDIRECTS * redirects
             for linear, turns, resets, ends, redirects in zip(
-                wanted.linear,
-                wanted.turns,
-                wanted.resetting,
-                wanted.terminal,
-                wanted.redirects,
+                events.linear,
+                events.turns,
+                events.resetting,
+                events.terminal,
+                events.redirects,
                 strict=True,
             )
         ]
         reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
-        if (far := wanted.reach) is not None and far.addresses is not None and not self.callbacks:
+        if (
+            (bounds := events.reach) is not None
+            and bounds.addresses is not None
+            and not self.callbacks
+        ):
             assert self.call is not None
-            bound = self._bind_native(far, self.call.p)
-            size, moving = far.program.num_specifieds, far.program.num_states
-            reacher, reach_c = [bound.place, size - moving - 1, moving], bound.c
+            bound = self._bind_native(bounds, self.call.p)
+            size, moving = bounds.program.num_specifieds, bounds.program.num_states
+            reacher, reach_c = [bound.slot, size - moving - 1, moving], bound.c
             reach = np.zeros(size + BLOCK)
-        act, rates_c, resets_c = self._acting(wanted)
+        act, rates_c, resets_c = self._bind_event_actions(events)
         return Watch(
-            words=np.array([place, number, shipped.address_of("scan_events"), *reacher, *act]),
+            words=np.array([slot, number, shipped.address_of("scan_events"), *reacher, *act]),
             c=c,
-            directions=np.array(wanted.directions, dtype=np.int64),
+            directions=np.array(events.directions, dtype=np.int64),
             acting=np.array(acting, dtype=np.int64),
             kinds=np.array(kinds, dtype=np.int64),
             reach=reach,
@@ -431,7 +453,7 @@ class Workspace:
             fired=np.zeros(number, dtype=np.int64),
             values=np.zeros(at.PROBES * number + 1),
             rests=np.full(2 * number, np.nan),
-            trial=np.zeros(BLOCK * blocks(self.n)),
+            trial=np.zeros(BLOCK * block_count(self.n)),
             log_times=np.zeros(rows),
             log_events=np.zeros(rows, dtype=np.int64),
             log_states=np.zeros((rows, self.n)),
@@ -443,62 +465,68 @@ class Workspace:
             latest=np.full((number, CROWD), -np.inf),
         )
 
-    def _acting(self, wanted: CompiledEvents) -> tuple[list[int], np.ndarray, np.ndarray]:
+    def _bind_event_actions(
+        self, events: CompiledEvents
+    ) -> tuple[list[int], np.ndarray, np.ndarray]:
         """Return the arrays with which compiled code resets states; Python reads its log later.
 
-        A jump of samples, or a switch, may be what makes an event happen: then Python does it, as
-        it does with what stands beside the states.
+        Python resets the states itself if sensitivities, integrals or constraints belong to them,
+        and if a jump of samples or a switch may cause an event.
         """
-        call, resets, options = self.call, wanted.resets, self.options
+        call, resets, options = self.call, events.resets, self.options
         bounding = options.sensitivities if options.recorded is not None else None
         width = self.n
-        if bounding is not None and not bounding.controlled:  # it goes on through events as it is
+        if bounding is not None and not bounding.controlled:  # events do not change it
             width = bounding.states
-        beside = options.constraints is not None or options.sensitivities is not bounding
-        beside = beside or options.recorded not in (None, width)  # such as an integral
-        if beside or self.callbacks or call is None or call.sampled or resets is None:
+        augmented = options.constraints is not None or options.sensitivities is not bounding
+        augmented = augmented or options.recorded not in (None, width)  # such as an integral
+        if augmented or self.callbacks or call is None or call.sampled or resets is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
         if call.switched is not None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
-        if resets.addresses is None or wanted.rates.addresses is None:
+        if resets.addresses is None or events.rates.addresses is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
-        (rater, rates_c), (resetter, resets_c) = map(self._bind_kernel, (wanted.rates, resets))
+        (rater, rates_c), (resetter, resets_c) = map(self._bind_kernel, (events.rates, resets))
         return [shipped.address_of("act_on_event"), rater, resetter], rates_c, resets_c
 
     def _reserve_newton(self) -> list[int]:
-        n, call, beside = self.n, self.call, self.options.sensitivities
-        self._newton = newton_for(n, n if beside is None else beside.states)
-        if beside is not None:
-            self._newton.words[at.COUNTED] = beside.columns
+        n, call, sensitivities = self.n, self.call, self.options.sensitivities
+        self._newton = newton_for(n, n if sensitivities is None else sensitivities.states)
+        if sensitivities is not None:
+            self._newton.words[at.COUNTED] = sensitivities.columns
         if call is not None and call.jacobian is not None:
-            place, c = self._bind_kernel(call.jacobian())
-            self._newton.words[at.GRADIENT], self._newton = place, self._newton._replace(c=c)
+            slot, c = self._bind_kernel(call.jacobian())
+            self._newton.words[at.GRADIENT], self._newton = slot, self._newton._replace(c=c)
         return rows_of(self._newton)
 
 
-class Twin:
+class WorkspaceCopy:
     """A copy of a Workspace with its own memory, independent of later changes.
 
-    Twins of one Workspace share what they have reserved, as long as they take other numbers.
+    Copies of one Workspace share an allocated one, if it can take their numbers.
     """
 
-    def __init__(self, own: Workspace) -> None:
-        options = replace(own.options, dense_output=False, events=None)
-        self._call, self._times = own.call, own.progress.times[:1].copy()
-        f = own._f
-        if own.call is not None:
-            f = self._call = replace(own.call, p=own.call.p.copy(), r=own.call.r.copy())
-        self._make = partial(Workspace, own.name, f, own.n, self._times, own._args, options)
-        self._free = own.twins if not own.callbacks else []
+    def __init__(self, original: Workspace) -> None:
+        options = replace(original.options, dense_output=False, events=None)
+        self._call, self._times = original.call, original.progress.times[:1].copy()
+        f = original._f
+        if original.call is not None:
+            f = self._call = replace(
+                original.call, p=original.call.p.copy(), r=original.call.r.copy()
+            )
+        self._make = partial(
+            Workspace, original.name, f, original.n, self._times, original._args, options
+        )
+        self._free = original.copies if not original.callbacks else []
 
-    def taken(self) -> Workspace:
-        """Return a Workspace that no other thread has."""
+    def acquire(self) -> Workspace:
+        """Return a Workspace that no other thread uses."""
         with suppress(IndexError):
             work = self._free.pop()
             if work.call is self._call or work.rebind(self._call, self._times):
                 return work
         return self._make()
 
-    def left(self, work: Workspace) -> None:
-        """Take a Workspace back, for the next call."""
+    def release(self, work: Workspace) -> None:
+        """Make a Workspace available to the next call."""
         self._free[:] = [work]
