@@ -30,7 +30,7 @@ SOLVER_NAMES = tuple(_BY_NAME)
 ADAPTIVE_NAMES = tuple(solver.name for solver in ADAPTIVE)
 EXPLICIT_NAMES = tuple(solver.name for solver in EXPLICIT)
 # Options of a solver that users give; the others are set by `System`.
-INTERNAL_OPTIONS = {"begun", "constraints", "recorded", "sensitivities"}
+INTERNAL_OPTIONS = {"continuation", "constraints", "recorded", "sensitivities"}
 SOLVER_OPTIONS = tuple(sorted(set(Options.__dataclass_fields__) - INTERNAL_OPTIONS))
 
 

@@ -36,7 +36,7 @@ from pydy._motion import (
 )
 from pydy._problem import Problem
 from pydy.codegen import rates_function
-from pydy.solvers import MANY_STEPS, Begun, Outcome, Prepared, Solver
+from pydy.solvers import MANY_STEPS, EventContinuation, Outcome, Prepared, Solver
 from pydy.trajectory import Trajectory
 
 SolverFunction = Callable[..., Any]
@@ -169,7 +169,11 @@ def call_solver(
 
     Where `checked`, it is an error that odeint gives up; otherwise its result is returned as it is.
     """
-    options = {**ready.options, "begun": given["begun"]} if "begun" in given else ready.options
+    options = (
+        {**ready.options, "continuation": given["continuation"]}
+        if "continuation" in given
+        else ready.options
+    )
     try:
         if isinstance(solver, Solver):
             return _call_native(problem, ready, times, solver, given, options, sensitivities)
@@ -234,7 +238,7 @@ def _call_native(
         prepared = solver.prepare(f, problem.x, times, (r, problem.p), **options)
         prepared.on_many_steps = partial(_warn_of_many_steps, ready)
     ready.problem = problem
-    prepared.begun = options.get("begun")
+    prepared.continuation = options.get("continuation")
     states = prepared(problem.x)
     if prepared.reusable:
         ready.free = [(prepared, ready.options)]
@@ -408,7 +412,7 @@ def _go_on(given: dict[str, Any], motion: Motion, times: np.ndarray) -> Trajecto
     options = dict(given)
     sides = motion.statistics.get("sides")
     if isinstance(motion.solver, Solver) and given.get("events"):
-        options["begun"] = Begun(None, sides)
+        options["continuation"] = EventContinuation(None, sides)
     return simulate(motion.last, times, solver=motion.solver, **options).trajectory
 
 

@@ -121,8 +121,10 @@ class PreparedIntegration:
         for name, value in given.items():  # at each call: what is said below, in line
             known = self._given[name]
             plain = type(value) in _PLAIN and type(value) is type(known) and value == known
-            # What a run begins with, `begun`, it is told itself.
-            if not (plain or name == "begun" or (name == "events" and self._alike(name, value))):
+            # What a run begins with, `continuation`, is set in it.
+            if plain or name == "continuation":
+                continue
+            if name != "events" or not self._alike(name, value):
                 return False
         return plan is self._plan or self._as_planned(plan)
 

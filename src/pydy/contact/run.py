@@ -45,7 +45,7 @@ from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import contact_trajectory
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
-from pydy.solvers import SOLVERS, Begun, Options, Outcome, Solver, read_options
+from pydy.solvers import SOLVERS, EventContinuation, Options, Outcome, Solver, read_options
 from pydy.trajectory import EventRecord
 
 _NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
@@ -454,9 +454,10 @@ class Run:
         options = {**self.options, "events": events}
         # Only events of the user's happen where the motion starts.
         later_part = self.segments or self.resumed
-        options["begun"] = Begun(None if later_part else frozenset(range(len(kinds))))
-        # Each part would begin with the drift so far.
-        if held or now.definition.equations.constraints.velocity:
+        options["continuation"] = EventContinuation(
+            None if later_part else frozenset(range(len(kinds)))
+        )
+        if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)
         if self.carried is not None:

@@ -10,7 +10,7 @@ from .core.declarations import (
 )
 from .events import CompiledEvents as CompiledEvents, Event as Event, Turn as Turn
 from .options import (
-    Begun as Begun,
+    EventContinuation as EventContinuation,
     Options as Options,
     SolverOptions as SolverOptions,
     StepOptions as StepOptions,

@@ -42,10 +42,11 @@ class SolverOptions(StepOptions, total=False):
 
 
 @dataclass(frozen=True)
-class Begun:
-    """What is known of events where a motion continues another one."""
+class EventContinuation:
+    """The state of the events at the start of a motion that continues another one."""
 
-    handled: frozenset[int] | None = None  # which do not happen at the first time; None: none do
+    # Events that do not happen at the first time; None: no event does.
+    handled: frozenset[int] | None = None
     sides: tuple[int, ...] | None = None  # the signs of all just after the first time
 
 
@@ -56,24 +57,23 @@ class Options:
     # a number or (n,): the error allowed in a step is ``atol + rtol * abs(x)``
     rtol: Any = _DEFAULT
     atol: Any = _DEFAULT
-    first_step: float | None = None  # found automatically by default
+    first_step: float | None = None  # chosen automatically by default
     max_step: float = np.inf
     max_steps: int = 10_000_000  # accepted and rejected ones together
-    # the size of steps of a method without error control. Each interval between two times is
-    # divided into equal steps not larger than this
+    # The step size of a method without error control: each interval between two times is divided
+    # into equal steps not larger than this.
     step: float | None = None
     full_output: bool = False  # whether ``(states, info)`` is returned
     progress: bool = False  # whether a bar shows the simulated time; needs tqdm
     events: CompiledEvents | None = None
     constraints: CompiledConstraints | None = None
-    # of a state that has columns of sensitivities after it; `rtol` and `atol` are those of the
-    # state alone
+    # If columns of sensitivities follow the state; `rtol` and `atol` are those of the state alone.
     sensitivities: CompiledSensitivities | None = None
-    # how many states there are, where integrals follow them: then all steps are kept
+    # The number of states if integrals follow them; all steps are then recorded.
     recorded: int | None = None
-    # whether the steps are kept, so that the solution between them is known
+    # Whether the steps are recorded, for the solution between them.
     dense_output: bool = False
-    begun: Begun | None = None  # None: the motion starts at the first time
+    continuation: EventContinuation | None = None  # None: the motion starts at the first time
 
 
 def _max_step(value: Any, what: str) -> float:
@@ -88,7 +88,7 @@ def _max_steps(value: Any, what: str) -> int:
 
 
 def _compiled(kind: type, method: str) -> Check:
-    """Return the check that an option which a System compiles has been compiled."""
+    """Return a check that a System has compiled an option."""
 
     def check(value: Any, what: str) -> Any:
         if isinstance(value, kind | None):
@@ -107,7 +107,7 @@ _NATIVE: dict[str, Check] = {
     "events": _compiled(CompiledEvents, "integrate"),
     "constraints": _compiled(CompiledConstraints, "integrate"),
     "sensitivities": _compiled(CompiledSensitivities, "simulate"),
-    "begun": _compiled(Begun, "simulate"),
+    "continuation": _compiled(EventContinuation, "simulate"),
     **dict.fromkeys(("first_step", "step"), optional(positive)),
     "max_step": _max_step,
     **dict.fromkeys(("rtol", "atol"), tolerance),
@@ -115,29 +115,29 @@ _NATIVE: dict[str, Check] = {
 }
 
 
-def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Options:
+def read_options(method: str, adaptive: bool, values: Mapping[str, Any]) -> Options:
     """Check the names and values of options."""
     foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
-    check_option_names(method, _NATIVE.keys() - foreign, given)
-    options = Options(**checked(_NATIVE, given))
+    check_option_names(method, _NATIVE.keys() - foreign, values)
+    options = Options(**checked(_NATIVE, values))
     if not adaptive and options.step is None:
         raise ValueError(f"`{method}` takes steps of fixed size: pass `step`, their largest size.")
     return options
 
 
-# The same options of the native solvers and `solve_ivp`, and of `odeint`.
+# Pairs of names for one option: native solvers and `solve_ivp`, then `odeint`.
 _SAME = (
     *(("max_step", "hmax"), ("first_step", "h0"), ("min_step", "hmin"), ("max_steps", "mxstep")),
     *(("jac", "Dfun"), ("lband", "ml"), ("uband", "mu")),
-    # Of methods with steps of one size: the largest.
+    # The largest step of methods with fixed step size.
     *(("max_step", "step"), ("hmax", "step")),
 )
 
 
-def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
+def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, Any]) -> None:
     """Refuse an option that a solver does not have, and suggest the nearest one."""
-    names = sorted({*names} - {"begun"} if "begun" not in given else names)
-    unknown = [name for name in given if name not in names]
+    names = sorted({*names} - {"continuation"} if "continuation" not in options else names)
+    unknown = [name for name in options if name not in names]
     if unknown:
         alike = [name for pair in _SAME if unknown[0] in pair for name in pair if name in names]
         hint = f"It is called `{alike[0]}` there." if alike else ""

@@ -1,11 +1,11 @@
 """Backward integration: the motion in reversed time s = −t, which native solvers run forward.
 
-Where x' = f(x, t), the reflected motion obeys dx/ds = −f(x, −s). Times that descend in t ascend in
-s, so the compiled loops know one direction only. Whatever depends on time is reflected with the
-right-hand side:
+If x' = f(x, t), the reflected motion satisfies dx/ds = −f(x, −s). Times that descend in t ascend in
+s, so that the compiled loops integrate forward only. All functions of time are reflected together
+with the right-hand side:
 
 - A Kernel is called at −s. Outputs that are derivatives by time change their sign: the rates, their
-  Jacobian and the rates of events. All others stay.
+  Jacobian and the rates of events.
 - A sampled input is reflected with its samples, so that it jumps from the other side.
 - Functions of the user are called at −s.
 
@@ -67,8 +67,8 @@ def _right_hand_side(f: Callable[..., Any], n: int, args: tuple[Any, ...]) -> Ca
         return _call(call)
 
     def negative(x: np.ndarray, s: float, *args: Any) -> np.ndarray:
-        found = f(x, reversed_times(s), *args)
-        return -vector(found, n, "What `f(x, t)` returns, one derivative for each state of `x0`,")
+        rates = f(x, reversed_times(s), *args)
+        return -vector(rates, n, "What `f(x, t)` returns, one derivative for each state of `x0`,")
 
     return negative
 
@@ -78,8 +78,8 @@ def _call(call: KernelCall) -> KernelCall:
     jacobian, inputs = call.jacobian, call.inputs
     sampled = tuple((columns, reflected_samples(samples)) for columns, samples in call.sampled)
     if inputs is not None:
-        given: Any = inputs  # `Inputs`, or what has the same attribute
-        functions = tuple((columns, _at_reversed(f)) for columns, f, *_ in given.functions)
+        python: Any = inputs  # `Inputs`, or what has the same attribute
+        functions = tuple((columns, _at_reversed(f)) for columns, f, *_ in python.functions)
         inputs = Inputs(call.r, sampled, functions)
     return replace(
         call,
@@ -108,20 +108,20 @@ def reflected_samples(samples: SampledInput) -> SampledInput:
 def _kernel(kernel: Kernel, negated: int | None = None) -> Kernel:
     """Return a Kernel at −s, of which the first outputs, or all, change their sign.
 
-    A Kernel keeps its reflections: what is known of one by its identity is known of the next run.
+    A Kernel stores its reflections: caches that use their identity serve the next run too.
     """
     count = kernel.program.blocks[-1].stop if negated is None else negated
-    kept: dict[int, Kernel] = kernel.__dict__.setdefault("_reflections", {})
-    if count not in kept:
-        kept[count] = _rebuilt(kernel.program, kernel, count)
-    return kept[count]
+    reflections: dict[int, Kernel] = kernel.__dict__.setdefault("_reflections", {})
+    if count not in reflections:
+        reflections[count] = _rebuilt(kernel.program, kernel, count)
+    return reflections[count]
 
 
 def _rebuilt(program: Any, kernel: Kernel, count: int) -> Kernel:
     def sweep(s: Any, x: Any, r: Any, p: Any, *out: Any) -> tuple[np.ndarray, np.ndarray]:
-        found, failed = kernel.sweep(reversed_times(s), x, r, p, *out)
-        found[:, :count] *= -1.0
-        return found, failed
+        values, failed = kernel.sweep(reversed_times(s), x, r, p, *out)
+        values[:, :count] *= -1.0
+        return values, failed
 
     return Kernel(
         program,
@@ -137,10 +137,10 @@ def _rebuilt(program: Any, kernel: Kernel, count: int) -> Kernel:
 
 
 def _no_gate(*args: Any) -> int:
-    return -1  # asks the caller to sweep
+    return -1  # the caller then evaluates by `sweep`
 
 
-# -- what is beside the right-hand side ------------------------------------------------------------
+# -- events and sensitivities ----------------------------------------------------------------------
 
 
 def _events(events: CompiledEvents) -> CompiledEvents:
@@ -160,12 +160,14 @@ def _events(events: CompiledEvents) -> CompiledEvents:
     )
 
 
-def _sensitivities(beside: CompiledSensitivities) -> CompiledSensitivities:
+def _sensitivities(sensitivities: CompiledSensitivities) -> CompiledSensitivities:
     def events(event: int) -> tuple[Kernel, Sequence[int]]:
-        kernel, changed = beside.events(event)
+        kernel, changed = sensitivities.events(event)
         return _event(kernel), changed
 
-    return replace(beside, events=events, constraints=lambda: _kernel(beside.constraints(), 0))
+    return replace(
+        sensitivities, events=events, constraints=lambda: _kernel(sensitivities.constraints(), 0)
+    )
 
 
 def _event(kernel: Kernel) -> Kernel:
@@ -179,10 +181,10 @@ def _event(kernel: Kernel) -> Kernel:
     odd = [k for b in blocks for k in range(b.start, b.stop)]
 
     def sweep(s: Any, x: Any, r: Any, p: Any) -> tuple[np.ndarray, np.ndarray]:
-        own = np.array(r)
-        own[:, first:] *= -1.0
-        found, failed = kernel.sweep(reversed_times(s), x, own, p)
-        found[:, odd] *= -1.0
-        return found, failed
+        inputs = np.array(r)
+        inputs[:, first:] *= -1.0
+        values, failed = kernel.sweep(reversed_times(s), x, inputs, p)
+        values[:, odd] *= -1.0
+        return values, failed
 
     return replace(kernel, sweep=sweep, gate=_no_gate, functions=None)

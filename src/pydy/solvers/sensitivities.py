@@ -1,4 +1,4 @@
-"""Sensitivities that a solver integrates beside the state, as it sees them.
+"""Sensitivities that a solver integrates together with the state.
 
 At an event with g(x, t, θ) = 0 and the state R(x, t, θ) after it the columns S = ∂x/∂θ jump: the
 event's time moves by dt/dθ = −(g_x S + g_θ) / ġ, and after it
@@ -9,8 +9,8 @@ where ġ = g_x f + g_t and Ṙ = R_x f + R_t with the derivatives f of the state
 after it (P. I. Barton and C. K. Lee, "Modeling, simulation, sensitivity analysis, and optimization
 of hybrid systems", ACM Transactions on Modeling and Computer Simulation 12 (2002) 256–289).
 
-The errors of columns bound the step even where the step control looks at the states: a direction
-that the motion does not excite, and that changes more quickly, shows in the columns alone.
+The errors of columns bound the step even if the step-size control uses those of the states only: a
+fast direction that the motion does not excite is visible in the columns alone.
 """
 
 from __future__ import annotations
@@ -31,10 +31,8 @@ class Jump(NamedTuple):
     time: np.ndarray  # (k,): derivatives of the event's time
     after: np.ndarray  # (n, k): derivatives of the states after it, at a fixed time
     depth: float  # how far the motion goes beyond zero, at most: ġ² / 2|g̈|
-    error: float  # what the tolerances of the integration make of the expression that is zero
-    lower: (
-        str  # which of them to lower for a motion that is to go beyond zero: see `event_resolution`
-    )
+    error: float  # of the expression at the event, due to the tolerances
+    lower: str  # the start of a remedy, which tolerances to lower: see `event_resolution`
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,15 +40,15 @@ class CompiledSensitivities:
     """The equations of a state followed by columns of sensitivities, for a solver."""
 
     states: int  # number of states, n; they come first
-    # (k, 2): for each column, of which S has k and follows the state row after row, the place of
-    # the input that it is a derivative by among those of `events`, and of its weight in r; or -1.
+    # (k, 2): for each column of S, which follows the state row by row, the index of the input that
+    # it is a derivative by, among those of `events`, and of its weight in r; or -1.
     sources: np.ndarray
     scales: np.ndarray  # (k,): the sizes of the parameters
     start: np.ndarray  # (n,): the states at the beginning
-    # Whether the step control looks at the sensitivities too: the error allowed in ∂x/∂θ is then
+    # Whether the step-size control includes the sensitivities: the error allowed in ∂x/∂θ is then
     # that of x over the size of θ. Else they only bound the steps: see `bounding_tolerances`.
     controlled: bool
-    # The Kernel of what an event does to derivatives, and which states it changes.
+    # The Kernel of an event's effect on derivatives, and the states that it changes.
     events: Callable[[int], tuple[Kernel, Sequence[int]]]
     # The Kernel of the derivatives of the holonomic, then of the velocity residuals, shapes (h, k)
     # and (v, k).
@@ -66,60 +64,63 @@ class CompiledSensitivities:
     def tolerances(self, rtol: np.ndarray, atol: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the tolerances (n (1 + k),) of states and sensitivities from those of states."""
         if self.controlled:
-            own = np.repeat(rtol, self.columns), (atol[:, None] / self.scales).ravel()
+            columns = np.repeat(rtol, self.columns), (atol[:, None] / self.scales).ravel()
         else:
-            own = self.bounding_tolerances(rtol, atol, self.start, self.scales)
-        return np.append(rtol, own[0]), np.append(atol, own[1])
+            columns = self.bounding_tolerances(rtol, atol, self.start, self.scales)
+        return np.append(rtol, columns[0]), np.append(atol, columns[1])
 
-    def table(self, whole: np.ndarray) -> np.ndarray:
+    def table(self, augmented: np.ndarray) -> np.ndarray:
         """Return S, shape (n, k), of states and sensitivities (n (1 + k),)."""
-        return whole[self.states :].reshape(self.states, self.columns)
+        return augmented[self.states :].reshape(self.states, self.columns)
 
     def jump(
         self,
         call: KernelCall,
         event: int,
         t: float,
-        whole: np.ndarray,
+        augmented: np.ndarray,
         after: np.ndarray,
         tolerances: tuple[np.ndarray, np.ndarray],
         forced: bool = False,
     ) -> Jump:
-        """Return the change of states and sensitivities, `whole` before the event, by the event.
+        """Return the change of sensitivities by an event.
 
-        After it the states are `after`; the tolerances are those of states. An event is `forced`
-        where a sampled input that jumps made it happen, at a time of its own.
+        States and sensitivities before it are `augmented`, the states after it `after`. The
+        tolerances are those of states. An event is `forced` if the jump of a sampled input caused
+        it: its time is then that of the sample.
         """
-        n, (kernel, changed), table = self.states, self.events(event), self.table(whole)
-        r, program = call.inputs_at(whole, t), kernel.program
+        n, (kernel, changed), table = self.states, self.events(event), self.table(augmented)
+        r, program = call.inputs_at(augmented, t), kernel.program
         s = program.num_specifieds // 2
-        own = np.concatenate([r[:s], call.slopes_at(t)[:s]])
-        out = kernel.evaluate(np.array([t]), whole[None, :n], own[None], call.p)[0][0]
-        part = program.by_block(out)
-        rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
+        inputs = np.concatenate([r[:s], call.slopes_at(t)[:s]])
+        out = kernel.evaluate(np.array([t]), augmented[None, :n], inputs[None], call.p)[0][0]
+        blocks = program.by_block(out)
+        rate, curvature = float(blocks["rate"][0]), float(blocks["curvature"][0])
         with np.errstate(all="ignore"):
-            moment = -self._along(part["crossing"][None], table, r)[0] / rate
+            time = -self._by_parameters(blocks["crossing"][None], table, r)[0] / rate
             depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
         if forced:
-            moment, depth = np.zeros(self.columns), np.inf
+            time, depth = np.zeros(self.columns), np.inf
         rtol, atol = tolerances
-        error, lower = self.event_resolution(depth, part["crossing"][:n], whole[:n], rtol, atol)
+        error, lower = self.event_resolution(
+            depth, blocks["crossing"][:n], augmented[:n], rtol, atol
+        )
         if not changed:
-            return Jump(moment, table, depth, error, lower)
-        moved = table.copy()
-        moved[[*changed]] = self._along(part["after"], table, r)
-        rates = call.evaluate(call.kernel, np.concatenate([after, moved.ravel()]), t)[:n]
-        jump = moved + np.outer(part["after_rates"] - rates, moment)
-        return Jump(moment, jump, depth, error, lower)
+            return Jump(time, table, depth, error, lower)
+        changed_columns = table.copy()
+        changed_columns[[*changed]] = self._by_parameters(blocks["after"], table, r)
+        rates = call.evaluate(call.kernel, np.concatenate([after, changed_columns.ravel()]), t)[:n]
+        jump = changed_columns + np.outer(blocks["after_rates"] - rates, time)
+        return Jump(time, jump, depth, error, lower)
 
-    def _along(self, rows: np.ndarray, table: np.ndarray, r: np.ndarray) -> np.ndarray:
+    def _by_parameters(self, rows: np.ndarray, table: np.ndarray, r: np.ndarray) -> np.ndarray:
         """Apply the chain rule: derivatives by parameters from those by states and other inputs."""
-        n, (place, weight) = self.states, self.sources.T
-        # No product with inputs that a column has no part in: their slope may be infinite.
-        by_input = np.pad(rows[:, n:], [(0, 0), (0, 1)])[:, place]
+        n, (column, weight) = self.states, self.sources.T
+        # Only the column's own input is multiplied: the slope of another one may be infinite.
+        by_input = np.pad(rows[:, n:], [(0, 0), (0, 1)])[:, column]
         with np.errstate(all="ignore"):
-            found: np.ndarray = rows[:, :n] @ table + by_input * np.append(r, 1.0)[weight]
-        return found
+            derivatives: np.ndarray = rows[:, :n] @ table + by_input * np.append(r, 1.0)[weight]
+        return derivatives
 
     @staticmethod
     def event_resolution(
@@ -138,9 +139,9 @@ class CompiledSensitivities:
         # Lowering one is enough if the contribution of the other is small.
         contributions = {"atol": (atol, by_atol, by_rtol), "rtol": (rtol, by_rtol, by_atol)}
         factors = {
-            name: (tolerance, (depth - rest) / part)
-            for name, (tolerance, part, rest) in contributions.items()
-            if rest < depth / 2.0
+            name: (tolerance, (depth - other) / part)
+            for name, (tolerance, part, other) in contributions.items()
+            if other < depth / 2.0
         } or {name: (tolerance, depth / error) for name, (tolerance, *_) in contributions.items()}
         if "rtol" in factors and np.max(rtol) * factors["rtol"][1] < ROUNDING:
             return error, "Omit"

@@ -11,7 +11,7 @@ import numpy as np
 from pydy._checks import instance, monotonic, real_array, shown
 from pydy._errors import warn_user
 from pydy._forks import whole
-from pydy.solvers.options import Begun, read_options
+from pydy.solvers.options import EventContinuation, read_options
 from pydy.solvers.outcome import Outcome
 from pydy.solvers.tableaus import Tableau, add_tableau, tableau_of
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pydy.solvers.run.integration import Integration
 
 _FLOAT = np.dtype(float)
-_PLAIN = frozenset((float, int, bool))  # an array may be edited between two calls
+_IMMUTABLE = frozenset((float, int, bool))  # an array may be edited between two calls
 
 
 class Solver:
@@ -57,7 +57,7 @@ class Solver:
 
     def __reduce__(self) -> str | tuple[Any, ...]:
         if SOLVERS.get(self.name) is self:
-            return self.name  # there is one object for each method
+            return self.name  # unpickled as the one object of this method
         return Solver.from_tableau, (tableau_of(self.name),)
 
     @classmethod
@@ -148,9 +148,9 @@ class Solver:
         progress : bool, optional
             Show a progress bar of simulated time.
         dense_output : bool, optional
-            Keep the steps, up to 128 MB of them: with `full_output`, ``info['dense_output']`` is
+            Record the steps, up to 128 MB of them: with `full_output`, ``info['dense_output']`` is
             then a function of monotonic times, shape (k,), that returns the states, shape (k, n),
-            by the interpolant of the method; None where they needed more memory.
+            by the interpolant of the method; None if they needed more memory.
         events, constraints
             Made by `System.integrate` from its arguments of these names.
 
@@ -177,14 +177,14 @@ class Solver:
             The user interrupted it; the exception contains the results so far.
         """
         key = (self.name, *options.items(), *map(type, options.values()))
-        prepared = _taken(f, key, x0, t, args)
+        prepared = _take_prepared(f, key, x0, t, args)
         if prepared is None:
             prepared = self.prepare(f, x0, t, args, **options)
             prepared.key = key
             x0 = prepared.x0
         states = prepared(x0)
         result = (states, prepared.info) if options.get("full_output") else states
-        _keep(f, prepared)
+        _store_prepared(f, prepared)
         return result
 
     def prepare(
@@ -228,13 +228,13 @@ class Solver:
         return _prepared(self.name, f, x0, times, args, read)
 
 
-def _prepared(name: str, f: Any, x0: np.ndarray, *rest: Any) -> Prepared:
+def _prepared(name: str, f: Any, x0: np.ndarray, *arguments: Any) -> Prepared:
     """Return a prepared integration, which pickles as its arguments."""
     with whole:
         from pydy.solvers.run.integration import Integration
 
-    prepared = Prepared(Integration(name, f, len(x0), *rest), x0)
-    prepared.made_of = (name, f, x0, *rest)
+    prepared = Prepared(Integration(name, f, len(x0), *arguments), x0)
+    prepared.arguments = (name, f, x0, *arguments)
     return prepared
 
 
@@ -245,22 +245,22 @@ def _checked_times(times: Any) -> np.ndarray:
     return array
 
 
-# -- the same function again: most of a short call would be to reserve memory and check options ----
+# -- repeated calls: checking options and allocating memory would take most of a short one ---------
 
 
-def _keep(f: Any, prepared: Prepared) -> None:
-    """Keep an integration with its function, for the next call with these options."""
-    plain = _PLAIN.issuperset(prepared.key[1 + len(prepared.key) // 2 :])
-    if plain and prepared.reusable and type(f) is FunctionType:
+def _store_prepared(f: Any, prepared: Prepared) -> None:
+    """Store an integration in its function, for the next call with these options."""
+    immutable = _IMMUTABLE.issuperset(prepared.key[1 + len(prepared.key) // 2 :])
+    if immutable and prepared.reusable and type(f) is FunctionType:
         f.__dict__["_prepared"] = prepared
 
 
-def _taken(f: Any, key: tuple[Any, ...], x0: Any, t: Any, args: Any) -> Prepared | None:
-    """Take the integration that an earlier call kept, if it fits, so that no other thread does."""
+def _take_prepared(f: Any, key: tuple[Any, ...], x0: Any, t: Any, args: Any) -> Prepared | None:
+    """Take the integration that an earlier call stored if it fits; no other thread can take it."""
     prepared: Prepared | None
     if type(f) is not FunctionType or (prepared := f.__dict__.pop("_prepared", None)) is None:
         return None
-    fits = type(args) is tuple and _like(x0, prepared.x0) and _like(t, prepared.times)
+    fits = type(args) is tuple and _same_layout(x0, prepared.x0) and _same_layout(t, prepared.times)
     if not fits or key != prepared.key:
         return None
     if t.tobytes() != prepared.times.tobytes():
@@ -269,8 +269,8 @@ def _taken(f: Any, key: tuple[Any, ...], x0: Any, t: Any, args: Any) -> Prepared
     return prepared if prepared.rebind(native(args), t) else None
 
 
-def _like(array: Any, known: np.ndarray) -> bool:
-    return type(array) is np.ndarray and array.dtype is _FLOAT and array.shape == known.shape
+def _same_layout(array: Any, stored: np.ndarray) -> bool:
+    return type(array) is np.ndarray and array.dtype is _FLOAT and array.shape == stored.shape
 
 
 class Prepared:
@@ -283,9 +283,9 @@ class Prepared:
     x0 : ndarray, shape (n,)
         The initial state it was prepared with.
     reusable : bool
-        Whether ``rebind(call, times)`` may make it another call's of the same function.
+        Whether ``rebind(call, times)`` may assign it to another call of the same function.
     renumber : callable
-        ``renumber(p, r, times)`` takes other numbers, where it may, and tells whether.
+        ``renumber(p, r, times)`` changes the numbers, or returns False if that is impossible.
     on_many_steps : callable, optional
         ``on_many_steps(t, x)`` is called once in a run that takes very many steps.
     """
@@ -293,7 +293,7 @@ class Prepared:
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
         self.x0 = x0
         self.key: tuple[Any, ...] = ()
-        self.made_of: tuple[Any, ...] = ()
+        self.arguments: tuple[Any, ...] = ()
         self._integration = integration
         self._shape = x0.shape
         self._run = integration.run
@@ -332,7 +332,7 @@ class Prepared:
         return states
 
     def retune(self, solver: Solver, options: Mapping[str, Any]) -> bool:
-        """Take other tolerances and step sizes of the same solver, or return False.
+        """Change tolerances and step sizes of the same solver; return False if that is impossible.
 
         Raises
         ------
@@ -340,15 +340,15 @@ class Prepared:
             As for a call of the solver.
         """
         read = read_options(solver.name, solver.adaptive, options)
-        self.made_of = (*self.made_of[:-1], read)
+        self.arguments = (*self.arguments[:-1], read)
         return self._integration.retune(read)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _prepared, self.made_of
+        return _prepared, self.arguments
 
     @property
     def on_many_steps(self) -> Callable[[float, np.ndarray], None] | None:
-        """What is called once in a run that takes very many steps."""
+        """A function that is called once in a run that takes very many steps."""
         return self._integration.on_many_steps
 
     @on_many_steps.setter
@@ -356,22 +356,22 @@ class Prepared:
         self._integration.on_many_steps = call
 
     @property
-    def begun(self) -> Begun | None:
-        """What is known of events where the next run continues another one."""
-        return self._integration.begun
+    def continuation(self) -> EventContinuation | None:
+        """The state of the events if the next run continues another one."""
+        return self._integration.continuation
 
-    @begun.setter
-    def begun(self, value: Begun | None) -> None:
-        self._integration.begun = value
+    @continuation.setter
+    def continuation(self, value: EventContinuation | None) -> None:
+        self._integration.continuation = value
 
     @property
     def times(self) -> np.ndarray:
-        """When the states are given, shape (m,)."""
+        """The times at which states are returned, shape (m,)."""
         return self._integration.times
 
     @property
     def info(self) -> dict[str, Any]:
-        """What `full_output` gives for the latest run."""
+        """The `info` of the latest run, as with `full_output`."""
         return self._integration.info()
 
 

@@ -3,14 +3,15 @@
 from pydy import _rank
 
 BLOCK = 8
-"""Numbers that the compiled loops work on side by side; vectors are padded to whole blocks."""
+"""Numbers that the compiled loops process at a time; vectors are padded to whole blocks."""
 
 LANES = BLOCK
-"""Trajectories of an ensemble that are integrated side by side, on every processor."""
+"""Trajectories of an ensemble that are integrated at a time, on every processor."""
 
 LARGEST_IN_LANES = 128
-"""The most states of an implicit step in lanes. All lanes factorise where one needs to, thrice as
-often as by themselves, and larger factors of eight come from memory: at 240 they gain a tenth."""
+"""The largest number of states of an implicit step in lanes. If one lane needs a factorisation, all
+lanes factorise, three times as often as alone, and larger matrices do not fit into the cache: at
+240 states lanes gain only a tenth."""
 
 ROUNDING = _rank.ROUNDING
 """The distance from 1.0 to the next float."""
@@ -19,7 +20,7 @@ HALF = _rank.HALF
 """Half of the digits."""
 
 DIGITS = _rank.DIGITS
-"""What constraints that others imply hold to, in units of their sizes."""
+"""The largest residual of an implied constraint, in units of its size."""
 
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
@@ -27,38 +28,38 @@ ROUNDINGS = 8.0
 DEPENDENT = _rank.DEPENDENT
 """A constraint's row that is this much shorter without the others' directions is redundant.
 
-Rows that are redundant by the mechanism come out at some 1e-15 of their length.
+Rows of redundant constraints have some 1e-15 of their length left.
 """
 
 SOUND = _rank.SOUND
-"""A row that is this much shorter without the others' directions makes room for one that was left
+"""A row with a smaller part of its length orthogonal to the others is replaced by one that was left
 out of the equations as redundant."""
 
 MANY_STEPS = 100_000
-"""Steps of a run after which its caller is told, once, to look whether it makes progress."""
+"""Steps of a run after which `on_many_steps` is called, once, to check its progress."""
 
 STARTING_MOVE = 1e-3
-"""How far an initial state is moved onto the constraints unasked, in units of itself and of the
-largest of its kind, at most one: further, a value is more likely mistaken than rounded."""
+"""The largest correction of an initial state by projection, relative to its scale: a larger one
+points to a mistake rather than to rounding."""
 
 CROWD, CROWDED = 100, 1e-9
-"""So many events within so much of the time span are Zeno behaviour."""
+"""This many events within this fraction of the time span are Zeno behaviour."""
 
 NO_LATER = 16.0
-"""An event that happens again within so many roundings of the time has followed itself at once."""
+"""An event that recurs within this many roundings of the time has recurred at once."""
 
 HALVINGS = 52
-"""How often the time span is halved to find the side to which a state at rest departs: then it is a
-rounding of itself."""
+"""How often the time span is halved to find the side to which a state at rest departs, down to a
+rounding of the span."""
 
 FAR_ORIGIN = 1e3
-"""Times this many spans from zero leave steps so few digits that these may be what ends a run."""
+"""At times more than this many spans from zero, steps have so few digits that a run may fail."""
 
 NEARLY_SINGULAR = 1e-5
-"""How near to losing rank the rows of velocity constraints no longer tell the way on.
+"""The nearness to a loss of rank below which velocity constraints do not determine the motion.
 
-Positions, which are known to a rounding, tell two branches that cross apart down to its square
-root, about 1e-8.
+Positions are known to a rounding: crossing branches are distinguishable down to its square root,
+about 1e-8.
 """
 
 # -- step-size control, after Hairer, Nørsett, Wanner, Solving ODEs I, II.4, unless stated ---------
@@ -70,10 +71,10 @@ HNW take 0.8 or 0.9, 0.2 to 0.5, and 1.5 to 5; their DOP853 lets it grow six tim
 """
 
 AFTER_FAILURE = 0.25
-"""What is left of a step whose error cannot be measured, as of one without a solution."""
+"""The factor of the next step after one without an error estimate or a solution."""
 
 LEAST_ERROR = 1e-10
-"""Smaller errors count as this one: to any power in use it is beyond `GROW`."""
+"""Smaller errors count as this one, with which the step already grows by more than `GROW`."""
 
 FIRST_ERROR = 1e-4
 """The error before the first step, and the least one that counts as the last (DOPRI5's FACOLD)."""
@@ -107,19 +108,19 @@ oscillates by that once in between changes by up to 2π of it on the way. Nor do
 many times as fast between the stages of a step as at the fastest of them."""
 
 STEPS_MEMORY = 2**27
-"""Bytes of kept steps above which a run keeps none: 400 000 steps of a model with 20 states."""
+"""Bytes of recorded steps above which a run discards them: 400 000 steps of 20 states."""
 
 BOUND, BOUND_CAP = 1e3, 0.1
 """The tolerances of sensitivities that only bound the step, in units of those of their states, and
-the largest relative one. Where a motion shows what its sensitivities do, the states' errors keep
-these a hundred times smaller and more."""
+the largest relative one. If the motion excites the same directions, the control of the states keeps
+these errors smaller by a factor of a hundred and more."""
 
 LEAST_BOUNDED = 2.0**-40
 """The part of the time span below which such an error makes no step shorter: the slope of a
 sensitivity may be infinite at a point."""
 
 LEAST_TOLERANCE = 1e-300
-"""In place of an absolute tolerance of zero: 0 / 0 would be no error."""
+"""Replaces an absolute tolerance of zero, with which an error would be 0 / 0."""
 
 # -- Newton's iterations of Radau IIA, after Hairer and Wanner, Solving ODEs II, IV.8 --------------
 
@@ -131,17 +132,17 @@ SLOW = 1e-3
 """The rate of convergence above which the Jacobian is evaluated anew (RADAU5's THET)."""
 
 EXCESS = 3.0
-"""What errors of long steps, and of states between them, make of residuals, in units of the
-tolerances. Stabilised residuals come up to half of it, energies to a third.
-Projection moves accepted steps by less, most by a tenth of one."""
+"""The largest residuals due to errors of long steps and of states between them, in units of the
+tolerances. Residuals with Baumgarte's stabilisation reach half of it, energies a third.
+Projection corrects accepted steps by less, most by a tenth of one tolerance."""
 
 LOST = 1e-5
 """The share of the kinetic energy that roundings may change: ε/δ² a distance δ from a singular
 position, down to where branches can no longer be told apart."""
 
 NEAR_SINGULAR = 0.05
-"""How near constraints come to losing rank that the energy is looked at: steps that are far from
-singular positions, beside which they are small, do not change it."""
+"""The nearness to a loss of rank below which the energy is checked: farther from singular positions
+steps are small in comparison and do not change it."""
 
 CLOSE = 2.0**-10
 """The share of the way to the next point that is close to an event; and of the time, which is the

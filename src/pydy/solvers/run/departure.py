@@ -15,36 +15,36 @@ from pydy.solvers.tuning import HALVINGS, ROUNDING, ROUNDINGS
 
 
 def on_surface(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
-    """Return which expressions are zero, as far as `bounds` on their roundings tell."""
+    """Return which expressions are zero within `bounds` on their roundings."""
     return np.asarray((np.abs(values) <= ROUNDINGS * ROUNDING * bounds) | (values == 0.0))
 
 
 def is_stationary(
     call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float
 ) -> bool:
-    """Return whether the rate of an event's expression is zero, as far as states are known.
+    """Return whether the rate of an event's expression is zero within the roundings of the states.
 
-    That is by how much it changes with each state by itself, within the roundings of that state.
+    The changes of the rate due to a rounding of each state are added up.
     """
     rate = float(call.evaluate(events.rates, x, t)[event])
     if rate == 0.0:
         return True
     total = 0.0
     for i in np.flatnonzero(x[: events.rates.program.num_states]).tolist():
-        beside = x.copy()
-        beside[i] += ROUNDINGS * ROUNDING * x[i]
-        total += abs(float(call.evaluate(events.rates, beside, t)[event]) - rate)
+        shifted = x.copy()
+        shifted[i] += ROUNDINGS * ROUNDING * x[i]
+        total += abs(float(call.evaluate(events.rates, shifted, t)[event]) - rate)
     return abs(rate) <= total
 
 
 def departure(
     call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float, span: float
 ) -> int:
-    """Return the sign that an event's expression has just after now: −1, 1, or 0 if it stays zero.
+    """Return the sign of an event's expression just after t: −1, 1, or 0 if it stays zero.
 
-    Its rate tells. Where that is zero, one step of the classical Runge–Kutta method does, for the
-    shortest of 52 sizes, each half of the one before, after which the expression is beyond its
-    roundings: its error is of fifth order, so that derivatives up to the fourth tell the side.
+    It is that of the rate. If the rate is zero, one step of the classical Runge–Kutta method
+    decides: the shortest of 52 sizes, each half of the previous one, after which the expression
+    exceeds its roundings. Its error is of fifth order, so that derivatives up to the fourth count.
     """
     if not is_stationary(call, events, event, x, t):
         rate = float(call.evaluate(events.rates, x, t)[event])
@@ -68,9 +68,9 @@ def departure(
 def follows_itself(side: int, origin: int, direction: int) -> bool:
     """Return whether an event that has acted at rest on its surface happens again at once.
 
-    It does where the motion departs to the `side` that the direction points to. An event without a
-    direction does so at the start of a motion, where the `origin` is 0: one that has come from a
-    side passes through, as a ball that is caught in the air and let go.
+    It does if the motion departs to the `side` of its direction. An event without a direction does
+    only at the start of a motion, where the `origin` is 0: a motion that came from a side passes
+    through, like a ball that is caught in the air and released.
     """
     return side != 0 and (direction == side or direction == origin == 0)
 
@@ -83,6 +83,6 @@ def happens_at_start(side: int, direction: int) -> bool:
 def acts_at_start(side: int, direction: int, stationary: bool) -> bool:
     """Return whether such an event also acts there.
 
-    Without a direction the start may as well be after the event, unless the motion is at rest.
+    Without a direction the start counts as the state after the event, unless the motion is at rest.
     """
     return happens_at_start(side, direction) and (direction != 0 or stationary)

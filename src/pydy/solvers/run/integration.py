@@ -124,7 +124,7 @@ class Integration(Workspace):
         self.records: list[EventRecord] = []
         # Warnings by pairs: the event that was reset, and the one that started at zero.
         self.departures_from_zero: dict[tuple[int, int], str] = {}
-        self.begun = options.begun
+        self.continuation = options.continuation
         self.inactive_at_start: list[int] = []  # events on whose surface it starts, without acting
         self.on_many_steps: Callable[[float, np.ndarray], None] | None = None
         self.reusable = not (self.callbacks or self.call is None or self.backward)
@@ -396,16 +396,18 @@ class Integration(Workspace):
         An event happens if the motion departs to the side of its direction. Returns whether any
         event has acted.
         """
-        call, sides, begun = self.call, self.watch.sides, self.begun
+        call, sides, continuation = self.call, self.watch.sides, self.continuation
         assert call is not None
         values = self._take_sides(())
-        if begun is not None and begun.sides is not None:
-            sides[:] = begun.sides
+        if continuation is not None and continuation.sides is not None:
+            sides[:] = continuation.sides
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         bounds = call.evaluate(events.rates, x, t)[len(values) : 2 * len(values)]
         self.watch.fired[:] = 0
         for k in np.flatnonzero(on_surface(values, bounds)).tolist():
-            if begun is not None and (begun.handled is None or k in begun.handled):
+            if continuation is not None and (
+                continuation.handled is None or k in continuation.handled
+            ):
                 continue
             side, direction = departure(call, events, k, x, t, self.span), events.directions[k]
             sides[k] = side

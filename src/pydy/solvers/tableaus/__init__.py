@@ -101,15 +101,15 @@ def from_monomials(stages: Mapping[int, str]) -> tuple[Row, ...]:
     """
     rows: list[Row] = []
     for stage, text in stages.items():
-        rest: Sequence[Fraction] = [Fraction(number) for number in text.split()]  # p(θ) / θ
-        rest = _divide_at_one(rest)
+        polynomial: Sequence[Fraction] = [Fraction(number) for number in text.split()]  # p(θ) / θ
+        polynomial = _divide_at_one(polynomial)
         level = 0
-        while rest:
+        while polynomial:
             if len(rows) == level:
                 rows.append({})
             at_zero = level % 2 == 0
-            rows[level][stage] = float(rest[0] if at_zero else sum(rest))
-            rest = rest[1:] if at_zero else _divide_at_one(rest)
+            rows[level][stage] = float(polynomial[0] if at_zero else sum(polynomial))
+            polynomial = polynomial[1:] if at_zero else _divide_at_one(polynomial)
             level += 1
     return tuple(rows[2:])
 
