@@ -1,6 +1,6 @@
 """What compiled solvers work on: arrays under names, and names for places in the mixed ones.
 
-All arrays of a run reach compiled code as one table of addresses, which is all that it is given. A
+All arrays of a run are passed to compiled code as one table of addresses, its only argument. A
 table has a row for each field of its parts, the named tuples below, in their order. In C it is a
 struct (`pydy.solvers.core.declarations`).
 """
@@ -25,63 +25,64 @@ NumberRows = Annotated[np.ndarray, np.float64, 2]
 STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
 # Method.control
 EXPONENT, ALPHA, BETA, SAFETY, SHRINK, GROW = range(6)
-# Kernels are known by the place of their address, in all words of them.
-# Problem.words; the error is controlled of the CONTROLLED components, which come first, and bounded
-# of the others up to BOUNDED (0: of none); it is estimated in so many blocks. SWITCHED: whether the
-# kernel switches by time alone at one of the jumps
+# Kernels are given by address slots: addresses of arrays that begin with the address of the Kernel.
+# Problem.words. The error of the first CONTROLLED components is controlled, that of the others up
+# to BOUNDED only bounds the step (0: of none); it is estimated in ESTIMATED_BLOCKS blocks.
+# SWITCHED: whether the kernel switches by time alone at one of the jumps
 KERNEL, STATES, BLOCKS, CONTROLLED, ESTIMATED_BLOCKS, SWITCHED, BOUNDED = range(7)
 # Progress.state
 TIME, SIZE, LARGEST, LAST_ERROR, LAST_SIZE, GROWTH, FOUND = range(7)
 # Progress.counts
 STARTED, STEPS, REJECTED, EVALUATIONS, JACOBIANS, FACTORISATIONS = range(6)
 NEXT, BUDGET, LIMIT, FAILURE, LOGGED, PROJECTIONS = range(6, 12)
-# Constraints.words; SCRATCH, TANGENTS: addresses of the tables of these; POSITIONS, MOTIONS: ranks
-# of ∂h/∂q and ∂v/∂u, where rows may be more; JUDGED: whether a step may be rejected where it ends.
+# Constraints.words. SCRATCH, TANGENTS: addresses of the tables of these; POSITIONS, MOTIONS: ranks
+# of ∂h/∂q and ∂v/∂u, which may have more rows; JUDGED: whether a step may be rejected because of
+# the residuals at its end.
 ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT = range(8)
 SCRATCH, TANGENTS, POSITIONS, MOTIONS, JUDGED = range(8, 13)
-# Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
-# it was nearest to losing it; LATEST is how near it was at the latest projection.
+# Constraints.values, after those of the kernel: the largest rank of ∂v/∂u so far, the smallest
+# nearness to its loss, with its time and state; LATEST is the nearness at the latest projection.
 RANK, NEARNESS, LATEST, WHEN, WHERE = range(5)
 # Tangents.words: the address of the projection of the state, the kernel, and the number of columns.
 OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
-# REACHER tells how far events may come in a step, or is 0; then follow the place in Watch.reach of
-# how far the first state does, and the number of these. ACT is the address of what acts on events,
-# or 0, with the kernels of their rates and resets.
+# REACHER: the kernel of bounds on the events in a step, or 0; then the index in Watch.reach of the
+# bound on the first state, and the number of such bounds. ACT: the address of the function that
+# acts on events, or 0, with the kernels of their rates and resets.
 WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
-# added up: RESETS and STOPS where nothing else is to be done
+# The sum of these; RESETS or STOPS if the event does only this.
 LINEAR, TURNS, RESETS, STOPS, REDIRECTS = 1, 2, 4, 8, 16
-# The parts in which a step is looked at, and the rows of `Watch.values`: their ends and middles,
-# and two more
+# The number of parts of a step at whose ends events are evaluated, and of rows of `Watch.values`:
+# the ends and middles of the parts, and two more.
 PARTS = 4
 PROBES = 2 * PARTS + 3
-# Steps.words: the number of steps that are kept, and for how many rows there is room, 0 for none
+# Steps.words: the number of recorded steps, and of allocated rows (0: no recording).
 KEPT, ROOM = range(2)
-# Newton.words: the Jacobian's kernel, or 0 for differences; a bit for each lane, whether a new
-# Jacobian is wanted, the one there is that of the present state, the factors there are its own,
-# and no step has been accepted since the last rejected one; and the number of columns of
+# Newton.words: the Jacobian's kernel, or 0 for differences; then words with a bit for each lane: a
+# new Jacobian is needed, the Jacobian is that of the present state, the factors are those of the
+# Jacobian, no step has been accepted since the last rejected one; and the number of columns of
 # sensitivities.
 GRADIENT, WANTED, FRESH, FACTORISED, FIRST, COUNTED = range(6)
 # Newton.sizes: the step sizes of the factors, of the polynomial that predicts the next stages, and
 # of the last accepted step, and its error.
 FACTORED, PREDICTING, SIZE_BEFORE, ERROR_BEFORE = range(4)
 
-# What `advance` returns while it has not ended; an `Outcome` when it has.
+# What `advance` returns before the end; at the end it returns an `Outcome`.
 PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = range(-1, -7, -1)
-# What `act_on_event` returns, besides EVENTS_ACCUMULATE: nothing is done, or all.
+# What `act_on_event` returns, besides EVENTS_ACCUMULATE: nothing was done, or everything.
 LEFT, ACTED = range(2)
-# How many numbers stand before the constants of a Kernel that is reflected in time: the place of
-# its address, and how many outputs change their sign.
+# The number of items before the constants of a Kernel that is reflected in time. The first two are
+# its address slot, and the number of outputs that change their sign.
 REFLECTED = 8
-# Progress.counts[FAILURE] is the code of what the last rejected step met.
+# Progress.counts[FAILURE] is the `Outcome` of the last rejected step.
 
 
 class Method(NamedTuple):
     """A tableau as arrays.
 
     Rows are stages of the step, weights, estimates of the error, stages of the interpolant, and
-    the interpolant, in this order; `offsets` are places in ``Memory.stages``.
+    the interpolant, in this order; `offsets` are indices in ``Memory.stages``.
     """
 
     shape: Words
@@ -119,34 +120,34 @@ class Problem(NamedTuple):
     clock: Numbers  # (1,): the kernel's t
     r: Numbers
     c: Numbers
-    tables: WordRows  # (k, 4): place in r, first knot, number of knots, last interval
+    tables: WordRows  # (k, 4): index in r, first knot, number of knots, last interval
     knots: Numbers
     cubics: NumberRows  # (·, 4): from each knot on, lowest power first
-    # (k, 3): when inputs jump or the kernel switches, the last time before that at which it is
-    # certain not to have switched, and the first one from then on at which it has
+    # (k, 3): the time of a jump of inputs or a switch of the kernel, the last time before it at
+    # which the kernel has certainly not switched, and the first time from it at which it has
     jumps: NumberRows
-    until: Numbers  # (1,): the inputs are those of this time at the latest
+    until: Numbers  # (1,): inputs are evaluated at this time at the latest
 
 
 class Memory(NamedTuple):
-    """One trajectory's numbers; vectors are padded with zeros to whole blocks."""
+    """The vectors of one trajectory, padded with zeros to whole blocks."""
 
     x: Numbers
     new: Numbers
     trial: Numbers
-    step: Numbers  # the step size, once for each place of a block
-    theta: Numbers  # a part of the step, the same way
+    step: Numbers  # the step size, repeated over a block
+    theta: Numbers  # a fraction of the step, repeated too
     zero: Numbers
     errors: Numbers  # two vectors, one after the other
     stages: Numbers  # vectors
     interpolant: Numbers  # vectors
     rtol: Numbers
-    # of several trajectories those of components whose error is bounded are blocks, as states are
+    # In lanes, components whose error bounds the step have a block each, like states.
     atol: Numbers
 
 
 class Progress(NamedTuple):
-    """Where the integration stands."""
+    """The progress of the integration."""
 
     state: Numbers
     counts: Words
@@ -159,7 +160,7 @@ class Constraints(NamedTuple):
     words: Words
     c: Numbers
     # residuals (h), (v); ∂h/∂q (h, q); N (q, u); ∂v/∂u (v, u); M (u, u); rounding bounds (h);
-    # then what the projection notes: `RANK` and so on, a state, the longest that rows were (v)
+    # then the record of the projection: `RANK` and so on, a state, the largest lengths of rows (v)
     values: Numbers
 
 
@@ -171,14 +172,14 @@ class Projection(NamedTuple):
     gradient: NumberRows  # (h, q)
     holonomic: NumberRows  # (h, u)
     velocity: NumberRows  # (v, u)
-    step: Numbers  # (u,) or (q,), whichever is more
-    # h or v, whichever is more
+    step: Numbers  # (max(q, u),)
+    # of length max(h, v)
     right: Numbers
     scale: Numbers
     lengths: Numbers
     kept: Numbers
-    mended: Numbers  # the largest residuals that the first correction of positions can mend
-    best: Numbers  # the row that is taken next: as `step`
+    mended: Numbers  # the largest residuals that the first correction can remove
+    best: Numbers  # the next pivot row, of the length of `step`
 
 
 class Tangents(NamedTuple):
@@ -186,7 +187,7 @@ class Tangents(NamedTuple):
 
     words: Words
     c: Numbers
-    # The derivatives of the holonomic, then of the velocity residuals, row after row.
+    # The derivatives of the holonomic, then of the velocity residuals, row by row.
     values: Numbers
 
 
@@ -197,29 +198,29 @@ class Watch(NamedTuple):
     c: Numbers
     directions: Words  # −1, 1, or 0 for both
     acting: Words  # whether the integration stops there
-    # LINEAR in states and time; TURNS: where the one before it is lowest; RESETS, and goes on;
+    # LINEAR in states and time; TURNS: at a minimum of the previous event; RESETS without stopping;
     # REDIRECTS: a reset changes the event's own rate
     kinds: Words
-    # What the kernel that tells how far events may come takes as r: specifieds, which it does not
-    # read, how far each state may come, and the time; and a block more.
+    # The inputs r of REACHER: specifieds, which it does not read, a bound on each state, and the
+    # time; then a further block.
     reach: Numbers
     reach_c: Numbers
-    sides: Words  # the sign last seen, 0 before there was one
+    sides: Words  # the latest sign, 0 before the first one
     fired: Words
-    values: Numbers  # (PROBES, events), then the time that the last step's end is known at
-    rests: Numbers  # (events, 2): from when to when each was seen to be zero; NaN at first
+    values: Numbers  # (PROBES, events), then the time for which the end of the step is known
+    rests: Numbers  # (events, 2): the interval in which each was zero; NaN at first
     trial: Numbers  # a state
     log_times: Numbers
     log_events: Words
     log_states: NumberRows  # (·, states)
     log_after: NumberRows
-    # Of events that act without Python: constants of the kernels, what they give, and when each
-    # has happened.
+    # Of events that act without Python: constants of the kernels, their outputs, and the times of
+    # the events.
     rates_c: Numbers
     resets_c: Numbers
     told: Numbers
     after: NumberRows  # (events, states)
-    latest: NumberRows  # (events, CROWD): the latest first, those that never were -infinity
+    latest: NumberRows  # (events, CROWD): the latest first; -infinity before the first one
 
 
 class Beginning(NamedTuple):
@@ -232,8 +233,7 @@ class Beginning(NamedTuple):
 class Steps(NamedTuple):
     """The accepted steps, a row each: time, size and state.
 
-    The implicit method adds its interpolant. The row after the last step's is that of its end, with
-    size 0.
+    The implicit method adds its interpolant. The last row is that of the end, with size 0.
     """
 
     words: Words
@@ -241,12 +241,12 @@ class Steps(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """Times at which the continuous extension is wanted."""
+    """Times at which the dense output is requested."""
 
     rows: NumberRows  # those of `Steps`
     times: Numbers
     places: Words  # the row of each time
-    out: Numbers  # states, one after the other, and a block more
+    out: Numbers  # the states, and a further block
 
 
 class Newton(NamedTuple):
@@ -255,8 +255,8 @@ class Newton(NamedTuple):
     words: Words
     sizes: Numbers
     c: Numbers
-    jacobian: Numbers  # (n, n), row after row, of the states without their sensitivities
-    latest: Numbers  # (n, n): of all lanes, where some take it
+    jacobian: Numbers  # (n, n), by rows, of the states without their sensitivities
+    latest: Numbers  # (n, n): of all lanes, before some of them use it
     real: Numbers  # (n, n)
     pair: Numbers  # (n, n)
     real_order: Numbers
@@ -264,13 +264,13 @@ class Newton(NamedTuple):
     stages: Numbers  # (3, n), here and below with sensitivities: z, the stages less the state
     waves: Numbers  # (3, n): w, the same transformed
     slopes: Numbers  # (3, n)
-    last: Numbers  # (4, n): state and interpolant of the step before
+    last: Numbers  # (4, n): state and interpolant of the previous step
     real_change: Numbers  # (n,): the right-hand side and the solution of a system
     pair_change: Numbers  # (n,)
     guess: Numbers  # (n,)
 
 
-# The tables' parts, in their order; `Newton` is there for the implicit method only.
+# The parts of the tables, in their order; `Newton` belongs to the implicit method only.
 RUN = (Method, Problem, Memory, Progress, Constraints, Watch, Beginning, Steps, Newton)
 EXTENSION = (Wanted,)
 PROJECTION = (Projection,)
@@ -278,12 +278,12 @@ ALONG = (Tangents,)
 
 
 # -- Many trajectories at a time -------------------------------------------------------------------
-# Everything that belongs to one of eight trajectories has its own place in a block. Vectors are
-# laid out ``[item][lane]``, item by item a block, as kernels of eight lanes take them, and stages
-# one vector after the other; so `Memory` serves with a length of eight times the number of states,
-# and `Memory.step` holds a step size for each lane.
+# Each of eight trajectories has one element of a block. Vectors are stored as ``[item][lane]``, a
+# block for each item, as kernels of eight lanes read them, and stages one vector after the other:
+# `Memory` is used with a length of eight times the number of states, and `Memory.step` has a step
+# size for each lane.
 
-# LaneProblem.words begins with those of `Problem`, which code for both reads: here every state is a
+# LaneProblem.words begins with those of `Problem`, for code that both use: here every state is a
 # block.
 LANES_SPECIFIEDS, LANES_CONSTANTS = range(7, 9)
 # Queue.state
@@ -292,7 +292,7 @@ LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
 LANES_LARGEST, LANES_FIRST = range(2)
 # Queue.counts, for each sample; the last is an `Outcome`
 LANES_STEPS, LANES_REJECTED, LANES_EVALUATIONS, LANES_STATUS = range(4)
-# LaneWatch.words begins with those of `Watch`; then how many lines the log has
+# LaneWatch.words begins with those of `Watch`; then follows the number of lines in the log
 LANES_LOGGED = RESETTER + 1
 # Evaluation.places: the address of the first state, and the distances from state to state, from
 # sample to sample and from time to time
@@ -300,7 +300,7 @@ LANES_ORIGIN, LANES_PER_STATE, LANES_PER_SAMPLE, LANES_PER_TIME = range(4)
 
 # What `step_lanes` returns.
 LANES_PAUSED, LANES_EMPTY = range(2)
-# Lanes.samples, where there is no sample: free to take one, or repeating a neighbour's.
+# Lanes.samples without a sample: the lane is free, or repeats the sample of another lane.
 LANES_VACANT, LANES_RESTING = -1, -2
 
 
@@ -312,10 +312,10 @@ class LaneProblem(NamedTuple):
     r: Numbers
     p: Numbers
     c: Numbers
-    # (kernels, 2): what prepares the constants of all kernels that lanes share, and where these lie
+    # (kernels, 2): addresses of the functions that prepare the shared constants, and of these
     prepared: WordRows
-    tables: WordRows  # (k, 3): place in r, first knot, number of knots; for all lanes
-    intervals: WordRows  # (k, lanes): where each lane found itself last
+    tables: WordRows  # (k, 3): index in r, first knot, number of knots; for all lanes
+    intervals: WordRows  # (k, lanes): the latest interval of each lane
     knots: Numbers
     cubics: NumberRows
     jumps: NumberRows
@@ -323,7 +323,7 @@ class LaneProblem(NamedTuple):
 
 
 class Lanes(NamedTuple):
-    """The state of each lane's trajectory: blocks of floats, counts too, except the last two."""
+    """The state of each lane's trajectory: blocks of floats, even counts, except the last two."""
 
     time: Numbers
     size: Numbers
@@ -334,7 +334,7 @@ class Lanes(NamedTuple):
     steps: Numbers
     rejected: Numbers
     evaluations: Numbers
-    reason: Numbers  # the code of what the last rejected step met
+    reason: Numbers  # the `Outcome` of the last rejected step
     samples: Words
     place: Words  # the address of the next output
 
@@ -356,31 +356,31 @@ class Queue(NamedTuple):
     bounds: NumberRows  # (m, ·): the absolute tolerances of components whose error is bounded
     counts: WordRows  # (m, 4)
     reached: Numbers  # (m,): the time up to which the sample was integrated
-    seen: NumberRows  # (m, ·): what ends `Constraints.values`, first at the beginning
+    seen: NumberRows  # (m, ·): the record of the projection, see `Constraints.values`
 
 
 class Alone(NamedTuple):
-    """What lanes do one after another; nothing without `runs`."""
+    """Tables of single trajectories, for what lanes do one at a time; nothing without `runs`."""
 
-    runs: Words  # (lanes,): addresses of tables of one trajectory, with inputs of their own
-    # (kernels, 1 + lanes): addresses of what prepares constants, and of those of each lane
+    runs: Words  # (lanes,): addresses of tables of one trajectory, each with its inputs
+    # (kernels, 1 + lanes): addresses of the function that prepares constants, and of each lane's
     prepared: WordRows
 
 
 class LaneWatch(NamedTuple):
-    """The events of all lanes; in vectors each has a block of its own."""
+    """The events of all lanes; in vectors each event has its own block."""
 
     words: Words
     c: Numbers
     reach: Numbers
     reach_c: Numbers
-    moving: Words  # the states that the kernel reads of `reach`
+    moving: Words  # the states whose bounds in `reach` the kernel reads
     ends: Numbers  # (PARTS + 1, events)
     further: Numbers  # (2, events)
     sides: Numbers
-    known: Numbers  # one block: when the first row of `ends` was evaluated
-    began: WordRows  # (m, events): of each sample the sides at the beginning, and then at the end
-    first: NumberRows  # (m, events): what `Watch.latest` begins with
+    known: Numbers  # one block: the time at which the first row of `ends` was evaluated
+    began: WordRows  # (m, events): the sides of each sample at the beginning, later at the end
+    first: NumberRows  # (m, events): initial values of `Watch.latest`
     rests: NumberRows  # (m, 2 events), at the end
     log_samples: Words
     log_times: Numbers
@@ -390,7 +390,7 @@ class LaneWatch(NamedTuple):
 
 
 class Evaluation(NamedTuple):
-    """States at which a kernel is evaluated, and where its results go."""
+    """States at which a kernel is evaluated, and its results."""
 
     places: Words
     x: Numbers
@@ -406,19 +406,19 @@ STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Alone, LaneWatch, Constra
 EVALUATION = (LaneProblem, Evaluation)
 
 
-# -- Back through explicit steps -------------------------------------------------------------------
+# -- The adjoint of explicit steps -----------------------------------------------------------------
 
-# Backward.words: the place in r of the weights, how many outputs of the kernel follow those by the
-# states, how many of these, the last, are kept stage by stage, and the step whose equations could
-# not be evaluated.
+# Backward.words: the index of the weights in r, the number of outputs of the kernel after those by
+# the states, how many of these, the last ones, are stored for each stage, and the step whose
+# equations could not be evaluated.
 BACK_WEIGHTS, BACK_FURTHER, BACK_KEPT, BACK_WRONG = range(4)
 
 
 class Backward(NamedTuple):
-    """Explicit steps, and the arrays for going through them from the last to the first.
+    """Explicit steps, and the arrays of their adjoint, from the last step to the first.
 
-    The kernel gives the derivatives of Σ weight · rate by the states and by what else is wanted.
-    Rows are those of the stages' weights, with places in `adjoints`, whose vectors are padded to
+    The kernel evaluates the derivatives of Σ weight · rate by the states and by further inputs.
+    Rows are those of the stages' weights, with indices in `adjoints`, whose vectors are padded to
     whole blocks.
     """
 
@@ -426,9 +426,9 @@ class Backward(NamedTuple):
     rows: Words  # where each row begins in the two arrays that follow
     offsets: Words
     coefficients: Numbers
-    times: Numbers  # (steps,): where each begins
+    times: Numbers  # (steps,): initial times
     sizes: Numbers  # (steps,)
-    states: NumberRows  # (steps, n): at the beginning of each
+    states: NumberRows  # (steps, n): initial states
     adjoints: Numbers  # of each stage's state; that of the state at the end of the step comes last
     out: Numbers
     totals: Numbers  # (further,): sums over all stages
@@ -443,7 +443,7 @@ BACK = (Problem, Backward)
 
 
 def rows_of(arrays: Iterable[np.ndarray]) -> list[int]:
-    """Return the rows of contiguous arrays: address, length, and columns, of a vector one."""
+    """Return the rows of contiguous arrays: address, length and columns (of a vector, one)."""
     rows: list[int] = []
     for array in arrays:
         rows += (address(array), len(array), array.shape[1] if array.ndim == 2 else 1)
@@ -451,5 +451,5 @@ def rows_of(arrays: Iterable[np.ndarray]) -> list[int]:
 
 
 def table_of(*parts: Sequence[int]) -> np.ndarray:
-    """Return the table of all rows. Who makes it keeps the arrays alive."""
+    """Return the table of all rows. The caller keeps the arrays alive."""
     return np.array([*chain.from_iterable(parts)], dtype=np.int64)

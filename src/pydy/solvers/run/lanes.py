@@ -81,9 +81,9 @@ class LaneTasks:
 
     def add_constraints(self, compiled: CompiledConstraints, kernel: Kernel) -> None:
         """Project motions onto constraints; the `kernel` is the one compiled for lanes."""
-        n, (slot, c, prepared) = kernel.program.num_states, _bound(kernel)
+        n, (address_slot, c, prepared) = kernel.program.num_states, _bound(kernel)
         self.constraints, self._scratch = constraints_for(
-            compiled, "project_lanes", (slot, c), n, LANES
+            compiled, "project_lanes", (address_slot, c), n, LANES
         )
         self.projection_record, self._compiled = (
             np.zeros((len(self.projection_record), projection_record_size(compiled, n))),
@@ -394,9 +394,9 @@ class LaneSolver:
 
 def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[int, int]]]:
     """Return the arrays of an implicit step of n states, and what prepares its constants."""
-    slot, c, prepared = _bound(jacobian)
+    address_slot, c, prepared = _bound(jacobian)
     newton = newton_for(n, n, LANES)._replace(c=c)
-    newton.words[at.GRADIENT] = slot
+    newton.words[at.GRADIENT] = address_slot
     return newton, prepared
 
 
@@ -406,8 +406,8 @@ def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
     assert addresses is not None
     assert kernel.lanes == LANES
     c = aligned_zeros(LANES * max(1, len(kernel.program.carried)))
-    slot = address(addresses)
-    return slot, c, [(slot + 8, address(c))]
+    address_slot = address(addresses)
+    return address_slot, c, [(address_slot + 8, address(c))]
 
 
 def _problem(
@@ -417,7 +417,7 @@ def _problem(
     further_prepared: Sequence[tuple[int, int]] = (),
     switched: np.ndarray | None = None,
 ) -> LaneProblem:
-    program, (slot, c, prepared) = kernel.program, _bound(kernel)
+    program, (address_slot, c, prepared) = kernel.program, _bound(kernel)
     n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
     tables, knots, cubics = sampled_input_tables(sampled)
     until = aligned_zeros(LANES)
@@ -427,7 +427,9 @@ def _problem(
         jumps = merged_jumps([jumps, switched])
     switches = 0 if switched is None else len(switched)
     return LaneProblem(
-        words=np.array([slot, n, n, n - bounded, n, switches, n if bounded else 0, *inputs]),
+        words=np.array(
+            [address_slot, n, n, n - bounded, n, switches, n if bounded else 0, *inputs]
+        ),
         clock=aligned_zeros(LANES),
         r=aligned_zeros(LANES * max(1, program.num_specifieds)),
         p=aligned_zeros(LANES * max(1, program.num_constants)),

@@ -39,18 +39,18 @@ def block_count(n: int) -> int:
 class KernelBinding:
     """A native Kernel with its array c, what it computes from the constants alone.
 
-    Compiled code is given the `slot`, the address of an array of two addresses: of the Kernel, and
-    of the function that computes c.
+    Compiled code is given the `address_slot`, the address of an array of two addresses: of the
+    Kernel, and of the function that computes c.
     """
 
     def __init__(self, kernel: Kernel, p: np.ndarray) -> None:
         addresses = kernel.addresses
         assert addresses is not None
         self._kernel, self._addresses = kernel, addresses  # they keep the code loaded
-        self.slot, first = address(addresses), 0
+        self.address_slot, first = address(addresses), 0
         size = max(1, kernel.size_of_c)
         if kernel.negated is not None:
-            self.slot, first = address(_reflecting_addresses()), REFLECTED
+            self.address_slot, first = address(_reflecting_addresses()), REFLECTED
         self.c = np.zeros(first + size)
         if kernel.negated is not None:
             self.c[:2] = np.array([address(addresses), kernel.negated]).view(float)
@@ -120,7 +120,7 @@ class Callback:
     A callback of ctypes would print it and continue.
 
     The `function` of a state and time returns so many `outputs`, called `what` in messages;
-    interrupts are checked before each call. The `slot` has the address of the native function,
+    interrupts are checked before each call. The `address_slot` is that of the native function,
     whose constants are c. If a step ends at a jump of sampled inputs, the function gets the last
     time before it, `until`.
     """
@@ -141,7 +141,7 @@ class Callback:
         self._buffer = np.zeros(1 + n + outputs)  # time, state, values
         self.until = np.array([np.inf])
         self._x, self._out = self._buffer[1 : 1 + n], self._buffer[1 + n :]
-        self.slot = address(_python_addresses())
+        self.address_slot = address(_python_addresses())
         self.c = np.array([id(self), address(self._buffer), n, outputs]).view(float)
 
     def __call__(self) -> None:
@@ -188,7 +188,7 @@ def problem_arrays(binding: KernelBinding | Callback, n: int, call: KernelCall |
         r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled
     if call is not None:
         jumps, switched = jumps_of_call(call), 0 if call.switched is None else len(call.switched)
-    words = np.array([binding.slot, n, block_count(n), n, block_count(n), switched, 0])
+    words = np.array([binding.address_slot, n, block_count(n), n, block_count(n), switched, 0])
     until = np.array([np.inf])
     if isinstance(binding, Callback):
         binding.until = until

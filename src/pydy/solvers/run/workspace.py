@@ -98,7 +98,8 @@ def constraints_for(
 ) -> tuple[Constraints, tuple[Any, ...]]:
     """Return the arrays of the projection of n states, and others that must stay alive.
 
-    The projection is an `entry` of the loops; the `binding` of its Kernel is a slot and constants.
+    The projection is an `entry` of the loops. The `binding` of its Kernel is an address slot and
+    constants.
     """
     h, v, q, u = (
         constraints.holonomic,
@@ -229,7 +230,9 @@ class Workspace:
             if (column := columns.get(address(array))) is not None:
                 copies.append(array[None].repeat(lanes, axis=0))
                 addresses[id(array)] = tables[:, column] = address(copies[-1]) + array.nbytes * lane
-        prepared = [[b.slot + 8, *addresses[id(b.c)]] for b in self._bound if id(b.c) in addresses]
+        prepared = [
+            [b.address_slot + 8, *addresses[id(b.c)]] for b in self._bound if id(b.c) in addresses
+        ]
         runs = address(tables) + tables.strides[0] * lane
         return copies, runs, np.array(prepared, dtype=np.int64).reshape(-1, 1 + lanes)
 
@@ -336,16 +339,16 @@ class Workspace:
         return problem_arrays(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
-        """Bind another Kernel of the system; return its slot and constants."""
+        """Bind another Kernel of the system; return its address slot and constants."""
         call = self.call
         assert call is not None
         if call.inputs is None and kernel.addresses is not None:
             bound = self._bind_native(kernel, call.p)
-            return bound.slot, bound.c
+            return bound.address_slot, bound.c
         outputs = sum(b.stop - b.start for b in kernel.program.blocks)
         what = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
         callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, what)
-        return callback.slot, callback.c
+        return callback.address_slot, callback.c
 
     def _bind_native(self, kernel: Kernel, p: np.ndarray) -> KernelBinding:
         self._bound.append(KernelBinding(kernel, p))
@@ -395,9 +398,9 @@ class Workspace:
     ) -> None:
         """Let the projection correct the sensitivities together with the state."""
         residuals, k = words[at.HOLONOMIC] + words[at.VELOCITY], sensitivities.columns
-        slot, c = self._bind_kernel(sensitivities.constraints())
+        address_slot, c = self._bind_kernel(sensitivities.constraints())
         self._tangents = Tangents(
-            np.array([words[at.PROJECT], slot, k]), c, np.zeros(residuals * k)
+            np.array([words[at.PROJECT], address_slot, k]), c, np.zeros(residuals * k)
         )
         self._tangents_table = table_of(rows_of(self._tangents))
         words[at.PROJECT] = shipped.address_of("project_columns")
@@ -408,7 +411,7 @@ class Workspace:
         if events is None:
             return _NO_EVENTS
         number = len(events.names)
-        slot, c = self._bind_kernel(events.values)
+        address_slot, c = self._bind_kernel(events.values)
         stops = zip(events.terminal, events.resetting, strict=True)
         acting = [end or resets for end, resets in stops]
         rows = 256 + number if number else 0  # between two returns to Python
@@ -438,11 +441,13 @@ class Workspace:
             assert self.call is not None
             bound = self._bind_native(bounds, self.call.p)
             size, moving = bounds.program.num_specifieds, bounds.program.num_states
-            reacher, reach_c = [bound.slot, size - moving - 1, moving], bound.c
+            reacher, reach_c = [bound.address_slot, size - moving - 1, moving], bound.c
             reach = np.zeros(size + BLOCK)
         act, rates_c, resets_c = self._bind_event_actions(events)
         return Watch(
-            words=np.array([slot, number, shipped.address_of("scan_events"), *reacher, *act]),
+            words=np.array(
+                [address_slot, number, shipped.address_of("scan_events"), *reacher, *act]
+            ),
             c=c,
             directions=np.array(events.directions, dtype=np.int64),
             acting=np.array(acting, dtype=np.int64),
@@ -495,8 +500,8 @@ class Workspace:
         if sensitivities is not None:
             self._newton.words[at.COUNTED] = sensitivities.columns
         if call is not None and call.jacobian is not None:
-            slot, c = self._bind_kernel(call.jacobian())
-            self._newton.words[at.GRADIENT], self._newton = slot, self._newton._replace(c=c)
+            address_slot, c = self._bind_kernel(call.jacobian())
+            self._newton.words[at.GRADIENT], self._newton = address_slot, self._newton._replace(c=c)
         return rows_of(self._newton)
 
 
