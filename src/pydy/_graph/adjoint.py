@@ -38,7 +38,7 @@ def adjoints(
             active[node] = bits
     seeds = list(zip(outputs, weights, strict=True))
     sweep = _Sweep(graph, active, seeds, set(variables))
-    return [sweep.of(variable) for variable in variables]
+    return [sweep.adjoint_of(variable) for variable in variables]
 
 
 class _Sweep:
@@ -63,40 +63,40 @@ class _Sweep:
         self.order = graph.reachable(self.terms, fallbacks=False)
         for node in reversed(self.order):
             if node in active and node not in ends:
-                self.through(node)
+                self.propagate(node)
 
     def add(self, node: int, term: int, coefficient: float = 1.0) -> None:
         if node in self.active:
             self.terms.setdefault(node, []).append((term, coefficient))
 
-    def of(self, node: int) -> int:
+    def adjoint_of(self, node: int) -> int:
         """Return the adjoint of a node; a switch selects contributions from its sides."""
         g, terms = self.graph, self.terms.get(node, ())
-        ways: dict[tuple[int, bool], Terms] = {}
-        rest: Terms = []
+        by_branch: dict[tuple[int, bool], Terms] = {}
+        contributions: Terms = []
         for term, coefficient in terms:
             c, core = g.scaled(term)
             if g.ops[core] == "select" and g.zero in g.args[core][1:]:
-                which, yes, no = g.args[core]
-                taken = no == g.zero
-                way = ways.setdefault((which, taken), [])
-                way.append((yes if taken else no, c * coefficient))
+                condition, yes, no = g.args[core]
+                if_true = no == g.zero
+                branch = by_branch.setdefault((condition, if_true), [])
+                branch.append((yes if if_true else no, c * coefficient))
             else:
-                rest.append((term, coefficient))
-        for (which, taken), parts in ways.items():
+                contributions.append((term, coefficient))
+        for (condition, if_true), parts in by_branch.items():
             total = g.sum(parts)
-            ends = (total, g.zero) if taken else (g.zero, total)
-            rest.append((g.call("select", which, *ends), 1.0))
-        return g.sum(rest)
+            ends = (total, g.zero) if if_true else (g.zero, total)
+            contributions.append((g.call("select", condition, *ends), 1.0))
+        return g.sum(contributions)
 
-    def through(self, node: int) -> None:
+    def propagate(self, node: int) -> None:
         """Hand the adjoint of a node to its operands."""
         g = self.graph
         op, args = g.ops[node], g.args[node]
         if op in ("solve", "guard"):
             self._solve(node) if op == "solve" else self._guard(node)
             return
-        bar = self.of(node)
+        bar = self.adjoint_of(node)
         if bar == g.zero:
             return
         if op == "sum":
@@ -109,12 +109,12 @@ class _Sweep:
                     if by_radicand is not None:
                         self.add(g.args[n][0], times(g, bar, by_radicand))
                         continue
-                    others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
-                    self.add(n, times(g, bar, g.product([*others, (n, e - 1)], float(e))))
+                    cofactors = [(m, f) for j, (m, f) in enumerate(args) if j != k]
+                    self.add(n, times(g, bar, g.product([*cofactors, (n, e - 1)], float(e))))
         elif op == "select":
             _, yes, no = args
-            self.add(yes, g.call("select", args[0], bar, self._beside(no, yes, bar)))
-            self.add(no, g.call("select", args[0], self._beside(yes, no, bar), bar))
+            self.add(yes, g.call("select", args[0], bar, self._adjoint_of_untaken(no, yes, bar)))
+            self.add(no, g.call("select", args[0], self._adjoint_of_untaken(yes, no, bar), bar))
         elif op == "item":
             self.vectors.setdefault(args[0], {})[args[1]] = bar
         elif op in OPERATIONS:
@@ -126,16 +126,16 @@ class _Sweep:
                 for n, d in zip(args, slopes, strict=True):
                     self.add(n, d)
 
-    def _beside(self, taken: int, other: int, bar: int) -> int:
+    def _adjoint_of_untaken(self, selected: int, untaken: int, bar: int) -> int:
         """Return the adjoint of the side of a switch that is not taken: zero, or NaN.
 
         Where the side that is taken is a Piecewise without a branch, all derivatives are NaN: those
         by variables of its own get it there, those by variables of the other side alone here.
         """
         g = self.graph
-        if not self.active.get(other, 0) & ~self.active.get(taken, 0):
+        if not self.active.get(untaken, 0) & ~self.active.get(selected, 0):
             return g.zero
-        nan = undefined(g, taken)
+        nan = undefined(g, selected)
         # An adjoint of zero is that of an output without weight, or of what is not taken itself.
         return nan if nan == g.zero else g.call("select", g.call("eq", bar, g.zero), g.zero, nan)
 
@@ -145,9 +145,9 @@ class _Sweep:
             return
         factor, column = g.args[node]
         kind, n, entries = g.args[factor]
-        turned = entries if kind == "ldl" else _turned(n, entries)
+        transposed = entries if kind == "ldl" else _transpose(n, entries)
         right = [bars.get(k, g.zero) for k in range(n)]
-        multipliers = g.solve_factored(g.make("factor", (kind, n, turned)), right)
+        multipliers = g.solve_factored(g.make("factor", (kind, n, transposed)), right)
         for part, term, sign in self._system(node, g.args[factor], column, multipliers):
             self.add(part, term, sign)
 
@@ -165,8 +165,8 @@ class _Sweep:
         # By another guard, always of the system.
         right = tuple(bars.get(k, g.zero) for k in range(len(column)))
         never = g.boolean(False)
-        turned = (n, _turned(n, entries), right, never, (g.zero,) * len(column))
-        solution = g.make("guard", turned)
+        transposed = (n, _transpose(n, entries), right, never, (g.zero,) * len(column))
+        solution = g.make("guard", transposed)
         multipliers = [g.make("item", (solution, k)) for k in range(len(column))]
         slow = self._system(node, ("lu", n, entries), column, multipliers)
         if sound == never:
@@ -176,10 +176,10 @@ class _Sweep:
         items = (k for k in self.order if k < node and k in self.active and g.ops[k] == "item")
         ends = {*self.ends, *(k for k in items if g.ops[g.args[k][0]] == "guard")}
         seeds = [(part, g.sum([(term, sign)])) for part, term, sign in slow]
-        found = [(fast[k], bar) for k, bar in bars.items()]
-        ways = [_Sweep(g, self.active, part, ends) for part in (seeds, found)]
-        reached = sorted(ends & {*ways[0].terms, *ways[1].terms})
-        parts = [[way.of(end) for end in reached] for way in ways]
+        seeds_of_fast = [(fast[k], bar) for k, bar in bars.items()]
+        sweeps = [_Sweep(g, self.active, part, ends) for part in (seeds, seeds_of_fast)]
+        reached = sorted(ends & {*sweeps[0].terms, *sweeps[1].terms})
+        parts = [[sweep.adjoint_of(end) for end in reached] for sweep in sweeps]
         for end, bar in zip(reached, g.guard([[g.one]], parts[0], sound, parts[1]), strict=True):
             self.add(end, bar)
 
@@ -204,6 +204,6 @@ class _Sweep:
         return [part for part in result if part[0] in self.active]
 
 
-def _turned(n: int, entries: Sequence[int]) -> tuple[int, ...]:
+def _transpose(n: int, entries: Sequence[int]) -> tuple[int, ...]:
     """Return the transpose of a matrix."""
     return tuple(entries[j * n + i] for i in range(n) for j in range(n))

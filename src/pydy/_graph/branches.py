@@ -10,7 +10,7 @@ from pydy._graph.rewrite import substitute
 
 _COMPARED = ("lt", "le", "eq", "ne")
 _EXTREMES = ("max", "min")
-_WHOLE = ("floor", "ceil")
+_ROUNDINGS = ("floor", "ceil")
 
 
 class Branches:
@@ -26,7 +26,7 @@ class Branches:
         to the next turn.
         """
         graph, nodes = self.graph, self.nodes
-        found: set[int] = set()
+        at_zero: set[int] = set()
         # What a guard chooses by is no switch: both of its ways have the same values.
         reached, branching = {*nodes}, {*nodes}
         for n in reversed(graph.reachable(nodes)):
@@ -39,16 +39,16 @@ class Branches:
         for n in branching:
             args = graph.args[n]
             if graph.ops[n] in (*_EXTREMES, "lt", "le"):
-                found.add(graph.scaled(graph.sub(*args))[1])
+                at_zero.add(graph.scaled(graph.sub(*args))[1])
             elif graph.ops[n] in ("abs", "sign"):
-                found.add(graph.scaled(args[0])[1])
-            elif whole and graph.ops[n] in _WHOLE:
-                found.add(_turning(graph, args[0]))
+                at_zero.add(graph.scaled(args[0])[1])
+            elif whole and graph.ops[n] in _ROUNDINGS:
+                at_zero.add(_turning(graph, args[0]))
             elif whole and graph.ops[n] == "atan2":
-                found.add(graph.scaled(args[0])[1])
+                at_zero.add(graph.scaled(args[0])[1])
             elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
-                found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
-        return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
+                at_zero.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
+        return sorted({min(n, graph.neg(n)) for n in at_zero if not graph.constant[n]})
 
     def sides(self, switch: int, bends: bool = False) -> tuple[list[int], list[int]]:
         """Return nodes as they are above and below one of their switches, each continued beyond it.
@@ -60,7 +60,7 @@ class Branches:
         below: dict[int, int] = {}
         for node in graph.reachable(nodes):
             op, args = graph.ops[node], graph.args[node]
-            if op in _WHOLE and switch in (turn := _turning(graph, args[0]), graph.neg(turn)):
+            if op in _ROUNDINGS and switch in (turn := _turning(graph, args[0]), graph.neg(turn)):
                 near = graph.call("floor", graph.add(args[0], graph.const(0.5)))
                 floor = near if op == "floor" else graph.add(near, graph.one)
                 above[node], below[node] = floor, graph.sub(floor, graph.one)
@@ -69,24 +69,24 @@ class Branches:
             extremes = _EXTREMES if bends else ()
             if op not in (*_COMPARED, *extremes, "abs", "sign", "atan2"):
                 continue
-            own = graph.sub(*args) if op in (*_COMPARED, *extremes) else args[0]
-            size, core = graph.scaled(own)
+            argument = graph.sub(*args) if op in (*_COMPARED, *extremes) else args[0]
+            size, core = graph.scaled(argument)
             if switch not in (core, graph.neg(core)):
                 continue
-            for side, made in ((1.0, above), (-1.0, below)):
+            for side, replacements in ((1.0, above), (-1.0, below)):
                 positive = side * size * (1.0 if switch == core else -1.0) > 0.0
                 if op == "atan2":  # behind, where it has its cut
                     turn = graph.const(math.pi if positive else -math.pi)
                     ahead = graph.call("atan", graph.mul(args[0], graph.powi(args[1], -1)))
                     behind = graph.call("lt", args[1], graph.zero)
-                    made[node] = graph.call("select", behind, graph.add(ahead, turn), node)
+                    replacements[node] = graph.call("select", behind, graph.add(ahead, turn), node)
                 elif op in extremes:
-                    made[node] = args[0] if positive == (op == "max") else args[1]
+                    replacements[node] = args[0] if positive == (op == "max") else args[1]
                 elif op in _COMPARED:
-                    made[node] = graph.boolean(op == "ne" or (op != "eq" and not positive))
+                    replacements[node] = graph.boolean(op == "ne" or (op != "eq" and not positive))
                 else:
-                    one = own if op == "abs" else graph.one
-                    made[node] = one if positive else graph.neg(one)
+                    slope = argument if op == "abs" else graph.one
+                    replacements[node] = slope if positive else graph.neg(slope)
         return substitute(graph, nodes, above), substitute(graph, nodes, below)
 
 

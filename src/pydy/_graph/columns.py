@@ -60,8 +60,8 @@ class Columns:
     @property
     def sources(self) -> np.ndarray:
         """For each column the places of its input in `wanted`, and of its weight in r, or -1."""
-        places = {one: k for k, one in enumerate(self.wanted)}
-        rows = [(places[d[0], d[1]], *d[2:], -1)[:2] if d else (-1, -1) for d in self.directions]
+        positions = {source: k for k, source in enumerate(self.wanted)}
+        rows = [(positions[d[0], d[1]], *d[2:], -1)[:2] if d else (-1, -1) for d in self.directions]
         return np.array(rows, dtype=np.int64).reshape(-1, 2)
 
     def tangent(
@@ -83,15 +83,15 @@ class Columns:
             if len(direction) == 3:
                 size = graph.mul(size, graph.input("r", direction[2]))
             terms.setdefault(graph.input(*direction[:2]), []).append((size, 1.0))
-        along = {node: graph.sum(parts) for node, parts in terms.items()}
-        along.update({graph.input("x", i): graph.input("x", n + i) for i in range(n)})
-        own = {("x", n + i): i for i in range(n)}
-        own.update({("p", c + k): k for k in range(len(inputs))})
-        part = Along(0, self.count, along, own, (n, len(inputs)))
-        rows = [[float(d == one) for d in self.directions] for one in inputs]
+        derivatives = {node: graph.sum(parts) for node, parts in terms.items()}
+        derivatives.update({graph.input("x", i): graph.input("x", n + i) for i in range(n)})
+        part_inputs = {("x", n + i): i for i in range(n)}
+        part_inputs.update({("p", c + k): k for k in range(len(inputs))})
+        part = Along(0, self.count, derivatives, part_inputs, (n, len(inputs)))
+        rows = [[float(d == source) for d in self.directions] for source in inputs]
         table = np.array(rows, dtype=float).reshape(len(inputs), self.count)
-        whole = (2 * n, s + self.weights, c + len(inputs))
-        return tangent(graph, nodes, [part], (sizes, whole), self.count, table, values)
+        sizes_with_seeds = (2 * n, s + self.weights, c + len(inputs))
+        return tangent(graph, nodes, [part], (sizes, sizes_with_seeds), self.count, table, values)
 
 
 @dataclass(frozen=True)

@@ -80,8 +80,8 @@ def directional(
         if node not in rows:
             rows[node] = _row(graph, node, rows, vectors)
     zero = graph.zero
-    settled = [_settled(graph, n, rows) for n in outputs]
-    nonzero = [{k: d for k, d in sorted(row.items()) if d != zero} for row in settled]
+    final = [_without_roots_stored(graph, n, rows) for n in outputs]
+    nonzero = [{k: d for k, d in sorted(row.items()) if d != zero} for row in final]
     return SparseRows(nonzero, zero, directions)
 
 
@@ -107,9 +107,9 @@ class Rows:
         """Return the row of a node."""
         if node not in self.known:
             self._fill(node)
-        return _settled(self.graph, node, self.known)
+        return _without_roots_stored(self.graph, node, self.known)
 
-    def through(self, node: int) -> Row:
+    def from_operands(self, node: int) -> Row:
         """Return the row of a node from its operands' rows, whatever was given for it."""
         for operand in self.graph.operands(node):
             self(operand)
@@ -143,25 +143,25 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         parts = []
         for k, (n, e) in enumerate(args):
             if rows[n]:
-                others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
+                cofactors = [(m, f) for j, (m, f) in enumerate(args) if j != k]
                 by_radicand = of_half_power(g, args, k)
                 if by_radicand is not None:
                     parts.append((rows[g.args[n][0]], by_radicand, 1.0))
                 else:
-                    parts += _times_others(g, (n, e), others, rows)
+                    parts += _product_parts(g, (n, e), cofactors, rows)
         return _combine(g, parts)
     if op == "select":
         condition, yes, no = args
         keys = {*rows[yes], *rows[no]}
         # What a branch does not depend on has derivative zero there, NaN where its value is.
-        rest = [undefined(g, n) if keys - rows[n].keys() else g.zero for n in (yes, no)]
+        absent = [undefined(g, n) if keys - rows[n].keys() else g.zero for n in (yes, no)]
         return {
-            k: g.call("select", condition, rows[yes].get(k, rest[0]), rows[no].get(k, rest[1]))
+            k: g.call("select", condition, rows[yes].get(k, absent[0]), rows[no].get(k, absent[1]))
             for k in sorted(keys)
         }
     if op in OPERATIONS.solves:
         for n in g.operands(node):
-            _settled(g, n, rows)
+            _without_roots_stored(g, n, rows)
     if op == "solve":
         vectors[node] = _solve_rows(g, node, rows)
         return {}
@@ -184,14 +184,14 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
     partials = operation.partials(g, node, *args)
     if switched:
         # Where the radicand stays zero an infinite slope has no part in it.
-        own = _settled(g, args[0], rows)
-        slopes = _combine(g, [(own, partials[0], 1.0)])
-        still = {k: g.call("eq", d, g.zero) for k, d in own.items()}
-        return {k: g.call("select", still[k], g.zero, d) for k, d in slopes.items()}
+        radicand_row = _without_roots_stored(g, args[0], rows)
+        slopes = _combine(g, [(radicand_row, partials[0], 1.0)])
+        stationary = {k: g.call("eq", d, g.zero) for k, d in radicand_row.items()}
+        return {k: g.call("select", stationary[k], g.zero, d) for k, d in slopes.items()}
     return _combine(g, [(rows[n], d, 1.0) for n, d in zip(args, partials, strict=True)])
 
 
-def _settled(g: Graph, node: int, rows: dict[int, Row]) -> Row:
+def _without_roots_stored(g: Graph, node: int, rows: dict[int, Row]) -> Row:
     """Return the row of a node by the variables alone, from now on."""
     if any(key < 0 for key in rows[node]):
         rows[node] = _without_roots(g, rows[node], rows)
@@ -201,62 +201,71 @@ def _settled(g: Graph, node: int, rows: dict[int, Row]) -> Row:
 def _without_roots(g: Graph, row: Row, rows: dict[int, Row]) -> Row:
     """Return a row by the variables alone, not by roots."""
     while (key := min(row, default=0)) < 0:
-        others = {k: d for k, d in row.items() if k != key}
+        remaining = {k: d for k, d in row.items() if k != key}
         by_radicand = slope(g, -1 - key, row[key])
-        row = _combine(g, [(others, None, 1.0), (rows[g.args[-1 - key][0]], by_radicand, 1.0)])
+        row = _combine(g, [(remaining, None, 1.0), (rows[g.args[-1 - key][0]], by_radicand, 1.0)])
     return row
 
 
-def _times_others(
-    g: Graph, factor: tuple[int, int], others: list[tuple[int, int]], rows: dict[int, Row]
+def _product_parts(
+    g: Graph, factor: tuple[int, int], cofactors: list[tuple[int, int]], rows: dict[int, Row]
 ) -> list[tuple[Row, int, float]]:
     """Return the parts of a product's derivative by one of its factors, with its power.
 
     A steep root in a sum is differentiated together with what the sum is multiplied by.
     """
     n, e = factor
-    if e == 1 and others:
-        if _by_argument(g, n, others):
-            return [(_settled(g, g.args[n][0], rows), slope(g, n, g.product(others)), 1.0)]
+    if e == 1 and cofactors:
+        if _by_argument(g, n, cofactors):
+            return [
+                (
+                    _without_roots_stored(g, g.args[n][0], rows),
+                    slope(g, n, g.product(cofactors)),
+                    1.0,
+                )
+            ]
         if g.ops[n] == "sum":
             terms = g.args[n][1]
-            roots = [(m, c) for m, c in terms if _holds_root(g, m, others)]
+            roots = [(m, c) for m, c in terms if _holds_root(g, m, cofactors)]
             if roots:
-                rest = [(rows[m], None, c) for m, c in terms if (m, c) not in roots]
-                parts = [(_combine(g, rest), g.product(others), 1.0)]
+                without_roots = [(rows[m], None, c) for m, c in terms if (m, c) not in roots]
+                parts = [(_combine(g, without_roots), g.product(cofactors), 1.0)]
                 for m, c in roots:
                     inner = g.args[m] if g.ops[m] == "prod" else ((m, 1),)
-                    for k, (own, power) in enumerate(inner):
-                        beside = [*inner[:k], *inner[k + 1 :], *others]
-                        found = _times_others(g, (own, power), beside, rows)
-                        parts += [(row, by, c * weight) for row, by, weight in found]
+                    for k, (root, power) in enumerate(inner):
+                        inner_cofactors = [*inner[:k], *inner[k + 1 :], *cofactors]
+                        parts_of_root = _product_parts(g, (root, power), inner_cofactors, rows)
+                        parts += [
+                            (row, slope_of_row, c * weight)
+                            for row, slope_of_row, weight in parts_of_root
+                        ]
                 return parts
-    return [(rows[n], g.product([*others, (n, e - 1)], float(e)), 1.0)]
+    return [(rows[n], g.product([*cofactors, (n, e - 1)], float(e)), 1.0)]
 
 
-def _holds_root(g: Graph, term: int, others: Sequence[tuple[int, int]]) -> bool:
+def _holds_root(g: Graph, term: int, cofactors: Sequence[tuple[int, int]]) -> bool:
     factors = g.args[term] if g.ops[term] == "prod" else ((term, 1),)
-    return any(e == 1 and _by_argument(g, m, others) for m, e in factors)
+    return any(e == 1 and _by_argument(g, m, cofactors) for m, e in factors)
 
 
-def _by_argument(g: Graph, node: int, others: Sequence[tuple[int, int]]) -> bool:
+def _by_argument(g: Graph, node: int, cofactors: Sequence[tuple[int, int]]) -> bool:
     """Return whether a factor is differentiated by its argument, together with its cofactors."""
     if g.ops[node] not in ("sqrt", "asin", "acos", "acosh") or not is_steep(g, node):
         return False
     if is_carried(g, node) or g.ops[g.args[node][0]] in ("max", "min", "select"):
         return False
-    return any(not g.constant[m] for m, _ in others)
+    return any(not g.constant[m] for m, _ in cofactors)
 
 
 def undefined(g: Graph, node: int) -> int:
     """Return NaN where a node is a Piecewise none of whose branches is taken, else zero."""
-    way: list[tuple[int, int]] = []  # down the last branches, of which there may be many
+    branches: list[tuple[int, int]] = []  # down the last branches, of which there may be many
     while g.ops[node] == "select":
         condition, yes, node = g.args[node]
-        way.append((condition, undefined(g, yes)))
+        branches.append((condition, undefined(g, yes)))
     value = g.value(node)
     result = node if value is not None and math.isnan(value) else g.zero
-    for condition, inner in reversed(way):
+    for condition, inner in reversed(branches):
         if inner != result:
             result = g.call("select", condition, inner, result)
     return result
@@ -264,10 +273,10 @@ def undefined(g: Graph, node: int) -> int:
 
 def times(g: Graph, a: int, b: int) -> int:
     """Return a product of slopes; beyond a switch that leaves it out one may be infinite."""
-    for switch, other in ((a, b), (b, a)):
+    for switch, factor in ((a, b), (b, a)):
         if g.ops[switch] == "select" and g.zero in g.args[switch][1:]:
-            which, *ends = g.args[switch]
-            return g.call("select", which, *(times(g, end, other) for end in ends))
+            condition, *ends = g.args[switch]
+            return g.call("select", condition, *(times(g, end, factor) for end in ends))
     return g.mul(a, b)
 
 
@@ -305,28 +314,32 @@ def _guard_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
     n, entries, column, sound, fast = g.args[node]
     result: list[Row] = [{} for _ in column]
     if (judged := definite(g, node)) is not None:
-        told: set[int] = set()
+        reported: set[int] = set()
         for row, k in zip(result, fast, strict=True):
-            row.update((key, d if key in told else g.add(d, judged)) for key, d in rows[k].items())
-            told.update(row)
+            row.update(
+                (key, d if key in reported else g.add(d, judged)) for key, d in rows[k].items()
+            )
+            reported.update(row)
         return result
     x = [g.make("item", (node, k)) for k in range(len(column))]
     slow: dict[int, list[int]] = {}
     for first in range(0, len(column), max(n, 1)):
-        own = slice(first, first + n)
-        for key, right in _system_slopes(g, ("lu", n, entries), x[own], column[own], rows).items():
-            slow.setdefault(key, [g.zero] * len(column))[own] = right
+        part = slice(first, first + n)
+        for key, right in _system_slopes(
+            g, ("lu", n, entries), x[part], column[part], rows
+        ).items():
+            slow.setdefault(key, [g.zero] * len(column))[part] = right
     never = g.ops[sound] == "bool" and not g.args[sound][0]
-    found = sorted({key for k in fast for key in rows[k]})
-    keys = sorted(slow) if never else found
+    keys_of_fast = sorted({key for k in fast for key in rows[k]})
+    keys = sorted(slow) if never else keys_of_fast
     zeros = [g.zero] * len(column)
     rights = tuple(d for key in keys for d in slow.get(key, zeros))
     slopes = tuple(rows[k].get(key, g.zero) for key in keys for k in fast)
-    made = g.make("guard", (n, entries, rights, sound, slopes))  # of no key, it is never used
-    for place, key in enumerate(keys):
+    derivative = g.make("guard", (n, entries, rights, sound, slopes))  # of no key, it is never used
+    for position, key in enumerate(keys):
         for i, k in enumerate(fast):
             if never or key in rows[k]:
-                result[i][key] = g.make("item", (made, place * len(column) + i))
+                result[i][key] = g.make("item", (derivative, position * len(column) + i))
     return result
 
 

@@ -38,8 +38,8 @@ def _of_reciprocal(op: str) -> Handler:
 def _fold(op: str) -> Handler:
     def handler(graph: Graph, expr: Any, args: list[int]) -> int:
         node = args[0]
-        for other in args[1:]:
-            node = graph.call(op, node, other)
+        for operand in args[1:]:
+            node = graph.call(op, node, operand)
         return node
 
     return handler
@@ -101,10 +101,10 @@ def _acot(graph: Graph, expr: Any, args: list[int]) -> int:
 
 def _xor(graph: Graph, expr: Any, args: list[int]) -> int:
     node = args[0]
-    for other in args[1:]:
-        either = graph.call("or", node, other)
-        both = graph.call("and", node, other)
-        node = graph.call("and", either, graph.call("not", both))
+    for operand in args[1:]:
+        either = graph.call("or", node, operand)
+        conjunction = graph.call("and", node, operand)
+        node = graph.call("and", either, graph.call("not", conjunction))
     return node
 
 
@@ -168,8 +168,8 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
         """
         inputs = tuple(graph.inputs([node]))
         formula = Formula(graph, node, inputs, name)
-        made: NodeExpression = cls(formula, *(symbols[n] for n in inputs))
-        return made
+        expression: NodeExpression = cls(formula, *(symbols[n] for n in inputs))
+        return expression
 
     def _eval_derivative(self, symbol: Any) -> Any:
         return sm.Derivative(self, symbol, evaluate=False)
@@ -249,13 +249,13 @@ class SymPyReader:
         self.graph = graph
         self.atoms = dict(atoms)
         self.what = what
-        self._seen: dict[int, int] = {}
+        self._node_of: dict[int, int] = {}
         self._alive: list[Any] = []  # keeps ids unique while the table lives
 
     def define(self, atom: Any, node: int) -> None:
         """Let `atom` stand for `node` from now on."""
         self.atoms[atom] = node
-        self._seen.clear()
+        self._node_of.clear()
         self._alive.clear()
 
     def __call__(self, expression: Any) -> int:
@@ -267,38 +267,38 @@ class SymPyReader:
             return self._read(real_part(root, self.what))
 
     def _read(self, root: sm.Basic) -> int:
-        graph, seen, alive = self.graph, self._seen, self._alive
+        graph, node_of, alive = self.graph, self._node_of, self._alive
         stack: list[tuple[Any, Handler | None]] = [(root, None)]
         while stack:
             expr, handler = stack.pop()
             key = id(expr)
-            if key in seen:
+            if key in node_of:
                 continue
             args = expr.args
             if handler is not None:  # its operands are done
-                seen[key] = handler(graph, expr, [seen[id(a)] for a in args])
+                node_of[key] = handler(graph, expr, [node_of[id(a)] for a in args])
                 continue
             alive.append(expr)
             handler = _handler(type(expr)) if args else None
             if handler is None:
                 leaf = None if _is_unevaluated(expr) else self._leaf(expr)
                 if leaf is not None:
-                    seen[key] = leaf
+                    node_of[key] = leaf
                     continue
                 handler = _handler(expr.func)
                 if handler is None:
-                    seen[key] = self._otherwise(expr)
+                    node_of[key] = self._otherwise(expr)
                     continue
             stack.append((expr, handler))
-            stack += [(a, None) for a in reversed(args) if id(a) not in seen]
-        return seen[id(root)]
+            stack += [(a, None) for a in reversed(args) if id(a) not in node_of]
+        return node_of[id(root)]
 
     def all(self, expressions: Iterable[Any]) -> list[int]:
         """Return the nodes of several expressions."""
-        known = self._seen
+        node_of = self._node_of
         if isinstance(expressions, sm.MatrixBase):
             expressions = expressions.flat()  # one by one, each takes as long as reading it
-        nodes = ((known.get(id(e)), e) for e in expressions)
+        nodes = ((node_of.get(id(e)), e) for e in expressions)
         return [self(e) if node is None else node for node, e in nodes]
 
     def _leaf(self, expr: Any) -> int | None:
@@ -337,11 +337,11 @@ class SymPyReader:
         try:
             written = self._written_out(expr)
         except UnsupportedFunctionError:
-            if (found := written_for_scipy(expr)) is None:
+            if (written := written_for_scipy(expr)) is None:
                 raise
-            code, operands, partials = found
-            shown = f"the function `{expr.func.__name__}` in `{_brief(expr)}`"
-            name = ScipyOperation.named(code, len(operands), shown, partials)
+            code, operands, partials = written
+            description = f"the function `{expr.func.__name__}` in `{_brief(expr)}`"
+            name = ScipyOperation.named(code, len(operands), description, partials)
             return self.graph.call(name, *map(self, operands))
         return self(written)
 
@@ -379,9 +379,9 @@ def real_part(expr: Any, what: str) -> Any:
         s: sm.Dummy(s.name if s.is_Symbol else str(s), real=True)
         for s in expr.atoms(sm.Symbol, AppliedUndef, sm.Derivative)
     }
-    whole = expr.xreplace(named)
-    if isinstance(whole, sm.Expr):
-        real, imaginary = whole.as_real_imag()
+    separated = expr.xreplace(named)
+    if isinstance(separated, sm.Expr):
+        real, imaginary = separated.as_real_imag()
         if sm.expand(imaginary) == 0 or sm.simplify(imaginary) == 0:
             return real.xreplace({dummy: symbol for symbol, dummy in named.items()})
     raise ValueError(
@@ -409,23 +409,21 @@ def written_for_scipy(expr: Any) -> tuple[str, list[Any], Callable[..., tuple[in
     elif isinstance(expr, (sm.Sum, sm.Integral)) and _is_definite(expr):
         functions = {e: sm.Dummy() for e in expr.atoms(AppliedUndef, sm.Derivative)}
         free = expr.xreplace(functions).free_symbols  # not the variables of the limits
-        kept = {e for e, dummy in functions.items() if dummy in free}
-        free = kept | (free - {*functions.values()})
+        free_functions = {e for e, dummy in functions.items() if dummy in free}
+        free = free_functions | (free - {*functions.values()})
         operands = sorted(free, key=sm.default_sort_key)
     else:
         return None
-    places = [sm.Symbol(f"_{k}", real=True) for k in range(len(operands))]
-    template = expr.xreplace(dict(zip(operands, places, strict=True)))
+    slots = [sm.Symbol(f"_{k}", real=True) for k in range(len(operands))]
+    template = expr.xreplace(dict(zip(operands, slots, strict=True)))
     try:
         code = SciPyPrinter(_OF_SCIPY).doprint(template)
     except (PrintMethodNotImplementedError, NotImplementedError, TypeError):
         return None
 
     def partials(graph: Graph, node: int, *nodes: int) -> tuple[int, ...]:
-        read = SymPyReader(
-            graph, dict(zip(places, nodes, strict=True)), f"the derivative of {expr}"
-        )
-        return tuple(read(sm.diff(template, place)) for place in places)
+        read = SymPyReader(graph, dict(zip(slots, nodes, strict=True)), f"the derivative of {expr}")
+        return tuple(read(sm.diff(template, slot)) for slot in slots)
 
     return code, operands, partials
 
@@ -490,8 +488,8 @@ def _differentiated(expr: Any) -> NodeExpression:
             rates = _rates(variable, read.atoms)
             if rates is None:
                 raise UnsupportedFunctionError(read._unsupported(expr))
-            given = {read.atoms[s]: {0: read(rate)} for s, rate in rates.items()}
-            (row,) = directional(graph, [node], given)
+            seeds = {read.atoms[s]: {0: read(rate)} for s, rate in rates.items()}
+            (row,) = directional(graph, [node], seeds)
             (node,) = rebuild(graph, [row.get(0, graph.zero)], partial(_flattened, graph))
     return NodeExpression.of(graph, node, {n: s for s, n in read.atoms.items()}, expr)
 
@@ -508,9 +506,9 @@ def _flattened(graph: Graph, node: int, op: str, args: tuple[Any, ...]) -> int:
     while stack:
         n, c = stack.pop()
         if graph.ops[n] == "sum":
-            inner, more = graph.args[n]
+            inner, inner_terms = graph.args[n]
             c0 += c * inner
-            stack += [(m, c * d) for m, d in more[::-1]]
+            stack += [(m, c * d) for m, d in inner_terms[::-1]]
         else:
             terms.append(_distributed(graph, n, c))
     return graph.sum(terms, c0)
@@ -525,8 +523,8 @@ def _distributed(graph: Graph, node: int, c: float) -> tuple[int, float]:
         if exponent == 1 and graph.ops[n] == "sum":
             inner, terms = graph.args[n]
             if any(abs(c * d) == 1.0 for _, d in terms):
-                whole = graph.sum([(m, c * d) for m, d in terms], c * inner)
-                return graph.product([*factors[:k], (whole, 1), *factors[k + 1 :]]), 1.0
+                scaled_sum = graph.sum([(m, c * d) for m, d in terms], c * inner)
+                return graph.product([*factors[:k], (scaled_sum, 1), *factors[k + 1 :]]), 1.0
     return node, c
 
 

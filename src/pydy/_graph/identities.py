@@ -35,20 +35,20 @@ def evaluated(
     nothing: frozenset[int] = frozenset()
     poles = {graph.zero: nothing, graph.one: nothing}
     costs = {graph.zero: 0.0, graph.one: 0.0}
-    known: dict[float, int] = {}
+    residues: dict[float, int] = {}
     solutions = _Solutions(graph, values)
     for node in nodes:
         op, args = graph.ops[node], graph.args[node]
         operands = graph.operands(node)
-        own = poles[operands[0]] if operands else nothing
+        denominators = poles[operands[0]] if operands else nothing
         for operand in operands[1:]:
-            if poles[operand] is not own and poles[operand]:
-                own |= poles[operand]
+            if poles[operand] is not denominators and poles[operand]:
+                denominators |= poles[operand]
         cost = 1.0 + sum(costs[n] for n in operands)
         if op == "sum":
-            total = _known(known, args[0])
+            total = _residue(residues, args[0])
             for n, c in args[1]:
-                total += values[n] if c == 1.0 else _known(known, c) * values[n]
+                total += values[n] if c == 1.0 else _residue(residues, c) * values[n]
             value = total % PRIME
             cost += len(args[1])
         elif op == "prod":
@@ -57,14 +57,14 @@ def evaluated(
                 cost += abs(e)
                 factor = values[n]
                 if e < 0:
-                    own |= {min(factor, PRIME - factor)}
+                    denominators |= {min(factor, PRIME - factor)}
                     cost += 4.0
                 if e != 1:
                     zero = e < 0 and factor == 0
                     factor = arbitrary("pole", e) if zero else pow(factor, e, PRIME)
                 value = value * factor % PRIME
         elif op == "const":
-            value, cost = _known(known, args[0]), 0.0
+            value, cost = _residue(residues, args[0]), 0.0
         elif op == "input":
             value, cost = arbitrary(op, *args), 0.0
         elif op in OPERATIONS and (rule := OPERATIONS[op].modular) is not None:
@@ -72,13 +72,15 @@ def evaluated(
             cost += 8.0
         elif solving and op == "item" and (solved := solutions(args[0])) is not None:
             value = solved[args[1]]
-            own = frozenset({arbitrary("within", value)})
+            denominators = frozenset({arbitrary("within", value)})
         else:
             value = arbitrary(op, *_kind(op, args), *(values[n] for n in operands))
             # What a function divides by inside may be guarded by it.
-            own = frozenset({arbitrary("within", value, *sorted(own))} if own else {value})
+            denominators = frozenset(
+                {arbitrary("within", value, *sorted(denominators))} if denominators else {value}
+            )
             cost += 8.0
-        values[node], poles[node], costs[node] = value, own, cost
+        values[node], poles[node], costs[node] = value, denominators, cost
     return values, poles, costs
 
 
@@ -113,17 +115,17 @@ class _Solutions:
             read = symmetric(n, entries) if kind == "ldl" else entries
             cells = [self.values[e] for e in read]
             self._inverses[entries] = inverse([cells[k : k + n] for k in range(0, n * n, n)])
-        found = self._inverses[entries]
-        if found is None:
+        inverse_rows = self._inverses[entries]
+        if inverse_rows is None:
             return None
         right = [self.values[e] for e in column]
-        return [sum(a * b for a, b in zip(row, right, strict=True)) % PRIME for row in found]
+        return [sum(a * b for a, b in zip(row, right, strict=True)) % PRIME for row in inverse_rows]
 
 
-def _known(known: dict[float, int], number: float) -> int:
-    if number not in known:
-        known[number] = residue(number)
-    return known[number]
+def _residue(residues: dict[float, int], number: float) -> int:
+    if number not in residues:
+        residues[number] = residue(number)
+    return residues[number]
 
 
 def _kind(op: str, args: tuple[object, ...]) -> tuple[object, ...]:

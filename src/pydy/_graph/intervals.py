@@ -38,24 +38,24 @@ def bounds(
 
     What is undefined in a part of an interval has no finite bounds there.
     """
-    known: dict[int, Interval] = {}
+    interval_of: dict[int, Interval] = {}
     with np.errstate(all="ignore"):
         for node in graph.reachable(nodes):
             op, args = graph.ops[node], graph.args[node]
             if op == "input":
-                known[node] = leaf(node)
+                interval_of[node] = leaf(node)
             elif op in ("const", "bool"):
-                known[node] = args[0], args[0]
+                interval_of[node] = args[0], args[0]
             elif op == "sum":
-                known[node] = _sum(args[0], [(known[n], c) for n, c in args[1]])
+                interval_of[node] = _sum(args[0], [(interval_of[n], c) for n, c in args[1]])
             elif op == "prod":
-                known[node] = _product([_power(known[n], e) for n, e in args])
+                interval_of[node] = _product([_power(interval_of[n], e) for n, e in args])
             else:
-                known[node] = _RULES[op](*(known[n] for n in args))
-    return [known[n] for n in nodes]
+                interval_of[node] = _RULES[op](*(interval_of[n] for n in args))
+    return [interval_of[n] for n in nodes]
 
 
-def _apart(low: Any, high: Any) -> Interval:
+def _widened(low: Any, high: Any) -> Interval:
     """Move bounds apart by what rounding may have done; no bound is known of NaN."""
     low, high = low - INTERVAL_SLACK * np.abs(low), high + INTERVAL_SLACK * np.abs(high)
     return np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
@@ -64,8 +64,8 @@ def _apart(low: Any, high: Any) -> Interval:
 def _sum(constant: float, terms: Sequence[tuple[Interval, float]]) -> Interval:
     low = high = constant
     for (a, b), c in terms:
-        first, second = _apart(a * c, b * c) if c > 0.0 else _apart(b * c, a * c)
-        low, high = _apart(low + first, high + second)
+        first, second = _widened(a * c, b * c) if c > 0.0 else _widened(b * c, a * c)
+        low, high = _widened(low + first, high + second)
     return low, high
 
 
@@ -74,7 +74,7 @@ def _product(factors: Sequence[Interval]) -> Interval:
     for a, b in factors[1:]:
         # Bounds that are infinite stand for finite numbers without a bound: zero times them is 0.
         ends = [np.where(np.isnan(c), 0.0, c) for c in (low * a, low * b, high * a, high * b)]
-        low, high = _apart(np.minimum.reduce(ends), np.maximum.reduce(ends))
+        low, high = _widened(np.minimum.reduce(ends), np.maximum.reduce(ends))
     return low, high
 
 
@@ -84,7 +84,7 @@ def _power(base: Interval, exponent: int) -> Interval:
     if exponent < 0:
         return _reciprocal(_power(base, -exponent))
     low, high = _size(*base) if exponent % 2 == 0 else base
-    return _apart(np.power(low, float(exponent)), np.power(high, float(exponent)))
+    return _widened(np.power(low, float(exponent)), np.power(high, float(exponent)))
 
 
 def _reciprocal(divisor: Interval) -> Interval:
@@ -92,7 +92,7 @@ def _reciprocal(divisor: Interval) -> Interval:
     least = np.where(high > 0.0, np.where(low < 0.0, -np.inf, 1.0 / high), 1.0 / high)
     most = np.where(low < 0.0, np.where(high > 0.0, np.inf, 1.0 / low), 1.0 / low)
     least = np.where(high == 0.0, -np.inf, least)
-    return _apart(least, np.where(low == 0.0, np.inf, most))
+    return _widened(least, np.where(low == 0.0, np.inf, most))
 
 
 def _size(low: Any, high: Any) -> Interval:
@@ -111,7 +111,7 @@ def _wave(function: Callable[[Any], Any], crest: float) -> Callable[[Interval], 
     def rule(angle: Interval) -> Interval:
         low, high = angle
         a, b = function(low), function(high)
-        least, most = _apart(np.minimum(a, b), np.maximum(a, b))
+        least, most = _widened(np.minimum(a, b), np.maximum(a, b))
         least = np.where(holds(low, high, crest - math.pi), -1.0, np.maximum(least, -1.0))
         return least, np.where(holds(low, high, crest), 1.0, np.minimum(most, 1.0))
 
@@ -120,19 +120,19 @@ def _wave(function: Callable[[Any], Any], crest: float) -> Callable[[Interval], 
 
 def _tangent(angle: Interval) -> Interval:
     low, high = angle
-    least, most = _apart(np.tan(low), np.tan(high))
+    least, most = _widened(np.tan(low), np.tan(high))
     slack = INTERVAL_SLACK * np.maximum(np.abs(low), np.abs(high)) + INTERVAL_SLACK
-    one = np.floor(low / math.pi + 0.5 - slack) == np.floor(high / math.pi + 0.5 + slack)
-    return np.where(one, least, -np.inf), np.where(one, most, np.inf)
+    same_branch = np.floor(low / math.pi + 0.5 - slack) == np.floor(high / math.pi + 0.5 + slack)
+    return np.where(same_branch, least, -np.inf), np.where(same_branch, most, np.inf)
 
 
 def _monotone(name: str) -> Callable[[Interval], Interval]:
     function = OPERATIONS[name].numpy
     if name in _DECREASING:
-        return lambda x: _apart(function(x[1]), function(x[0]))
+        return lambda x: _widened(function(x[1]), function(x[0]))
     if name in _EXACT:
         return lambda x: (function(x[0]), function(x[1]))
-    return lambda x: _apart(function(x[0]), function(x[1]))
+    return lambda x: _widened(function(x[0]), function(x[1]))
 
 
 def _general_power(base: Interval, exponent: Interval) -> Interval:
@@ -143,9 +143,9 @@ def _general_power(base: Interval, exponent: Interval) -> Interval:
 
 def _direction(y: Interval, x: Interval) -> Interval:
     corners = [np.arctan2(a, b) for a in y for b in x]
-    whole = (y[0] <= 0.0) & (y[1] >= 0.0) & (x[0] <= 0.0)
-    low, high = _apart(np.minimum.reduce(corners), np.maximum.reduce(corners))
-    return np.where(whole, -math.pi, low), np.where(whole, math.pi, high)
+    crosses_cut = (y[0] <= 0.0) & (y[1] >= 0.0) & (x[0] <= 0.0)
+    low, high = _widened(np.minimum.reduce(corners), np.maximum.reduce(corners))
+    return np.where(crosses_cut, -math.pi, low), np.where(crosses_cut, math.pi, high)
 
 
 # Of truth values: whether it is certainly true, and whether it may be.
@@ -160,8 +160,8 @@ def _not(a: Interval) -> Interval:
     return np.logical_not(a[1]), np.logical_not(a[0])
 
 
-def _select(which: Interval, yes: Interval, no: Interval) -> Interval:
-    certain, possible = which
+def _select(condition: Interval, yes: Interval, no: Interval) -> Interval:
+    certain, possible = condition
     low = np.where(certain, yes[0], np.where(possible, np.minimum(yes[0], no[0]), no[0]))
     return low, np.where(certain, yes[1], np.where(possible, np.maximum(yes[1], no[1]), no[1]))
 
@@ -172,7 +172,7 @@ _RULES: dict[str, Callable[..., Interval]] = {
     "cos": _wave(np.cos, 0.0),
     "tan": _tangent,
     "abs": lambda x: _size(*x),
-    "cosh": lambda x: _apart(*map(np.cosh, _size(*x))),
+    "cosh": lambda x: _widened(*map(np.cosh, _size(*x))),
     "pow": _general_power,
     "atan2": _direction,
     "min": lambda a, b: (np.minimum(a[0], b[0]), np.minimum(a[1], b[1])),

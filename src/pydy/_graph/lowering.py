@@ -47,9 +47,9 @@ class _Lowering:
         self.tape = Tape()
         self.new: dict[int, int] = {}
         self.hot: set[int] = set()
-        self.put_off: set[int] = set()  # what the fallbacks so far need, but no call
+        self.deferred: set[int] = set()  # what the fallbacks so far need, but no call
         self.factors: dict[int, Factor] = {}
-        self.divided: Counter[int] = Counter()
+        self.uses_as_denominator: Counter[int] = Counter()
         self.products: dict[tuple[int, float], list[Any]] = {}
         self.below: dict[int, list[tuple[int, int]]] = {}
         self.sums: dict[int, list[Any]] = {}
@@ -67,7 +67,7 @@ class _Lowering:
         hot = set(graph.reachable(roots, fallbacks=False))
         for node in order:
             if graph.ops[node] == "prod":
-                self.divided.update(n for n, e in graph.args[node] if e < 0)
+                self.uses_as_denominator.update(n for n, e in graph.args[node] if e < 0)
         self._plan_products(order, hot)
         self._plan_sums(order, hot)
         fixed = [n for n in order if graph.constant[n] or graph.ops[n] in Tape.never_deferred]
@@ -123,13 +123,13 @@ class _Lowering:
         if not tape.in_every_call:
             return
         _, entries, column, *_ = graph.args[guard]
-        own = [n for n in graph.reachable((*entries, *column)) if n not in self.hot]
-        if not self.put_off.isdisjoint(own):
+        operations = [n for n in graph.reachable((*entries, *column)) if n not in self.hot]
+        if not self.deferred.isdisjoint(operations):
             tape.in_every_call, tape.guard_of_fallback = False, guard
-            for node in own:
+            for node in operations:
                 self.new[node] = self._node(node)
             tape.in_every_call, tape.guard_of_fallback = True, None
-        self.put_off.update(own)
+        self.deferred.update(operations)
 
     # -- sums -------------------------------------------------------------------------------------
 
@@ -163,22 +163,22 @@ class _Lowering:
         if c0:
             terms.insert(0, (tape.const(abs(c0)), c0 > 0))
         value, positive = terms[0]
-        for other, sign in terms[1:]:
-            value, positive = self._joined((value, positive), (other, sign))
+        for term, sign in terms[1:]:
+            value, positive = self._added((value, positive), (term, sign))
         return value if positive else tape.neg(value)
 
     def _term(self, tree: Any, positive: bool) -> tuple[int, bool]:
         """Return a term as a value to add (True) or to subtract (False)."""
         if is_pair(tree):
-            known = self.partial_sums.get(id(tree))
-            if known is None:
-                known = self._joined(self._term(*tree[0]), self._term(*tree[1]))
-                self.partial_sums[id(tree)] = known
+            partial_sum = self.partial_sums.get(id(tree))
+            if partial_sum is None:
+                partial_sum = self._added(self._term(*tree[0]), self._term(*tree[1]))
+                self.partial_sums[id(tree)] = partial_sum
         else:
-            known = self._scaled(*tree)
-        return known[0], known[1] is positive
+            partial_sum = self._scaled(*tree)
+        return partial_sum[0], partial_sum[1] is positive
 
-    def _joined(self, a: tuple[int, bool], b: tuple[int, bool]) -> tuple[int, bool]:
+    def _added(self, a: tuple[int, bool], b: tuple[int, bool]) -> tuple[int, bool]:
         tape = self.tape
         if a[1] == b[1]:
             return tape.add(a[0], b[0]), a[1]
@@ -207,20 +207,20 @@ class _Lowering:
         """
         graph = self.graph
         constant = graph.constant
-        wanted: dict[tuple[int, float], None] = {}
+        occurring: dict[tuple[int, float], None] = {}
         for node in order:
             if graph.ops[node] == "prod":
-                wanted[node, 1.0] = None
+                occurring[node, 1.0] = None
             elif graph.ops[node] == "sum":
                 for term, coefficient in graph.args[node][1]:
                     size = abs(coefficient)
                     product = size != 1.0 and graph.ops[term] == "prod"
                     if product and any(constant[n] for n, _ in graph.args[term]):
-                        wanted[term, size] = None
+                        occurring[term, size] = None
         factors: list[list[Any]] = []
-        places = sorted(wanted, key=lambda place: place[0] not in hot)
-        count = sum(node in hot for node, _ in places)
-        for node, size in places:
+        products = sorted(occurring, key=lambda pair: pair[0] not in hot)
+        count = sum(node in hot for node, _ in products)
+        for node, size in products:
             fixed = tuple(pair for pair in graph.args[node] if constant[pair[0]])
             moving = [pair for pair in graph.args[node] if not constant[pair[0]]]
             above = [("power", *pair) for pair in moving if self._multiplies(*pair)]
@@ -231,11 +231,11 @@ class _Lowering:
         if "share products" not in self.graph.off:
             shared = share_pairs([[(factor, True) for factor in row] for row in factors[:count]])
             factors[:count] = [[tree for tree, _ in row] for row in shared]
-        self.products = dict(zip(places, factors, strict=True))
+        self.products = dict(zip(products, factors, strict=True))
 
     def _multiplies(self, node: int, exponent: int) -> bool:
         # A denominator that occurs more than once becomes a reciprocal.
-        return exponent > 0 or self.divided[node] > 1
+        return exponent > 0 or self.uses_as_denominator[node] > 1
 
     def _product(self, node: int, size: float) -> int:
         tape = self.tape
@@ -249,11 +249,11 @@ class _Lowering:
     def _factor(self, tree: Any) -> int:
         tape = self.tape
         if is_pair(tree):
-            known = self.pairs.get(id(tree))
-            if known is None:
-                known = tape.mul(self._factor(tree[0][0]), self._factor(tree[1][0]))
-                self.pairs[id(tree)] = known
-            return known
+            product = self.pairs.get(id(tree))
+            if product is None:
+                product = tape.mul(self._factor(tree[0][0]), self._factor(tree[1][0]))
+                self.pairs[id(tree)] = product
+            return product
         if tree[0] == "power":
             return self._power(tree[1], tree[2])
         _, fixed, size = tree

@@ -49,25 +49,25 @@ class Graph(Nodes):
 
     def copy(self) -> Graph:
         """Return a graph with the same nodes, which grows on its own."""
-        other = Graph.__new__(Graph)
-        other.ops, other.args = self.ops.copy(), self.args.copy()
-        other.constant, other._node_of = self.constant.copy(), self._node_of.copy()
-        other._operands, other._counted = self._operands.copy(), self._counted.copy()
-        other.zero, other.one, other.off = self.zero, self.one, self.off
-        return other
+        twin = Graph.__new__(Graph)
+        twin.ops, twin.args = self.ops.copy(), self.args.copy()
+        twin.constant, twin._node_of = self.constant.copy(), self._node_of.copy()
+        twin._operands, twin._counted = self._operands.copy(), self._counted.copy()
+        twin.zero, twin.one, twin.off = self.zero, self.one, self.off
+        return twin
 
     def renamed(self, names: Mapping[tuple[str, int], tuple[str, int]]) -> Graph:
         """Return a copy in which inputs have other groups and indices, all at once."""
-        other = self.copy()
+        twin = self.copy()
         nodes = {}
         for old, new in names.items():
-            node = other._node_of.pop(("input", old), None)
+            node = twin._node_of.pop(("input", old), None)
             if node is not None:
                 nodes[node] = new
         for node, new in nodes.items():
-            other.args[node] = new
-            other._node_of["input", new] = node
-        return other
+            twin.args[node] = new
+            twin._node_of["input", new] = node
+        return twin
 
     make = Nodes.node
 
@@ -135,8 +135,8 @@ class Graph(Nodes):
         """Return ``coefficient · Π node ** exponent``; nested products are flattened."""
         powers: dict[int, int] = {}
         counted, special = self._counted, []
-        if (known := len(counted)) != len(self.ops):
-            counted += map(_is_counted, self.ops[known:], self.args[known:])
+        if (num_classified := len(counted)) != len(self.ops):
+            counted += map(_is_counted, self.ops[num_classified:], self.args[num_classified:])
         for node, exponent in factors:
             if counted[node]:
                 powers[node] = powers.get(node, 0) + exponent
@@ -214,9 +214,9 @@ class Graph(Nodes):
         if len(nodes) == 2:
             a, b = nodes
             # Most products of forms and slopes are by one.
-            for one, other in ((a, b), (b, a)):
-                if one == self.one and _is_counted(self.ops[other], self.args[other]):
-                    return other
+            for unit, factor in ((a, b), (b, a)):
+                if unit == self.one and _is_counted(self.ops[factor], self.args[factor]):
+                    return factor
         return self.product([(n, 1) for n in nodes])
 
     def div(self, a: int, b: int) -> int:
@@ -303,8 +303,8 @@ class Graph(Nodes):
 
     def inputs(self, roots: Iterable[int], *, moving: bool = False) -> list[int]:
         """Return the inputs that the roots depend on, or those of them that are no constants."""
-        found = [n for n in self.reachable(roots) if self.ops[n] == "input"]
-        return [*filterfalse(self.constant.__getitem__, found)] if moving else found
+        inputs = [n for n in self.reachable(roots) if self.ops[n] == "input"]
+        return [*filterfalse(self.constant.__getitem__, inputs)] if moving else inputs
 
     def inputs_of(self, roots: Iterable[int]) -> set[str]:
         """Return the groups of the inputs that the roots depend on, such as 't', 'x' and 'p'."""

@@ -46,33 +46,35 @@ def derivative_program(
     n, s, c = sizes
     with collector_paused():
         g, nodes = graph, outputs
-        by = [g.input(*place) for place in variables]
-        m, k = len(nodes), len(by)
+        variable_nodes = [g.input(*variable) for variable in variables]
+        m, k = len(nodes), len(variable_nodes)
 
-        def given(row: int) -> dict[int, int]:
+        def components(row: int) -> dict[int, int]:
             return {d: g.input("r", s + row * vectors + d) for d in range(vectors)}
 
         if kind == "jacobian":
             shape: tuple[int, ...] = (m, k)
-            cells = jacobian(g, nodes, by).flat()
+            cells = jacobian(g, nodes, variable_nodes).flat()
             extra = 0
         elif kind == "jacobian-vector":
             shape, extra = (m, vectors), k * vectors
-            seeds = {node: given(i) for i, node in enumerate(by)}
+            seeds = {node: components(i) for i, node in enumerate(variable_nodes)}
             cells = directional(g, nodes, seeds, vectors).flat()
         elif kind == "vector-jacobian":
             shape, extra = (k, vectors), m * vectors
-            weights = [given(i) for i in range(m)]
-            found = [adjoints(g, nodes, [w[d] for w in weights], by) for d in range(vectors)]
-            cells = [column[i] for i in range(k) for column in found]
+            weights = [components(i) for i in range(m)]
+            columns = [
+                adjoints(g, nodes, [w[d] for w in weights], variable_nodes) for d in range(vectors)
+            ]
+            cells = [column[i] for i in range(k) for column in columns]
         elif kind == "gradient":
             shape, extra = (k + 1,), 0
-            cells = [nodes[0], *adjoints(g, nodes, [g.one], by)]
+            cells = [nodes[0], *adjoints(g, nodes, [g.one], variable_nodes)]
         else:
             shape, extra = (k, vectors), k * vectors
-            first = adjoints(g, nodes, [g.one], by)
+            first = adjoints(g, nodes, [g.one], variable_nodes)
             first = first if "factor" in g.off else factor_sums(g, first)
-            seeds = {node: given(i) for i, node in enumerate(by)}
+            seeds = {node: components(i) for i, node in enumerate(variable_nodes)}
             cells = directional(g, first, seeds, vectors).flat()
         cells = cells if "factor" in g.off else factor_sums(g, cells)
         return lower(g, (n, s + extra, c), [(kind, shape, cells)])

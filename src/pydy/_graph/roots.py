@@ -57,9 +57,9 @@ def slope(g: Graph, root: int, weight: int) -> int:
     scale, core = g.scaled(weight)
     if g.ops[core] == "select" and g.zero in g.args[core][1:]:
         # Beyond the switch the slope may be infinite, but has no part in anything.
-        which, *ways = g.args[core]
-        ends = [n if n == g.zero else slope(g, root, g.sum([(n, scale)])) for n in ways]
-        return g.call("select", which, *ends)
+        condition, *branches = g.args[core]
+        ends = [n if n == g.zero else slope(g, root, g.sum([(n, scale)])) for n in branches]
+        return g.call("select", condition, *ends)
     op, args = g.ops[root], g.args[root]
     y, p = args[0], g.one
     if op == "sqrt":
@@ -78,11 +78,11 @@ def slope(g: Graph, root: int, weight: int) -> int:
         return g.call("select", nothing, g.zero, steep)
     else:
         no_part = g.call("and", nothing, g.call("lt", g.const(0.25), p))
-    rest = at_rest(g, root)
-    if rest is None:
+    root_at_rest = at_rest(g, root)
+    if root_at_rest is None:
         return steep
     no_part = g.call("or", no_part, g.call("lt", g.const(0.5), p))
-    return g.call("select", g.call("and", rest, no_part), g.zero, steep)
+    return g.call("select", g.call("and", root_at_rest, no_part), g.zero, steep)
 
 
 def _has_finite_slope(g: Graph, node: int) -> bool:
@@ -115,10 +115,10 @@ def at_rest(g: Graph, root: int) -> int | None:
     if not _is_even(g, core):
         slopes: dict[int, list[tuple[int, float]]] = {}
         _polynomial(g, core, g.one, slopes)
-        found = [g.sum(parts) for parts in slopes.values()]
-        if any(g.constant[n] and n != g.zero for n in found):
+        derivatives = [g.sum(parts) for parts in slopes.values()]
+        if any(g.constant[n] and n != g.zero for n in derivatives):
             return None
-        conditions += [g.call("eq", n, g.zero) for n in found]
+        conditions += [g.call("eq", n, g.zero) for n in derivatives]
     return g.call("and", *conditions)
 
 
@@ -145,12 +145,12 @@ def _polynomial(
         for k, (m, e) in enumerate(factors):
             if g.constant[m]:
                 continue
-            others = [(o, f) for j, (o, f) in enumerate(factors) if j != k]
-            by = g.product([(weight, 1), *others, (m, e - 1)], float(e))
+            cofactors = [(o, f) for j, (o, f) in enumerate(factors) if j != k]
+            partial = g.product([(weight, 1), *cofactors, (m, e - 1)], float(e))
             if e == 1 and g.ops[m] == "sum":
-                _polynomial(g, m, by, slopes)
+                _polynomial(g, m, partial, slopes)
             else:
-                _inner(g, m, by, slopes)
+                _inner(g, m, partial, slopes)
     else:
         _inner(g, node, weight, slopes)
 

@@ -35,13 +35,17 @@ def rounding_bounds(
     the bounds that costs little.
     """
     if not inherited:
-        return [_own(graph, n) for n in nodes]
+        return [_size_of_terms(graph, n) for n in nodes]
     rounded = ("x", "p") if constants else ("x",)
     bounds: dict[int, int] = {}
-    known = errors or {}
+    errors_of_inputs = errors or {}
     for node in graph.reachable(nodes):
-        own = _bound(graph, node, bounds, rounded)
-        bounds[node] = graph.sum([(own, 1.0), (known[node], 1.0)]) if node in known else own
+        bound = _bound(graph, node, bounds, rounded)
+        bounds[node] = (
+            graph.sum([(bound, 1.0), (errors_of_inputs[node], 1.0)])
+            if node in errors_of_inputs
+            else bound
+        )
     return [bounds[n] for n in nodes]
 
 
@@ -56,8 +60,8 @@ def sizes_of_terms(graph: Graph, nodes: Sequence[int]) -> list[int]:
         if op == "sum":
             sizes[node] = graph.sum([(sizes[n], abs(c)) for n, c in args[1]], abs(args[0]))
         elif op == "prod":
-            whole = [(sizes[n] if e > 0 else graph.call("abs", n), e) for n, e in args]
-            sizes[node] = graph.product(whole)
+            factors = [(sizes[n] if e > 0 else graph.call("abs", n), e) for n, e in args]
+            sizes[node] = graph.product(factors)
         elif op == "select":
             sizes[node] = graph.call("select", args[0], *(sizes[n] for n in args[1:]))
         elif op not in OPERATIONS.truths and op not in OPERATIONS.solves:  # which are no numbers
@@ -72,12 +76,12 @@ def per_unit(graph: Graph, nodes: Sequence[int], states: Sequence[int]) -> list[
     others nothing but their values tells what is small.
     """
     arguments = [graph.args[n][0] for n in graph.reachable(nodes) if graph.ops[n] in _OF_NUMBERS]
-    found = [graph.zero] * len(states)
+    slopes = [graph.zero] * len(states)
     for row in jacobian(graph, arguments, states):
         for k, slope in row.items():
             if graph.constant[slope]:
-                found[k] = graph.call("max", found[k], graph.call("abs", slope))
-    return found
+                slopes[k] = graph.call("max", slopes[k], graph.call("abs", slope))
+    return slopes
 
 
 def _bound(g: Graph, node: int, bounds: dict[int, int], rounded: tuple[str, ...]) -> int:
@@ -90,22 +94,22 @@ def _bound(g: Graph, node: int, bounds: dict[int, int], rounded: tuple[str, ...]
     exact = g.constant[node] and (op == "const" or "p" not in rounded)
     if exact or (operation is not None and operation.partials is None):
         return g.zero  # steps and conditions too
-    own = _own(g, node)
+    last_rounding = _size_of_terms(g, node)
     if op in ("factor", "solve", "item"):
-        return own  # linear solves are not looked into
+        return last_rounding  # linear solves are not looked into
     operands = g.operands(node)
-    given = [*operands, *(m for n in operands for m in _within(g, n))]
-    partials = Rows(g, {n: {n: g.one} for n in given}).through(node)
+    seeds = [*operands, *(m for n in operands for m in _nodes_in_factor(g, n))]
+    partials = Rows(g, {n: {n: g.one} for n in seeds}).from_operands(node)
     inherited = [
         (g.mul(g.call("abs", d), bounds[n]), 1.0)
         for n, d in partials.items()
         if bounds[n] != g.zero
     ]
-    left = _roundings(g, args, partials.keys()) if op == "prod" else []
-    return g.sum([*inherited, *left, (own, 1.0)])
+    of_root_sums = _roundings(g, args, partials.keys()) if op == "prod" else []
+    return g.sum([*inherited, *of_root_sums, (last_rounding, 1.0)])
 
 
-def _within(g: Graph, factor: int) -> list[int]:
+def _nodes_in_factor(g: Graph, factor: int) -> list[int]:
     """Return the nodes by which a product may be differentiated in place of a factor.
 
     y √y is differentiated by y, and a sum of roots times something term by term.
@@ -115,32 +119,32 @@ def _within(g: Graph, factor: int) -> list[int]:
     terms = [n for n, _ in g.args[factor][1]] if g.ops[factor] == "sum" else []
     roots = [[m for m, _ in _factors(g, n)] for n in terms]
     roots = [inner for inner in roots if any(g.ops[m] == "sqrt" for m in inner)]
-    found = terms if roots else []
-    return [*found, *(n for inner in roots for m in inner for n in (m, *_within(g, m)))]
+    of_roots = terms if roots else []
+    return [*of_roots, *(n for inner in roots for m in inner for n in (m, *_nodes_in_factor(g, m)))]
 
 
 def _roundings(
-    g: Graph, factors: Sequence[tuple[int, int]], by: Collection[int]
+    g: Graph, factors: Sequence[tuple[int, int]], seen_variables: Collection[int]
 ) -> list[tuple[int, float]]:
     """Return the roundings of factors that a product was not differentiated by: sums of roots.
 
     Those of the sum and those of each of its terms are as large as the terms together.
     """
-    found = []
+    terms = []
     for k, (n, _) in enumerate(factors):
-        if g.ops[n] == "sum" and n not in by and not g.constant[n]:
-            others = [*factors[:k], *factors[k + 1 :]]
-            found.append((g.mul(g.call("abs", g.product(others)), _own(g, n)), 2.0))
+        if g.ops[n] == "sum" and n not in seen_variables and not g.constant[n]:
+            cofactors = [*factors[:k], *factors[k + 1 :]]
+            terms.append((g.mul(g.call("abs", g.product(cofactors)), _size_of_terms(g, n)), 2.0))
             for m, _ in g.args[n][1]:
-                found += _roundings(g, [*_factors(g, m), *others], by)
-    return found
+                terms += _roundings(g, [*_factors(g, m), *cofactors], seen_variables)
+    return terms
 
 
 def _factors(g: Graph, node: int) -> Sequence[tuple[int, int]]:
     return g.args[node] if g.ops[node] == "prod" else ((node, 1),)
 
 
-def _own(g: Graph, node: int) -> int:
+def _size_of_terms(g: Graph, node: int) -> int:
     if g.ops[node] != "sum":
         return g.call("abs", node)
     c0, terms = g.args[node]

@@ -15,13 +15,13 @@ def simplify(graph: Graph, roots: Sequence[int]) -> list[int]:
     if guards:
         return _around_guards(graph, roots, guards)
     run = _Run(graph, roots)
-    run.all(ONCE)
+    run.run_passes(ONCE)
     before = run.cost
     # Only new equal nodes give factors that the first round of passes did not see.
     # Where merging saves 0.8 % or more, the second round saves 1.6 % (rider-bicycle) to 4.6 %
     # (relative pendulum); where it saves less, 0.6 % at most, for a fifth of the whole build.
-    if run.all(ROUND) >= 0.0075 * before:
-        run.all(ROUND)
+    if run.run_passes(ROUND) >= 0.0075 * before:
+        run.run_passes(ROUND)
     return run.nodes
 
 
@@ -33,13 +33,13 @@ class _Run:
         self.nodes = list(roots)
         self._counts: dict[int, int] = {}
         self.cost = operation_count(graph, roots, self._counts)
-        self._left: dict[str, list[int]] = {}  # by each pass, which would leave it so again
+        self._results: dict[str, list[int]] = {}  # by each pass, which would leave it so again
 
-    def all(self, passes: Sequence[tuple[str, Pass]]) -> int:
+    def run_passes(self, passes: Sequence[tuple[str, Pass]]) -> int:
         """Run passes one after another, keeping cheaper results; return the savings by merging."""
         merged = 0
         for name, function in passes:
-            if name in self.graph.off or self._left.get(name) == self.nodes:
+            if name in self.graph.off or self._results.get(name) == self.nodes:
                 continue
             tried = function(self.graph, self.nodes)
             if tried != self.nodes:
@@ -47,7 +47,7 @@ class _Run:
                 if cost < self.cost:
                     merged += self.cost - cost if name == "merge" else 0
                     self.nodes, self.cost = tried, cost
-            self._left[name] = self.nodes
+            self._results[name] = self.nodes
         return merged
 
 
@@ -69,20 +69,22 @@ def _around_guards(graph: Graph, roots: Sequence[int], guards: Sequence[int]) ->
 # -- What nodes cost before they are lowered -------------------------------------------------------
 
 
-def operation_count(graph: Graph, roots: Sequence[int], known: dict[int, int] | None = None) -> int:
+def operation_count(
+    graph: Graph, roots: Sequence[int], counts: dict[int, int] | None = None
+) -> int:
     """Estimate the operations of every call: nothing shared but whole nodes.
 
-    Counts of single nodes are `known` to those who count again and again.
+    Counts of single nodes are `counts` to those who count again and again.
     """
-    known = {} if known is None else known
+    counts = {} if counts is None else counts
     nodes = graph.reachable(roots)
     for node in nodes:
-        if node not in known:
-            known[node] = _own(graph, node)
-    return sum(map(known.__getitem__, nodes))
+        if node not in counts:
+            counts[node] = _operations_of(graph, node)
+    return sum(map(counts.__getitem__, nodes))
 
 
-def _own(graph: Graph, node: int) -> int:
+def _operations_of(graph: Graph, node: int) -> int:
     """Estimate a node's own operations."""
     constant, op, args = graph.constant, graph.ops[node], graph.args[node]
     if constant[node] or op in ("input", "factor", "solve", "guard", "item", "kept"):

@@ -52,5 +52,5 @@ def passes_are_shipped() -> bool:
 
 def register(name: str, function: Pass, after: str = "merge") -> None:
     """Add a pass; it runs in each round, after the one named `after`."""
-    names = [known for known, _ in ROUND]
+    names = [name_of_pass for name_of_pass, _ in ROUND]
     ROUND.insert(names.index(after) + 1, (name, function))

@@ -69,10 +69,12 @@ class _Expansion:
             terms = terms_of(graph, pairs)
             below = {n for inside, _, _ in terms for n, e in inside.items() if e < 0}
             if met := [(n, e) for n, e in factors.items() if n in below and e > 0]:
-                others = [(n, e) for n, e in factors.items() if n != inner and n not in dict(met)]
+                cofactors = [
+                    (n, e) for n, e in factors.items() if n != inner and n not in dict(met)
+                ]
                 new = [(graph.product([*met, *f.items()]), c) for f, c, _ in terms]
                 sum_ = graph.sum([*new, (graph.product(met), c0)] if c0 else new)
-                return graph.product([*others, (sum_, 1)])
+                return graph.product([*cofactors, (sum_, 1)])
         return None
 
     def _expanded(self, node: int, args: tuple[Any, ...], same: bool) -> int:
@@ -82,7 +84,7 @@ class _Expansion:
         terms = terms_of(graph, pairs)
         popular = self._popular(terms)
         powers = [power for factors, _, _ in terms for power in factors.items()]
-        if not any(self._wanted(*power, popular) for power in powers):
+        if not any(self._is_to_expand(*power, popular) for power in powers):
             return node if same else factored(graph, terms, c0)
         waiting = terms[::-1]
         done: list[Term] = []
@@ -90,15 +92,15 @@ class _Expansion:
         while waiting:
             term = waiting.pop()
             factors, coefficient, _ = term
-            inner = next((n for n, e in factors.items() if self._wanted(n, e, popular)), None)
+            inner = next((n for n, e in factors.items() if self._is_to_expand(n, e, popular)), None)
             if inner is None or len(waiting) + len(done) > limit:
                 done.append(term)
                 continue
-            others = [(n, e) for n, e in factors.items() if n != inner]
+            cofactors = [(n, e) for n, e in factors.items() if n != inner]
             inner_c0, inner_terms = graph.args[inner]
-            products = [(graph.product([*others, (n, 1)]), c) for n, c in inner_terms]
+            products = [(graph.product([*cofactors, (n, 1)]), c) for n, c in inner_terms]
             if inner_c0:
-                products.append((graph.product(others), inner_c0))
+                products.append((graph.product(cofactors), inner_c0))
             for product, c in products:
                 value = graph.value(product)
                 if value is None:
@@ -111,14 +113,14 @@ class _Expansion:
         """Return the factors that many terms have, or would have with sums multiplied out."""
         counts: Counter[int] = Counter()
         for factors, _, _ in terms:
-            found = {n for n in factors if not self.graph.constant[n]}
+            factors_after = {n for n in factors if not self.graph.constant[n]}
             for node, exponent in factors.items():
                 if exponent == 1:
-                    found |= self._factors_in(node) or set()
-            counts.update(found)
+                    factors_after |= self._factors_in(node) or set()
+            counts.update(factors_after)
         return {n for n, count in counts.items() if count >= 3}
 
-    def _wanted(self, node: int, exponent: int, popular: set[int]) -> bool:
+    def _is_to_expand(self, node: int, exponent: int, popular: set[int]) -> bool:
         """Tell whether a factor is to be multiplied out."""
         inside = self._factors_in(node) if exponent == 1 else None
         if inside is None:
@@ -140,7 +142,7 @@ class _Expansion:
             return None
         if is_exact(graph, node):
             return None
-        found: set[int] = set()
+        nodes: set[int] = set()
         for n, _ in terms:
-            found.update([m for m, _ in graph.args[n]] if graph.ops[n] == "prod" else [n])
-        return found
+            nodes.update([m for m, _ in graph.args[n]] if graph.ops[n] == "prod" else [n])
+        return nodes

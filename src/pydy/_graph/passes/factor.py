@@ -56,8 +56,10 @@ def _collect(graph: Graph, terms: list[Term]) -> list[Term]:
         if len(members) == 1 or not key:
             collected.extend(members)
             continue
-        rest = [({n: e for n, e in f.items() if constant[n]}, c, -1) for f, c, _ in members]
-        inner = _extract(graph, rest, 0.0, constant=True)
+        constant_parts = [
+            ({n: e for n, e in f.items() if constant[n]}, c, -1) for f, c, _ in members
+        ]
+        inner = _extract(graph, constant_parts, 0.0, constant=True)
         scale, core = graph.scaled(inner)
         if graph.value(core) is not None:
             value = graph.value(core) or 0.0
@@ -131,11 +133,11 @@ def _common(terms: list[Term]) -> dict[int, int]:
     common = dict(terms[0][0])
     for factors, _, _ in terms[1:]:
         for n, e in list(common.items()):
-            other = factors.get(n, 0)
-            if e * other <= 0:
+            exponent = factors.get(n, 0)
+            if e * exponent <= 0:
                 del common[n]
-            elif abs(other) < abs(e):
-                common[n] = other
+            elif abs(exponent) < abs(e):
+                common[n] = exponent
         if not common:
             break
     return common
@@ -154,5 +156,5 @@ def _most_frequent(graph: Graph, terms: list[Term]) -> tuple[int, int] | None:
             ranks.append((not graph.constant[node], count, sign, -node))
     if not ranks:
         return None
-    _, _, sign, place = max(ranks)
-    return -place, sign
+    _, _, sign, negated = max(ranks)
+    return -negated, sign

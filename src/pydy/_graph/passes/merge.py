@@ -37,53 +37,53 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         stand_in[node] = node
         if graph.ops[node] in OPERATIONS.solves or graph.ops[node] == "bool":
             continue
-        for other in group:
-            if poles[other] <= poles[node] and not _is_rougher(graph, other, node):
-                stand_in[node] = other
+        for twin in group:
+            if poles[twin] <= poles[node] and not _is_rougher(graph, twin, node):
+                stand_in[node] = twin
                 break
         else:
             group.append(node)
-    if all(node == other for node, other in stand_in.items()):
+    if all(node == twin for node, twin in stand_in.items()):
         return list(roots)
     new: dict[int, int] = {graph.zero: graph.zero, graph.one: graph.one}
     for node in order:
-        other = stand_in[node]
-        if other == node:
+        twin = stand_in[node]
+        if twin == node:
             if all(new[n] == n for n in graph.operands(node)):
                 new[node] = node
             else:
                 new[node] = again(graph, graph.ops[node], replaced(graph, node, new))
-        elif values[other] == values[node]:
-            new[node] = new[other]
+        elif values[twin] == values[node]:
+            new[node] = new[twin]
         else:
-            new[node] = graph.neg(new[other])
+            new[node] = graph.neg(new[twin])
     return [new[root] for root in roots]
 
 
 def _with_candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
     """Add candidates for equal nodes: reciprocals, and squares of sines and cosines."""
-    found: dict[int, None] = {}
+    candidates: dict[int, None] = {}
     angles: dict[int, list[int]] = {}
     for node in nodes:
         op, args = graph.ops[node], graph.args[node]
         if op == "prod":
-            found.update((graph.powi(n, -1), None) for n, e in args if e < 0)
+            candidates.update((graph.powi(n, -1), None) for n, e in args if e < 0)
         elif op in OPERATIONS.angles:
             angles.setdefault(args[0], []).append(node)
-    both = [node for pair in angles.values() if len(pair) == 2 for node in pair]
-    found.update((graph.powi(node, 2), None) for node in both)
-    known, stack = set(nodes), list(found)
+    squared = [node for pair in angles.values() if len(pair) == 2 for node in pair]
+    candidates.update((graph.powi(node, 2), None) for node in squared)
+    members, stack = set(nodes), list(candidates)
     while stack:
         node = stack.pop()
-        if node not in known:
-            known.add(node)
+        if node not in members:
+            members.add(node)
             stack += graph.operands(node)
-    return sorted(known)
+    return sorted(members)
 
 
-def _is_rougher(graph: Graph, other: int, node: int) -> bool:
-    """Return whether `other` is a sum with cancellation that `node`, an exact product, avoids."""
+def _is_rougher(graph: Graph, substitute: int, node: int) -> bool:
+    """Return whether `substitute` is a sum that may cancel where `node`, a product, is exact."""
     _, product = graph.scaled(node)
-    if graph.ops[product] != "prod" or graph.ops[graph.scaled(other)[1]] != "sum":
+    if graph.ops[product] != "prod" or graph.ops[graph.scaled(substitute)[1]] != "sum":
         return False
     return any(is_exact(graph, n) for n, _ in graph.args[product])

@@ -45,15 +45,15 @@ def share_pairs(rows: Sequence[Sequence[Signed]]) -> list[list[Signed]]:
                 numbers[operand] = len(trees)
                 trees.append(operand)
     table = [[2 * numbers[tree] + (not positive) for tree, positive in row] for row in rows]
-    where: dict[tuple[int, int], set[int]] = {}
+    rows_of_pair: dict[tuple[int, int], set[int]] = {}
     for k, numbered in enumerate(table):
         for pair in _candidates(numbered):
-            where.setdefault(pair, set()).add(k)
-    heap = [(-len(users), pair) for pair, users in where.items() if len(users) > 1]
+            rows_of_pair.setdefault(pair, set()).add(k)
+    heap = [(-len(users), pair) for pair, users in rows_of_pair.items() if len(users) > 1]
     heapq.heapify(heap)
     while heap:
         count, pair = heapq.heappop(heap)
-        users = where.get(pair, set())
+        users = rows_of_pair.get(pair, set())
         if len(users) != -count:
             if len(users) > 1:
                 heapq.heappush(heap, (-len(users), pair))
@@ -63,17 +63,17 @@ def share_pairs(rows: Sequence[Sequence[Signed]]) -> list[list[Signed]]:
         touched: set[tuple[int, int]] = set()
         for k in sorted(users):
             before = _candidates(table[k])
-            table[k] = _joined(table[k], pair, new)
+            table[k] = _with_pair(table[k], pair, new)
             after = _candidates(table[k])
-            for gone in before - after:
-                where[gone].discard(k)
+            for removed in before - after:
+                rows_of_pair[removed].discard(k)
             for added in after - before:
-                where.setdefault(added, set()).add(k)
+                rows_of_pair.setdefault(added, set()).add(k)
             touched |= after - before
-        where.pop(pair, None)
+        rows_of_pair.pop(pair, None)
         for key in sorted(touched):
-            if len(where[key]) > 1:
-                heapq.heappush(heap, (-len(where[key]), key))
+            if len(rows_of_pair[key]) > 1:
+                heapq.heappush(heap, (-len(rows_of_pair[key]), key))
     return [[_signed(trees, entry) for entry in row] for row in table]
 
 
@@ -93,7 +93,7 @@ def _candidates(row: list[int]) -> set[tuple[int, int]]:
     return {(a ^ (a & 1), b ^ (a & 1)) for a, b in couples}
 
 
-def _joined(row: list[int], pair: tuple[int, int], new: int) -> list[int]:
+def _with_pair(row: list[int], pair: tuple[int, int], new: int) -> list[int]:
     """Return a row with the pair's first member replaced and the second left out."""
     first = pair[0] >> 1
     second = pair[1] >> 1

@@ -47,12 +47,12 @@ def factorised(
 
     Its pivots are chosen at generic inputs of these sizes; a kind that is `off` is not written out.
     """
-    found: Factor | None = None
+    factor: Factor | None = None
     if kind not in off and kind == "ldl":
-        found = ldl.unrolled(tape, n, entries)
+        factor = ldl.unrolled(tape, n, entries)
     elif kind not in off:
-        found = lu.unrolled(tape, n, entries, sizes)
-    return found or LoopFactor(tape, kind, n, entries)
+        factor = lu.unrolled(tape, n, entries, sizes)
+    return factor or LoopFactor(tape, kind, n, entries)
 
 
 def solve_accelerations(
@@ -63,10 +63,10 @@ def solve_accelerations(
 ) -> list[int]:
     """Return the solution of the equations of motion ``M u' = F``."""
     change = kind == "ldl" and "differences" not in graph.off
-    found = difference_basis(graph, rows, forcing) if change else None
-    if found is None:
+    reduced = difference_basis(graph, rows, forcing) if change else None
+    if reduced is None:
         return graph.solve(rows, [forcing], kind, judged=True)[0]
-    y = graph.solve(found[0], [found[1]], kind, judged=True)[0]
+    y = graph.solve(reduced[0], [reduced[1]], kind, judged=True)[0]
     return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
 
 
@@ -88,19 +88,19 @@ def difference_basis(
     # Symmetric, with a row and a column of zeros after the last.
     cells = [[matrix[max(i, j)][min(i, j)] for j in range(n)] + [zero] for i in range(n)]
     cells.append([zero] * (n + 1))
-    known: dict[int, dict[int, float]] = {}
+    terms_of_cell: dict[int, dict[int, float]] = {}
 
     def terms(cell: int) -> dict[int, float]:
-        if cell not in known:
-            known[cell] = graph.linear(cell)
-        return known[cell]
+        if cell not in terms_of_cell:
+            terms_of_cell[cell] = graph.linear(cell)
+        return terms_of_cell[cell]
 
     def difference(i: int, j: int) -> dict[int, float]:
-        here, right = cells[i][j], cells[i][j + 1]
+        entry, right = cells[i][j], cells[i][j + 1]
         below, across = cells[i + 1][j], cells[i + 1][j + 1]
-        if (here, below) == (right, across) or (here, right) == (below, across):
+        if (entry, below) == (right, across) or (entry, right) == (below, across):
             return {}
-        above = _minus(terms(here), terms(below))
+        above = _minus(terms(entry), terms(below))
         return _minus(above, _minus(terms(right), terms(across)))
 
     # The last rows tell at little cost whether it is worth while.
@@ -122,9 +122,9 @@ def difference_basis(
 def _minus(a: dict[int, float], b: dict[int, float]) -> dict[int, float]:
     result = dict(a)
     for n, c in b.items():
-        rest = result.get(n, 0.0) - c
-        if rest:
-            result[n] = rest
+        coefficient = result.get(n, 0.0) - c
+        if coefficient:
+            result[n] = coefficient
         else:
             result.pop(n, None)
     return result

@@ -32,25 +32,25 @@ def elimination_order(filled: np.ndarray, fixed: np.ndarray | bool = True) -> tu
     since a pivot that is still one of them is divided by only once per binding.
     """
     n = len(filled)
-    given = list(range(n))
-    cost = _cost(filled, given)
+    natural_order = list(range(n))
+    cost = _cost(filled, natural_order)
     if filled.all():
-        return given, cost
+        return natural_order, cost
     pattern = filled.copy()
     np.fill_diagonal(pattern, False)
-    left = np.ones(n, dtype=bool)
+    remaining = np.ones(n, dtype=bool)
     order = []
     for _ in range(n):
-        degree = np.where(left, 2 * pattern.sum(axis=1) + np.logical_not(fixed), 2 * n + 2)
+        degree = np.where(remaining, 2 * pattern.sum(axis=1) + np.logical_not(fixed), 2 * n + 2)
         k = int(degree.argmin())
         order.append(k)
-        neighbours = pattern[k] & left
+        neighbours = pattern[k] & remaining
         pattern |= np.outer(neighbours, neighbours)
         np.fill_diagonal(pattern, False)
-        left[k] = False
+        remaining[k] = False
         pattern[k, :] = pattern[:, k] = False
     better = _cost(filled, order)
-    return (order, better) if better < cost else (given, cost)
+    return (order, better) if better < cost else (natural_order, cost)
 
 
 def _cost(filled: np.ndarray, order: list[int]) -> int:
@@ -124,6 +124,6 @@ class UnrolledLDL:
             for k in range(i + 1, n):
                 x[i] = self._minus(x[i], self.lower[k][i], x[k])
         fast = [0] * n
-        for place, value in zip(self.order, x, strict=True):
-            fast[place] = value
+        for position, value in zip(self.order, x, strict=True):
+            fast[position] = value
         return tape.make("guard", n, tuple(self.entries), tuple(column), self.sound, tuple(fast))

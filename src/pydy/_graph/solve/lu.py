@@ -31,15 +31,15 @@ def _generic(
     """Return the matrix at generic states, or None where it is hardly ever defined."""
     program = Program.from_tape(tape, sizes, [("matrix", (n * n,), entries)])
     rng = np.random.default_rng(0)
-    found = []
+    matrices = []
     n_x, n_r, n_p = sizes
     for _ in range(4):
         # States on both sides of zero, constants of different sizes.
         t, x, r = (rng.normal(0.0, 0.5, shape) for shape in ((8,), (8, n_x), (8, n_r)))
         p = 10.0 ** rng.uniform(-1.0, 1.0, n_p)
         values, failed = run(program, t, x, r, p)
-        found += [row for row, bad in zip(values, failed, strict=True) if not bad]
-    samples = np.array([m.reshape(n, n) for m in found if np.isfinite(m).all()])
+        matrices += [row for row, bad in zip(values, failed, strict=True) if not bad]
+    samples = np.array([m.reshape(n, n) for m in matrices if np.isfinite(m).all()])
     return samples if len(samples) >= 16 else None
 
 
@@ -75,10 +75,10 @@ def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], lis
         row, column = rows_left.pop(best[1]), columns_left.pop(best[2])
         rows.append(row)
         columns.append(column)
-        others = [i for i in rows_left if pattern[i, column]]
+        rows_below = [i for i in rows_left if pattern[i, column]]
         across = [j for j in columns_left if pattern[row, j]]
-        cost += len(others) * (len(across) + 2) + len(across) + 1
-        for i in others:
+        cost += len(rows_below) * (len(across) + 2) + len(across) + 1
+        for i in rows_below:
             factor = a[:, i, column] / a[:, row, column]
             for j in across:
                 a[:, i, j] -= factor * a[:, row, j]
@@ -119,7 +119,7 @@ class UnrolledLU:
         for k in range(n):
             pivot = cell[k][k]
             condition = tape.make("lt", tape.mul(small, sizes[k]), self._size(pivot))
-            self.sound = self._both(self.sound, condition)
+            self.sound = self._conjunction(self.sound, condition)
             inverse = tape.make("div", one, pivot)
             self.inverse.append(inverse)
             for i in range(k + 1, n):
@@ -134,7 +134,7 @@ class UnrolledLU:
         self.first: tuple[int, list[int]] | None = None  # its soundness and solution
         self.later: int | None = None
 
-    def _both(self, a: int, b: int) -> int:
+    def _conjunction(self, a: int, b: int) -> int:
         return b if self.tape.ops[a] == "bool" else self.tape.make("and", a, b)
 
     def _size(self, value: int) -> int:
@@ -167,8 +167,8 @@ class UnrolledLU:
                     y[i] = tape.sub(y[i], tape.mul(self.upper[i][k], y[k]))
             y[i] = tape.mul(y[i], self.inverse[i])
         fast = [0] * n
-        for place, value in zip(self.columns, y, strict=True):
-            fast[place] = value
+        for position, value in zip(self.columns, y, strict=True):
+            fast[position] = value
         if self.triangular:
             sound = self.sound
         elif self.first is None:
@@ -186,7 +186,7 @@ class UnrolledLU:
             total = self.zero
             for value in x:
                 total = tape.add(total, self._size(value))
-            self.later = self._both(sound, tape.make("lt", self.zero, total))
+            self.later = self._conjunction(sound, tape.make("lt", self.zero, total))
         return self.later
 
     def _accurate(self, column: list[int], x: list[int]) -> int:
@@ -205,5 +205,5 @@ class UnrolledLU:
                     residual = tape.sub(residual, tape.mul(entry, x[j]))
                     bound = tape.add(bound, tape.mul(self._size(entry), sizes[j]))
             condition = tape.make("le", self._size(residual), tape.mul(tolerance, bound))
-            sound = self._both(sound, condition)
+            sound = self._conjunction(sound, condition)
         return sound
