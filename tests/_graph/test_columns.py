@@ -88,6 +88,6 @@ def test_states_and_columns_are_put_together_and_taken_apart():
     states, values = np.arange(6.0).reshape(2, 3), np.arange(24.0).reshape(2, 3, 4)
     whole = columns.together(states, values)
     assert whole.shape == (2, 15)
-    again, table = columns.apart(whole)
-    assert np.array_equal(again, states)
+    make_canonical, table = columns.apart(whole)
+    assert np.array_equal(make_canonical, states)
     assert np.array_equal(table, values)

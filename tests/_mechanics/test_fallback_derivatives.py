@@ -12,7 +12,7 @@ from _mechanics.test_reduction import NUMBERS, M, equations, on_a_turntable, sol
 from by_hand import coupler
 from pydy import System
 from pydy._graph.products import derivative_program
-from pydy._graph.rewrite import again, rebuild
+from pydy._graph.rewrite import make_canonical, rebuild
 from pydy.errors import SingularMatrixError
 from pydy.models import n_link_pendulum_on_cart
 from system.test_formed import at_rest_with_the_constraints, nearly_dependent
@@ -187,7 +187,7 @@ def test_derivatives_of_ordinary_models_take_no_more_operations():
     def as_found(graph, node, op, args):
         if op == "item" and graph.ops[args[0]] == "guard":
             return graph.args[args[0]][4][args[1]]
-        return again(graph, op, args)
+        return make_canonical(graph, op, args)
 
     kane = coupler().kane
     for system in (n_link_pendulum_on_cart(4), turntable(), System(kane, equations="graph")):

@@ -136,11 +136,11 @@ def test_the_chosen_form_is_the_one_that_is_compiled():
 
 
 def test_what_was_simplified_to_be_counted_is_what_is_compiled(monkeypatch):
-    def again(*_):
+    def make_canonical(*_):
         raise AssertionError("simplified again")
 
     system = n_link_pendulum_on_cart(5)
-    monkeypatch.setattr(assembly, "simplify", again)
+    monkeypatch.setattr(assembly, "simplify", make_canonical)
     program = system.model.assembly.program("rates")
     assert sum(program.operation_count["run"].values()) <= 229
 

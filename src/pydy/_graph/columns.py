@@ -17,7 +17,7 @@ from pydy._graph.derivative import directional
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
-from pydy._graph.tangent import Along, tangent
+from pydy._graph.tangent import Seeds, tangent
 from pydy._program import Program, Tangent
 
 
@@ -87,7 +87,7 @@ class Columns:
         derivatives.update({graph.input("x", i): graph.input("x", n + i) for i in range(n)})
         part_inputs = {("x", n + i): i for i in range(n)}
         part_inputs.update({("p", c + k): k for k in range(len(inputs))})
-        part = Along(0, self.count, derivatives, part_inputs, (n, len(inputs)))
+        part = Seeds(0, self.count, derivatives, part_inputs, (n, len(inputs)))
         rows = [[float(d == source) for d in self.directions] for source in inputs]
         table = np.array(rows, dtype=float).reshape(len(inputs), self.count)
         sizes_with_seeds = (2 * n, s + self.weights, c + len(inputs))

@@ -21,7 +21,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.derivative import directional
 from pydy._graph.node import Graph
-from pydy._graph.rewrite import again, rebuild, substitute
+from pydy._graph.rewrite import make_canonical, rebuild, substitute
 from pydy._program import OPERATIONS, ScipyOperation
 
 Handler = Callable[[Graph, Any, list[int]], int]
@@ -335,15 +335,15 @@ class SymPyReader:
     def _otherwise(self, expr: Any) -> int:
         """Return the node of what is no operation: written out, or as a function of SciPy."""
         try:
-            written = self._written_out(expr)
+            expansion = self._written_out(expr)
         except UnsupportedFunctionError:
-            if (written := written_for_scipy(expr)) is None:
+            if (expansion := written_for_scipy(expr)) is None:
                 raise
-            code, operands, partials = written
+            code, operands, partials = expansion
             description = f"the function `{expr.func.__name__}` in `{_brief(expr)}`"
             name = ScipyOperation.named(code, len(operands), description, partials)
             return self.graph.call(name, *map(self, operands))
-        return self(written)
+        return self(expansion)
 
     def _written_out(self, expr: Any) -> Any:
         """Return the expression that a function stands for, as the curves of muscles do."""
@@ -500,7 +500,7 @@ def _flattened(graph: Graph, node: int, op: str, args: tuple[Any, ...]) -> int:
     Like terms then meet, and 0.5(2a + b) is a + 0.5b: mechanisms take up to 5 % fewer operations.
     """
     if op != "sum":
-        return node if args == graph.args[node] else again(graph, op, args)
+        return node if args == graph.args[node] else make_canonical(graph, op, args)
     c0, terms = args[0], []
     stack = list(args[1][::-1])
     while stack:

@@ -42,7 +42,7 @@ def substitute(
     def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
         if node in mapping:
             return mapping[node]
-        return node if args == graph.args[node] else again(graph, op, args)
+        return node if args == graph.args[node] else make_canonical(graph, op, args)
 
     return rebuild(graph, roots, rule)
 
@@ -52,7 +52,7 @@ def replaced(graph: Graph, node: int, new: dict[int, int]) -> tuple[Any, ...]:
     return OPERATIONS.with_operands(graph.ops[node], graph.args[node], new)
 
 
-def again(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
+def make_canonical(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
     """Make `op` on `args` with the graph's own rules (folding, collecting, ordering)."""
     if op == "sum":
         return graph.sum(args[1], args[0])
@@ -70,6 +70,6 @@ def _transplanted(
         new[node] = (
             inputs[node]
             if node in inputs
-            else again(graph, source.ops[node], replaced(source, node, new))
+            else make_canonical(graph, source.ops[node], replaced(source, node, new))
         )
     return [new[r] for r in roots]

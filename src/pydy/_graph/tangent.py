@@ -26,20 +26,20 @@ from pydy._program import OPERATIONS, Part, Program, Tangent, Tape
 # -- One direction apart from what all share -------------------------------------------------------
 
 
-class Along(NamedTuple):
+class Seeds(NamedTuple):
     """The directions of a part."""
 
     first: int  # its columns
     stop: int
-    along: dict[int, int]  # from variables to their derivatives, made of inputs of its own
-    own: dict[tuple[str, int], int]  # these inputs, and their places in the part
+    derivatives: dict[int, int]  # from variables to their derivatives, made of inputs of its own
+    inputs: dict[tuple[str, int], int]  # these inputs, and their places in the part
     sizes: tuple[int, int]  # how many of them are x and p there
 
 
 def tangent(
     graph: Graph,
     outputs: Sequence[int],
-    wanted: Iterable[Along],
+    seeds: Iterable[Seeds],
     sizes: tuple[tuple[int, int, int], tuple[int, int, int]],
     columns: int,
     directions: np.ndarray | None = None,
@@ -50,110 +50,111 @@ def tangent(
     The `sizes` are numbers of states, specifieds and constants: those of the equations, and with
     the inputs of directions after them. With a name for the `values` of the nodes these come first.
     """
-    (n, _, c), whole = sizes
-    m, parts = len(outputs), list[Along]()
+    (n, _, c), sizes_with_seeds = sizes
+    m, parts = len(outputs), list[Seeds]()
     with collector_paused():
         cells: list[int] = []
-        for part in wanted:  # one by one, so that nothing belongs to two of them
+        for part in seeds:  # one at a time, so that no node belongs to two parts
             parts.append(part)
-            rows = Rows(graph, {node: {0: seed} for node, seed in part.along.items()})
+            rows = Rows(graph, {node: {0: seed} for node, seed in part.derivatives.items()})
             cells += [rows(node).get(0, graph.zero) for node in outputs]
         cells = cells if "factor" in graph.off else factor_sums(graph, cells)
         blocks = [(str(k), (m,), cells[k * m : (k + 1) * m]) for k in range(len(parts))]
         first = [(values, (m,), [*outputs])] if values else []
-        lowered = lower(graph, whole, [*first, *blocks], own=sizes[0])
-        found = [(b.name, lowered.outputs[b.start : b.stop]) for b in lowered.blocks]
-        parting = _Parting(lowered)
-        made = []
-        for part, (_, column) in zip(parts, found[len(first) :], strict=True):
-            one = parting.part(part.own, column, part.sizes)
-            made.append(Part(part.first, part.stop - part.first, one))
-        shared = parting.shared((n, whole[1], c), *found[: len(first)])
-        return Tangent(shared, tuple(made), (m, columns), directions)
+        lowered = lower(graph, sizes_with_seeds, [*first, *blocks], own=sizes[0])
+        nodes_of_block = [(b.name, lowered.outputs[b.start : b.stop]) for b in lowered.blocks]
+        separation = _Separation(lowered)
+        parts_made = []
+        for part, (_, column) in zip(parts, nodes_of_block[len(first) :], strict=True):
+            program = separation.part(part.inputs, column, part.sizes)
+            parts_made.append(Part(part.first, part.stop - part.first, program))
+        shared = separation.shared((n, sizes_with_seeds[1], c), *nodes_of_block[: len(first)])
+        return Tangent(shared, tuple(parts_made), (m, columns), directions)
 
 
-class _Parting:
-    """Takes a Program that is linear in some of its inputs apart."""
+class _Separation:
+    """Separates a Program that is linear in some of its inputs from values that are shared."""
 
     def __init__(self, program: Program) -> None:
         self._program = program
-        self._whole = Tape()
-        self._whole.ops, self._whole.args = list(program.ops), list(program.args)
-        self._whole.constant = list(program.setup)
-        self._places: dict[int, int] = {}  # of shared values
-        self._behind = {k: guard for guard, nodes in program.fallback.items() for k in nodes}
+        self._full = Tape()
+        self._full.ops, self._full.args = list(program.ops), list(program.args)
+        self._full.constant = list(program.setup)
+        self._position_of: dict[int, int] = {}  # of shared values
+        self._guard_of = {k: guard for guard, nodes in program.fallback.items() for k in nodes}
 
     def part(
-        self, own: Mapping[tuple[str, int], int], outputs: Sequence[int], sizes: tuple[int, int]
+        self, inputs: Mapping[tuple[str, int], int], outputs: Sequence[int], sizes: tuple[int, int]
     ) -> Program:
         """Return the Program of some outputs that takes shared values as its inputs r.
 
-        Of inputs it keeps its `own`, of these sizes: what depends on none of them is shared.
+        It has the given `inputs` of its own, x and p of these sizes. Values that depend on none of
+        them are shared.
         """
-        program, whole, places = self._program, self._whole, self._places
+        program, full, position_of = self._program, self._full, self._position_of
         part = Tape()
         new: dict[int, int] = {}  # nodes of the whole to nodes of the part
 
-        def spread(node: int) -> int:
+        def shared_value(node: int) -> int:
             """Return a shared value as a node of the part."""
             if node not in new:
-                op, args = whole.ops[node], whole.args[node]
+                op, args = full.ops[node], full.args[node]
                 if op in ("const", "bool"):
                     new[node] = part.make(op, *args)
                 elif op == "factor":
-                    new[node] = part.make(op, args[0], args[1], tuple(map(spread, args[2])))
+                    new[node] = part.make(op, args[0], args[1], tuple(map(shared_value, args[2])))
                 else:
-                    place = part.make("input", "r", places.setdefault(node, len(places)))
+                    value = part.make("input", "r", position_of.setdefault(node, len(position_of)))
                     truth = op in OPERATIONS.truths
-                    new[node] = part.make("ne", place, part.const(0.0)) if truth else place
+                    new[node] = part.make("ne", value, part.const(0.0)) if truth else value
             return new[node]
 
-        moved: set[int] = set()  # what changes with the part's inputs
+        varying: set[int] = set()  # operations that depend on the part's inputs
         for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
             if op == "input":
-                if args in own:
-                    moved.add(k)
-                    new[k] = part.make(op, args[0], own[args])
+                if args in inputs:
+                    varying.add(k)
+                    new[k] = part.make(op, args[0], inputs[args])
                 continue
-            others = OPERATIONS.operands(op, args)
-            if moved.isdisjoint(others):
+            arguments = OPERATIONS.operands(op, args)
+            if varying.isdisjoint(arguments):
                 continue
-            moved.add(k)
-            for other in others:
-                if other not in moved:
-                    spread(other)
+            varying.add(k)
+            for operand in arguments:
+                if operand not in varying:
+                    shared_value(operand)
             new[k] = part.make(op, *OPERATIONS.with_operands(op, args, new))
-        cells = [new[k] if k in moved else spread(k) for k in outputs]
+        cells = [new[k] if k in varying else shared_value(k) for k in outputs]
         return Program.from_tape(
-            part, (sizes[0], len(places), sizes[1]), [("column", (len(cells),), cells)]
+            part, (sizes[0], len(position_of), sizes[1]), [("column", (len(cells),), cells)]
         )
 
     def shared(self, sizes: tuple[int, int, int], *blocks: tuple[str, Sequence[int]]) -> Program:
         """Return the Program of further blocks and of all that the parts so far share."""
-        parts = [*blocks, ("shared", self._put_off())]
+        parts = [*blocks, ("shared", self._shared_values())]
         return Program.from_tape(
-            self._whole, sizes, [(name, (len(nodes),), nodes) for name, nodes in parts]
+            self._full, sizes, [(name, (len(nodes),), nodes) for name, nodes in parts]
         )
 
-    def _put_off(self) -> list[int]:
-        """Return the shared values; values for fallbacks alone stay behind guards."""
-        whole, groups = self._whole, dict[int, list[int]]()
-        for node in self._places:
+    def _shared_values(self) -> list[int]:
+        """Return the shared values; those that only fallbacks need are computed behind guards."""
+        full, groups = self._full, dict[int, list[int]]()
+        for node in self._position_of:
             guard = node
-            while guard in self._behind:
-                guard = self._behind[guard]
+            while guard in self._guard_of:
+                guard = self._guard_of[guard]
             if guard != node:
-                groups.setdefault(whole.args[guard][3], []).append(node)
+                groups.setdefault(full.args[guard][3], []).append(node)
         new: dict[int, int] = {}
-        one, zero = whole.const(1.0), whole.const(0.0)
+        one, zero = full.const(1.0), full.const(0.0)
         for sound, nodes in groups.items():
             numbers = [
-                whole.make("select", k, one, zero) if whole.ops[k] in OPERATIONS.truths else k
+                full.make("select", k, one, zero) if full.ops[k] in OPERATIONS.truths else k
                 for k in nodes
             ]
-            made = whole.make("guard", 1, (one,), tuple(numbers), sound, ())
-            new.update((k, whole.make("item", made, i)) for i, k in enumerate(nodes))
-        return [new.get(node, node) for node in self._places]
+            guarded = full.make("guard", 1, (one,), tuple(numbers), sound, ())
+            new.update((k, full.make("item", guarded, i)) for i, k in enumerate(nodes))
+        return [new.get(node, node) for node in self._position_of]
 
 
 # -- Jacobians: which columns make a part ----------------------------------------------------------
@@ -173,43 +174,43 @@ def jacobian_tangent(
     """
     n, s, c = sizes
     if parts is None:
-        parts = worthwhile_parts(graph, outputs, [graph.input(*place) for place in variables])
+        parts = worthwhile_parts(graph, outputs, [graph.input(*variable) for variable in variables])
         if not parts:
             return None
 
-    def wanted() -> Iterator[Along]:
+    def seeds() -> Iterator[Seeds]:
         for first, stop in parts:
-            along: dict[int, int] = {}
+            derivatives: dict[int, int] = {}
             for j in range(first, stop):  # a variable may have several columns
                 node, seed = graph.input(*variables[j]), graph.input("x", n + j)
-                along[node] = graph.add(along.get(node, graph.zero), seed)
-            own = {("x", n + j): j - first for j in range(first, stop)}
-            yield Along(first, stop, along, own, (stop - first, 0))
+                derivatives[node] = graph.add(derivatives.get(node, graph.zero), seed)
+            inputs = {("x", n + j): j - first for j in range(first, stop)}
+            yield Seeds(first, stop, derivatives, inputs, (stop - first, 0))
 
-    whole = (n + len(variables), s, c)
-    return tangent(graph, outputs, wanted(), (sizes, whole), len(variables))
+    sizes_with_seeds = (n + len(variables), s, c)
+    return tangent(graph, outputs, seeds(), (sizes, sizes_with_seeds), len(variables))
 
 
-def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter[int]:
+def supports(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> Counter[int]:
     """Count the operations of a derivative by inputs, by the set of columns that execute them.
 
     Bit k stands for column k. Columns of no operation are zero.
     """
     bits: dict[int, int] = {}
-    for k, node in enumerate(by):
+    for k, node in enumerate(variables):
         bits[node] = bits.get(node, 0) | 1 << k
     cost: Counter[int] = Counter()
     never = graph.boolean(False)
 
     def paid(nodes: Iterable[int]) -> int:
-        """Count an operation for each of some operands that moves; return who pays."""
-        every = 0
+        """Count an operation for each operand that varies; return the columns that execute it."""
+        all_columns = 0
         for node in nodes:
-            own = bits[node]
-            if own:
-                cost[own] += 1
-                every |= own
-        return every
+            columns = bits[node]
+            if columns:
+                cost[columns] += 1
+                all_columns |= columns
+        return all_columns
 
     for node in graph.reachable(outputs, fallbacks=False):
         op, args = graph.ops[node], graph.args[node]
@@ -229,85 +230,85 @@ def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter
             cost[bits[node]] += n * n
         else:
             row = OPERATIONS.get(op)
-            moves = op in ("sum", "prod", "select") or (row is not None and row.partials)
-            bits[node] = paid(graph.operands(node)) if moves else 0
+            has_derivative = op in ("sum", "prod", "select") or (row is not None and row.partials)
+            bits[node] = paid(graph.operands(node)) if has_derivative else 0
     del cost[0]
     # An output that is a variable itself takes no operation, but its column is not zero.
-    known = _union(cost)
+    executing = _union(cost)
     for node in outputs:
-        if bits[node] & ~known:
+        if bits[node] & ~executing:
             cost[bits[node]] += 1
-            known |= bits[node]
+            executing |= bits[node]
     return cost
 
 
 def _union(cost: Iterable[int]) -> int:
-    """Return the columns that execute anything."""
+    """Return the columns that execute any operation."""
     return reduce(or_, cost, 0)
 
 
 def worthwhile_parts(
-    graph: Graph, outputs: Sequence[int], by: Sequence[int]
+    graph: Graph, outputs: Sequence[int], variables: Sequence[int]
 ) -> list[tuple[int, int]]:
     """Return the parts of a Jacobian, see `parts_of`; none where it is small or sparse."""
-    cost = supports(graph, outputs, by)
-    whole = sum(own.bit_count() * operations for own, operations in cost.items())
-    if whole < FROM_OPERATIONS or len(by) < COLUMNS_TOGETHER:
+    cost = supports(graph, outputs, variables)
+    written_out = sum(columns.bit_count() * operations for columns, operations in cost.items())
+    if written_out < FROM_OPERATIONS or len(variables) < COLUMNS_TOGETHER:
         return []
-    parts = parts_of(cost, len(by))
-    vectors = sum(_turns(b - a) * _within(cost, a, b).total() for a, b in parts)
-    return parts if vectors * LESS_WORK < whole else []
+    parts = parts_of(cost, len(variables))
+    vectors = sum(_turns(b - a) * _restricted(cost, a, b).total() for a, b in parts)
+    return parts if vectors * LESS_WORK < written_out else []
 
 
 def parts_of(cost: Counter[int], columns: int) -> list[tuple[int, int]]:
-    """Return which columns, from first to last, have a Program of their own.
+    """Return the ranges of columns that get a Program each, as pairs (first, stop).
 
-    A part is divided where its columns then execute so much less that it pays for the further code.
+    A part is split where this saves more operations than the additional code costs.
     """
     union = _union(cost)
     if not union:
         return []
     first, stop = (union & -union).bit_length() - 1, union.bit_length()
-    # Whole vectors: with columns of zeros beside them if need be.
+    # Full vectors, with columns of zeros added if necessary.
     stop = min(max(stop, first + COLUMNS_TOGETHER), columns)
     first = max(min(first, stop - COLUMNS_TOGETHER), 0)
-    return _divided(cost, first, stop)
+    return _split(cost, first, stop)
 
 
 def _turns(columns: int) -> int:
-    """Return how often the code of a part is run."""
+    """Return how many vectors of columns a part has."""
     return -(-columns // COLUMNS_TOGETHER)
 
 
-def _within(cost: Counter[int], first: int, stop: int) -> Counter[int]:
-    """Return the operations that some of the columns execute."""
+def _restricted(cost: Counter[int], first: int, stop: int) -> Counter[int]:
+    """Return the operations that the columns from `first` to `stop` execute."""
     mask = (1 << stop) - (1 << first)
-    own: Counter[int] = Counter()
+    restricted: Counter[int] = Counter()
     for bits, operations in cost.items():
         if bits & mask:
-            own[bits & mask] += operations
-    return own
+            restricted[bits & mask] += operations
+    return restricted
 
 
-def _divided(cost: Counter[int], first: int, stop: int) -> list[tuple[int, int]]:
+def _split(cost: Counter[int], first: int, stop: int) -> list[tuple[int, int]]:
     width = stop - first
-    left, right = [0] * (width + 1), [0] * (width + 1)
-    for own, operations in cost.items():
-        low, high = (own & -own).bit_length() - 1 - first, own.bit_length() - 1 - first
-        left[low + 1] += operations  # executed left of a cut that is above the lowest column
-        right[high] += operations  # executed right of one that is not above the highest
+    work_left, work_right = [0] * (width + 1), [0] * (width + 1)
+    for columns, operations in cost.items():
+        low, high = (columns & -columns).bit_length() - 1 - first, columns.bit_length() - 1 - first
+        work_left[low + 1] += operations  # executed left of any cut above the lowest column
+        work_right[high] += operations  # executed right of any cut up to the highest
     for k in range(width):
-        left[k + 1] += left[k]
-        right[width - k - 1] += right[width - k]
+        work_left[k + 1] += work_left[k]
+        work_right[width - k - 1] += work_right[width - k]
 
     def price(cut: int) -> float:
-        sides = (cut, left[cut]), (width - cut, right[cut])
-        return sum((_turns(columns) + ANOTHER_PART) * work for columns, work in sides if columns)
+        halves = (cut, work_left[cut]), (width - cut, work_right[cut])
+        return sum((_turns(columns) + ANOTHER_PART) * work for columns, work in halves if columns)
 
     cuts = range(COLUMNS_TOGETHER, width - COLUMNS_TOGETHER + 1)
     best = min((width, *cuts), key=price)
     if best == width:
         return [(first, stop)]
     sides = ((first, first + best), (first + best, stop))
-    parts = [(a, b, _within(cost, a, b)) for a, b in sides]
-    return [found for a, b, own in parts if own for found in _divided(own, a, b)]
+    parts = [(a, b, _restricted(cost, a, b)) for a, b in sides]
+    return [part for a, b, part_cost in parts if part_cost for part in _split(part_cost, a, b)]

@@ -38,8 +38,8 @@ from pydy.inputs import merged_jumps
 
 _COMPARED = frozenset(("lt", "le", "min", "max"))
 _SIGNED = frozenset(("abs", "sign", "atan2"))
-_WHOLE = frozenset(("floor", "ceil"))
-_SWITCHING = _COMPARED | _SIGNED | _WHOLE
+_ROUNDINGS = frozenset(("floor", "ceil"))
+_SWITCHING = _COMPARED | _SIGNED | _ROUNDINGS
 _ARITHMETIC = frozenset(("add", "sub", "mul", "div", "neg"))  # which graphs have methods for
 _SYSTEMS = frozenset(("factor", "solve", "guard", "item"))
 
@@ -59,15 +59,15 @@ class TimeSwitches:
         """Return the switches of a Program whose inputs r vary at some places, if it has any."""
         if ("t", 0) not in program.args or _SWITCHING.isdisjoint(program.ops):
             return None
-        if not (places := _of_time(program, varying)):
+        if not (operations := _of_time(program, varying)):
             return None
-        graph, found = _switches(program, places)
-        if not found:
+        graph, nodes = _switches(program, operations)
+        if not nodes:
             return None
         time = graph.input("t", 0)
-        slopes = [row.get(0, graph.zero) for row in jacobian(graph, found, [time])]
-        inputs = [n for n in graph.inputs([*found, *slopes]) if n != time]
-        return cls(graph, tuple(found), tuple(slopes), tuple(inputs))
+        slopes = [row.get(0, graph.zero) for row in jacobian(graph, nodes, [time])]
+        inputs = [n for n in graph.inputs([*nodes, *slopes]) if n != time]
+        return cls(graph, tuple(nodes), tuple(slopes), tuple(inputs))
 
     def numbers(self, p: np.ndarray, r: np.ndarray) -> np.ndarray:
         """Return the numbers that the times depend on, of one set of constants and inputs or m."""
@@ -79,19 +79,19 @@ class TimeSwitches:
         """Return the times from `start` to `end`, both included."""
         numbers = self.numbers(p, r)
         key = numbers.tobytes(), start, end
-        found = self._stored.get(key)
-        if found is None:
+        times = self._stored.get(key)
+        if times is None:
             while len(self._stored) >= STORED_SEARCHES:
                 self._stored.pop(next(iter(self._stored)), None)
             values = dict(zip(self.inputs, numbers.tolist(), strict=True))
-            self._stored[key] = found = _Search(self, values, start, end).found()
-        return found
+            self._stored[key] = times = _Search(self, values, start, end).switch_times()
+        return times
 
 
 def _of_time(program: Program, varying: frozenset[int]) -> list[int]:
-    """Return the places of the operations that switch by what depends on time alone."""
-    found: list[int] = []
-    # Whether each depends on time, and whether also on what is not known of it beforehand.
+    """Return the operations that switch by an operand that depends on time alone."""
+    operations: list[int] = []
+    # Whether each depends on time, and whether also on states or inputs that vary.
     timed, moving = bytearray(len(program.ops)), bytearray(len(program.ops))
     for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
         if op == "input":
@@ -102,20 +102,20 @@ def _of_time(program: Program, varying: frozenset[int]) -> list[int]:
             timed[k] = any(map(timed.__getitem__, needs))
             moving[k] = op in _SYSTEMS or any(map(moving.__getitem__, needs))
             if timed[k] and not moving[k] and op in _SWITCHING:
-                found.append(k)
-    return found
+                operations.append(k)
+    return operations
 
 
-def _switches(program: Program, places: Sequence[int]) -> tuple[Graph, list[int]]:
+def _switches(program: Program, switching_operations: Sequence[int]) -> tuple[Graph, list[int]]:
     """Return a graph, and in it what is zero where operations of a Program switch."""
-    graph, built, switching = Graph(), dict[int, int](), {*places}
+    graph, built, switching = Graph(), dict[int, int](), {*switching_operations}
     needed = bytearray(len(program.ops))
-    for k in reversed(range(max(places) + 1)):
+    for k in reversed(range(max(switching_operations) + 1)):
         if needed[k] or k in switching:
             needed[k] = 1
             for n in OPERATIONS.operands(program.ops[k], program.args[k]):
                 needed[n] = 1
-    found: dict[int, None] = {}
+    zeros: dict[int, None] = {}
     for k in np.flatnonzero(needed).tolist():
         op, args = program.ops[k], program.args[k]
         if op in ("const", "input", "bool"):
@@ -127,14 +127,14 @@ def _switches(program: Program, places: Sequence[int]) -> tuple[Graph, list[int]
         if k in switching and not graph.constant[switch := _switch(graph, op, nodes)]:
             core = graph.scaled(switch)[1]
             if "t" in graph.inputs_of([core]):
-                found[min(core, graph.neg(core))] = None
-    return graph, [*found]
+                zeros[min(core, graph.neg(core))] = None
+    return graph, [*zeros]
 
 
 def _switch(graph: Graph, op: str, nodes: Sequence[int]) -> int:
     if op in _COMPARED:
         return graph.sub(*nodes)
-    if op in _WHOLE:  # zero where the operand is a whole number
+    if op in _ROUNDINGS:  # zero where the operand is a whole number
         return graph.call("sin", graph.mul(graph.const(math.pi), nodes[0]))
     return nodes[0]
 
@@ -147,12 +147,12 @@ class _Search:
     ) -> None:
         self.switches, self.values = switches, values
         self.span, self.ends = end - start, (start, end)
-        # What switches at an end may do so beyond it, by rounding: a piece must not end in a jump.
-        beyond = BEYOND_ENDS * max(abs(start), abs(end), self.span)
-        self.start, self.end = start - beyond, end + beyond
-        self.left = MOST_INTERVALS
+        # Rounding may move a switch at an end beyond it; no interval may end in a jump.
+        margin = BEYOND_ENDS * max(abs(start), abs(end), self.span)
+        self.start, self.end = start - margin, end + margin
+        self.intervals_remaining = MOST_INTERVALS
 
-    def found(self) -> SwitchTimes:
+    def switch_times(self) -> SwitchTimes:
         """Return the times of all switches."""
         graph, nodes = self.switches.graph, self.switches.nodes
         windows: dict[int, np.ndarray] = {}
@@ -160,19 +160,21 @@ class _Search:
         for node, slope in zip(nodes, self.switches.slopes, strict=True):
             needs = graph.reachable([node])
             nested = not _SWITCHING.isdisjoint(graph.ops[n] for n in needs)
-            low, high = self._between([*windows.values()] if nested else [])
-            known = all(bounded(graph.ops[n]) for n in graph.reachable([node, slope]))
-            times, changes = self._zeros(node, slope, low, high) if known else self._sampled(node)
+            low, high = self._intervals_between([*windows.values()] if nested else [])
+            are_bounded = all(bounded(graph.ops[n]) for n in graph.reachable([node, slope]))
+            times, changes = (
+                self._zeros(node, slope, low, high) if are_bounded else self._sampled(node)
+            )
             unresolved = max(unresolved, changes)
             windows[node] = self._windows(node, times)
         return SwitchTimes(merged_jumps([*windows.values()]), unresolved)
 
-    def _between(self, windows: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-        """Return the pieces of the whole time between some windows."""
+    def _intervals_between(self, windows: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+        """Return the intervals between some windows, as lower and upper ends."""
         rows = merged_jumps(windows)
         low, high = np.append(self.start, rows[:, 2]), np.append(rows[:, 1], self.end)
-        some = low < high
-        return low[some], high[some]
+        is_interval = low < high
+        return low[is_interval], high[is_interval]
 
     # -- bounds -----------------------------------------------------------------------------------
 
@@ -183,8 +185,8 @@ class _Search:
             value = self.values.get(node)
             return (low, high) if value is None else (value, value)
 
-        found = bounds(self.switches.graph, nodes, leaf)
-        return [np.broadcast_to(end, low.shape) for ends in found for end in ends]
+        pairs = bounds(self.switches.graph, nodes, leaf)
+        return [np.broadcast_to(end, low.shape) for ends in pairs for end in ends]
 
     def _bounds_in_parts(
         self, nodes: Sequence[int], low: np.ndarray, high: np.ndarray
@@ -192,73 +194,76 @@ class _Search:
         if len(low) <= INTERVALS_AT_ONCE:
             return self._bounds(nodes, low, high)
         parts = [slice(k, k + INTERVALS_AT_ONCE) for k in range(0, len(low), INTERVALS_AT_ONCE)]
-        each = [self._bounds(nodes, low[part], high[part]) for part in parts]
-        return [np.concatenate(ends) for ends in zip(*each, strict=True)]
+        bounds_of_parts = [self._bounds(nodes, low[part], high[part]) for part in parts]
+        return [np.concatenate(ends) for ends in zip(*bounds_of_parts, strict=True)]
 
     def _values(self, node: int, times: np.ndarray) -> np.ndarray:
         graph = self.switches.graph
         inputs = {graph.input("t", 0): times, **self.values}
-        found: np.ndarray = graph.evaluator([node])(inputs, len(times))[:, 0]
-        return found
+        values: np.ndarray = graph.evaluator([node])(inputs, len(times))[:, 0]
+        return values
 
     # -- zeros ------------------------------------------------------------------------------------
 
     def _zeros(
         self, node: int, slope: int, low: np.ndarray, high: np.ndarray
     ) -> tuple[np.ndarray, int]:
-        """Return the zeros in pieces of time in which a node is smooth.
+        """Return the zeros of a node in intervals of time in which it is smooth.
 
-        If they are too many, none are returned, but how often the sign was seen to change; else 0.
+        The second value is 0, or if there are too many zeros, which are then not returned, the
+        number of changes of sign.
         """
         brackets: list[tuple[np.ndarray, np.ndarray]] = []
         touched: list[tuple[np.ndarray, np.ndarray]] = []
         while len(low):
-            self.left -= len(low)
-            if self.left < 0:  # bounds are too wide, or zeros too many
+            self.intervals_remaining -= len(low)
+            if self.intervals_remaining < 0:  # bounds are too wide, or zeros too many
                 if (changes := self._changes(node, low, high)) > FEW_CHANGES:
                     return np.zeros(0), changes
                 brackets.append((low, high))
                 break
             least, most, lowest, highest = self._bounds_in_parts([node, slope], low, high)
             open_ = ~((least > 0.0) | (most < 0.0) | ((least == 0.0) & (most == 0.0)))
-            # Beside a pole no bounds are finite.
+            # Next to a pole no bounds are finite.
             steady = open_ & np.isfinite(least) & np.isfinite(most)
             steady &= (lowest > 0.0) | (highest < 0.0)
             short = open_ & ~steady & (high - low <= SHORTEST_INTERVAL * self.span)
             brackets.append((low[steady], high[steady]))
             touched.append((low[short], high[short]))
-            rest = open_ & ~steady & ~short
-            ends = np.linspace(low[rest], high[rest], DIVISIONS + 1)
+            undecided = open_ & ~steady & ~short
+            ends = np.linspace(low[undecided], high[undecided], DIVISIONS + 1)
             low, high = ends[:-1].T.ravel(), ends[1:].T.ravel()
         if touched:
-            brackets.append(_joined(*(np.concatenate(part) for part in zip(*touched, strict=True))))
+            brackets.append(_merged(*(np.concatenate(part) for part in zip(*touched, strict=True))))
         if not brackets:
             return np.zeros(0), 0
         first, last = (np.concatenate(part) for part in zip(*brackets, strict=True))
         return self._in_brackets(node, first, last), 0
 
     def _changes(self, node: int, low: np.ndarray, high: np.ndarray) -> int:
-        """Return in how many intervals the sign changes."""
+        """Return the number of intervals in which the sign changes."""
         return int((self._values(node, low) * self._values(node, high) < 0.0).sum())
 
     def _in_brackets(self, node: int, low: np.ndarray, high: np.ndarray) -> np.ndarray:
         """Return the zeros in intervals at whose ends the signs differ, and at these ends."""
-        left, right = self._values(node, low), self._values(node, high)
-        at_ends = [low[left == 0.0], high[right == 0.0]]
-        low, high, left = (a[left * right < 0.0] for a in (low, high, left))
+        value_at_low, value_at_high = self._values(node, low), self._values(node, high)
+        at_ends = [low[value_at_low == 0.0], high[value_at_high == 0.0]]
+        low, high, value_at_low = (
+            a[value_at_low * value_at_high < 0.0] for a in (low, high, value_at_low)
+        )
         for _ in range(80):
             middle = 0.5 * (low + high)
             if not ((low < middle) & (middle < high)).any():
                 break
             value = self._values(node, middle)
-            before = value * left > 0.0
+            before = value * value_at_low > 0.0
             low = np.where(before | (value == 0.0), middle, low)
             high = np.where(before, high, middle)
         nearer = np.abs(self._values(node, low)) <= np.abs(self._values(node, high))
         return np.unique(np.concatenate([*at_ends, np.where(nearer, low, high)]))
 
     def _sampled(self, node: int) -> tuple[np.ndarray, int]:
-        """Return the zeros that the signs at many times show, as `_zeros` does."""
+        """Return the zeros between samples of different signs, as `_zeros` does."""
         times = np.linspace(self.start, self.end, SIGN_SAMPLES + 1)
         low, high = times[:-1], times[1:]
         if 8 * (changes := self._changes(node, low, high)) > SIGN_SAMPLES:
@@ -266,33 +271,33 @@ class _Search:
         return self._in_brackets(node, low, high), 0
 
     def _windows(self, node: int, times: np.ndarray) -> np.ndarray:
-        """Return rows of `SwitchTimes` for zeros, without those at which the sign stays."""
+        """Return rows of `SwitchTimes` for the zeros at which the sign changes."""
         smallest = np.maximum(2.0 * np.spacing(np.abs(times)), LEAST_WINDOW * self.span)
-        beside, before, after = smallest, *(np.full(len(times), np.nan) for _ in range(2))
+        half_width, before, after = smallest, *(np.full(len(times), np.nan) for _ in range(2))
         if all(bounded(self.switches.graph.ops[n]) for n in self.switches.graph.reachable([node])):
             for _ in range(WIDENINGS):
-                before, after = (self._sides(node, times + s * beside) for s in (-1.0, 1.0))
+                before, after = (self._sides(node, times + s * half_width) for s in (-1.0, 1.0))
                 unknown = np.isnan(before) | np.isnan(after)
                 if not unknown.any():
                     break
-                beside = np.where(unknown, 4.0 * beside, beside)
-        beside = np.where(np.isnan(before) | np.isnan(after), smallest, beside)
-        rows = np.stack([times, times - beside, times + beside], axis=1)[before != after]
-        for end in self.ends:  # a step that rounding makes of nothing would be the first or last
+                half_width = np.where(unknown, 4.0 * half_width, half_width)
+        half_width = np.where(np.isnan(before) | np.isnan(after), smallest, half_width)
+        rows = np.stack([times, times - half_width, times + half_width], axis=1)[before != after]
+        for end in self.ends:  # else the first or last step may be as short as rounding
             rows[(rows[:, 1] < end) & (end < rows[:, 2]), 0] = end
         table: np.ndarray = rows
         return table
 
     def _sides(self, node: int, times: np.ndarray) -> np.ndarray:
-        """Return the signs of a node at some times, NaN where rounding decides."""
+        """Return the signs of a node at some times, NaN where rounding may change them."""
         least, most = self._bounds_in_parts([node], times, times)
         signs = np.sign(least)
-        found: np.ndarray = np.where(signs == np.sign(most), signs, np.nan)
-        return found
+        result: np.ndarray = np.where(signs == np.sign(most), signs, np.nan)
+        return result
 
 
-def _joined(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return intervals without the bounds at which two of them meet."""
+def _merged(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Merge intervals that meet."""
     order = np.argsort(low)
     low, high = low[order], high[order]
     first = np.append(True, low[1:] > high[:-1])[: len(low)]

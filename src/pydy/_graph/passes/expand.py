@@ -13,7 +13,7 @@ from typing import Any
 
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import Term, factored, terms_of
-from pydy._graph.rewrite import again, rebuild
+from pydy._graph.rewrite import make_canonical, rebuild
 from pydy._graph.tuning import LONGEST_MULTIPLIED_OUT
 
 
@@ -54,7 +54,7 @@ class _Expansion:
         elif op == "prod" and (cancelled := self._cancelled(dict(args))) is not None:
             new = cancelled
         else:
-            new = node if same else again(graph, op, args)
+            new = node if same else make_canonical(graph, op, args)
         if new != node:
             self.uses[new] = max(self.uses[new], self.uses[node])
         return new

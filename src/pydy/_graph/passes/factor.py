@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
-from pydy._graph.rewrite import again, rebuild
+from pydy._graph.rewrite import make_canonical, rebuild
 
 # The powers of a product, its coefficient, and its node, -1 where there may be none yet.
 Term = tuple[dict[int, int], float, int]
@@ -21,7 +21,7 @@ def factor_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
 
     def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
         if op != "sum" or len(args[1]) < 2:
-            return node if args == graph.args[node] else again(graph, op, args)
+            return node if args == graph.args[node] else make_canonical(graph, op, args)
         return factored(graph, terms_of(graph, args[1]), args[0])
 
     return rebuild(graph, roots, rule)

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pydy._graph.identities import evaluated
 from pydy._graph.node import Graph
 from pydy._graph.passes.expand import is_exact
-from pydy._graph.rewrite import again, replaced
+from pydy._graph.rewrite import make_canonical, replaced
 from pydy._modular import PRIME
 from pydy._program import OPERATIONS
 
@@ -52,7 +52,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
             if all(new[n] == n for n in graph.operands(node)):
                 new[node] = node
             else:
-                new[node] = again(graph, graph.ops[node], replaced(graph, node, new))
+                new[node] = make_canonical(graph, graph.ops[node], replaced(graph, node, new))
         elif values[twin] == values[node]:
             new[node] = new[twin]
         else:
