@@ -5,7 +5,7 @@ import pytest
 
 import zoo
 from cases import system_of
-from pydy._graph.columns import Columns
+from pydy._graph.columns import SensitivityColumns
 from pydy._program.interpret import run
 from pydy.models import n_link_pendulum_on_cart
 
@@ -14,7 +14,7 @@ DIRECTIONS = (None, ("p", 0), ("p", 2), None, ("p", 0))
 
 def made_of(assembly, directions):
     """Columns, and the derivatives of states and columns by time."""
-    columns = Columns(assembly.sizes[0], directions)
+    columns = SensitivityColumns(assembly.sizes[0], directions)
     return columns, columns.tangent(*assembly.simplified("rates"), assembly.sizes, "rates")
 
 
@@ -25,7 +25,7 @@ def assembly_of(system):
 
 def by_jacobians(assembly, columns, t, x, r, p):
     """The same from whole Jacobians: f, then S' = (∂f/∂x) S + (∂f/∂p) dp."""
-    states, values = columns.apart(x)
+    states, values = columns.split(x)
     n = columns.states
     blocks = [assembly.program("rates"), *(assembly.jacobian_program("rates", k) for k in "xp")]
     f, by_state, by_constant = (run(block, t, states, r, p)[0] for block in blocks)
@@ -48,7 +48,7 @@ def test_columns_are_those_of_whole_jacobians(name):
     t = np.array([0.3])
     expected = by_jacobians(assembly, columns, t, x, r, p)
     assert np.allclose(run(made.written_out(), t, x, r, p)[0], expected, rtol=1e-10, atol=1e-10)
-    states, values = columns.apart(x)
+    states, values = columns.split(x)
     first = run(made.shared, t, states, r, p)[0]
     assert np.allclose(first[0, :n], expected[0, :n], rtol=1e-12, atol=1e-12)
     (part,) = made.parts
@@ -84,10 +84,10 @@ def test_both_parts_are_printed():
 
 
 def test_states_and_columns_are_put_together_and_taken_apart():
-    columns = Columns(3, (None, ("p", 0), None, None))
+    columns = SensitivityColumns(3, (None, ("p", 0), None, None))
     states, values = np.arange(6.0).reshape(2, 3), np.arange(24.0).reshape(2, 3, 4)
     whole = columns.together(states, values)
     assert whole.shape == (2, 15)
-    make_canonical, table = columns.apart(whole)
-    assert np.array_equal(make_canonical, states)
+    states_again, table = columns.split(whole)
+    assert np.array_equal(states_again, states)
     assert np.array_equal(table, values)

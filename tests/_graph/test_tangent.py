@@ -123,12 +123,12 @@ def test_the_code_for_a_row_of_masses_grows_in_proportion():
 
 def test_a_jacobian_is_written_and_read_again():
     made = in_parts(assembly_of(n_link_pendulum_on_cart(3)))
-    make_canonical = program_from_bytes(made.to_bytes())
-    assert isinstance(make_canonical, Tangent)
-    assert make_canonical.digest == made.digest
-    assert make_canonical.blocks == made.blocks
-    assert make_canonical.shape == (8, 8)
-    assert isinstance(make_canonical.shared, Program)
+    restored = program_from_bytes(made.to_bytes())
+    assert isinstance(restored, Tangent)
+    assert restored.digest == made.digest
+    assert restored.blocks == made.blocks
+    assert restored.shape == (8, 8)
+    assert isinstance(restored.shared, Program)
 
 
 def test_all_parts_are_printed_and_counted():

@@ -1,9 +1,12 @@
 from .adjoint import adjoints as adjoints
 from .branches import Branches as Branches
-from .columns import Columns as Columns, Direction as Direction
+from .columns import (
+    SensitivityColumns as SensitivityColumns,
+    SensitivityDirection as SensitivityDirection,
+)
 from .derivative import (
+    DerivativeRows as DerivativeRows,
     Row as Row,
-    Rows as Rows,
     directional as directional,
     hessian as hessian,
     jacobian as jacobian,

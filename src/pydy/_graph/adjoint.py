@@ -44,8 +44,8 @@ def adjoints(
 class _Sweep:
     """The adjoints of `active` nodes, from seeds (node, adjoint).
 
-    Active are those that depend on variables: on which is in the bits of a number. Those of `ends`
-    are found, but not handed on.
+    A node is active if it depends on variables; the bits of a number say on which. Adjoints of the
+    `ends` are computed, but not propagated.
     """
 
     def __init__(
@@ -70,7 +70,7 @@ class _Sweep:
             self.terms.setdefault(node, []).append((term, coefficient))
 
     def adjoint_of(self, node: int) -> int:
-        """Return the adjoint of a node; a switch selects contributions from its sides."""
+        """Return the adjoint of a node, with one switch for all contributions from a branch."""
         g, terms = self.graph, self.terms.get(node, ())
         by_branch: dict[tuple[int, bool], Terms] = {}
         contributions: Terms = []
@@ -90,7 +90,7 @@ class _Sweep:
         return g.sum(contributions)
 
     def propagate(self, node: int) -> None:
-        """Hand the adjoint of a node to its operands."""
+        """Add the contributions of a node's adjoint to those of its operands."""
         g = self.graph
         op, args = g.ops[node], g.args[node]
         if op in ("solve", "guard"):
@@ -152,7 +152,7 @@ class _Sweep:
             self.add(part, term, sign)
 
     def _guard(self, node: int) -> None:
-        """Pass on a guard's adjoint: along the fast side where sound, else to the system."""
+        """Propagate a guard's adjoint to the fast solution where sound, else to the system."""
         g, bars = self.graph, self.vectors.get(node)
         if not bars:
             return

@@ -1,4 +1,4 @@
-"""What nodes switch at: where others take one branch or the other."""
+"""Switches of nodes: expressions by whose sign other nodes take one branch or the other."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Branches:
         """
         graph, nodes = self.graph, self.nodes
         at_zero: set[int] = set()
-        # What a guard chooses by is no switch: both of its ways have the same values.
+        # The condition of a guard is no switch: both of its solutions have the same values.
         reached, branching = {*nodes}, {*nodes}
         for n in reversed(graph.reachable(nodes)):
             if n in reached:
@@ -51,9 +51,9 @@ class Branches:
         return sorted({min(n, graph.neg(n)) for n in at_zero if not graph.constant[n]})
 
     def sides(self, switch: int, bends: bool = False) -> tuple[list[int], list[int]]:
-        """Return nodes as they are above and below one of their switches, each continued beyond it.
+        """Return the nodes as they are above and below a switch, each continued beyond it.
 
-        The larger and smaller of two are continued if what only `bends` there is to be, too.
+        With `bends`, `max` and `min` are continued as well, which are continuous at a switch.
         """
         graph, nodes = self.graph, self.nodes
         above: dict[int, int] = {}

@@ -22,7 +22,7 @@ from pydy._program import Program, Tangent
 
 
 @dataclass(frozen=True)
-class Columns:
+class SensitivityColumns:
     """The state with columns of sensitivities after it: x, then S row after row."""
 
     states: int  # number of states, n
@@ -47,10 +47,10 @@ class Columns:
         flat = columns.reshape(*columns.shape[:-2], self.states * self.count)
         return np.concatenate([states, flat], axis=-1)
 
-    def apart(self, whole: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def split(self, augmented: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return states (..., n) and sensitivities (..., n, k) of (..., n (1 + k))."""
         n = self.states
-        return whole[..., :n], whole[..., n:].reshape(*whole.shape[:-1], n, self.count)
+        return augmented[..., :n], augmented[..., n:].reshape(*augmented.shape[:-1], n, self.count)
 
     @property
     def wanted(self) -> tuple[tuple[str, int], ...]:
@@ -95,7 +95,7 @@ class Columns:
 
 
 @dataclass(frozen=True)
-class Direction:
+class SensitivityDirection:
     """The state with one column after it, which is the derivative along one direction of all.
 
     That has components of the initial conditions, the column at the start, and of the inputs `by`,

@@ -59,10 +59,10 @@ def jacobian(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> 
     return directional(graph, outputs, seeds, len(variables))
 
 
-def hessian(graph: Graph, node: int, by: Sequence[int]) -> tuple[list[int], list[list[int]]]:
+def hessian(graph: Graph, node: int, variables: Sequence[int]) -> tuple[list[int], list[list[int]]]:
     """Return the first and second derivatives of a node, these symmetric to the last bit."""
-    first, n = jacobian(graph, [node], by).flat(), range(len(by))
-    rows = jacobian(graph, first, by).dense()
+    first, n = jacobian(graph, [node], variables).flat(), range(len(variables))
+    rows = jacobian(graph, first, variables).dense()
     return first, [[rows[max(i, j)][min(i, j)] for j in n] for i in n]
 
 
@@ -85,54 +85,54 @@ def directional(
     return SparseRows(nonzero, zero, directions)
 
 
-class Rows:
-    """Sparse rows of derivatives, each made once. Differentiation stops where a row is given.
+class DerivativeRows:
+    """Sparse rows of derivatives, each made once. Differentiation stops at nodes with a seed.
 
-    A row maps what is differentiated by, any integers, to the derivative's node. A `leaf` gives the
-    row of an input that has none; by default it has no derivatives.
+    A row maps variables, any integers, to the node of the derivative. A `leaf` gives the row of an
+    input without a seed; by default such an input has no derivatives.
     """
 
     def __init__(
         self,
         graph: Graph,
-        given: dict[int, Row],
+        seeds: dict[int, Row],
         leaf: Callable[[int], Row] | None = None,
     ) -> None:
         self.graph = graph
-        self.known = given
+        self.stored = seeds
         self._leaf = leaf
         self._vectors: dict[int, list[Row]] = {}
 
     def __call__(self, node: int) -> Row:
         """Return the row of a node."""
-        if node not in self.known:
+        if node not in self.stored:
             self._fill(node)
-        return _without_roots_stored(self.graph, node, self.known)
+        return _without_roots_stored(self.graph, node, self.stored)
 
     def from_operands(self, node: int) -> Row:
-        """Return the row of a node from its operands' rows, whatever was given for it."""
+        """Return the row of a node from its operands' rows, even if it has a seed."""
         for operand in self.graph.operands(node):
             self(operand)
-        row = _row(self.graph, node, self.known, self._vectors)
-        return _without_roots(self.graph, row, self.known)
+        row = _row(self.graph, node, self.stored, self._vectors)
+        return _without_roots(self.graph, row, self.stored)
 
     def _fill(self, root: int) -> None:
-        graph, known = self.graph, self.known
+        graph, stored = self.graph, self.stored
         stack = [root]
         while stack:
             node = stack[-1]
-            if node in known:
+            if node in stored:
                 stack.pop()
                 continue
-            missing = [n for n in graph.operands(node) if n not in known]
+            missing = [n for n in graph.operands(node) if n not in stored]
             if missing:
                 stack += missing
                 continue
             stack.pop()
             if graph.ops[node] == "input":
-                known[node] = self._leaf(node) if self._leaf else {}
+                stored[node] = self._leaf(node) if self._leaf else {}
             else:
-                known[node] = _row(graph, node, known, self._vectors)
+                stored[node] = _row(graph, node, stored, self._vectors)
 
 
 def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]]) -> Row:
@@ -192,7 +192,7 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
 
 
 def _without_roots_stored(g: Graph, node: int, rows: dict[int, Row]) -> Row:
-    """Return the row of a node by the variables alone, from now on."""
+    """Return the row of a node by the variables alone, and store it."""
     if any(key < 0 for key in rows[node]):
         rows[node] = _without_roots(g, rows[node], rows)
     return rows[node]
@@ -249,7 +249,7 @@ def _holds_root(g: Graph, term: int, cofactors: Sequence[tuple[int, int]]) -> bo
 
 
 def _by_argument(g: Graph, node: int, cofactors: Sequence[tuple[int, int]]) -> bool:
-    """Return whether a factor is differentiated by its argument, together with its cofactors."""
+    """Return whether a root is differentiated by its argument together with its cofactors."""
     if g.ops[node] not in ("sqrt", "asin", "acos", "acosh") or not is_steep(g, node):
         return False
     if is_carried(g, node) or g.ops[g.args[node][0]] in ("max", "min", "select"):
@@ -258,7 +258,7 @@ def _by_argument(g: Graph, node: int, cofactors: Sequence[tuple[int, int]]) -> b
 
 
 def undefined(g: Graph, node: int) -> int:
-    """Return NaN where a node is a Piecewise none of whose branches is taken, else zero."""
+    """Return a node that is NaN where a Piecewise has no branch that applies, else zero."""
     branches: list[tuple[int, int]] = []  # down the last branches, of which there may be many
     while g.ops[node] == "select":
         condition, yes, node = g.args[node]
@@ -272,7 +272,7 @@ def undefined(g: Graph, node: int) -> int:
 
 
 def times(g: Graph, a: int, b: int) -> int:
-    """Return a product of slopes; beyond a switch that leaves it out one may be infinite."""
+    """Return a product of slopes; zero where a switch makes one zero, even if one is infinite."""
     for switch, factor in ((a, b), (b, a)):
         if g.ops[switch] == "select" and g.zero in g.args[switch][1:]:
             condition, *ends = g.args[switch]

@@ -1,7 +1,7 @@
 """From the n-ary graph to a Program of elementary operations.
 
-What depends on constants alone is grouped, so that it falls into the setup stage; denominators
-that occur more than once become one reciprocal; linear solves are unrolled or left to a loop.
+Operations on constants alone are grouped, so that the setup stage executes them. Denominators that
+occur more than once become one reciprocal. Linear solves are unrolled or left to a loop.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ def lower(
     sizes: tuple[int, int, int],
     blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     *,
-    own: tuple[int, int, int] | None = None,
+    sizes_of_matrices: tuple[int, int, int] | None = None,
 ) -> Program:
     """Return the Program that computes `blocks` of names, shapes, and nodes, row-major.
 
     The graph's inputs are ``('x', i)``, ``('t', 0)``, ``('r', i)`` and ``('p', i)``, with the
-    `sizes` of all but the second. The matrices of linear solves depend on the first `own` of them
-    alone, by default on all: pivots are chosen at random states of so many inputs, and further ones
-    leave the choice as it is.
+    `sizes` of all but the second. The matrices of linear solves depend on the first of these
+    alone, as many as `sizes_of_matrices` says (by default all): pivots are chosen at random states
+    of these inputs, so that further ones do not change the choice.
     """
-    lowering = _Lowering(graph, sizes, own or sizes)
+    lowering = _Lowering(graph, sizes, sizes_of_matrices or sizes)
     return Program.from_tape(*lowering.run(blocks))
 
 
@@ -39,22 +39,22 @@ class _Lowering:
         self,
         graph: Graph,
         sizes: tuple[int, int, int],
-        own: tuple[int, int, int],
+        sizes_of_matrices: tuple[int, int, int],
     ) -> None:
         self.graph = graph
         self.sizes = sizes
-        self.own = own
+        self.sizes_of_matrices = sizes_of_matrices
         self.tape = Tape()
         self.new: dict[int, int] = {}
         self.hot: set[int] = set()
-        self.deferred: set[int] = set()  # what the fallbacks so far need, but no call
+        self.deferred: set[int] = set()  # what fallbacks so far need, but not every call
         self.factors: dict[int, Factor] = {}
         self.uses_as_denominator: Counter[int] = Counter()
         self.products: dict[tuple[int, float], list[Any]] = {}
         self.below: dict[int, list[tuple[int, int]]] = {}
         self.sums: dict[int, list[Any]] = {}
         self.partial_sums: dict[int, tuple[int, bool]] = {}
-        self.pairs: dict[int, int] = {}  # by identity: the plan keeps them alive
+        self.pairs: dict[int, int] = {}  # by identity: `products` and `sums` hold the trees
 
     def run(
         self,
@@ -63,7 +63,7 @@ class _Lowering:
         roots = [n for _, _, nodes in blocks for n in nodes]
         graph = self.graph
         order = graph.reachable(roots)
-        # What is computed at every call: nothing is arranged for what only fallbacks need.
+        # Computed at every call. What only fallbacks need is not optimised.
         hot = set(graph.reachable(roots, fallbacks=False))
         for node in order:
             if graph.ops[node] == "prod":
@@ -102,7 +102,9 @@ class _Lowering:
         if op == "factor":
             kind, n, entries = args
             cells = [new[e] for e in entries]
-            self.factors[node] = factorised(tape, kind, n, cells, self.own, self.graph.off)
+            self.factors[node] = factorised(
+                tape, kind, n, cells, self.sizes_of_matrices, self.graph.off
+            )
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
@@ -118,7 +120,7 @@ class _Lowering:
         return tape.make(op, *(new[a] for a in args))
 
     def _fallback(self, guard: int) -> None:
-        """Lower again the operations of a guard's fallback, except function calls."""
+        """Repeat the operations of a guard's fallback for that guard, except function calls."""
         tape, graph = self.tape, self.graph
         if not tape.in_every_call:
             return
@@ -134,7 +136,7 @@ class _Lowering:
     # -- sums -------------------------------------------------------------------------------------
 
     def _plan_sums(self, order: list[int], hot: set[int]) -> None:
-        """Decide in which order the terms of each sum are added."""
+        """Choose the order in which the terms of each sum are added."""
         graph, constant = self.graph, self.graph.constant
         sums = [node for node in order if graph.ops[node] == "sum"]
         sums.sort(key=lambda node: node not in hot)
@@ -142,8 +144,8 @@ class _Lowering:
         users = Counter((n, abs(c)) for node in sums[:count] for n, c in graph.args[node][1])
 
         def rank(term: tuple[tuple[int, float], bool]) -> tuple[Any, ...]:
-            # Constants first: their partial sum is then a value of the setup stage. Of the rest
-            # what most sums have, so that a run of terms they share stands together.
+            # Constants first: their partial sum is then a value of the setup stage. Then the terms
+            # of most sums, so that a run of shared terms stands together.
             operand = term[0]
             return (not constant[operand[0]], -users[operand], operand[0])
 
@@ -200,10 +202,10 @@ class _Lowering:
     # -- products ---------------------------------------------------------------------------------
 
     def _plan_products(self, order: list[int], hot: set[int]) -> None:
-        """Decide in which order the factors of each product are multiplied.
+        """Choose the order in which the factors of each product are multiplied.
 
-        The factors that depend on constants alone are one factor, with the coefficient of the sum
-        in which the product stands: all that is a matter of the setup stage.
+        The factors that depend on constants alone are grouped, with the coefficient of the sum in
+        which the product stands, into one factor that the setup stage computes.
         """
         graph = self.graph
         constant = graph.constant

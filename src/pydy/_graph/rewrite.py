@@ -1,4 +1,4 @@
-"""Rebuilding a graph from its leaves with some nodes made differently."""
+"""Rebuild a graph from its leaves with some nodes replaced."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def substitute(
 ) -> list[int]:
     """Replace input nodes by other nodes, which may be those of another graph.
 
-    With `into` the roots are made again in that graph, and all of their inputs must be replaced.
+    With `into` the roots are copied into that graph, and all of their inputs must be replaced.
     """
     if into is not None:
         return _transplanted(graph, roots, into, mapping)
@@ -64,7 +64,7 @@ def make_canonical(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
 def _transplanted(
     source: Graph, roots: Sequence[int], graph: Graph, inputs: Mapping[int, int]
 ) -> list[int]:
-    """Return nodes of one graph made again in another, with nodes of that for its inputs."""
+    """Return copies of nodes in another graph, with nodes of that graph for their inputs."""
     new: dict[int, int] = {}
     for node in source.reachable(roots):
         new[node] = (

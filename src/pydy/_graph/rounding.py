@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 
-from pydy._graph.derivative import Rows, jacobian
+from pydy._graph.derivative import DerivativeRows, jacobian
 from pydy._graph.node import Graph
 from pydy._program import OPERATIONS
 
@@ -99,7 +99,7 @@ def _bound(g: Graph, node: int, bounds: dict[int, int], rounded: tuple[str, ...]
         return last_rounding  # linear solves are not looked into
     operands = g.operands(node)
     seeds = [*operands, *(m for n in operands for m in _nodes_in_factor(g, n))]
-    partials = Rows(g, {n: {n: g.one} for n in seeds}).from_operands(node)
+    partials = DerivativeRows(g, {n: {n: g.one} for n in seeds}).from_operands(node)
     inherited = [
         (g.mul(g.call("abs", d), bounds[n]), 1.0)
         for n, d in partials.items()

@@ -26,14 +26,14 @@ def simplify(graph: Graph, roots: Sequence[int]) -> list[int]:
 
 
 class _Run:
-    """The nodes as the passes so far left them."""
+    """The nodes after the passes so far."""
 
     def __init__(self, graph: Graph, roots: Sequence[int]) -> None:
         self.graph = graph
         self.nodes = list(roots)
         self._counts: dict[int, int] = {}
         self.cost = operation_count(graph, roots, self._counts)
-        self._results: dict[str, list[int]] = {}  # by each pass, which would leave it so again
+        self._results: dict[str, list[int]] = {}  # the last result of each pass
 
     def run_passes(self, passes: Sequence[tuple[str, Pass]]) -> int:
         """Run passes one after another, keeping cheaper results; return the savings by merging."""
@@ -52,7 +52,7 @@ class _Run:
 
 
 def _around_guards(graph: Graph, roots: Sequence[int], guards: Sequence[int]) -> list[int]:
-    """Simplify operations of every call; leave those for guards' fallbacks alone."""
+    """Simplify operations of every call, but not those for guards' fallbacks."""
     away = {guard: graph.input("guard", k) for k, guard in enumerate(guards)}
     hot = [[graph.args[guard][3], *graph.args[guard][4]] for guard in guards]
     every = substitute(graph, [*roots, *(n for part in hot for n in part)], away)
@@ -74,7 +74,7 @@ def operation_count(
 ) -> int:
     """Estimate the operations of every call: nothing shared but whole nodes.
 
-    Counts of single nodes are `counts` to those who count again and again.
+    Pass `counts`, the operations of single nodes, to reuse them in repeated calls.
     """
     counts = {} if counts is None else counts
     nodes = graph.reachable(roots)

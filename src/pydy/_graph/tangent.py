@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pydy._collector import collector_paused
-from pydy._graph.derivative import Rows
+from pydy._graph.derivative import DerivativeRows
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
@@ -56,12 +56,14 @@ def tangent(
         cells: list[int] = []
         for part in seeds:  # one at a time, so that no node belongs to two parts
             parts.append(part)
-            rows = Rows(graph, {node: {0: seed} for node, seed in part.derivatives.items()})
+            rows = DerivativeRows(
+                graph, {node: {0: seed} for node, seed in part.derivatives.items()}
+            )
             cells += [rows(node).get(0, graph.zero) for node in outputs]
         cells = cells if "factor" in graph.off else factor_sums(graph, cells)
         blocks = [(str(k), (m,), cells[k * m : (k + 1) * m]) for k in range(len(parts))]
         first = [(values, (m,), [*outputs])] if values else []
-        lowered = lower(graph, sizes_with_seeds, [*first, *blocks], own=sizes[0])
+        lowered = lower(graph, sizes_with_seeds, [*first, *blocks], sizes_of_matrices=sizes[0])
         nodes_of_block = [(b.name, lowered.outputs[b.start : b.stop]) for b in lowered.blocks]
         separation = _Separation(lowered)
         parts_made = []
@@ -146,13 +148,13 @@ class _Separation:
             if guard != node:
                 groups.setdefault(full.args[guard][3], []).append(node)
         new: dict[int, int] = {}
-        one, zero = full.const(1.0), full.const(0.0)
+        unit, zero = full.const(1.0), full.const(0.0)
         for sound, nodes in groups.items():
             numbers = [
-                full.make("select", k, one, zero) if full.ops[k] in OPERATIONS.truths else k
+                full.make("select", k, unit, zero) if full.ops[k] in OPERATIONS.truths else k
                 for k in nodes
             ]
-            guarded = full.make("guard", 1, (one,), tuple(numbers), sound, ())
+            guarded = full.make("guard", 1, (unit,), tuple(numbers), sound, ())
             new.update((k, full.make("item", guarded, i)) for i, k in enumerate(nodes))
         return [new.get(node, node) for node in self._position_of]
 

@@ -328,7 +328,7 @@ def motion_of(
     values, augmented, refusal = None, None, ""
     if sensitivities is not None:
         augmented = sensitivities.sensitive
-        states, values = map(np.ascontiguousarray, augmented.columns.apart(states))
+        states, values = map(np.ascontiguousarray, augmented.columns.split(states))
         refusal = (
             "`sensitivities` of a motion that is continued are not known. Simulate over the "
             "whole time at once, or without `sensitivities`."

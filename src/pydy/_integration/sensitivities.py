@@ -17,8 +17,8 @@ import numpy as np
 from pydy._assembly import CompiledModel, Definition, stored_program
 from pydy._checks import describe
 from pydy._graph import (
-    Columns,
-    Rows,
+    DerivativeRows,
+    SensitivityColumns,
     factor_sums,
     jacobian,
     lower,
@@ -60,7 +60,7 @@ class AugmentedSystem:
     argument: str = "sensitivities"  # that named the parameters
     dependent: tuple[int, ...] = ()  # the places of states that follow from the others
     width: int = 0  # of the states with what is integrated after them, if there is any
-    columns: Columns = field(init=False)
+    columns: SensitivityColumns = field(init=False)
 
     @staticmethod
     def of(
@@ -95,7 +95,7 @@ class AugmentedSystem:
                     directions.append(("r", parameter.place, s + weights))
                     weights += 1
         n = self.width or len(self.definition.states)
-        object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
+        object.__setattr__(self, "columns", SensitivityColumns(n, tuple(directions), weights))
 
     def stepped(
         self,
@@ -277,7 +277,7 @@ class AugmentedSystem:
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
         out = self._sweep((), times, states, values)
-        return self.columns.apart(out)[1]
+        return self.columns.split(out)[1]
 
     def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the sensitivities of the outputs, shape (m, o, k)."""
@@ -393,7 +393,7 @@ def program_of_event(
     along = {graph.input("t", 0): {0: graph.one}}
     along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
     along.update((graph.input("r", i), {0: graph.input("r", s + i)}) for i in range(s))
-    motion = Rows(graph, along)
+    motion = DerivativeRows(graph, along)
     by = [*states, *(graph.input(*place) for place in wanted)]
     first = motion(crossing).get(0, graph.zero)
     changed = [after[k] for k in changed_by(event, symbols)]
@@ -410,7 +410,7 @@ def program_of_event(
         (name, shapes.get(name, (len(part),)), [next(cells) for _ in part])
         for name, part in parts.items()
     ]
-    return lower(graph, (n, 2 * s, c), blocks, own=own.sizes)
+    return lower(graph, (n, 2 * s, c), blocks, sizes_of_matrices=own.sizes)
 
 
 def compiled_event(

@@ -16,7 +16,7 @@ from typing import Any
 
 from sympy.physics.mechanics import Point
 
-from pydy._graph import Graph, Rows, signatures
+from pydy._graph import DerivativeRows, Graph, signatures
 from pydy._mechanics.components import flat, in_rows, product, transposed, unrounded
 from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.frames import Frames
@@ -70,7 +70,7 @@ class Kinematics:
         self.rates = self.read.all(body.coordinate_derivatives)
         for symbol, node in zip(body.coordinate_rates, self.rates, strict=True):
             self.read.define(symbol, node)
-        self._dots = Rows(
+        self._dots = DerivativeRows(
             g,
             {n: {0: d} if d != g.zero else {} for n, d in zip(coordinates, self.rates, strict=True)}
             | {time: {0: g.one}},
@@ -78,9 +78,9 @@ class Kinematics:
         )
         if driven:
             moved = zip(self.speeds, self.accelerations, strict=True)
-            self._dots.known.update((speed, {0: rate}) for speed, rate in moved)
+            self._dots.stored.update((speed, {0: rate}) for speed, rate in moved)
         variables = [*self.speeds, *self.auxiliary]
-        self.rows = Rows(g, {n: {n: g.one} for n in variables})
+        self.rows = DerivativeRows(g, {n: {n: g.one} for n in variables})
         self.groups: list[list[int]] = []
         self.intermediate_frames = IntermediateFrames()
         self._referred = referred
@@ -216,8 +216,8 @@ class Kinematics:
     # -- anchors ----------------------------------------------------------------------------------
 
     def anchored(self, v: Vec, groups: list[list[int]] | None = None) -> Vec:
-        """Make the components of a velocity anchors, and add them to the groups."""
-        g, derivatives, group = self.graph, self.rows.known, []
+        """Let derivatives stop at the components of a velocity; add them to the groups."""
+        g, known, group = self.graph, self.rows.stored, []
         for n in v:
             c, core = g.scaled(n)
             if g.ops[core] == "sum" and g.args[core][1][0][1] < 0.0:
@@ -286,9 +286,9 @@ class Kinematics:
 
         Only speeds that are one component of the joint's angular velocity and are still free count.
         """
-        g, derivatives = self.graph, self._dots.known
-        compensated: set[int] = set()
-        for i, n in enumerate(relative):
+        g, known = self.graph, self._dots.stored
+        found: set[int] = set()
+        for i, n in enumerate(own):
             size, speed = g.scaled(n)
             other_inputs = g.reachable([m for j, m in enumerate(relative) if j != i])
             alone = abs(size) == 1.0 and speed in self.speeds and speed not in other_inputs

@@ -17,7 +17,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from pydy._graph import Graph, Row, Rows, signatures
+from pydy._graph import DerivativeRows, Graph, Row, signatures
 from pydy._mechanics.components import axis_rotation, flat, product, transposed
 from pydy._mechanics.tuning import SAME_DIRECTION
 
@@ -41,7 +41,7 @@ class IntermediateFrames:
     def add(
         self,
         graph: Graph,
-        rows: Rows,
+        rows: DerivativeRows,
         ends: tuple[Any, Any],
         first_group: tuple[int, list[int]],
         rotations: Sequence[Matrix],

@@ -187,8 +187,8 @@ def _copied(tape: Tape, program: Program, inputs: Mapping[tuple[str, int], int])
         else:
             new[k] = tape.make(op, *OPERATIONS.with_operands(op, args, new))
     tape.guard_of_fallback, tape.in_every_call = None, True
-    one, zero = tape.const(1.0), tape.const(0.0)
+    unit, zero = tape.const(1.0), tape.const(0.0)
     nodes = [new[k] for k in program.outputs]
     return [
-        tape.make("select", k, one, zero) if tape.ops[k] in OPERATIONS.truths else k for k in nodes
+        tape.make("select", k, unit, zero) if tape.ops[k] in OPERATIONS.truths else k for k in nodes
     ]

@@ -65,7 +65,7 @@ class Point(At):
     plan: SpecifiedsPlan
 
     @cached_property
-    def from_operands(self) -> np.ndarray:
+    def through(self) -> np.ndarray:
         """How Python functions among the specifieds change with the states, shape (m, s, n)."""
         return feedback(self.plan, self.x, self.t)
 
@@ -134,10 +134,10 @@ class Point(At):
     def slopes(self, block: str) -> np.ndarray:
         """Return the derivatives of a block by the states, with all feedback."""
         direct = self.value(self.model.compiled_jacobian(block, "x"), self.x.shape[1])
-        if not self.from_operands.any():
+        if not self.through.any():
             return direct
         by_input = self.value(self.model.compiled_jacobian(block, "r"), self.r.shape[1])
-        through = self.from_operands
+        through = self.through
         with np.errstate(all="ignore"):
             whole: np.ndarray = direct + by_input @ through
         return whole

@@ -17,7 +17,7 @@ from pydy._errors import (
     warn_user,
 )
 from pydy._forks import cached_property
-from pydy._graph import Direction, derivative_program, simplify
+from pydy._graph import SensitivityDirection, derivative_program, simplify
 from pydy._integration import (
     AugmentedSystem,
     Parameter,
@@ -255,7 +255,7 @@ class Task:
         excite shows in it, and the gradient is made of the derivatives along such directions.
         """
         model, width = self.whole, len(whole)
-        direction = Direction(width, self.wanted)
+        direction = SensitivityDirection(width, self.wanted)
         call = self.call_whole(direction_kernel(model, direction))
         sized = [
             ParameterSize("x", k, least=s)
@@ -325,7 +325,7 @@ def generic(count: int) -> np.ndarray:
     return found
 
 
-def direction_kernel(model: CompiledModel, direction: Direction, *blocks: str) -> Kernel:
+def direction_kernel(model: CompiledModel, direction: SensitivityDirection, *blocks: str) -> Kernel:
     """Return the Kernel of the derivatives of blocks along a direction.
 
     By default it is that of the derivatives of the states and of their column by time.

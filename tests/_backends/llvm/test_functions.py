@@ -21,7 +21,7 @@ from pydy._backends.llvm.functions import CompleteCode
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.sources import _repeats, leaves_out_fallbacks
 from pydy._backends.tuning import LARGE
-from pydy._graph.columns import Columns
+from pydy._graph.columns import SensitivityColumns
 from pydy._graph.node import Graph
 from pydy._graph.tangent import jacobian_tangent
 from pydy._program.interpret import run
@@ -76,7 +76,7 @@ def with_sensitivities(assembly, count=3):
     n, _, c = assembly.sizes
     directions = tuple(("p", k // 2 % c) if k % 2 and c else None for k in range(count))
     graph, nodes = assembly.simplified("rates")
-    return Columns(n, directions).tangent(graph, nodes, assembly.sizes, "rates")
+    return SensitivityColumns(n, directions).tangent(graph, nodes, assembly.sizes, "rates")
 
 
 def sample(kernel, m=50):

@@ -14,7 +14,7 @@ from cases import system_of
 from graphs import on_tape
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compile_program
-from pydy._graph.columns import Columns
+from pydy._graph.columns import SensitivityColumns
 from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
 from pydy._graph.tangent import jacobian_tangent
@@ -202,7 +202,7 @@ def beside(name, count):
     assembly = assembly_of(name)
     n, _, c = assembly.sizes
     directions = tuple(("p", (k // 2) % c) if k % 2 else None for k in range(count))
-    columns = Columns(n, directions)
+    columns = SensitivityColumns(n, directions)
     made = columns.tangent(*assembly.simplified("rates"), assembly.sizes, "rates")
     return assembly, columns, made
 

@@ -80,7 +80,7 @@ class UnrolledLDL:
         lower: list[list[int]] = [[zero] * n for _ in range(n)]
         scaled: list[list[int]] = [[zero] * n for _ in range(n)]  # L · D
         self.inverse: list[int] = []
-        one, tolerance = tape.const(1.0), tape.const(n * ROUNDING)
+        unit, tolerance = tape.const(1.0), tape.const(n * ROUNDING)
         self.sound = tape.make("bool", True)
         for j in range(n):
             pivot = cell[j][j]
@@ -90,7 +90,7 @@ class UnrolledLDL:
             # A pivot is judged by its own diagonal entry: units do not matter.
             limit = zero if pivot == cell[j][j] else tape.mul(tolerance, cell[j][j])
             self._require(tape.make("lt", limit, pivot))
-            inverse = tape.make("div", one, pivot)
+            inverse = tape.make("div", unit, pivot)
             self.inverse.append(inverse)
             for i in range(j + 1, n):
                 value = cell[i][j]

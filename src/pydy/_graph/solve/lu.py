@@ -110,7 +110,7 @@ class UnrolledLU:
         self.columns = columns
         zero = self.zero = tape.const(0.0)
         cell = [[entries[i * n + j] for j in columns] for i in rows]
-        one, small = tape.const(1.0), tape.const(HALF)
+        unit, small = tape.const(1.0), tape.const(HALF)
         sizes = [self._largest([c for c in row if c != zero]) for row in cell]
         self.lower: list[list[int]] = [[zero] * n for _ in range(n)]
         self.inverse: list[int] = []
@@ -120,7 +120,7 @@ class UnrolledLU:
             pivot = cell[k][k]
             condition = tape.make("lt", tape.mul(small, sizes[k]), self._size(pivot))
             self.sound = self._conjunction(self.sound, condition)
-            inverse = tape.make("div", one, pivot)
+            inverse = tape.make("div", unit, pivot)
             self.inverse.append(inverse)
             for i in range(k + 1, n):
                 if cell[i][k] == zero:
