@@ -12,10 +12,10 @@ from graphs import form
 
 sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 
-from pydy._mechanics.form import moving
 from trees import definition, tree
 
 from pydy._graph.lowering import lower
+from pydy._mechanics.formulations import moving
 from pydy._program.interpret import run
 from pydy.mechanics import Definition
 from pydy.system import System

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from pydy._mechanics.form import forms
 
 from mechanisms.build import definition
 from mechanisms.generate import BODIES, draw, settle
 from mechanisms.oracle import World
 from pydy._graph.lowering import lower
+from pydy._mechanics.formulations import forms
 from pydy._program.interpret import run
 
 LARGE = [seed for seed in range(70) if BODIES[seed % len(BODIES)] == 8]

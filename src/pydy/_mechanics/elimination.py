@@ -128,9 +128,9 @@ def eliminated(
 def partials(kinematics: Kinematics, velocity: Sequence[int]) -> list[list[int]]:
     """Return the partial velocities of a velocity, computed from anchor to anchor."""
     graph, rows, groups = kinematics.graph, kinematics.rows, kinematics.groups
-    whole = {k: rows.from_operands(k) for group in groups for k in group}
-    order = _sorted_groups([list(group) for group in groups], whole)[::-1]
-    found = []
+    rows_through = {k: rows.from_operands(k) for group in groups for k in group}
+    order = _sorted_groups([list(group) for group in groups], rows_through)[::-1]
+    derivatives = []
     for node in velocity:
         row = {a: [(d, 1.0)] for a, d in rows(node).items()}
         for group in order:
@@ -156,9 +156,9 @@ class _Push:
     ) -> None:
         graph, rows = kinematics.graph, kinematics.rows
         self.graph, self.speeds = graph, [*kinematics.speeds, *kinematics.auxiliary]
-        # Rows of the anchors in one step, and as the form takes it.
-        self.whole = {k: rows.from_operands(k) for group in groups for k in group}
-        self.own = dict(self.whole)
+        # DerivativeRows of the anchors in one step, and in the plane rotations of the form.
+        self.whole_rows = {k: rows.from_operands(k) for group in groups for k in group}
+        self.step_rows = dict(self.whole_rows)
         self.cells: dict[tuple[int, int], list[tuple[int, float]]] = defaultdict(list)
         self.near: dict[int, set[int]] = defaultdict(set)
         self.forces: dict[int, list[tuple[int, float]]] = defaultdict(list)

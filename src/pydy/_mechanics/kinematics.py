@@ -216,8 +216,8 @@ class Kinematics:
     # -- anchors ----------------------------------------------------------------------------------
 
     def anchored(self, v: Vec, groups: list[list[int]] | None = None) -> Vec:
-        """Let derivatives stop at the components of a velocity; add them to the groups."""
-        g, known, group = self.graph, self.rows.stored, []
+        """Make the components of a velocity anchors, and add them to the groups."""
+        g, derivatives, group = self.graph, self.rows.stored, []
         for n in v:
             c, core = g.scaled(n)
             if g.ops[core] == "sum" and g.args[core][1][0][1] < 0.0:
@@ -286,9 +286,9 @@ class Kinematics:
 
         Only speeds that are one component of the joint's angular velocity and are still free count.
         """
-        g, known = self.graph, self._dots.stored
-        found: set[int] = set()
-        for i, n in enumerate(own):
+        g, derivatives = self.graph, self._dots.stored
+        compensated: set[int] = set()
+        for i, n in enumerate(relative):
             size, speed = g.scaled(n)
             other_inputs = g.reachable([m for j, m in enumerate(relative) if j != i])
             alone = abs(size) == 1.0 and speed in self.speeds and speed not in other_inputs

@@ -33,7 +33,7 @@ Groups = list[list[int]]
 class IntermediateFrames:
     """Anchors in the frames between the plane rotations that lead from one frame to another."""
 
-    # Rows of the anchors in the second frame, by the anchors before the last rotation.
+    # DerivativeRows of the anchors in the second frame, by the anchors before the last rotation.
     rows: dict[int, Row] = field(default_factory=dict)
     # By pairs of frames: the number of the first group transferred, and the groups between.
     stages: dict[tuple[Any, Any], tuple[int, list[Groups]]] = field(default_factory=dict)

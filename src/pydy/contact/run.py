@@ -457,7 +457,9 @@ class Run:
         options["continuation"] = EventContinuation(
             None if later_part else frozenset(range(len(kinds)))
         )
-        if held or now.definition.equations.velocity:  # each part would begin with the drift so far
+        if (
+            held or now.definition.equations.constraints.velocity
+        ):  # each part would begin with the drift so far
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)
         if self.carried is not None:
