@@ -139,9 +139,9 @@ class CompiledSensitivities:
         # Lowering one is enough if the contribution of the other is small.
         contributions = {"atol": (atol, by_atol, by_rtol), "rtol": (rtol, by_rtol, by_atol)}
         factors = {
-            name: (tolerance, (depth - other) / part)
-            for name, (tolerance, part, other) in contributions.items()
-            if other < depth / 2.0
+            name: (tolerance, (depth - remaining) / part)
+            for name, (tolerance, part, remaining) in contributions.items()
+            if remaining < depth / 2.0
         } or {name: (tolerance, depth / error) for name, (tolerance, *_) in contributions.items()}
         if "rtol" in factors and np.max(rtol) * factors["rtol"][1] < ROUNDING:
             return error, "Omit"

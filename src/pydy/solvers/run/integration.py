@@ -243,7 +243,7 @@ class Integration(Workspace):
     def _run(self, code: int) -> None:
         """Integrate to the end, given the code of the first slice."""
         state, count = self.progress.state, self.progress.counts
-        budget, taken, elapsed = self._budget, 0, 0.0
+        budget, step_count, elapsed = self._budget, 0, 0.0
         bar, ask = None, self.on_many_steps
         if self.options.progress:
             bar = progress_bar(self.name, self.span, float(state[at.TIME]))
@@ -273,10 +273,10 @@ class Integration(Workspace):
                     ask(t, x.copy())
                     ask = None
                 if code == at.PAUSED and elapsed > 0.0:
-                    taken = count[at.STEPS] + count[at.REJECTED] - taken
-                    budget = int(min(max(1.0, taken * SLICE / elapsed), 4.0 * budget))
+                    step_count = count[at.STEPS] + count[at.REJECTED] - step_count
+                    budget = int(min(max(1.0, step_count * SLICE / elapsed), 4.0 * budget))
                 self.interrupts.check()
-                start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
+                start, step_count = perf_counter(), count[at.STEPS] + count[at.REJECTED]
                 code = self._slice(budget)
                 elapsed = perf_counter() - start
                 if bar is not None:
@@ -346,11 +346,11 @@ class Integration(Workspace):
 
         The last number measures how well they determine the dependent speeds.
         """
-        constraints, call, seen = self.options.constraints, self.call, self.projection_record
-        if constraints is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
+        constraints, call, record = self.options.constraints, self.call, self.projection_record
+        if constraints is None or call is None or not record[at.RANK] or not np.isfinite(x).all():
             return 1.0, "", 1.0
-        values, longest = call.evaluate(constraints.kernel, x, t), seen[at.WHERE + self.n :]
-        nearness, names = constraints.nearness_to_rank_loss(values, longest, int(seen[at.RANK]))
+        values, longest = call.evaluate(constraints.kernel, x, t), record[at.WHERE + self.n :]
+        nearness, names = constraints.nearness_to_rank_loss(values, longest, int(record[at.RANK]))
         return nearness, few(names), constraints.determinacy(values)
 
     def _project(
@@ -500,8 +500,8 @@ class Integration(Workspace):
         had_sign = origins != 0
         had_sign[list(fired)] = False
         values = self._take_sides(zero, forced)
-        for lost in np.flatnonzero(had_sign & np.isnan(values)):
-            self._stop(Outcome.EVENT_UNDEFINED, event=events.names[lost])
+        for undefined in np.flatnonzero(had_sign & np.isnan(values)):
+            self._stop(Outcome.EVENT_UNDEFINED, event=events.names[undefined])
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
             if k in zero and events.redirects[k] and is_stationary(call, events, k, before, t):
@@ -599,10 +599,10 @@ class Integration(Workspace):
         events = self.options.events
         if events is None:
             return []
-        rests = self.watch.rests
+        intervals = self.watch.rests
         start = self._reported(float(self.progress.times[0]))
         if self.backward:
-            rests = reversed_times(rests.reshape(-1, 2)[:, ::-1].ravel())
+            intervals = reversed_times(intervals.reshape(-1, 2)[:, ::-1].ravel())
         recurring = {r.index for r in self.records if r.time != start}
         unused = [
             f"The motion starts exactly on the surface of the event `{events.names[k]}` and does "
@@ -611,11 +611,8 @@ class Integration(Workspace):
             for k in self.inactive_at_start
             if k not in recurring
         ]
-        return [
-            *self.departures_from_zero.values(),
-            *unused,
-            *events.zero_interval_warnings(rests, self.span),
-        ]
+        zero = events.zero_interval_warnings(intervals, self.span)
+        return [*self.departures_from_zero.values(), *unused, *zero]
 
     def _empty_log(self) -> None:
         events, count = self.options.events, self.progress.counts
@@ -655,16 +652,11 @@ class Integration(Workspace):
             jump = jump._replace(time=np.full(sensitivities.columns, np.nan))
         table = sensitivities.table(before).copy()
         after_columns = jump.after if acting else table
-        if (
-            acting
-            and events.resetting[event]
-            and (constraints := self.options.constraints) is not None
-        ):
+        constraints = self.options.constraints
+        if acting and events.resetting[event] and constraints is not None:
             # States that the reset omits follow from the constraints; so do their derivatives.
             augmented = np.concatenate([after[:n], after_columns.ravel()])
-            self._project(
-                augmented, constraints, Outcome.RESET_OFF_CONSTRAINTS, event=events.names[event]
-            )
+            self._project(augmented, constraints, Outcome.RESET_OFF_CONSTRAINTS, event=name)
             after_columns = sensitivities.table(augmented)
         return replace(
             record,
@@ -703,8 +695,8 @@ class Integration(Workspace):
 
     def _nearness(self) -> float:
         """Return how near the projected constraints came to losing rank."""
-        seen = self.projection_record
-        return float(seen[at.NEARNESS]) if seen.size and seen[at.RANK] else 1.0
+        record = self.projection_record
+        return float(record[at.NEARNESS]) if record.size and record[at.RANK] else 1.0
 
     def _extension(self) -> DenseOutput | None:
         rows = self.recorded_steps()

@@ -253,8 +253,8 @@ class _EventTasks(LaneTasks):
 
     def event_warnings(self, samples: np.ndarray) -> list[str]:
         """Return warnings of expressions that stayed at zero in some samples."""
-        span, rests = float(self._times[-1] - self._times[0]), self.watch.rests[samples]
-        rows = rests[~np.isnan(rests).all(axis=1)]
+        span, intervals = float(self._times[-1] - self._times[0]), self.watch.rests[samples]
+        rows = intervals[~np.isnan(intervals).all(axis=1)]
         return [w for row in rows for w in self._events.zero_interval_warnings(row, span)]
 
     def records(self) -> dict[int, list[EventRecord]]:
