@@ -216,7 +216,7 @@ def test_rows_are_compiled_and_every_motion_has_the_same_bits(monkeypatch):
     system, floor = ball(restitution=0.5)
     system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 1.5, 31)
     # None is interpreted node by node, as would take a hundred times as long.
-    monkeypatch.setattr("pydy.contact.rows.evaluator", None)
+    monkeypatch.setattr("pydy._program.nodes.Nodes.evaluator", None)
     contacts = Contacts(system, [floor])
     first, second = contacts.simulate(), contacts.simulate()
     assert len(second.impacts) > 3

@@ -1,4 +1,4 @@
-; sources 140504d60a10d1d0b1c9c0666123ed028c4c2cc234f9760ccbd2f029a2be3c41
+; sources a59840ff0170d4b96b24013d06ce3866487bcf1202f02cd26d390868c40d2d70
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }

@@ -1,4 +1,4 @@
-; sources 53f9befe4c2e206d7fca6d3a68da5f25dd67f9323f4ea06d1a19a4ca73c1a7f8
+; sources 0db34c960999123cb054f23c0ec7a9f41ecbd353e6bf0f8269acffa2c22a89f2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i64, i64, ptr, ptr, ptr, i64, ptr }

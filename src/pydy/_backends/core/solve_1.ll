@@ -1,4 +1,4 @@
-; sources 676c8c802bf03386491396197d7947ca4db7db1e73319fa0e0cf7b70143c6439
+; sources 2b1e850c9f2ebbca227ba0c7ad1b89bb61f536c969b9a4509a80943e7179b399
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i32 0, 2) i32 @pydy_lu_1(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,4 +1,4 @@
-; sources 2ff356453599e10b19d9e38c92ccb0d1b2bd4effd8c96daa3db7a8872ecb1326
+; sources 636c39defcc9b7b9fa7ffb761b71371b5e0eeff89fc2eb66190eadb1f7694fa5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i32 0, 4) i32 @pydy_lu_2(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,4 +1,4 @@
-; sources 3ee700de1e47a2837cce2d5a1acfc3679c3b3d886b432a1efefd60d29a1e798a
+; sources c6bcfac259aa8ba902ec255b054c8a456952f327abe7d4d3315d0fde6b347017
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @pydy_lu_4(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,4 +1,4 @@
-; sources a3ce23e22cc003fb14ce706602f8366da0a2da2715013b7f8c1741c692eb78bd
+; sources fab7e8697685d4b076e78d4107820b5926e413db149c582429e917795651d42f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

@@ -1,4 +1,4 @@
-; sources e8d7a1125c48361b7534912e1be4e681a87454e7c6a127e9a3c5b1dd757eba07
+; sources 6534ce7d3df6456615221344b30099460c48ea2a1ef103dcf71592ec8b302bc6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

@@ -1,4 +1,4 @@
-; sources d1eb5a3b33b7b2db626faf49fd64b1c09308dc4d6a94157dda2ef05dc778c421
+; sources c2634c5a52b8c116c03b6cfa7361d2f07ffb1836ec715406549322423576c5ef
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

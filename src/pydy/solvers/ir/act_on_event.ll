@@ -1,4 +1,4 @@
-; sources 52e24d0a64bfe9c77fcc0b145c568d1c6d460e1c0849380e78110ac7185ce0e0
+; sources 47845086b17559891b8cf48c073927c65f4b7ca2618131b3b49f4586a9fd2df2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

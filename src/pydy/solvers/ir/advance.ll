@@ -1,4 +1,4 @@
-; sources 7ae0da0320b5c3ab1ad41982eec715225e653504862c66be4042ca161c8e0908
+; sources 0e977a06900074881d8dc6d4fcab700b33acf950da9561c58ed7ab401d61a252
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

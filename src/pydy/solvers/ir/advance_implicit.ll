@@ -1,4 +1,4 @@
-; sources 2a75c6bf7e2ba671899f280f8c2e180cc97a93fe3073aa86d740131463e1ab42
+; sources d5a70117e7fe1afde34370b1ce724f62c1e1b54df6267387858239cc04d889d3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

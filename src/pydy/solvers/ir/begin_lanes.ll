@@ -1,4 +1,4 @@
-; sources a6261e1dc0aff9f64267d131d901f1849fcb41c69c973932f944db4c4f88a33f
+; sources d4bd7cef41ab7d265842b867ddb67d5f6e809f49665bcc93ca4b8f4865cf51cb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {

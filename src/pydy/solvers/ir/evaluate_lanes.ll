@@ -1,4 +1,4 @@
-; sources 2cf07504e117695eaf5ac46d7d334131d8c064d452ca0fabbb69e4835c92449f
+; sources 9c720133c522ddf2589cbfe18cfb523f203422cc91f17e8d8820b4dc1a16f368
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

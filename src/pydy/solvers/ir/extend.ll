@@ -1,4 +1,4 @@
-; sources 5e105657334fd0ac47bb4368f3c82ff998e879d6965947badd236bc192c17f47
+; sources 685d979da0e21e3bb613cb2d45f4c9cddca4e1250a2a322d58a58845e0e3959c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

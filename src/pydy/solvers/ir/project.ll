@@ -1,4 +1,4 @@
-; sources f44fb215af28e93bb8798b60c314388ba5235b282c2db7a4aea4285e63c55543
+; sources a43ffb530cc36d5b5253e4527b3d0ad7b12a1d45135fb0e31ed428aa045fd0d2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 2b8740b3e9120e23368950d8068209ee2d7d3905ab9b0d0d60107cb61ae5472c
+; sources 105b5bb5bb208e510f67dceef51953aa57781bd02444bd9852b67d07d4bc51b0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources a76e3966ccda035685da7b36f7da6a5236475a93f622a73c259a19b37d30f095
+; sources 285414951fd54a14565feb3257211bf01ed6ee50df47e07ad4af89ed4de0a7a1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 4af0653bed2da9dd7b521375e55cb23e899135e9cd0c7e80d99203eb89793ae5
+; sources ecc177356f6c307dd6763c0c049672488daabb808f0d18079ca128e7ac95dd4a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @reflect(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef %4) #0 {

@@ -1,4 +1,4 @@
-; sources a067cb92c058948768b76392a70ce0dab0208a52af167698ce5ca18e9c5c1f88
+; sources acfb8f5541502ce60444a9d0b03b4cba4b65ffb4e2a10753ffa2f6c792d24c4a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

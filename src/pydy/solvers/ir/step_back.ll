@@ -1,4 +1,4 @@
-; sources 6d9c87488e0d9a7765406e4bffdaacb5cc930ba0d718da1c7c5ad241482dc289
+; sources cf7476f3c9c4d1c811098c6950ee1a7239d54a4177569de40b6b6a2f9c618c6e
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

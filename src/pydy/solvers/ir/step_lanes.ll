@@ -1,4 +1,4 @@
-; sources dd6bb3006253044653a9fed52c97ba58ded319049a6e87aea21dc575675221f8
+; sources 023b809c6f5bb705644103a72ba9048a69fda06e4d929fd0324e450e1c722e13
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 5714800e893927a84382f565ae743b481f4d1ebb6ac99b6413919a6344d6b213
+; sources 1650223309c6a31c138bc4c281c8fc3a41305ff6d5f9775efe6571f6399f93e4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
