@@ -219,6 +219,9 @@ def files() -> dict[str, bytes]:
     for path in sources():
         found[f"lib/{path.relative_to(SOURCE).as_posix()}"] = path.read_bytes()
     found["lib/session.py"] = (PARTS / "session.py").read_bytes()
+    for file in files_of("lazy_loader") or ():  # which the wheel lacks
+        if file.name.startswith(("__init__.py", "LICENSE")) and file.suffix != ".pyc":
+            found[f"lib/lazy_loader/{file.name}"] = Path(file.locate()).read_bytes()
     return found
 
 

@@ -9,18 +9,8 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._checks import (
-    choice,
-    flag,
-    listed,
-    number,
-    path_of,
-    real_array,
-    shown,
-    text,
-    vector,
-    whole,
-)
+from pydy._checks import choice, flag, listed, number, real_array, shown, text, vector, whole
+from pydy._files import path_of
 from pydy.models import multi_mass_spring_damper
 
 MASKED = np.ma.array([1.0, 2.0], mask=[False, True])

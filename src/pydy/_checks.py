@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 from collections import UserDict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, wraps
 from math import isfinite
 from operator import itemgetter
-from os import PathLike
-from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -147,20 +143,6 @@ def number(value: Any, what: str, *, finite: bool = False) -> float:
     if finite and not np.isfinite(result):
         raise ValueError(f"{what} must be finite, got {result!r}.")
     return result
-
-
-def limits(value: Any, what: str) -> tuple[float, float]:
-    """Return the lowest and the highest value of a pair, in which None is no limit."""
-    pair = value
-    if isinstance(value, (tuple, list)) and len(value) == 2:
-        sides = zip(value, (-np.inf, np.inf), strict=True)
-        pair = [end if side is None else side for side, end in sides]
-    numbers = real_array(pair, what)
-    if numbers.shape != (2,) or not numbers[0] < numbers[1]:
-        raise ValueError(
-            f"{what} must be a pair of the lowest and the highest value, got {shown(value)}."
-        )
-    return float(numbers[0]), float(numbers[1])
 
 
 def real_array(value: Any, what: str) -> np.ndarray:
@@ -369,76 +351,12 @@ def instance(value: Any, kind: type, what: str, called: str = "") -> None:
         raise TypeError(f"{what} must be {called or f'a {kind.__name__}'}, got {got}.")
 
 
-# A table of options gives each name its check.
-Check = Callable[[Any, str], Any]
-
-
-def checked(table: Mapping[str, Check], given: Mapping[str, Any]) -> dict[str, Any]:
-    """Apply each option's check; leave options without a check as they are."""
-    return {
-        name: table[name](value, f"`{name}`") if name in table else value
-        for name, value in given.items()
-    }
-
-
-def one_of(*options: Any) -> Check:
-    """Return a check for `choice` among these options."""
-    return lambda value, what: choice(value, options, what)
-
-
-def optional(check: Check) -> Check:
-    """Return a check that lets None pass."""
-    return lambda value, what: None if value is None else check(value, what)
-
-
 def positive(value: Any, what: str, *, zero: bool = False, finite: bool = False) -> float:
     """Return a positive number, or zero where that is allowed, or raise an error."""
     result = number(value, what, finite=finite)
     if not (result > 0.0 or (zero and result == 0.0)):
         raise ValueError(f"{what} must be {'zero or ' * zero}positive, got {result!r}.")
     return result
-
-
-def path_of(value: Any, what: str) -> Path:
-    """Return a path, or raise an error that shows the value."""
-    if not isinstance(value, (str, PathLike)) or "\0" in os.fsdecode(value):
-        raise TypeError(f"{what} must be a path, got {shown(value)}.")
-    try:
-        os.fsencode(value)
-    except UnicodeEncodeError:
-        raise ValueError(
-            f"{what} has a character that no file's name can have, got {value!a}."
-        ) from None
-    if "://" in os.fsdecode(value):
-        raise ValueError(
-            f"{what} must be a path on this computer, got the URL {value!r}. Copy what is there to "
-            "a file or folder, or a file or folder there afterwards."
-        )
-    path = Path(os.fsdecode(value))
-    if not path.is_absolute():
-        try:
-            os.getcwd()
-        except FileNotFoundError:
-            raise FileNotFoundError(
-                f"{what} is {str(path)!r}, relative to the current folder, but that was removed. "
-                "Give an absolute path, or go to another folder with `os.chdir`."
-            ) from None
-    return path
-
-
-def file_of(value: Any, what: str) -> Path:
-    """Return the path of a file to be written; its folder must exist."""
-    path = path_of(value, what)
-    with contextlib.suppress(FileNotFoundError, NotADirectoryError):
-        path.lstat()  # a name that is too long is told before any work is done
-    if not path.parent.is_dir():
-        raise FileNotFoundError(
-            f"{what} is {str(path)!r}, but there is no folder {str(path.parent)!r}: make it first, "
-            "with `Path(...).mkdir(parents=True)`, or choose another."
-        )
-    if path.is_dir():
-        raise IsADirectoryError(f"{what} must be a file, got the folder {str(path)!r}: add a name.")
-    return path
 
 
 class Keyed(UserDict[Any, Any]):

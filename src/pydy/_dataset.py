@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import file_of, shown
-from pydy._files import replacing
+from pydy._checks import shown
+from pydy._files import file_of, replacing
 
 # Kinds of quantities, in the order of their names.
 STATES = ("coordinate", "speed", "auxiliary")

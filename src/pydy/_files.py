@@ -8,8 +8,11 @@ import secrets
 import shutil
 import stat
 from collections.abc import Iterator
+from os import PathLike
 from pathlib import Path
 from typing import Any
+
+from pydy._checks import shown
 
 
 @contextlib.contextmanager
@@ -88,3 +91,45 @@ def _is_special(path: Path) -> bool:
         return not stat.S_ISREG(path.stat().st_mode)
     except OSError:
         return False
+
+
+def path_of(value: Any, what: str) -> Path:
+    """Return a path, or raise an error that shows the value."""
+    if not isinstance(value, (str, PathLike)) or "\0" in os.fsdecode(value):
+        raise TypeError(f"{what} must be a path, got {shown(value)}.")
+    try:
+        os.fsencode(value)
+    except UnicodeEncodeError:
+        raise ValueError(
+            f"{what} has a character that no file's name can have, got {value!a}."
+        ) from None
+    if "://" in os.fsdecode(value):
+        raise ValueError(
+            f"{what} must be a path on this computer, got the URL {value!r}. Copy what is there to "
+            "a file or folder, or a file or folder there afterwards."
+        )
+    path = Path(os.fsdecode(value))
+    if not path.is_absolute():
+        try:
+            os.getcwd()
+        except FileNotFoundError:
+            raise FileNotFoundError(
+                f"{what} is {str(path)!r}, relative to the current folder, but that was removed. "
+                "Give an absolute path, or go to another folder with `os.chdir`."
+            ) from None
+    return path
+
+
+def file_of(value: Any, what: str) -> Path:
+    """Return the path of a file to be written; its folder must exist."""
+    path = path_of(value, what)
+    with contextlib.suppress(FileNotFoundError, NotADirectoryError):
+        path.lstat()  # a name that is too long is told before any work is done
+    if not path.parent.is_dir():
+        raise FileNotFoundError(
+            f"{what} is {str(path)!r}, but there is no folder {str(path.parent)!r}: make it first, "
+            "with `Path(...).mkdir(parents=True)`, or choose another."
+        )
+    if path.is_dir():
+        raise IsADirectoryError(f"{what} must be a file, got the folder {str(path)!r}: add a name.")
+    return path

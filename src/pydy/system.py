@@ -22,7 +22,6 @@ from pydy._checks import (
     Keyed,
     check_mapping,
     choice,
-    file_of,
     flag,
     instance,
     listed,
@@ -60,6 +59,7 @@ from pydy._evaluation import (
     summary,
     variables,
 )
+from pydy._files import file_of
 from pydy._html import html_table
 from pydy._integration import SensitivityRequest, integrate_states, simulate
 from pydy._judges import warn_of_jumps, warn_of_missing_derivatives, warn_of_outputs

@@ -1,7 +1,7 @@
 """The expression graph: built once from SymPy, then simplified, differentiated and lowered.
 
-The stub beside this file lists what other rooms take. Nothing is imported before it is used, so
-that a worker process which only runs compiled code never loads SymPy.
+The stub beside this file is the door: it lists what other rooms take. Nothing is imported before it
+is used, so that a worker process which only runs compiled code never loads SymPy.
 """
 
 import lazy_loader

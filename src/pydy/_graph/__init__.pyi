@@ -6,7 +6,6 @@ from .columns import (
 )
 from .derivative import (
     DerivativeRows as DerivativeRows,
-    Row as Row,
     directional as directional,
     hessian as hessian,
     jacobian as jacobian,

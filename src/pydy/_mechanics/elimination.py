@@ -18,7 +18,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
-from pydy._graph import Graph, Row, signatures, substitute
+from pydy._graph import Graph, signatures, substitute
 from pydy._mechanics.components import dot, transposed
 from pydy._mechanics.inertia import Inertia, Load
 from pydy._mechanics.kinematics import Kinematics
@@ -35,8 +35,8 @@ from pydy._rank import ROUNDING
 class _PassedGroup:
     """An eliminated group of anchors: the rows of the form, and those of the whole step."""
 
-    rows: dict[int, Row]
-    whole_rows: dict[int, Row]
+    rows: dict[int, dict[int, int]]
+    whole_rows: dict[int, dict[int, int]]
 
 
 @dataclass(frozen=True)
@@ -194,7 +194,9 @@ class _Push:
         self.waiting = Counter(c for group in self.order for k in group for c in self.step_rows[k])
         self.order = merged_rotations(graph, self.order, self.step_rows)
 
-    def _products(self, inertia: Inertia, rows: list[Row]) -> Iterator[tuple[int, int, int, float]]:
+    def _products(
+        self, inertia: Inertia, rows: list[dict[int, int]]
+    ) -> Iterator[tuple[int, int, int, float]]:
         """Yield the entries of an inertia at the anchors."""
         graph, matrix = self.graph, inertia.matrix
         for i in range(len(rows)):
@@ -209,7 +211,7 @@ class _Push:
                         elif a >= b:
                             yield a, b, graph.mul(x, y, matrix[i][j]), 1.0
 
-    def _weigh(self, inertia: Inertia, rows: list[Row]) -> None:
+    def _weigh(self, inertia: Inertia, rows: list[dict[int, int]]) -> None:
         """Record the inertia of each velocity vector with its anchors."""
         for start in range(0, len(rows), 3):
             components = range(start, start + 3)
@@ -265,7 +267,9 @@ class _Push:
                 self.waiting[c] -= 1
         return _PassedGroup(rows, whole_rows)
 
-    def _reduce(self, c: int, columns: list[int], rows: list[Row], block: list[list[int]]) -> None:
+    def _reduce(
+        self, c: int, columns: list[int], rows: list[dict[int, int]], block: list[list[int]]
+    ) -> None:
         """Add the column c, up to the diagonal, of Rᵀ K R."""
         zero = self.graph.zero
         slope = [row.get(c, zero) for row in rows]
@@ -353,7 +357,7 @@ def _key(a: int, b: int) -> tuple[int, int]:
 
 
 def _needed(
-    order: Sequence[list[int]], rows: Mapping[int, Row], wanted_anchors: set[int]
+    order: Sequence[list[int]], rows: Mapping[int, dict[int, int]], wanted_anchors: set[int]
 ) -> list[list[int]]:
     """Return the wanted anchors of each group and the ones they depend on, outer groups first."""
     selected = []

@@ -17,7 +17,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from pydy._graph import DerivativeRows, Graph, Row, signatures
+from pydy._graph import DerivativeRows, Graph, signatures
 from pydy._mechanics.components import axis_rotation, flat, product, transposed
 from pydy._mechanics.tuning import SAME_DIRECTION
 
@@ -34,7 +34,7 @@ class IntermediateFrames:
     """Anchors in the frames between the plane rotations that lead from one frame to another."""
 
     # DerivativeRows of the anchors in the second frame, by the anchors before the last rotation.
-    rows: dict[int, Row] = field(default_factory=dict)
+    rows: dict[int, dict[int, int]] = field(default_factory=dict)
     # By pairs of frames: the number of the first group transferred, and the groups between.
     stages: dict[tuple[Any, Any], tuple[int, list[Groups]]] = field(default_factory=dict)
 
@@ -74,7 +74,7 @@ class IntermediateFrames:
         return arranged
 
     def paying(
-        self, graph: Graph, order: Sequence[list[int]], anchor_rows: Mapping[int, Row]
+        self, graph: Graph, order: Sequence[list[int]], anchor_rows: Mapping[int, dict[int, int]]
     ) -> set[int]:
         """Return the anchors whose form costs less in plane rotations: with three components.
 
@@ -208,7 +208,7 @@ class PlaneRotation:
 
 
 def plane_rotation_of(
-    graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]
+    graph: Graph, rows: Mapping[int, dict[int, int]], pair: Sequence[int]
 ) -> PlaneRotation | None:
     """Return the plane rotation that maps two anchors to two others, or None."""
     if len(pair) != 2:
@@ -249,7 +249,7 @@ def _by_numbers(graph: Graph, row: dict[int, int]) -> _Parts | None:
 
 
 def merged_rotations(
-    graph: Graph, order: Sequence[list[int]], rows: Mapping[int, Row]
+    graph: Graph, order: Sequence[list[int]], rows: Mapping[int, dict[int, int]]
 ) -> list[list[int]]:
     """Merge pairs with the same rotation: the two velocities of a body."""
     groups: list[list[int]] = []

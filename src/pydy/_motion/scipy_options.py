@@ -8,17 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import (
-    Check,
-    checked,
-    flag,
-    optional,
-    positive,
-    real_array,
-    shown,
-    tolerance,
-    whole,
-)
+from pydy._checks import flag, positive, real_array, shown, tolerance, whole
+from pydy._option_checks import Check, checked, optional
 
 _FOR_ODEINT = {"max_step": "hmax", "first_step": "h0", "min_step": "hmin"}
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly import Definition
-from pydy._checks import check_mapping, describe, limits, listed, number, refuse_twice
+from pydy._checks import check_mapping, describe, listed, number, refuse_twice
 from pydy._errors import EquilibriumError, warn_user
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import some, unique_names
@@ -17,6 +17,7 @@ from pydy._problem import Problem
 from pydy._program import run
 from pydy._rank import or_one
 from pydy._states import GROUPS, ForcesWithoutConstraints, Point, located
+from pydy.analysis.bounds import limits
 from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, left_ahead, solve_equilibrium
 from pydy.codegen import SpecifiedsPlan
 

@@ -14,8 +14,8 @@ from uuid import uuid4
 
 import numpy as np
 
-from pydy._checks import path_of
 from pydy._errors import EnsembleInterrupted, note_finished
+from pydy._files import path_of
 from pydy._forks import cached_property
 from pydy._optional import progress_of, require
 from pydy._processes import LOOK

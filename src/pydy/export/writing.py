@@ -10,9 +10,10 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from pydy._backends import Dialect, Template, Writer, stages
-from pydy._checks import Check, checked, file_of, flag, instance, one_of
-from pydy._files import write_files
+from pydy._checks import flag, instance
+from pydy._files import file_of, write_files
 from pydy._names import nearest
+from pydy._option_checks import Check, checked, one_of
 from pydy._program import (
     OPERATIONS,
     Operation,

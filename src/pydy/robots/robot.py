@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from pydy._checks import check_mapping, choice, flag, path_of, positive
+from pydy._checks import check_mapping, choice, flag, positive
 from pydy._errors import RobotFileError
+from pydy._files import path_of
 from pydy._names import few
 from pydy.mechanics import Definition
 from pydy.robots.assemble import Assembly, JointSymbols, Place, TendonSymbols

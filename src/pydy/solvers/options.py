@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
-from pydy._checks import Check, checked, flag, number, optional, positive, shown, tolerance
+from pydy._checks import flag, number, positive, shown, tolerance
 from pydy._names import nearest
+from pydy._option_checks import Check, checked, optional
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
 from pydy.solvers.sensitivities import CompiledSensitivities

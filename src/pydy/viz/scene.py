@@ -12,19 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import (
-    Keyed,
-    choice,
-    file_of,
-    flag,
-    instance,
-    listed,
-    number,
-    shown,
-    text,
-    vector,
-)
-from pydy._files import write_files
+from pydy._checks import Keyed, choice, flag, instance, listed, number, shown, text, vector
+from pydy._files import file_of, write_files
 from pydy._interpolation import evenly
 from pydy._names import nearest
 from pydy._rank import ROUNDED

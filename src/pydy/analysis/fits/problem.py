@@ -16,7 +16,6 @@ from pydy._checks import (
     Places,
     check_mapping,
     describe,
-    limits,
     merged,
     one_or_more,
     real_array,
@@ -26,6 +25,7 @@ from pydy._checks import (
 from pydy._names import unique_names
 from pydy._problem import Problem
 from pydy._states import located, with_dependents
+from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import Samples, checked_trial
 
 Numbers = dict[Any, Any]

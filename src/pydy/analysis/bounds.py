@@ -1,0 +1,23 @@
+"""Bounds of unknowns: a pair of the lowest and the highest value."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import real_array, shown
+
+
+def limits(value: Any, what: str) -> tuple[float, float]:
+    """Return the lowest and the highest value of a pair, in which None is no limit."""
+    pair = value
+    if isinstance(value, (tuple, list)) and len(value) == 2:
+        sides = zip(value, (-np.inf, np.inf), strict=True)
+        pair = [end if side is None else side for side, end in sides]
+    numbers = real_array(pair, what)
+    if numbers.shape != (2,) or not numbers[0] < numbers[1]:
+        raise ValueError(
+            f"{what} must be a pair of the lowest and the highest value, got {shown(value)}."
+        )
+    return float(numbers[0]), float(numbers[1])
