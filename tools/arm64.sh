@@ -46,7 +46,7 @@ if ! [ -x "$python" ]; then
         --only-binary=:all: --implementation cp --python-version "${version#python}" \
         --platform manylinux_2_28_aarch64 --platform manylinux_2_27_aarch64 \
         --platform manylinux_2_17_aarch64 --platform manylinux2014_aarch64 \
-        llvmlite numpy scipy sympy mpmath platformdirs pytest hypothesis
+        lazy_loader llvmlite numpy scipy sympy mpmath platformdirs pytest hypothesis
     # A child process of the emulated Python finds its way through this file again.
     cat >"$python" <<END
 #!/bin/sh
