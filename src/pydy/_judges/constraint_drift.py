@@ -42,9 +42,8 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     held = satisfied_to_rounding(at)[0]
     if not held:
         _check_constant(at)
-    look: Callable[..., Any] = (
-        violates_constraints if mended else violations
-    )  # nothing is told of it
+    # What is brought back onto the constraints is not reported: its rows need no names.
+    look: Callable[..., Any] = violates_constraints if mended else violations
     told = not held and look(at, redundant=False)
     equations = at.definition.equations
     unimplied = () if told else equations.constraints.unenforced_holonomic

@@ -27,7 +27,8 @@ import numpy as np
 from pydy._graph import Graph, elimination_order, rounding_bounds, substitute
 from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
-from pydy._program import SINGULAR, constraint_mark
+from pydy._program import constraint_mark
+from pydy._rank import ROUNDING
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STATES = (0.37, 0.74, 1.13)  # seeds of the generic states at which rows are measured
@@ -119,7 +120,7 @@ class AccelerationConstraints:
             maximum = g.zero
             bounds = rounding_bounds(g, values) if rounded else [g.zero] * len(values)
             for value, bound, (size, nothing) in zip(values, bounds, sizes, strict=True):
-                total = g.sum([(g.call("abs", value), 1.0), (bound, SINGULAR)])
+                total = g.sum([(g.call("abs", value), 1.0), (bound, ROUNDING)])
                 share = g.call("select", nothing, g.zero, g.div(total, size))
                 maximum = g.call("max", maximum, share)
             return maximum
@@ -175,7 +176,7 @@ def _roundings(
             if graph.zero not in (x, weight)
         ]
         size = graph.call("sqrt", graph.sum(heavy or [(x, 1.0) for x in squares]))
-        units.append(graph.sum([(size, SINGULAR)]))
+        units.append(graph.sum([(size, ROUNDING)]))
     return units
 
 

@@ -26,7 +26,9 @@ from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 _STEPS = 50
 _NEAR = 0.03  # deviation of first guesses from a configuration, relative to its largest number
 
-AROUND = 60  # further samples if rows seem redundant: one in six closes a three-stage lift
+# Further samples if rows seem redundant, a count: one in six closes a three-stage lift, so that all
+# of them miss it with a probability of (5/6)**60 = 2e-5.
+AROUND = 60
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 
 _STATE = ("time of the state", "state", "specifieds at the state")

@@ -566,8 +566,7 @@ def _warned_of(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> 
     """
     if plan.inputs.constant or not definition.lower_derivatives:
         return plan
-    places = [part[0] for part in plan.inputs.sampled] + [part[0] for part in plan.inputs.functions]
-    moving = {plan.symbols[k] for columns in places for k in columns.tolist()}
+    moving = {plan.symbols[k] for k in plan.inputs.changing}
     for rate, lower in definition.lower_derivatives.items():
         function = next((s for s in reversed(lower) if s in plan.given), None)
         if rate not in plan.given and function in moving and rate not in told:

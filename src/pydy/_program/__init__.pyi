@@ -11,4 +11,4 @@ from .operations import (
 from .program import Program as Program, Tape as Tape
 from .switch_times import SwitchTimes as SwitchTimes
 from .tangent import Part as Part, Tangent as Tangent, program_from_bytes as program_from_bytes
-from .tuning import SINGULAR as SINGULAR, numbered as numbered
+from .tuning import numbered as numbered

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 
+from pydy._rank import ROUNDING
+
 # A matrix of n rows is singular where a pivot is not above n times this of its scale: what
 # rounding leaves of a pivot that is zero (Higham, Accuracy and Stability, 2nd ed., §9.3). Every
 # solve uses it.
-SINGULAR = 2.0**-52
+SINGULAR = ROUNDING
 
 # Marks on the diagonal of constraints in a system of `pydy._program.interpret.constrained`. No
 # user's matrix has such an entry, and both are exact in single precision.

@@ -262,10 +262,9 @@ class Task:
             for k, s in enumerate(least_sizes(options, width).tolist())
         ]
         sized += [one.sized._replace(columns=1) for one in (*self._plain, *self.sampled)]
-        own = self.sensitive
-        parts = ParameterSize.scales(
-            sized, whole, own.plan.inputs.values, own.p, len(sized)
-        ) * generic(len(sized))
+        own, r = self.sensitive, self.sensitive.plan.inputs.values
+        sizes = ParameterSize.scales(sized, whole, r, own.p, len(sized))
+        parts = sizes * generic(len(sized))
         column, weights = parts[:width], parts[width:]
         column[own.columns.states :] = 0.0  # integrals begin at zero
         every = with_all(model, own.definition)

@@ -8,7 +8,7 @@ that sticks, `Stick`. `Roll` and `Clearance` make these of a geometry.
 
 import lazy_loader
 
-__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "Clearance",
     "CompliantContact",
@@ -24,3 +24,5 @@ __all__ = [
     "rolling_resistance",
     "stribeck",
 ]
+
+__dir__ = __all__.copy  # the stub lists what other rooms take, too

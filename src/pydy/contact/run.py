@@ -457,9 +457,8 @@ class Run:
         options["continuation"] = EventContinuation(
             None if later_part else frozenset(range(len(kinds)))
         )
-        if (
-            held or now.definition.equations.constraints.velocity
-        ):  # each part would begin with the drift so far
+        # Each part would begin with the drift so far.
+        if held or now.definition.equations.constraints.velocity:
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)
         if self.carried is not None:

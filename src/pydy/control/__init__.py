@@ -5,10 +5,12 @@
 
 import lazy_loader
 
-__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "OptimalControl",
     "OptimalTrajectory",
     "PhasedTrajectory",
     "Phases",
 ]
+
+__dir__ = __all__.copy  # the stub lists what other rooms take, too

@@ -7,4 +7,7 @@ these alone, without SymPy.
 
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
+__all__: list[str] = []
+
+__dir__ = __all__.copy  # the stub lists what other rooms take

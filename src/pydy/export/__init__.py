@@ -5,7 +5,7 @@ Users call `System.export`; `write` takes a `Model`, which contains Programs and
 
 import lazy_loader
 
-__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "EventData",
     "Exported",
@@ -13,3 +13,5 @@ __all__ = [
     "Variable",
     "write",
 ]
+
+__dir__ = __all__.copy  # the stub lists what other rooms take, too

@@ -2,7 +2,7 @@
 
 import lazy_loader
 
-__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "JointSymbols",
     "Place",
@@ -10,3 +10,5 @@ __all__ = [
     "TendonSymbols",
     "read",
 ]
+
+__dir__ = __all__.copy  # the stub lists what other rooms take, too

@@ -14,7 +14,7 @@ Their loops are compiled for the processor when one of them first runs.
 
 import lazy_loader
 
-__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "Event",
     "Prepared",
@@ -28,3 +28,5 @@ __all__ = [
     "tsit5",
     "vern9",
 ]
+
+__dir__ = __all__.copy  # the stub lists what other rooms take, too

@@ -9,7 +9,7 @@ A `Scene` takes trajectories and expressions; ``system.scene(...)`` is the short
 
 import lazy_loader
 
-__getattr__, __dir__, _ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "Arrow",
     "Bar",
@@ -42,3 +42,5 @@ __all__ = [
     "Visual",
     "VisualizationFrame",
 ]
+
+__dir__ = __all__.copy  # the stub lists what other rooms take, too
