@@ -7,8 +7,6 @@ from pydy.examples import bicycle_ride
 from pydy.examples.whipple_bicycle import BENCHMARK
 from waiting import until
 
-MOST = 4.0  # milliseconds of script for each frame
-
 
 @pytest.fixture(scope="module")
 def ride():
@@ -74,19 +72,17 @@ def test_scrubbing_and_playing_agree(path, open_page):
     assert np.array(page.evaluate("pydy.positions()")) == pytest.approx(np.array(played[1]))
 
 
-def test_a_frame_costs_little_script(path, open_page):
-    # A small view: here the processor also does the work of the graphics card, at the same time.
-    page = open_page(path, 320, 260)
-    page.wait_for_timeout(1500)
-    found = []
-    for _ in range(5):  # whatever else the processor has to do only adds to it
-        page.evaluate("pydy.forgetCosts()")
-        until(page, "pydy.costs().frames >= 30")
-        found.append(page.evaluate("pydy.costs()"))
-        if found[-1]["all"] < MOST:
-            break
-    assert min(costs["all"] for costs in found) < MOST, found
-    assert found[-1]["calls"] < 200
+def test_a_frame_takes_few_commands_of_the_graphics_card(path, open_page):
+    # What they take is a matter of the machine, and `make bench-pages` says it.
+    page = open_page(path)
+    until(page, "pydy.costs().frames >= 3")
+    assert 0 < page.evaluate("pydy.costs().calls") <= 100
+    page.evaluate("pydy.pause()")
+    until(page, "!pydy.playing")
+    page.wait_for_timeout(300)
+    frames = page.evaluate("pydy.costs().frames")
+    page.wait_for_timeout(300)
+    assert page.evaluate("pydy.costs().frames") == frames  # nothing is drawn where nothing moves
 
 
 def test_the_bicycle_in_the_dark_on_a_phone(path, open_page, screenshot):
