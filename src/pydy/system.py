@@ -82,12 +82,14 @@ from pydy._problem import (
     EnergyModel,
     Model,
     Problem,
+    Settings,
     SymbolSet,
     base_symbols,
     check_forces,
     check_potential,
     check_times,
     checked_plan,
+    evaluate_specifieds,
     read_numbers,
 )
 from pydy._states import check_dependents, default_dependents, given_values, solve_dependents
@@ -331,19 +333,18 @@ class System:
         if further:
             definition = self._define.widened(definition, further)
         made = self._compiled(definition)
-        user = {
-            "constants": {**self._implied, **self._constants},
-            "specifieds": dict(self._specifieds),
-            "initial_conditions": dict(self._initial_conditions),
-        }
-        solved = None if self._dependent is None else tuple(self._dependent)
+        settings = Settings(
+            {**self._implied, **self._constants},
+            dict(self._specifieds),
+            dict(self._initial_conditions),
+            self._times,
+            self._contradicted,
+            None if self._dependent is None else tuple(self._dependent),
+        )
         return Problem(
             made.definition,
             Model(made.definition, made.code, self._energies, self._told),
-            user,
-            self._times,
-            self._contradicted,
-            solved,
+            settings,
             contacts,
         )
 
@@ -2757,7 +2758,7 @@ class System:
         problem = self._now()
         kinds = problem.definition.symbols_by_kind
         symbols = {k: v for k, v in kinds.items() if k not in ("output", "constraint", "force")}
-        along = problem.specifieds(times, states)
+        along = evaluate_specifieds(problem, times, states)
         return Trajectory(times, states, symbols, specifieds=along, constants=problem.constants)
 
     def _live_system(self, *, events: Any = None, **options: Any) -> LiveSystem:

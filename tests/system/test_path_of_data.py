@@ -139,12 +139,12 @@ def construct():
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
     [
-        (construct, 655, 51),
-        (integrate, 30, 13),
-        (simulate, 104, 27),
-        (with_contacts, 143, 34),
-        (ensemble, 97, 27),
-        (stiff_ensemble, 102, 27),
+        (construct, 659, 57),
+        (integrate, 32, 16),
+        (simulate, 110, 32),
+        (with_contacts, 149, 39),
+        (ensemble, 97, 28),
+        (stiff_ensemble, 102, 28),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

@@ -28,7 +28,7 @@ from pydy._mechanics import (
     checked_vector,
 )
 from pydy._names import item_of_name, name_of
-from pydy._problem import At, Problem
+from pydy._problem import Problem, StateSamples
 from pydy._program import Program
 
 
@@ -187,7 +187,9 @@ class Quantity(NamedTuple):
         return derivative_program(g, nodes, by, "jacobian", sizes)
 
 
-def _warn_of_rest(at: At, program: Program, left: tuple[Iterable[int], Iterable[int]]) -> None:
+def _warn_of_rest(
+    at: StateSamples, program: Program, left: tuple[Iterable[int], Iterable[int]]
+) -> None:
     """Warn where states that a user gave in part, and the Program reads, break the constraints."""
     read = {args[1] for op, args in zip(program.ops, program.args, strict=True)
             if op == "input" and args[0] == "x"}  # fmt: skip
@@ -339,7 +341,7 @@ def evaluate(
     def kernel(model: CompiledModel) -> Kernel:
         return model.compiled_by(key, lambda: made.program(definition, model, by, silent))
 
-    def look(state: At) -> None:
+    def look(state: StateSamples) -> None:
         _warn_of_rest(state, kernel(state.model).program, left)
 
     f = Function(

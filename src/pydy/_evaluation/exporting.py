@@ -38,8 +38,8 @@ if TYPE_CHECKING:
 
 def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
     """Return the positions in x of the states that constraints determine, or all if unknown."""
-    equations, count = problem.definition.equations, problem.coordinate_count
-    places, solved = problem.dependent, problem.solved_for
+    equations, count = problem.definition.equations, len(problem.definition.equations.coordinates)
+    places, solved = problem.dependent, problem.settings.solved_for
     q, u = [k for k in places if k < count], [k for k in places if k >= count]
     if solved is None and len(q) < len(equations.constraints.holonomic):
         q = list(range(count))
@@ -177,7 +177,7 @@ def exported_model(
     from pydy.export import EventData, Model, Variable, identifiers
 
     warn_of_missing_derivatives(problem)
-    definition, times = problem.definition, problem.times
+    definition, times = problem.definition, problem.settings.times
     start = float(times[0]) if len(times) else 0.0
     places = _input_places(definition, problem.plan, inputs)
     held = choice(constraints, (None, "project"), "`constraints`") and _held(problem)

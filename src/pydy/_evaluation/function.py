@@ -13,17 +13,26 @@ from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
 from pydy._judges import explain, warn_not_finite
 from pydy._kernel import Kernel
-from pydy._problem import TOGETHER, At, Problem, samples
+from pydy._problem import (
+    TOGETHER,
+    AssumptionChecks,
+    CallArguments,
+    Problem,
+    StateSamples,
+    read_samples,
+    with_unknowns,
+)
 from pydy._program import Program
+from pydy.codegen import SpecifiedsPlan
 
 
-def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
+def _beside(at: StateSamples, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
     """Evaluate a Kernel with further inputs after r."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
     out = np.empty((m, len(kernel.program.outputs)))
     for first in range(0, m, TOGETHER):
         rows = slice(first, first + TOGETHER)
-        some = at.some(rows)
+        some = at.subset(rows)
         r = np.empty((len(some.x), width))
         r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors
         out[rows] = replace(some, r=r).evaluate(kernel)
@@ -54,7 +63,7 @@ class Function:
     by: Sequence[tuple[str, int]] = ()  # the inputs that it differentiates by
     vectors: np.ndarray | None = None  # further inputs after r
     more: int = 0  # further columns of x, after the states
-    look: Callable[[At], None] | None = None  # at the states first
+    look: Callable[[StateSamples], None] | None = None  # at the states first
     solve: bool = False  # whether implicit coordinates are solved for, although x is given
     # Whether the user's functions of specifieds are called only where the Kernel reads specifieds.
     skips_unread_inputs: bool = False
@@ -64,12 +73,14 @@ class Function:
         problem = self.problem
         code, definition = problem.model.code, problem.definition
         n = len(definition.states)
-        wide, instants, single = samples(
-            problem.x_with(x), t, lambda: problem.x, problem.times, n + self.more
+        arguments = CallArguments(problem)
+        wide, instants, single = read_samples(
+            arguments.states(x), t, lambda: problem.x, problem.settings.times, n + self.more
         )
         states = wide[:, :n]
+        plan: SpecifiedsPlan | None = None
         if r is None or callable(r) or isinstance(r, Mapping):
-            plan = problem.plan_with(r)
+            plan = arguments.plan(r)
             plan.check_times(instants, "times" if t is None else "t")
             numbers: np.ndarray | None = None
             perturbed = any(group == "r" for group, _ in self.by)
@@ -82,10 +93,15 @@ class Function:
             numbers = specified_rows(r, instants, len(definition.specifieds))
 
         def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
-            return plan.inputs.rows(x, t) if numbers is None else numbers
+            if numbers is None:
+                assert plan is not None
+                return plan.inputs.rows(x, t)
+            return numbers
 
-        at = At(definition, code, instants, states, rows(states, instants), problem.p_with(p))
-        at = at.with_unknowns(None if self.solve else x, rows)
+        at = StateSamples(
+            definition, code, instants, states, rows(states, instants), arguments.constants(p)
+        )
+        at = with_unknowns(at, None if self.solve else x, rows)
         if at.x is not states:
             wide = np.hstack([at.x, wide[:, n:]])
         if self.look is not None:
@@ -93,11 +109,11 @@ class Function:
         made, vectors = self.kernel(code), self.vectors
         try:
             if definition.assumptions:
-                problem.check_states(at, x is not None, r)
+                AssumptionChecks(problem).samples(at, plan, x is not None)
             out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
         except SingularMatrixError as error:
             k = int((at.x == error.state).all(axis=1).argmax())
-            explain(error, lambda t, x: at.some([k]))
+            explain(error, lambda t, x: at.subset([k]))
             raise
         out = out.reshape(len(out), *made.program.blocks[0].shape)
         if not np.isfinite(out).all():

@@ -34,7 +34,7 @@ from pydy._motion import (
     is_odeint,
     prepare,
 )
-from pydy._problem import Problem
+from pydy._problem import AssumptionChecks, Problem
 from pydy.codegen import rates_function
 from pydy.solvers import MANY_STEPS, EventContinuation, Outcome, Prepared, Solver
 from pydy.trajectory import Trajectory
@@ -133,7 +133,7 @@ def integrate_states(
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)
     result = call_solver(problem, ready, times, solver, options, checked=checked)
-    if ready.constrained or problem.judges_assumptions or result.evaluated is not None:
+    if ready.constrained or AssumptionChecks(problem).judged() or result.evaluated is not None:
         motion = readable_motion(problem, ready, times, solver, result)
         if motion is not None:
             judge_motion(motion)
@@ -242,7 +242,7 @@ def _call_native(
     states = prepared(problem.x)
     if prepared.reusable:
         ready.free = [(prepared, ready.options)]
-    info = prepared.info if full or ready.constrained or problem.judges_assumptions else {}
+    info = prepared.info if full or ready.constrained or AssumptionChecks(problem).judged() else {}
     return SolverResult((states, info) if full else states, states, info, options)
 
 
@@ -261,7 +261,7 @@ def _call_scipy(
     jumps = None if ready.never_jumps else jumps_by_time(f, args, times)
     ready.never_jumps = jumps is None
     jumps = np.zeros((0, 3)) if jumps is None else jumps
-    if len(jumps) or (odeint and problem.judges_assumptions):
+    if len(jumps) or (odeint and AssumptionChecks(problem).judged()):
         f = evaluated = EvaluationRecorder(f, jumps)
     if odeint and checked:
         states, info = call_odeint(f, x0, times, args, problem.definition.states, options)

@@ -15,6 +15,7 @@ import sympy as sm
 
 from pydy._assembly import Assembly
 from pydy._errors import warn_user
+from pydy._judges.tuning import TYPED
 from pydy._mechanics import (
     Equations,
     FrameTree,
@@ -23,7 +24,7 @@ from pydy._mechanics import (
 )
 from pydy._motion import EvaluationRecorder, Motion, is_odeint
 from pydy._names import name_of, numbers_of
-from pydy._problem import TYPED, At
+from pydy._problem import AssumptionChecks, StateSamples
 from pydy.solvers import Options
 
 
@@ -43,7 +44,7 @@ def check_assumptions(motion: Motion) -> None:
     every = np.concatenate([times, between[0]])
     order = np.argsort(every, kind="stable")
     rows = np.concatenate([states, between[1]])[order]
-    motion.problem.check_motion(every[order], rows, *_tolerances(motion))
+    AssumptionChecks(motion.problem).motion(every[order], rows, *_tolerances(motion))
 
 
 def _tolerances(motion: Motion) -> tuple[Any, Any]:
@@ -111,9 +112,9 @@ class _Orientations:
         return {str(k): orthogonality_residuals([m], read) for k, m in enumerate(self.matrices)}
 
 
-def check_orientations(at: At, matrices: tuple[Any, ...]) -> None:
+def check_orientations(at: StateSamples, matrices: tuple[Any, ...]) -> None:
     """Warn of a state where an orientation is no rotation: a quaternion of another length."""
-    rows = at.values(_Orientations(matrices))
+    rows = at.interpret(_Orientations(matrices))
     for k, matrix in enumerate(matrices):
         apart = float(np.abs(rows[str(k)]).max(initial=0.0))
         if not apart > TYPED:

@@ -20,7 +20,7 @@ from pydy._graph import Graph, directional, jacobian, per_unit, rounding_bounds,
 from pydy._interpolation import evenly
 from pydy._mechanics import Equations, find_symbols
 from pydy._motion import ConstraintNames, Motion, constraint_names
-from pydy._problem import TOGETHER, At, EnergyModel, Problem
+from pydy._problem import TOGETHER, EnergyModel, Problem, StateSamples
 from pydy._program import Program
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy.codegen import SpecifiedsPlan
@@ -37,7 +37,7 @@ NO_INPUTS: Mapping[int, int | None] = {}
 # -- where a motion begins, and after resets -------------------------------------------------------
 
 
-def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
+def check_start(at: StateSamples, whose: str = "", mended: bool = False) -> bool:
     """Warn where a motion starts off the constraints; return whether it does."""
     held = satisfied_to_rounding(at)[0]
     if not held:
@@ -47,7 +47,7 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     told = not held and look(at, redundant=False)
     equations = at.definition.equations
     unimplied = () if told else equations.constraints.unenforced_holonomic
-    if unimplied and (report := DriftReport.contradiction(at.values(rates))):
+    if unimplied and (report := DriftReport.contradiction(at.interpret(rates))):
         why = contradiction(equations, float(at.t[0]), **report.details)
         raise ValueError(f"No motion satisfies all constraints. {why}")
     if held and not any(equations.constraints.redundant):
@@ -70,7 +70,7 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     return bool(told)
 
 
-def _check_constant(at: At) -> None:
+def _check_constant(at: StateSamples) -> None:
     """Refuse a constraint of constants alone that is not zero: no motion can satisfy it."""
     equations = at.definition.equations
     constraints = equations.constraints
@@ -88,7 +88,7 @@ def _check_constant(at: At) -> None:
 
 
 def check_resets(
-    records: Iterable[EventRecord], at: Callable[[np.ndarray, np.ndarray], At]
+    records: Iterable[EventRecord], at: Callable[[np.ndarray, np.ndarray], StateSamples]
 ) -> None:
     """Warn of the first reset of each event that leaves the constraints."""
     told: set[str] = set()
@@ -101,26 +101,28 @@ def check_resets(
             ConstraintResiduals.warn_of_reset(record.name, off)
 
 
-def satisfied_to_rounding(at: At) -> np.ndarray:
+def satisfied_to_rounding(at: StateSamples) -> np.ndarray:
     """Return which of m states have no `violations`, as far as the last operations tell."""
     residuals, sizes = evaluated_rows(at, "sizes")
     held: np.ndarray = (np.abs(residuals) <= DIGITS * sizes).all(axis=1)  # NaN is not
     return held
 
 
-def first_violation(at: At, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
+def first_violation(
+    at: StateSamples, blocks: tuple[bool, bool] = (True, True)
+) -> tuple[int, str] | None:
     """Return the first tried state that has `violations`, and these."""
     tried = evenly(len(at.x), DriftCheck.MOST_STATES)
-    for k in tried[~satisfied_to_rounding(at.some(tried))]:
-        if told := violations(at.some([k]), blocks=blocks):
+    for k in tried[~satisfied_to_rounding(at.subset(tried))]:
+        if told := violations(at.subset([k]), blocks=blocks):
             return int(k), told
     return None
 
 
 def violations(
-    at: At,
+    at: StateSamples,
     redundant: bool = True,
-    before: At | None = None,
+    before: StateSamples | None = None,
     blocks: tuple[bool, bool] = (True, True),
 ) -> str:
     """Name the residuals of a state that is farther from the constraints than six digits are.
@@ -136,16 +138,16 @@ def violations(
     return judged.describe(float(at.t[0]), ConstraintNames(at.definition.equations))
 
 
-def violates_constraints(at: At, redundant: bool = True) -> bool:
+def violates_constraints(at: StateSamples, redundant: bool = True) -> bool:
     """Return whether a state has `violations`, without naming them: printing takes long."""
     residuals, allowed = _judged(at, redundant)
     return not (np.abs(residuals) <= allowed).all()
 
 
 def _judged(
-    at: At,
+    at: StateSamples,
     redundant: bool,
-    before: At | None = None,
+    before: StateSamples | None = None,
     blocks: tuple[bool, bool] = (True, True),
 ) -> ConstraintResiduals:
     """Return the residuals of a state, zero where rows do not count, and the allowed ones."""
@@ -166,28 +168,28 @@ def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class _Among(At):
+class _Among(StateSamples):
     """One of some states: what is `known` of them is found for all together."""
 
-    whole: At
+    whole: StateSamples
     place: int
     known: dict[Callable[[Assembly], Any], dict[str, np.ndarray]]
 
     def values(self, parts: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
         """Return the values of nodes here, shape (1, o) for each name."""
         if parts not in self.known:
-            self.known[parts] = self.whole.values(parts)
+            self.known[parts] = self.whole.interpret(parts)
         return {name: values[[self.place]] for name, values in self.known[parts].items()}
 
 
-def _each(whole: At) -> list[_Among]:
+def _each(whole: StateSamples) -> list[_Among]:
     known: dict[Any, dict[str, np.ndarray]] = {}
-    some = (vars(whole.some([k])) for k in range(len(whole.x)))
+    some = (vars(whole.subset([k])) for k in range(len(whole.x)))
     return [_Among(**own, whole=whole, place=k, known=known) for k, own in enumerate(some)]
 
 
 def check_samples(
-    at: Callable[[np.ndarray, np.ndarray], At],
+    at: Callable[[np.ndarray, np.ndarray], StateSamples],
     t: float,
     columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
     shape: tuple[int, ...],
@@ -200,7 +202,7 @@ def check_samples(
     total = int(np.prod(shape))
     varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
 
-    def some(numbers: np.ndarray) -> At:
+    def some(numbers: np.ndarray) -> StateSamples:
         m, parts = len(numbers), []
         for part in columns:
             values = [np.broadcast_to(a, shape).flat[numbers] for a in part]
@@ -306,7 +308,7 @@ def rates(assembly: Assembly) -> dict[str, list[int]]:
 # constraint may contradict others in a length that was random there.
 
 
-def check_redundant(at: At) -> None:
+def check_redundant(at: StateSamples) -> None:
     """Refuse a state where constraints left out do not hold, or not follow from others."""
     equations, t = at.definition.equations, float(at.t[0])
     left_out = equations.constraints.redundant
@@ -322,7 +324,7 @@ def check_redundant(at: At) -> None:
             f"these numbers it contradicts the others: at t = {t!r} it is {closed[k]:.3g} where "
             "the others hold. Correct it, or the constants and initial conditions."
         )
-    slopes = at.values(_velocity_slopes)["slopes"].reshape(-1, at.x.shape[1])[:, n:]
+    slopes = at.interpret(_velocity_slopes)["slopes"].reshape(-1, at.x.shape[1])[:, n:]
     # The state is known to six digits: what is singular there leaves half of them.
     needed = rank(slopes, least=DIGITS**0.5)
     if needed > len(equations.constraints.velocity):
@@ -335,7 +337,7 @@ def check_redundant(at: At) -> None:
         )
 
 
-def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
+def warn_of_left_out(at: StateSamples, blocks: tuple[bool, bool]) -> None:
     """Warn of states that violate only constraints that were left out as redundant."""
     equations = at.definition.equations
     kept = _rows_of(equations, True, False, True, False)
@@ -355,14 +357,16 @@ def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
         )
 
 
-def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray, np.ndarray]:
+def evaluated_rows(
+    at: StateSamples, what: Literal["sizes", "bounds"]
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the residuals of all constraints, (m, rows), and the scales of their rounding errors.
 
     These are 'sizes', the terms of the last sum, which are quickly computed, or 'bounds' on
     rounding errors with the residuals that a projection leaves; see `ConstraintResiduals.rounding`.
     Rows are the holonomic constraints, followed by those left out, then the velocity constraints.
     """
-    found = at.values(sized if what == "sizes" else bounded)
+    found = at.interpret(sized if what == "sizes" else bounded)
     sizes = found["sizes"]
     if what == "bounds":
         sizes = sizes + ConstraintResiduals.rounding(found, sizes, at.x) / DIGITS
@@ -455,7 +459,7 @@ def _part(motion: Motion, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, 
     """Return values along a motion; see `DriftQuantities`."""
     problem = motion.problem
     made = part_of(problem, slopes_of(problem.definition, problem.plan), name)
-    return {} if made is None else problem.at(t, x).values(made)
+    return {} if made is None else problem.at(t, x).interpret(made)
 
 
 def _drift_check(motion: Motion, projected: bool) -> DriftCheck:

@@ -18,7 +18,7 @@ from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph import jacobian
 from pydy._names import numbers_of, unique_names
-from pydy._problem import At, Problem, first_undefined
+from pydy._problem import Problem, StateSamples, first_undefined
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
 from pydy.solvers import Outcome
 from pydy.trajectory import Trajectory
@@ -35,7 +35,8 @@ _DIAGNOSED = (
 
 
 def explain(
-    error: IntegrationError | SingularMatrixError, at: Callable[[np.ndarray, np.ndarray], At]
+    error: IntegrationError | SingularMatrixError,
+    at: Callable[[np.ndarray, np.ndarray], StateSamples],
 ) -> None:
     """Put the cause into the message of an error, in place of general advice."""
     code: Any = Outcome.SINGULAR
@@ -59,7 +60,7 @@ def explain_columns(error: Any, columns: np.ndarray) -> None:
         )
 
 
-def diagnosis_of(at: At, outputs: bool = False) -> str | None:
+def diagnosis_of(at: StateSamples, outputs: bool = False) -> str | None:
     """Describe the singularity at a state, or return None if it is of no known kind.
 
     It may be one of `outputs`, where the equations have none.
@@ -68,7 +69,7 @@ def diagnosis_of(at: At, outputs: bool = False) -> str | None:
     for symbol, value in zip(definition.specifieds, at.r[0], strict=False):
         if not np.isfinite(value):
             return f"The specified `{symbol}` is {value} there."
-    rates = at.values(_rates)["rates"][0]
+    rates = at.interpret(_rates)["rates"][0]
     if np.isfinite(rates).all() and np.abs(rates).max(initial=0.0) > _LARGEST:
         fastest = int(np.abs(rates).argmax())
         return (
@@ -84,7 +85,7 @@ def diagnosis_of(at: At, outputs: bool = False) -> str | None:
             "inertia takes part in them, or it has cancelled. Check that velocities of points and "
             "angular velocities of frames hold these speeds, and that bodies have mass and inertia."
         )
-    values = {name: part[0] for name, part in at.values(_parts).items()}
+    values = {name: part[0] for name, part in at.interpret(_parts).items()}
     rows = values["slopes"].reshape(len(equations.constraints.velocity), len(equations.speeds))
     return (
         _in_kinematics(at, values["kinematics"])
@@ -94,13 +95,13 @@ def diagnosis_of(at: At, outputs: bool = False) -> str | None:
     )
 
 
-def _elsewhere(at: At, part: str, constants: np.ndarray) -> np.ndarray:
+def _elsewhere(at: StateSamples, part: str, constants: np.ndarray) -> np.ndarray:
     """Return a part in a state that is nothing special."""
     x = np.random.default_rng(0).uniform(0.3, 1.3, at.x.shape)
-    return np.asarray(replace(at, x=x, p=constants).values(_parts)[part][0])
+    return np.asarray(replace(at, x=x, p=constants).interpret(_parts)[part][0])
 
 
-def _in_kinematics(at: At, kinematics: np.ndarray) -> str | None:
+def _in_kinematics(at: StateSamples, kinematics: np.ndarray) -> str | None:
     equations = at.definition.equations
     kinematics = kinematics.reshape(len(equations.coordinates), -1)
     wild = _wild(kinematics, _elsewhere(at, "kinematics", at.p).reshape(kinematics.shape))
@@ -139,7 +140,7 @@ def _in_constraints(equations: Any, rows: np.ndarray, matrix: np.ndarray) -> str
     return cause
 
 
-def _in_masses(at: At, matrix: np.ndarray) -> str | None:
+def _in_masses(at: StateSamples, matrix: np.ndarray) -> str | None:
     definition, p = at.definition, at.p
     generic = _elsewhere(at, "matrix", p)
     cause = _without_inertia(definition.equations.speeds, matrix, generic)
@@ -240,7 +241,7 @@ def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
     )
 
 
-def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
+def warn_not_finite(out: np.ndarray, at: StateSamples, names: Sequence[str]) -> None:
     """Warn of named values (m, o, …) that are not finite although their inputs are."""
     sound = np.isfinite(at.t) & np.isfinite(at.x).all(axis=1) & np.isfinite(at.r).all(axis=1)
     wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
@@ -249,7 +250,7 @@ def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
     def place(k: int) -> tuple[str, str | None]:
         state = numbers_of(at.definition.states, at.x[k])
         return f"t = {float(at.t[k])!r} in the state {state}", diagnosis_of(
-            at.some([k]), outputs=True
+            at.subset([k]), outputs=True
         )
 
     _errors.warn_not_finite(wrong, names, place)

@@ -15,7 +15,7 @@ from pydy._interpolation import in_order
 from pydy._judges.passages import Passed, Values, Watched, jump_message, passages
 from pydy._kernel import KernelCall
 from pydy._motion import Motion
-from pydy._problem import At, Problem
+from pydy._problem import Problem, StateSamples, evaluate_specifieds
 from pydy._rank import HALF, ROUNDING, is_zero
 from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers import Options
@@ -137,15 +137,15 @@ class ImpulsiveInputs:
         return found
 
 
-def _switches(at: At, parts: Any) -> bool:
+def _switches(at: StateSamples, parts: Any) -> bool:
     """Return whether anything switches at all; the model keeps that, which is asked at each run."""
     known = at.model.latest
     if parts not in known:
-        known[parts] = bool(at.values(parts)["switches"].size)
+        known[parts] = bool(at.interpret(parts)["switches"].size)
     return bool(known[parts])
 
 
-def watched(at: At, sensitive: Any = None, integral: Any = None) -> Watched | None:
+def watched(at: StateSamples, sensitive: Any = None, integral: Any = None) -> Watched | None:
     """Return the jumps of the rates to watch for, or None where nothing switches."""
     equations, states = at.definition.equations, at.definition.states
     parts = Discontinuities(len(equations.coordinates), integral)
@@ -174,7 +174,7 @@ def warn_of_jumps(
         return None if known is None else known.values[:, : found.states]
 
     def evaluate(times: np.ndarray) -> Values:
-        return problem.at(times, motion.at(times).states).values(parts)
+        return problem.at(times, motion.at(times).states).interpret(parts)
 
     if told := jump_message(
         Passed.of(motion.times, motion._dense, motion.events, columns), found, evaluate
@@ -182,7 +182,9 @@ def warn_of_jumps(
         warn_user(told)
 
 
-def warn_of_kinks(at: At, T: np.ndarray, free: np.ndarray, columns: Sequence[int]) -> None:
+def warn_of_kinks(
+    at: StateSamples, T: np.ndarray, free: np.ndarray, columns: Sequence[int]
+) -> None:
     """Warn of the first state at which the rates to be linearised have a kink or jump.
 
     That is along the tangents T, (m, n, k) of the `free` states, and the specifieds in `columns`.
@@ -192,7 +194,7 @@ def warn_of_kinks(at: At, T: np.ndarray, free: np.ndarray, columns: Sequence[int
     parts = DerivativeDiscontinuities(len(equations.coordinates))
     if not _switches(at, parts):
         return
-    found, w = at.values(parts), len(definition.specifieds)
+    found, w = at.interpret(parts), len(definition.specifieds)
     near = np.abs(found["switches"]) <= ROUNDING * found["bounds"]
     count, width = near.shape[1], found["nodes"].shape[1]
     steps = np.abs(found["steps"].reshape(m, count, width))
@@ -234,7 +236,7 @@ def warn_of_impulses(problem: Problem, times: np.ndarray) -> None:
     beyond = differentiated(assembly, problem.definition, problem.plan)
 
     def evaluate(times: np.ndarray) -> Values:
-        return problem.at(times, np.tile(problem.x, (len(times), 1))).values(parts)
+        return problem.at(times, np.tile(problem.x, (len(times), 1))).interpret(parts)
 
     # Functions of time alone are looked at so often.
     every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=4096)))
@@ -273,8 +275,10 @@ def _acts(problem: Problem, places: Sequence[int], t: float) -> bool:
         [problem.x, *problem.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(problem.x)))]
     )
     times = np.full(len(x), t)
-    at = replace(problem.at(times, x), model=problem.model.code, r=problem.specifieds(times, x))
-    found = at.values(_Slopes(tuple(places)))
+    at = replace(
+        problem.at(times, x), model=problem.model.code, r=evaluate_specifieds(problem, times, x)
+    )
+    found = at.interpret(_Slopes(tuple(places)))
     return not is_zero(found["slopes"], found["bounds"]).all()
 
 
@@ -315,7 +319,7 @@ def warn_of_pulses(motion: Motion) -> None:
         return
     first, last = moments[missed], until[missed]
     x = states[np.searchsorted(times, first)]
-    step = problem.derivatives(after[missed], x) - problem.derivatives(before[missed], x)
+    step = problem.at(after[missed], x).rates() - problem.at(before[missed], x).rates()
     moved = np.abs(step) * (last - first)[:, None]
     options, n = motion.options, x.shape[1]
     given = options.get("rtol", Options.rtol), options.get("atol", Options.atol)
@@ -323,7 +327,7 @@ def warn_of_pulses(motion: Motion) -> None:
     excess = moved / (_MISSED * (atol + rtol * np.abs(x)) + np.finfo(float).tiny)
     k, state = np.unravel_index(excess.argmax(), excess.shape)
     if excess[k, state] > 1.0:
-        by_samples = first[k] in problem.jumps()
+        by_samples = first[k] in jumps_of(problem.inputs.sampled)[:, 0]
         what = "the 'previous' samples" if by_samples else "the loads that time alone switches"
         warn_user(
             f"The solver evaluated nothing from t = {first[k]:.6g} to {last[k]:.6g}, so that it "

@@ -8,7 +8,7 @@ from pydy._judges.assumptions import check_assumptions, check_orientations, orie
 from pydy._judges.constraint_drift import check_drift, check_resets, check_start
 from pydy._judges.discontinuities import warn_of_impulses, warn_of_pulses
 from pydy._motion import Motion, PreparedIntegration
-from pydy._problem import Problem
+from pydy._problem import AssumptionChecks, Problem
 from pydy.solvers import Solver
 
 
@@ -34,7 +34,7 @@ def judge_motion(motion: Motion) -> None:
     problem = motion.problem
     if motion.evaluated is not None and len(motion.evaluated.jumps):
         warn_of_pulses(motion)
-    if problem.judges_assumptions and len(motion.times):
+    if AssumptionChecks(problem).judged() and len(motion.times):
         check_assumptions(motion)
     if problem.definition.equations.constraints.are_present and len(motion.times):
         if isinstance(motion.solver, Solver) and not motion.projected:

@@ -40,7 +40,7 @@ def _implied(problem: Problem, place: int) -> bool:
     constraint has no derivative, at a singular position, nothing is known.
     """
     equations, at = problem.definition.equations, problem.at(np.array([problem.t]), problem.x[None])
-    found = at.values(rates)
+    found = at.interpret(rates)
     unenforced = equations.constraints.unenforced_holonomic
     slope = found["slopes"].reshape(len(unenforced), -1)[unenforced.index(place)]
     rows = found["rows"].reshape(-1, slope.size)

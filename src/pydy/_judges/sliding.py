@@ -12,13 +12,13 @@ import numpy as np
 
 from pydy._judges.discontinuities import Discontinuities
 from pydy._names import few
-from pydy._problem import At
+from pydy._problem import StateSamples
 from pydy._rank import DIGITS
 
 _BEYOND = 100.0  # how far beyond a jump the other side is looked at, in units of how far it is
 
 
-def stuck_at(at: At, span: float) -> str | None:
+def stuck_at(at: StateSamples, span: float) -> str | None:
     """Describe the jump at which a motion stays at one state, or return None.
 
     It comes to that jump within six digits of the whole `span` of time, which is negative where the
@@ -26,7 +26,7 @@ def stuck_at(at: At, span: float) -> str | None:
     """
     equations, states = at.definition.equations, at.definition.states
     n = len(states)
-    found = at.values(Discontinuities(len(equations.coordinates)))
+    found = at.interpret(Discontinuities(len(equations.coordinates)))
     values = found["switches"][0]
     if not values.size or not np.isfinite(at.x).all():
         return None

@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._motion.scipy_solvers import SolveIvp, is_odeint
-from pydy._problem import Problem
+from pydy._problem import Problem, TrajectoryModel
 from pydy.trajectory import EventRecord, Trajectory
 
 
@@ -55,9 +55,9 @@ class Motion:
 
     `times`, `states` and `sensitivities` have the times that were asked for, up to a terminal
     event; `end`, `end_state` and `end_sensitivities` are where the motion ends. Outputs along it
-    are ``motion.problem.outputs(motion.times, motion.states)``. Between those times, `dense` gives
-    states at any time of the motion, with columns of sensitivities behind them if there are any;
-    `dense.starts` are the times at which steps begin.
+    are ``motion.problem.at(motion.times, motion.states).outputs()``. Between those times, `dense`
+    gives states at any time of the motion, with columns of sensitivities behind them if there are
+    any; `dense.starts` are the times at which steps begin.
     What `proceed` integrates has the options of this motion.
     """
 
@@ -140,7 +140,7 @@ class Motion:
     def rates(self, t: float, x: np.ndarray, segment: int = -1) -> np.ndarray:
         """Return the derivatives of the states at the end of a segment, or beyond it."""
         problem = self.segments[segment].problem
-        found: np.ndarray = problem.derivatives(np.array([t]), x[None])[0]
+        found: np.ndarray = problem.at(np.array([t]), x[None]).rates()[0]
         return found
 
     def event(self, name: str) -> EventRecord | None:
@@ -155,7 +155,7 @@ def labelled(motion: Motion) -> Trajectory:
         counts = {parameter.symbol: parameter.count for parameter in augmented.parameters}
         sensitivities = counts, motion.sensitivities
     statistics = {k: v for k, v in motion.statistics.items() if k != "sides"}
-    trajectory = motion.problem.trajectory(
+    trajectory = TrajectoryModel(motion.problem).label(
         motion.times,
         motion.states,
         events=motion.events,

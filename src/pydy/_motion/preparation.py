@@ -18,7 +18,7 @@ from pydy._motion.events_and_constraints import (
 )
 from pydy._motion.scipy_options import named_for_odeint
 from pydy._motion.scipy_solvers import SolveIvp, is_odeint, odeint_options
-from pydy._problem import Model, Problem
+from pydy._problem import AssumptionChecks, CallArguments, Model, Problem
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
     CompiledEvents,
@@ -182,9 +182,9 @@ def prepare(
     if problem.definition.equations.constraints.residuals.implicit is not None:
         given = with_residuals_held(problem.definition, solver, given)
     stores = isinstance(solver, Solver) or (isinstance(solver, SolveIvp) and alone)
-    if problem.judges_assumptions and stores and "dense_output" not in given:
+    if AssumptionChecks(problem).judged() and stores and "dense_output" not in given:
         given = {**given, "dense_output": True}
-    times, plan = problem.checked_times(times), problem.plan
+    times, plan = CallArguments(problem).times(times), problem.plan
     if plan.inputs.sampled:
         plan.check_times(times, "times")
     ready: PreparedIntegration | None = latest.get("simulation")

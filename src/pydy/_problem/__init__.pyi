@@ -1,3 +1,5 @@
+from .assumption_checks import AssumptionChecks as AssumptionChecks
+from .call_arguments import CallArguments as CallArguments
 from .definition import (
     DefinitionBuilder as DefinitionBuilder,
     SymbolSet as SymbolSet,
@@ -11,14 +13,21 @@ from .definition import (
 from .energy import Energy as Energy, EnergyModel as EnergyModel, check_potential as check_potential
 from .model import Model as Model, compile_definition as compile_definition
 from .problem import (
-    At as At,
     Problem as Problem,
-    check_specifieds as check_specifieds,
-    checked_plan as checked_plan,
-    read_numbers as read_numbers,
-    samples as samples,
-    solved_residuals as solved_residuals,
+    evaluate_specifieds as evaluate_specifieds,
+    with_settings as with_settings,
 )
+from .residuals import solved_residuals as solved_residuals, with_unknowns as with_unknowns
 from .scene import make_scene as make_scene
-from .tuning import FIT as FIT, TOGETHER as TOGETHER, TYPED as TYPED
+from .settings import (
+    Settings as Settings,
+    read_numbers as read_numbers,
+)
+from .specifieds import checked_plan as checked_plan
+from .state_samples import (
+    StateSamples as StateSamples,
+    read_samples as read_samples,
+)
+from .trajectory_model import TrajectoryModel as TrajectoryModel
+from .tuning import FIT as FIT, TOGETHER as TOGETHER
 from .undefined import first_undefined as first_undefined

@@ -12,13 +12,13 @@ from pydy._errors import UnsupportedFunctionError
 from pydy._graph import Graph
 from pydy._mechanics import written
 from pydy._names import numbers_of
-from pydy._problem.problem import At
+from pydy._problem.state_samples import StateSamples
 from pydy._program import OPERATIONS
 
 _SCALARS = {"sum", "prod", "const", "input", *OPERATIONS}
 
 
-def first_undefined(at: At, outputs: bool) -> str | None:
+def first_undefined(at: StateSamples, outputs: bool) -> str | None:
     """Describe the first expression that is not finite although all that it holds is.
 
     That is one of q', loads, masses and constraints, before accelerations are solved for, else of

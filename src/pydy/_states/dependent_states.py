@@ -6,7 +6,6 @@ Their derivatives with respect to parameters are computed in `dependence`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -17,7 +16,7 @@ from pydy._assembly import Definition
 from pydy._checks import Places, describe, listed
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._names import few
-from pydy._problem import Problem, solved_residuals
+from pydy._problem import Problem, solved_residuals, with_settings
 from pydy._rank import (
     DIGITS,
     HALF,
@@ -288,8 +287,8 @@ def with_dependents(problem: Problem, symbols: Sequence[Any]) -> Problem:
     places = check_dependents(problem.definition, symbols)
     x = solve_dependents(problem, places, {}, False, {})
     solved = {states[k]: float(x[k]) for part in places for k in part}
-    initial = {**problem.user["initial_conditions"], **solved}
-    return replace(problem, user={**problem.user, "initial_conditions": initial})
+    initial = {**problem.settings.initial_conditions, **solved}
+    return with_settings(problem, initial_conditions=initial)
 
 
 def consistent(problem: Problem) -> Problem:

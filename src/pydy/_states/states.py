@@ -14,7 +14,7 @@ from pydy._forks import cached_property
 from pydy._graph import jacobian, sizes_of_terms
 from pydy._kernel import Kernel
 from pydy._mechanics import BodyDynamics
-from pydy._problem import At, Problem
+from pydy._problem import Problem, StateSamples
 from pydy._rank import HALF, OF_FEW, ROUNDING, equilibrated, is_zero, or_one
 from pydy._states.dependence import independent_places, tangents
 from pydy.codegen import SpecifiedsPlan
@@ -59,7 +59,7 @@ def members(
 
 
 @dataclass(frozen=True, eq=False)
-class Point(At):
+class Point(StateSamples):
     """States, times and numbers at m points; additions to specifieds are inputs."""
 
     plan: SpecifiedsPlan
@@ -73,7 +73,7 @@ class Point(At):
         """Return points with one p each: this one, or every state by itself."""
         if self.p.ndim == 1:
             return [self]
-        return [replace(self.some([k]), p=p) for k, p in enumerate(self.p)]
+        return [replace(self.subset([k]), p=p) for k, p in enumerate(self.p)]
 
     def tried(self, kernel: Kernel) -> np.ndarray:
         """Return the outputs of a Kernel, shape (m, o); NaN where singular."""
@@ -92,7 +92,7 @@ class Point(At):
         sizes, m = self.model.assembly.sizes, len(self.x)
         r = np.broadcast_to(self.r, (m, self.r.shape[1]))
         numbers = replace(self, r=r, p=np.atleast_2d(self.p)[0])
-        slopes = numbers.values(_arguments)["slopes"].reshape(m, -1, sum(sizes))
+        slopes = numbers.interpret(_arguments)["slopes"].reshape(m, -1, sum(sizes))
         steepest = np.abs(slopes).max(axis=1, initial=0.0)
         known = (steepest > 0.0) & np.isfinite(steepest)
         natural = np.where(known, 1.0 / np.where(known, steepest, 1.0), 0.0)
@@ -100,9 +100,9 @@ class Point(At):
 
     def inertias(self) -> np.ndarray:
         """Return the diagonal of the mass matrix of all speeds, shape (m, n)."""
-        found = self.values(_masses)["masses"]
+        found = self.interpret(_masses)["masses"]
         if not found.size:
-            found = self.values(ForcesWithoutConstraints(self.definition))["masses"]
+            found = self.interpret(ForcesWithoutConstraints(self.definition))["masses"]
         sizes: np.ndarray = np.abs(found)
         return sizes
 
@@ -127,7 +127,7 @@ class Point(At):
                 driven = _least(shares * (slopes > 0.0), 1)
                 speeds = np.where(speeds > 0.0, speeds, driven)
         speeds = or_one(speeds)
-        slopes = self.values(_kinematics)["kinematics"].reshape(len(self.x), first, n)
+        slopes = self.interpret(_kinematics)["kinematics"].reshape(len(self.x), first, n)
         rates = np.abs(np.nan_to_num(slopes)) @ speeds[:, :, None]
         return np.concatenate([rates[:, :, 0], speeds], axis=1)
 
@@ -218,7 +218,7 @@ def energetic_motions(
     masses = at.inertias()
     known = masses > 0.0
     speeds = np.where(known, 1.0 / np.sqrt(np.where(known, masses, 1.0)), 0.0)
-    table = np.abs(at.values(_kinematics)["kinematics"].reshape(m, q, -1))
+    table = np.abs(at.interpret(_kinematics)["kinematics"].reshape(m, q, -1))
     moved = np.concatenate([(table * speeds[:, None]).max(axis=2, initial=0.0), speeds], axis=1)
     angles = at.natural["states"][:, :q]
     own = _least((angles[:, :, None] / or_one(table)) * (table > 0.0), 1)

@@ -17,7 +17,7 @@ from pydy._integration import AugmentedSystem
 from pydy._judges import judge_start, warn_of_jumps
 from pydy._motion import native_solver, prepare
 from pydy._names import column_names, name_of, some, text_of, unique_names
-from pydy._problem import Problem, read_term, refuse_descending
+from pydy._problem import CallArguments, Problem, TrajectoryModel, read_term, refuse_descending
 from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
 from pydy.solvers import Solver
 
@@ -109,7 +109,9 @@ def adjoint_gradient(
 
     def trajectory() -> Any:
         times = run.times[:reached].copy()
-        return problem.trajectory(times, states, events=run.records, statistics=run.info)
+        return TrajectoryModel(problem).label(
+            times, states, events=run.records, statistics=run.info
+        )
 
     counts = {p.symbol: p.count for p in sensitive.parameters}
     statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
@@ -131,7 +133,7 @@ def there_and_back(
 
     They are those of the objective, or of the last state's sum with some `weights`.
     """
-    times = problem.checked_times(times)
+    times = CallArguments(problem).times(times)
     refuse_descending(times, "`adjoint_gradient` integrates forward, then back")
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)

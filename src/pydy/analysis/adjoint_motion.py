@@ -32,7 +32,7 @@ from pydy._judges import judge_motion, node_of
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._motion import Motion, PreparedIntegration, Segment, with_all
 from pydy._optional import progress_of
-from pydy._problem import Problem
+from pydy._problem import Problem, TrajectoryModel
 from pydy._program import Program
 from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy.inputs import SampledInput
@@ -468,7 +468,9 @@ class MotionSegment:
     def passed(self, problem: Problem) -> Any:
         """Return the motion as a Trajectory at the solver's own steps."""
         states = np.vstack([self.before, self.last])[:, : self.n]
-        return problem.trajectory(np.append(self.starts, self.end), states, events=self.records)
+        return TrajectoryModel(problem).label(
+            np.append(self.starts, self.end), states, events=self.records
+        )
 
     def gradient(self, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Go back to the beginning; return the derivatives by parameters and by the first state.

@@ -87,9 +87,12 @@ class EquilibriumResidual:
         self.rows = [k for k in range(n) if k not in steady]
         by_specified, self.columns = wanted.of("specifieds")
         own = {definition.specifieds[k]: k for k in self.columns}
+        starting = np.empty(0)
+        if own:
+            starting = problem.inputs.rows(problem.x[None], np.array([problem.t]))[0]
         self.plan = problem.plan.updated(
             SpecifiedsPlan(
-                {s: problem.value("specifieds", k) for s, k in own.items()}
+                {s: float(starting[k]) for s, k in own.items()}
                 | {s: v for s, v in self.given.items() if s in definition.specifieds},
                 definition.places["specifieds"],
                 argument="given",
@@ -102,7 +105,7 @@ class EquilibriumResidual:
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(constraints, b))]
         self.t, self.within, self.told = (
             problem.t,
-            float(np.ptp(np.append(problem.times, problem.t))),
+            float(np.ptp(np.append(problem.settings.times, problem.t))),
             False,
         )
         self.start = np.empty(len(wanted.symbols))
@@ -224,7 +227,7 @@ class EquilibriumResidual:
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)
         first, n = len(self.definition.equations.coordinates), len(self.made.assembly.speeds)
-        forces = at.values(ForcesWithoutConstraints(self.definition))["forces"][0]
+        forces = at.interpret(ForcesWithoutConstraints(self.definition))["forces"][0]
         speeds = at.motions[0, first : first + n]
         parts[0][first : first + n] += np.max(forces * speeds, initial=0.0) * speeds
         return np.concatenate([parts[0][self.rows], *parts[1:]])

@@ -13,7 +13,7 @@ from pydy._errors import EquilibriumError, finished_before
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._problem import Problem, samples
+from pydy._problem import AssumptionChecks, CallArguments, Problem, read_samples, with_unknowns
 from pydy._rank import ROUNDED, equilibrated, least_step
 from pydy._states import located
 from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
@@ -49,7 +49,7 @@ def check_swept(problem: Problem, parameter: Any, values: np.ndarray) -> None:
     """Warn of values of a parameter that contradict its assumptions."""
     kind, _ = located(problem.definition, parameter, "over")
     for value in (values.min(), values.max()):
-        problem.check_values(kind, {parameter: float(value)}, "`over` for ")
+        AssumptionChecks(problem).values(kind, {parameter: float(value)}, "`over` for ")
 
 
 class Family:
@@ -220,12 +220,12 @@ def eigenvalues(
     """Return eigenvalues along a parameter of a Problem; see `System.eigenvalues`."""
     warn_of_missing_derivatives(problem)
     definition = problem.definition
-    given_at, at = at, problem.x_with(at, "at")
+    given_at, at = at, CallArguments(problem).states(at, "at")
     if at is not None:
         at = real_array(at, "`at`")
         t = np.zeros(len(at)) if at.ndim == 2 else None
-        at, _, single = samples(
-            at, t, lambda: problem.x, problem.times, len(definition.states), "at"
+        at, _, single = read_samples(
+            at, t, lambda: problem.x, problem.settings.times, len(definition.states), "at"
         )
         at = at[0] if single else at
     parameter, values = parameter_of(definition, over)
@@ -241,7 +241,7 @@ def eigenvalues(
         family = Family(problem, parameter, unknowns, given, moving)
         at = np.broadcast_to(at, (len(values), at.shape[-1]))
         point = family.residual.at(family.unknowns_at(values, at))
-        at = point.with_unknowns(given_at, lambda x, t: point.r).x
+        at = with_unknowns(point, given_at, lambda x, t: point.r).x
         given_z = family.unknowns_at(values, at)
         models = family.at
     else:

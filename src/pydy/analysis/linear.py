@@ -23,7 +23,14 @@ from pydy._judges import first_violation, warn_of_kinks, warn_of_missing_derivat
 from pydy._motion import constraint_names
 from pydy._names import few, some, unique_names
 from pydy._optional import require
-from pydy._problem import At, Problem, samples
+from pydy._problem import (
+    AssumptionChecks,
+    CallArguments,
+    Problem,
+    StateSamples,
+    read_samples,
+    with_unknowns,
+)
 from pydy._rank import ROUNDED
 from pydy._states import Point
 from pydy.analysis.equilibria import Equilibrium
@@ -251,13 +258,24 @@ def linearize(
         found = {**at.given, **at.constants, **at.specifieds}
         kinds = ("specifieds", "constants")
         r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
-        plan, p, at = problem.plan_with(r or None), problem.p_with(c), at.state
-    x, t, single = samples(problem.x_with(at, "at"), t, lambda: problem.x, problem.times, n, "at")
+        plan, p, at = (
+            CallArguments(problem).plan(r or None),
+            CallArguments(problem).constants(c),
+            at.state,
+        )
+    x, t, single = read_samples(
+        CallArguments(problem).states(at, "at"),
+        t,
+        lambda: problem.x,
+        problem.settings.times,
+        n,
+        "at",
+    )
     made = problem.model.with_compiled_inputs(plan, perturbed=True)
     if chosen:  # those of a search for an equilibrium may be roundings of zero
-        problem.check_columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
+        AssumptionChecks(problem).columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
     point = Point(definition, made, t, x, plan.inputs.rows(x, t), p, plan)
-    point = point.with_unknowns(at, plan.inputs.rows)
+    point = with_unknowns(point, at, plan.inputs.rows)
     value, slopes, blocks = point.value, point.slopes, point.blocks
     T, free = point.tangents()
     if definition.equations.constraints.are_present:
@@ -323,7 +341,7 @@ def _which(k: int, m: int) -> str:
     return f"state {k} of `at`" if m > 1 else "the state"
 
 
-def _warn_of_violations(at: At) -> None:
+def _warn_of_violations(at: StateSamples) -> None:
     """Warn of the first given state that is off the constraints."""
     if found := first_violation(at):
         k, told = found

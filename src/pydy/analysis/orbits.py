@@ -21,7 +21,7 @@ from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion
 from pydy._names import numbers_of, some, unique_names
 from pydy._optional import progress_of
-from pydy._problem import Problem
+from pydy._problem import AssumptionChecks, Problem
 from pydy._rank import HALF, ROUNDED, or_one
 from pydy._states import consistent, energetic_motions
 from pydy.analysis.tuning import (
@@ -157,9 +157,9 @@ class _Search:
         self._choose_states(problem, moving)
         self.nearest: dict[str, Any] = {
             "period": self.guess,
-            "initial_conditions": problem.initial_conditions,
+            "initial_conditions": _initial_conditions(problem),
         }
-        self.autonomous = until is None and not problem.depends_on_time
+        self.autonomous = until is None and not _depends_on_time(problem)
         # Numbers that are only tried need not agree with assumptions of symbols.
         self.problem = problem.replace(contradicted=None)
         self.options = {"rtol": ORBIT, **options}
@@ -222,7 +222,7 @@ class _Search:
         """Return the sizes of all states on a flight."""
         natural, moved = energetic_motions(self.problem, times, states)
         most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
-        speeds = np.arange(len(end)) >= self.problem.coordinate_count
+        speeds = np.arange(len(end)) >= len(self.problem.definition.equations.coordinates)
         return Measure(self.free, speeds, natural, moved).sizes(most, rates, length)
 
     def fly(self, z: np.ndarray, length: float) -> Flight:
@@ -235,7 +235,9 @@ class _Search:
         gap = float((np.abs(flight.end - z) / self.begun[self.free]).max(initial=0.0))
         if gap < self.least:
             self.least = gap
-            self.nearest.update(period=flight.period, initial_conditions=problem.initial_conditions)
+            self.nearest.update(
+                period=flight.period, initial_conditions=_initial_conditions(problem)
+            )
         self.progress(1, gap=f"{gap:.3g}")
         return flight
 
@@ -296,7 +298,7 @@ class _Search:
         t0, guess, free = self.t0, self.guess, self.free
         problem = self.start(self.problem.x[free])
         if problem.hybrid is None:
-            rates = problem.rates()
+            rates = problem.at(np.array([problem.t]), problem.x[None]).rates()[0]
         else:
             motion = self.integrated(problem, [t0, t0 + BEGINNING * guess])
             rates = motion.rates(t0, motion.states[0], segment=0)
@@ -352,7 +354,7 @@ class _Search:
         moved = np.ptp(motion.states[:, free], axis=0)
         return PeriodicOrbit(
             period=flight.period,
-            initial_conditions=begun.initial_conditions,
+            initial_conditions=_initial_conditions(begun),
             states=tuple(names),
             monodromy=flight.by_start,
             residual=residual,
@@ -370,7 +372,7 @@ class _Search:
         if not np.isfinite(motion.trajectory.outputs).all():
             warn_of_outputs(motion.trajectory, motion.problem)
         if self.judged.definition.assumes_motions:
-            self.judged.check_motion(motion.times, motion.states)
+            AssumptionChecks(self.judged).motion(motion.times, motion.states)
         warn_of_jumps(motion.problem, lambda: motion.trajectory)
         if self.until is None and not self.autonomous:
             _check_period(motion, period)
@@ -382,7 +384,7 @@ def _check_period(motion: Motion, period: float) -> None:
     if motion.problem.inputs.sampled:  # whose times end
         return
     times, states = motion.times[:: _SAMPLES // 16], motion.states[:: _SAMPLES // 16]
-    now, later = (motion.problem.derivatives(times + late, states) for late in (0.0, period))
+    now, later = (motion.problem.at(times + late, states).rates() for late in (0.0, period))
     off = np.abs(later - now) / or_one(np.maximum(np.abs(now), np.abs(later)).max(axis=0))
     k, j = np.unravel_index(int(np.nan_to_num(off).argmax()), off.shape)
     if off[k, j] > HALF:
@@ -605,3 +607,18 @@ def _lost(
         z,
         gap,
     )
+
+
+def _depends_on_time(problem: Problem) -> bool:
+    """Return whether the equations, inputs or modes depend on time explicitly."""
+    if problem.inputs.functions or problem.inputs.sampled:
+        return True
+    if problem.hybrid is not None and problem.hybrid.depends_on_time:
+        return True
+    assembly = problem.code.assembly
+    return "t" in assembly.graph.inputs_of(assembly.rates)
+
+
+def _initial_conditions(problem: Problem) -> dict[Any, float]:
+    """Return the states' values by symbol."""
+    return dict(zip(problem.definition.states, problem.x.tolist(), strict=True))

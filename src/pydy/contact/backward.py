@@ -36,7 +36,7 @@ class Noted(Transitions):
 
     def __init__(self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, now: Problem) -> None:
         sensitive = AugmentedSystem.of(now, now.model.code, now.plan, wrt, "wrt")
-        self.start = sensitive.start(now.x, float(now.times[0]))
+        self.start = sensitive.start(now.x, float(now.settings.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
         self.together = False
         n, constants = len(now.definition.states), now.definition.constants
@@ -57,7 +57,7 @@ class Noted(Transitions):
             None if term is None else read_term(definition, term, name)
             for name, term in self._terms.items()
         ]
-        ready, times = prepare(now, now.times, solver, options)
+        ready, times = prepare(now, now.settings.times, solver, options)
         judge_start(now, times, ready)
         places = definition.places  # where a mode has constants of its own among the others
         parameters = tuple(

@@ -15,7 +15,7 @@ from pydy._integration import AugmentedSystem, SensitivityRequest
 from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion, check_events, native_solver
 from pydy._names import column_names
-from pydy._problem import Problem, refuse_descending
+from pydy._problem import CallArguments, Problem, refuse_descending, with_settings
 from pydy.analysis import AdjointGradient
 from pydy.contact.conditions import InfeasibleError, paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
@@ -230,7 +230,7 @@ class Contacts:
         problem = self._problem(events)[0]
         motion = self.integrate(
             problem,
-            problem.times,
+            problem.settings.times,
             solver=self.system.ode_solver,
             sensitivities=wanted,
             events=events,
@@ -334,7 +334,7 @@ class Contacts:
 
         terms = {"final": final, "integral": integral}
         problem = self._problem(events)[0]
-        run = self._run(problem, problem.times, self.system.ode_solver, events, **options)
+        run = self._run(problem, problem.settings.times, self.system.ode_solver, events, **options)
         run.carried = Noted(wrt, terms, run.rows, problem)
         return gradient(run)
 
@@ -366,7 +366,7 @@ class Contacts:
         given = check_events(events, problem.definition.places["states"])
         if any(e.reset for e in given):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
-        times = problem.checked_times(times)
+        times = CallArguments(problem).times(times)
         if times.size and times[-1] < times[0]:
             refuse_descending(
                 times, "contacts cannot run backward: impacts and friction cannot be undone"
@@ -401,9 +401,13 @@ class Motions:
         options: Mapping[str, Any],
     ) -> None:
         self.contacts, self.solver, self.options = contacts, solver, {**options}
-        user = {**now.user, "specifieds": {**now.user["specifieds"], **specifieds}}
         # The ensemble judges all samples.
-        self._problem = replace(now, user=user, contradicted=None, hybrid=None)
+        self._problem = replace(
+            with_settings(
+                now, specifieds={**now.settings.specifieds, **specifieds}, contradicted=None
+            ),
+            hybrid=None,
+        )
         self.columns: tuple[str, ...] = ()
         wanted, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
         if wanted is not None:
@@ -440,12 +444,13 @@ class Motions:
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states, outputs, and how the motion ended."""
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
-        user = {
-            "constants": dict(zip(self._constants, p.tolist(), strict=True)),
-            "specifieds": {**self._problem.user["specifieds"], **varied},
-            "initial_conditions": dict(zip(self._states, x.tolist(), strict=True)),
-        }
-        problem = replace(self._problem, user=user, times=times)
+        problem = with_settings(
+            self._problem,
+            constants=dict(zip(self._constants, p.tolist(), strict=True)),
+            specifieds={**self._problem.settings.specifieds, **varied},
+            initial_conditions=dict(zip(self._states, x.tolist(), strict=True)),
+            times=times,
+        )
         run = self.contacts._run(problem, times, self.solver, self._given, **self.options)
         if self._wanted is not None:
             run.carried = HybridSensitivities(self._wanted, self._control, run.rows, problem)

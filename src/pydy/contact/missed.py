@@ -44,7 +44,7 @@ def missed(
         few = few[few < end]
         rows.insert(1, motion.dense(few)[:, : run.n])
     few, states = np.concatenate([motion.times[known], few, [end]]), np.concatenate(rows)
-    table = motion.problem.outputs(few, states)
+    table = motion.problem.at(few, states).outputs()
     least = table.min(axis=0)
     broken = []
     for i, c in enumerate(run.contacts):

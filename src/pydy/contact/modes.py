@@ -355,7 +355,7 @@ class Compiled:
         self.named = Columns({**kinds, "output": (*kinds["output"], *self.stated)})
         self.constants = (*self.definition.constants, *self.rows.hidden)
         self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, Model]] = {}
-        self._specifieds = now.user["specifieds"]
+        self._specifieds = now.settings.specifieds
         self._lock = _forks.Lock()
 
     def __reduce__(self) -> tuple[Any, ...]:  # another process compiles its own

@@ -15,7 +15,7 @@ from pydy._forks import cached_property
 from pydy._integration import simulate
 from pydy._motion import Motion, Segment
 from pydy._names import numbers_of, some
-from pydy._problem import Problem
+from pydy._problem import Problem, Settings, evaluate_specifieds, with_settings
 from pydy._rank import ROUNDED, ROUNDING
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
@@ -125,7 +125,7 @@ class Run:
         if self._latest is None or self._latest[0] != key:
             r = np.zeros(0)
             if self.now.definition.specifieds:
-                r = self.now.specifieds(np.array([t]), x[None])[0]
+                r = evaluate_specifieds(self.now, np.array([t]), x[None])[0]
             self._latest = key, self.rows.numbers(t, x, r, self.now.p)
         return self._latest[1]
 
@@ -135,7 +135,7 @@ class Run:
         values = {**self._numbers_of, definition.equations.time: t}
         values.update(zip(definition.states, x.tolist(), strict=True))
         if definition.specifieds:
-            r = self.now.specifieds(np.array([t]), x[None])[0]
+            r = evaluate_specifieds(self.now, np.array([t]), x[None])[0]
             values.update(zip(definition.specifieds, r.tolist(), strict=True))
         return values
 
@@ -441,15 +441,13 @@ class Run:
         now = Problem(
             model.definition,
             replace(model, already_warned=self.now.model.already_warned),
-            {
-                "constants": {**self._numbers_of, **self.references(p, state, solution)},
-                "specifieds": self.now.user["specifieds"],
-                "initial_conditions": dict(
-                    zip(self.now.definition.states, state.x.tolist(), strict=True)
-                ),
-            },
-            np.concatenate([[state.t], self.times[later]]),
-            contradicted=None,  # assumptions are judged along the whole motion
+            # Assumptions are judged along the whole motion.
+            Settings(
+                {**self._numbers_of, **self.references(p, state, solution)},
+                self.now.settings.specifieds,
+                dict(zip(self.now.definition.states, state.x.tolist(), strict=True)),
+                np.concatenate([[state.t], self.times[later]]),
+            ),
         )
         options = {**self.options, "events": events}
         # Only events of the user's happen where the motion starts.
@@ -463,7 +461,7 @@ class Run:
         solver = self.shorten(p, state, solution, options)
         if self.carried is not None:
             slides = any(solution.modes[i] in SLIDES for i in state.resting)
-            rates = now.derivatives(np.array([state.t]), state.x[None])[0]
+            rates = now.at(np.array([state.t]), state.x[None]).rates()[0]
             given = self.carried.starts(rates, slides)
             if not later.any():
                 self.carried.begun(state.t, given, self.records)
@@ -472,7 +470,7 @@ class Run:
             if self.carried is not None:
                 motion = self.carried.simulate(mode, given, now, solver, options)
             else:
-                motion = simulate(now, now.times, solver=solver, **options)
+                motion = simulate(now, now.settings.times, solver=solver, **options)
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
             states = getattr(error, "states", np.empty((0, self.n)))[1:, : self.n]
             self.states[np.flatnonzero(later)[: len(states)]] = states
@@ -630,7 +628,7 @@ class Run:
         if self.carried is not None and acting:
             one = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
             before = np.ascontiguousarray(one.before[: self.n])
-            rates = motion.problem.derivatives(np.array([end]), before[None])[0]
+            rates = motion.problem.at(np.array([end]), before[None]).rates()[0]
             self.carried.ended(one, rates)
             what, i = kinds[one.index]
             if what in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
@@ -743,7 +741,7 @@ class Run:
         """Return the trajectory from the end of the motion on, at some times."""
         assert self.state is not None
         start = dict(zip(self.now.definition.states, self.state.x.tolist(), strict=True))
-        now = replace(self.now, times=times, user={**self.now.user, "initial_conditions": start})
+        now = with_settings(self.now, times=times, initial_conditions=start)
         run = Run(self.kept, self.solver, now, times, self.user_events, dict(self.options))
         run.state, run.resumed = deepcopy(self.state), True
         run.counted = {record.name for record in self.records if record.time == self.state.t}

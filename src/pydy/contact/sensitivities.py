@@ -172,7 +172,7 @@ class Transitions:
             total = total + slopes + own
         # Entries of J M⁻¹ Jᵀ that should be zero are rounded as √(A_ii A_jj).
         root = np.sqrt(np.abs(p.square.diagonal()))
-        span = WITHIN * ROUNDING * float(np.ptp(self.now.times))
+        span = WITHIN * ROUNDING * float(np.ptp(self.now.settings.times))
         for i, normal in enumerate(self.rows.normal):
             if normal is not None:
                 self.blurred[i] += span * root[normal] * (root @ np.abs(total))
@@ -254,24 +254,24 @@ class HybridSensitivities(Transitions):
         parameters = sensitive.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]
-        super().__init__(rows, now, constants, sensitive.start(now.x, float(now.times[0])))
+        super().__init__(rows, now, constants, sensitive.start(now.x, float(now.settings.times[0])))
         self._controlled = controlled
         self._counts = {p.symbol: p.count for p in parameters}
         self._before: np.ndarray | None = None  # the last event; None if there was none
-        self._columns = np.full((len(now.times), *self.total.shape), np.nan)
+        self._columns = np.full((len(now.settings.times), *self.total.shape), np.nan)
 
     def simulate(
         self, mode: Mode, given: np.ndarray, now: Problem, solver: Any, options: dict[str, Any]
     ) -> Motion:
         """Simulate in one mode, with S at the start `given`."""
-        self._columns[self.now.times == now.times[0]] = given
+        self._columns[self.now.settings.times == now.settings.times[0]] = given
         controlled = self._controlled or mode.turns
         wanted = SensitivityRequest([*self._counts], controlled, given, mode.untimed)
-        return simulate(now, now.times, solver=solver, sensitivities=wanted, **options)
+        return simulate(now, now.settings.times, solver=solver, sensitivities=wanted, **options)
 
     def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
         """Keep S⁺ of a mode that lasts no time, as it begins at the last."""
-        self._columns[self.now.times == start] = given
+        self._columns[self.now.settings.times == start] = given
         self._note(start, given, records)
 
     def _note(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
@@ -290,7 +290,7 @@ class HybridSensitivities(Transitions):
         start, values = motion.times[0], motion.sensitivities
         assert values is not None
         self._note(start, values[0], records)
-        rows = (self.now.times > start) & (self.now.times <= end)
+        rows = (self.now.settings.times > start) & (self.now.settings.times <= end)
         self._columns[rows] = values[1 : 1 + int(rows.sum())]
 
     def ended(self, record: EventRecord, rates: np.ndarray) -> None:

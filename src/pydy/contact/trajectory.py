@@ -11,6 +11,7 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._interpolation import between
 from pydy._motion import Motion, Segment
+from pydy._problem import AssumptionChecks, TrajectoryModel
 from pydy.trajectory import Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -46,12 +47,12 @@ class SegmentedModel(_Segmented):
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self._each(times, lambda s, own: s.problem.derivatives(times[own], states[own]))
+        return self._each(times, lambda s, own: s.problem.at(times[own], states[own]).rates())
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
         return self._each(
-            times, lambda s, own: s.problem.outputs(times[own], states[own])[:, s.columns]
+            times, lambda s, own: s.problem.at(times[own], states[own]).outputs()[:, s.columns]
         )
 
 
@@ -188,8 +189,8 @@ def contact_trajectory(
     """
     problem, times, states = motion.problem, motion.times, motion.states
     if problem.definition.assumes_motions:
-        problem.check_motion(times, states)
-    model = SegmentedModel(motion.segments, problem)
+        AssumptionChecks(problem).motion(times, states)
+    model = SegmentedModel(motion.segments, TrajectoryModel(problem))
     more = {}
     if sensitivities is not None:
         more = sensitivities.labels(motion.sensitivities, motion.segments)

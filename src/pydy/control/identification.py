@@ -390,7 +390,7 @@ class _Joined:
                     p[k] = value
                 else:
                     r[:, k - len(p)] = value
-            values = replace(at, p=p, r=r).values(rates)
+            values = replace(at, p=p, r=r).interpret(rates)
             # Where nothing moves, rates are rounding: terms count as on the whole motion.
             values["sizes"] = np.broadcast_to(values["sizes"].max(axis=0), values["sizes"].shape)
             if not (report := DriftReport.contradiction(values)):

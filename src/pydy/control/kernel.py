@@ -175,7 +175,7 @@ def violated(at: Any) -> dict[int, float]:
     `at` is a start; the residuals of these holonomic constraints come by their places.
     """
     places = at.definition.equations.constraints.unenforced_holonomic
-    found = at.values(_holonomic) if places else {}
+    found = at.interpret(_holonomic) if places else {}
     rows = {k: [float(found[name][0, k]) for name in ("rows", "bounds")] for k in places}
     return {k: value for k, (value, bound) in rows.items() if abs(value) > DIGITS * bound}
 

@@ -26,6 +26,7 @@ from pydy._checks import (
 from pydy._errors import OptimizationError
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import some, unique_names
+from pydy._problem import with_settings
 from pydy._rank import DIGITS, rank
 from pydy.codegen import checked_expression
 from pydy.control.expressions import Reader, bends
@@ -641,7 +642,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         p = self._now.p.copy()
         p[list(columns)] = numbers
         known = dict(zip(self._now.definition.constants, p.tolist(), strict=True))
-        other._now = replace(self._now, user={**self._now.user, "constants": known})
+        other._now = with_settings(self._now, constants=known)
         other._problem = replace(self._problem, constants=p)
         other._as_written = replace(self._as_written, constants=p)
         if self._switches:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._names import table_of, unique_names
+from pydy._problem import Problem, TrajectoryModel, with_settings
 from pydy.codegen import OfTime, one_format
 from pydy.control.accuracy import objective_errors
 from pydy.control.costates import costates_of
@@ -66,7 +67,7 @@ class OptimalTrajectory(Trajectory):
 
     def __init__(
         self,
-        now: Any,
+        now: Problem,
         transcription: Transcription,
         controls: Sequence[Any],
         free: Sequence[Any],
@@ -91,16 +92,17 @@ class OptimalTrajectory(Trajectory):
         self._nlp, self._transcription = nlp, transcription
         self.multipliers, self.collocation_times = _multipliers(nlp, solution, duration)
         moved = moving(now, transcription, z, controls, free)
+        model = TrajectoryModel(moved)
         states = transcription.states_at(z, times)
         super().__init__(
             times,
             states,
             Columns(moved.definition.symbols_by_kind),
-            outputs=moved.outputs(times, states),
-            specifieds=moved.specifieds(times, states),
+            outputs=model.outputs(times, states),
+            specifieds=model.specifieds(times, states),
             constants=moved.constants,
             statistics={"iterations": solution.iterations},
-            model=moved,
+            model=model,
             dense=partial(transcription.states_at, z),
         )
 
@@ -329,21 +331,20 @@ class _Controls(OfTime):
 
 
 def moving(
-    now: Any,
+    now: Problem,
     transcription: Transcription,
     z: np.ndarray,
     controls: Sequence[Any],
     free: Sequence[Any],
-) -> Any:
-    """Return a System's snapshot with the controls and constants that were found."""
+) -> Problem:
+    """Return a System's Problem with the controls and constants that were found."""
     constants = transcription.split(z)[2][: len(free)]
-    user: Mapping[str, dict[Any, Any]] = now.user
-    specifieds, _ = one_format(user["specifieds"], "specifieds")
+    specifieds, _ = one_format(now.settings.specifieds, "specifieds")
     if controls:
         specifieds = {**specifieds, tuple(controls): _Controls(transcription, z)}
     known = dict(zip(now.definition.constants, now.p.tolist(), strict=True))
     known |= dict(zip(free, constants.tolist(), strict=True))
-    return replace(now, user={**user, "specifieds": specifieds, "constants": known})
+    return with_settings(now, specifieds=specifieds, constants=known)
 
 
 def _multipliers(

@@ -15,7 +15,14 @@ from pydy._integration import AugmentedSystem, changed_by, program_of_event
 from pydy._judges import check_samples, drift_programs, watched
 from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_held
 from pydy._names import column_names
-from pydy._problem import At, Problem, check_specifieds, check_times, refuse_descending
+from pydy._problem import (
+    AssumptionChecks,
+    CallArguments,
+    Problem,
+    StateSamples,
+    check_times,
+    refuse_descending,
+)
 from pydy._version import __version__
 from pydy.codegen import SpecifiedsPlan
 from pydy.ensemble.engine import Ensemble
@@ -81,8 +88,8 @@ def integrate_ensemble(
     if definition.equations.constraints.are_present or sensitivities is not None:
         code = problem.model.with_compiled_inputs(plan)
 
-    def at(t: np.ndarray, x: np.ndarray) -> At:
-        return At(definition, code, t, x, plan.inputs.rows(x, t), problem.p)
+    def at(t: np.ndarray, x: np.ndarray) -> StateSamples:
+        return StateSamples(definition, code, t, x, plan.inputs.rows(x, t), problem.p)
 
     if definition.equations.constraints.are_present:
         mended = options.get("constraints") is not None
@@ -131,7 +138,7 @@ def integrate_ensemble(
         read_reductions(reduce, model, names.name),
         names.attributes if units is None else names.described(units),
         assumed=definition.assumptions.get("states"),
-        contradicted=problem.contradicted,
+        contradicted=problem.settings.contradicted,
     )
     ensemble = Ensemble(work, samples, chunks, _attributes(model), workers, progress)
     if store is not None:
@@ -148,14 +155,18 @@ def _plan_of(problem: Problem, varied: Iterable[Any], common: Mapping[Any, Any])
         places = problem.definition.places["specifieds"]
         update = SpecifiedsPlan(values, places, argument="specifieds")
         if values is common:
-            check_specifieds(problem.definition, update, problem.contradicted)
+            AssumptionChecks(problem).inputs(update)
         plan = plan.updated(update)
     return plan
 
 
 def _checked_times(problem: Problem, plan: SpecifiedsPlan, times: Any) -> np.ndarray:
     """Return the times, by default those of the Problem."""
-    checked = problem.checked_times(problem.times) if times is None else check_times(times)
+    checked = (
+        CallArguments(problem).times(problem.settings.times)
+        if times is None
+        else check_times(times)
+    )
     if checked.size and checked[-1] < checked[0]:
         refuse_descending(checked, "ensembles integrate forward only")
     if len(checked) < 2:
@@ -227,7 +238,7 @@ def _attributes(model: Model) -> dict[str, Any]:
 
 
 def ensemble_sensitivities(
-    at: At, sensitive: AugmentedSystem, options: Mapping[str, Any], control: bool
+    at: StateSamples, sensitive: AugmentedSystem, options: Mapping[str, Any], control: bool
 ) -> EnsembleSensitivities:
     """Return the sensitivities of an ensemble as Programs and numbers."""
     watch = watched(at, sensitive)

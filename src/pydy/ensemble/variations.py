@@ -186,7 +186,7 @@ def _check_assumptions(
     problem: Problem, columns: list[Column], kind: str, values: Mapping[Any, Any], argument: str
 ) -> None:
     """Warn once of samples that contradict assumptions."""
-    assumed, warned = problem.definition.assumptions.get(kind), problem.contradicted
+    assumed, warned = problem.definition.assumptions.get(kind), problem.settings.contradicted
     if not values or assumed is None or warned is None:
         return
     for place in {

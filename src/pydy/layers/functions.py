@@ -59,10 +59,10 @@ class Functions:
             raise ValueError("The system has no outputs to evaluate. Set `system.outputs`.")
         if kind in _BLOCKS:
             return BlockFunction(problem, _BLOCKS[kind], parts)
-        if len(problem.times) < 2:
+        if len(problem.settings.times) < 2:
             raise ValueError(
                 f"`times` must have at least two values before `{kind}` can be called, got "
-                f"{len(problem.times)}. Set `system.times`, and make the layer after that."
+                f"{len(problem.settings.times)}. Set `system.times`, and make the layer after that."
             )
-        refuse_descending(problem.times, f"`{kind}` integrates forward only")
+        refuse_descending(problem.settings.times, f"`{kind}` integrates forward only")
         return MotionFunction(problem, self._solver, kind == "final", parts, self._options)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ from pydy._forks import Lock
 from pydy._integration import SensitivityRequest, simulate
 from pydy._motion import Motion
 from pydy._names import unique_names
-from pydy._problem import Problem
+from pydy._problem import CallArguments, Problem, with_settings
 from pydy._states import with_dependents
 from pydy.analysis import explicit_solver, there_and_back
 from pydy.ensemble import integrate_ensemble
@@ -39,15 +38,17 @@ class MotionFunction:
     ) -> None:
         self.parts, self._solver, self._final, self._options = parts, solver, final, options
         definition, states = problem.definition, problem.definition.states
-        times = problem.checked_times(problem.times)
+        times = CallArguments(problem).times(problem.settings.times)
         self.shape: tuple[int, ...] = (len(states),) if final else (len(times), len(states))
-        user = {
-            "initial_conditions": problem.initial_conditions,
-            "specifieds": _one_by_one(problem, parts),
-            "constants": problem.constants,
-        }
-        self._problem = replace(problem, user=user, times=times, contradicted=None)
-        self._solved_for = problem.solved_for or ()
+        self._problem = with_settings(
+            problem,
+            initial_conditions=dict(zip(states, problem.x.tolist(), strict=True)),
+            specifieds=_one_by_one(problem, parts),
+            constants=problem.constants,
+            times=times,
+            contradicted=None,
+        )
+        self._solved_for = problem.settings.solved_for or ()
         following = [states[k] for k in problem.dependent]
         self._symbols: list[tuple[Any, ...]] = []  # of each part
         self._by: list[list[Any]] = []  # those to differentiate by
@@ -67,11 +68,13 @@ class MotionFunction:
 
     def _at(self, row: list[np.ndarray]) -> Problem:
         """Return the Problem of one sample."""
-        user = dict(self._problem.user)
+        changes: dict[str, dict[Any, Any]] = {}
         for part, symbols, values in zip(self.parts, self._symbols, row, strict=True):
             argument = _ARGUMENTS[part.group]
             whole = part.group == "r" and part.whole
-            before = {} if whole else user[argument]
+            before = (
+                {} if whole else changes.get(argument, getattr(self._problem.settings, argument))
+            )
             pieces = np.split(values, np.cumsum(part.counts)[:-1])
             new: dict[Any, Any] = {}
             for symbol, piece in zip(symbols, pieces, strict=True):
@@ -80,8 +83,8 @@ class MotionFunction:
                     new[symbol] = SampledInput(samples.times, piece, samples.interpolation)
                 else:
                     new[symbol] = float(piece[0])
-            user[argument] = {**before, **new}
-        problem = replace(self._problem, user=user)
+            changes[argument] = {**before, **new}
+        problem = with_settings(self._problem, **changes)
         return with_dependents(problem, self._solved_for) if self._solved_for else problem
 
     def _flat(self, given: Given) -> list[np.ndarray]:
@@ -120,7 +123,7 @@ class MotionFunction:
             options = {"dense_output": False, **options}
         request = None if by is None else SensitivityRequest(by, controlled)
         return simulate(
-            problem, problem.times, solver=self._solver, sensitivities=request, **options
+            problem, problem.settings.times, solver=self._solver, sensitivities=request, **options
         )
 
     def _or_nan(self, lead: tuple[int, ...], function: Callable[..., Any], *sample: Any) -> Any:
@@ -135,7 +138,7 @@ class MotionFunction:
     def _late(self, results: Any) -> np.ndarray:
         """Return which times of an ensemble's samples are after their last event, (m, times)."""
         ended = np.isin(results["status"].values, (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE))
-        after = self._problem.times > results["end_time"].values[:, None]
+        after = self._problem.settings.times > results["end_time"].values[:, None]
         late: np.ndarray = ended[:, None] & after
         return late
 
@@ -160,7 +163,7 @@ class MotionFunction:
     def _states(self, row: list[np.ndarray]) -> np.ndarray:
         """Return the states of one sample, or the last of them."""
         motion = self._motion(row)
-        states, missing = motion.states, len(self._problem.times) - len(motion.times)
+        states, missing = motion.states, len(self._problem.settings.times) - len(motion.times)
         if self._final:
             last: np.ndarray = motion.events[-1].after if missing else states[-1]
             return last
@@ -224,7 +227,7 @@ class MotionFunction:
         self, by: list[Any], flat: list[np.ndarray], lead: tuple[int, ...], columns: int
     ) -> np.ndarray:
         """Return the sensitivities of the states, (m, times, n, k)."""
-        m, n, steps = len(flat[0]), len(self._names), len(self._problem.times)
+        m, n, steps = len(flat[0]), len(self._names), len(self._problem.settings.times)
         if not by:
             return np.zeros((m, steps, n, 0))
         if self._together(m):
@@ -264,7 +267,7 @@ class MotionFunction:
         problem = self._at(row)
         _, _, slopes, _ = there_and_back(
             problem,
-            problem.times,
+            problem.settings.times,
             by,
             final=None,
             integral=None,

@@ -118,7 +118,7 @@ def _guess(problem: FitProblem, k: int, now: Problem) -> np.ndarray:
     States that are measured are their samples, and speeds that are rates of such coordinates the
     slopes; the others are simulated if they can be, or stay where they are.
     """
-    d, order, times = problem.trials[k], problem.states, now.times
+    d, order, times = problem.trials[k], problem.states, now.settings.times
     states = np.tile(now.x, (len(times), 1))
     known = {}
     for key, column in zip(d.keys, d.values.T, strict=True):
@@ -137,7 +137,7 @@ def _guess(problem: FitProblem, k: int, now: Problem) -> np.ndarray:
             options["constraints"] = "project"
         try:
             solver = native_solver(problem.model.solver)
-            motion = simulate(now, now.times, solver=solver, **options)
+            motion = simulate(now, now.settings.times, solver=solver, **options)
             if np.isfinite(motion.states).all():
                 states = motion.states.copy()
         except (IntegrationError, SingularMatrixError):

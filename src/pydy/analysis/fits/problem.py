@@ -7,7 +7,7 @@ Shooting appends the states at the beginnings of segments.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,7 +23,13 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import unique_names
-from pydy._problem import Problem
+from pydy._problem import (
+    AssumptionChecks,
+    CallArguments,
+    Problem,
+    with_settings,
+    with_unknowns,
+)
 from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import Samples, checked_trial
@@ -71,7 +77,7 @@ class FitProblem:
         self.independent = [s for s in movable if s not in self.dependents]
         places = [located(definition, key, "parameters") for key in keys]
         self.shared = [(kind, definition.places[kind].symbols[place]) for kind, place in places]
-        start = [self.now.value(kind, place) for kind, place in places]
+        start = [self._starting_value(kind, place) for kind, place in places]
         refuse_twice([symbol for _, symbol in self.shared], "parameters")
         self.names = list(unique_names([s for _, s in self.shared]))
         self.columns: list[int] = []  # of the first unknown initial condition of each trial
@@ -90,6 +96,13 @@ class FitProblem:
         self.limits = np.empty(0), np.empty(0)
         self.priors: list[tuple[int, float, float]] = []
 
+    def _starting_value(self, kind: str, column: int) -> float:
+        """Return the number of a state, constant or specified at the initial time."""
+        now = self.now
+        if kind == "specifieds":
+            return float(now.inputs.rows(now.x[None], np.array([now.t]))[0][column])
+        return float((now.x if kind == "states" else now.p)[column])
+
     def _values(self, argument: str, d: Samples) -> Numbers:
         """Return the values of a trial that are no parameters, by their symbols."""
         places, label = self.now.definition.places[argument], f"{argument} of {d.label}"
@@ -98,12 +111,12 @@ class FitProblem:
             raise ValueError(
                 f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
             )
-        system = merged(self.now.user[argument])
+        system = merged(getattr(self.now.settings, argument))
         values = places.by_symbol(system, argument, others=True)
         trial = merged(check_mapping(label, getattr(d.trial, argument)))
         alone = places.by_symbol(trial, label, others=True)
         numbers = {s: v for s, v in alone.items() if isinstance(v, (int, float))}
-        self.now.check_values(argument, numbers, f"`{label}` for ")
+        AssumptionChecks(self.now).values(argument, numbers, f"`{label}` for ")
         if len(self.trials) > 1 and (both := parameters & alone.keys()):
             raise ValueError(
                 f"`{label}` gives {describe([*both])} a value of its own, but `parameters` names "
@@ -116,10 +129,13 @@ class FitProblem:
         now, argument = self.now, f"initial_conditions of {d.label}"
         states = now.definition.places["states"]
         conditions = merged(check_mapping(argument, d.trial.initial_conditions))
-        x, chosen = now.x_with(conditions, argument), states.chosen(conditions, argument)
+        x, chosen = (
+            CallArguments(now).states(conditions, argument),
+            states.chosen(conditions, argument),
+        )
         numbers = {s: x[k] for k, s in enumerate(states.symbols) if s in chosen}
-        now.check_values("states", numbers, f"`{argument}` for ")
-        start = now.at(np.array([d.start]), x[None]).with_unknowns({}, now.inputs.rows)
+        AssumptionChecks(now).values("states", numbers, f"`{argument}` for ")
+        start = with_unknowns(now.at(np.array([d.start]), x[None]), {}, now.inputs.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 
     # -- motions ----------------------------------------------------------------------------------
@@ -156,8 +172,13 @@ class FitProblem:
         if k not in self._problems:
             tried = self.model.tried(self._events, self._outputs, constants, specifieds)
             self._problems[k] = tried
-        user = {"constants": constants, "specifieds": specifieds, "initial_conditions": initial}
-        now = replace(self._problems[k], user=user, times=times)
+        now = with_settings(
+            self._problems[k],
+            constants=constants,
+            specifieds=specifieds,
+            initial_conditions=initial,
+            times=times,
+        )
         if self.dependents:
             now = with_dependents(now, self.dependents)
         return now, symbols, columns

@@ -97,7 +97,7 @@ class Shooting:
         now, _, _ = self.problem.motion(self.problem.start, 0, times)
 
         def rates(x: np.ndarray, t: float) -> np.ndarray:
-            row: np.ndarray = now.derivatives(np.array([t]), x[None])[0]
+            row: np.ndarray = now.at(np.array([t]), x[None]).rates()[0]
             return row
 
         with suppress(RuntimeError, SingularMatrixError):  # which the fit itself reports
@@ -110,7 +110,9 @@ class Shooting:
     def simulate(self, now: Problem, parameters: list[Any]) -> Trajectory:
         """Simulate with sensitivities."""
         request = SensitivityRequest(parameters, self.controlled)
-        motion = simulate(now, now.times, solver=self.solver, sensitivities=request, **self.options)
+        motion = simulate(
+            now, now.settings.times, solver=self.solver, sensitivities=request, **self.options
+        )
         return motion.trajectory
 
     def fly(self, z: np.ndarray, k: int, segment: _Segment) -> tuple[Trajectory, list[int], int]:

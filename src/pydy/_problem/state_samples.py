@@ -1,0 +1,97 @@
+"""A model at many states, and the states that users give for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, Self
+
+import numpy as np
+
+from pydy._assembly import Assembly, CompiledModel, Definition
+from pydy._checks import real_array
+from pydy._kernel import Kernel
+
+
+@dataclass(frozen=True, eq=False)
+class StateSamples:
+    """A model at m states, with all that its equations take there."""
+
+    definition: Definition
+    model: CompiledModel  # with the expressions for specifieds compiled in
+    t: np.ndarray  # (m,)
+    x: np.ndarray  # (m, n)
+    r: np.ndarray  # (m, s), or (1, s) for all states alike
+    p: np.ndarray  # (k,), or (m, k)
+
+    def subset(self, rows: Any) -> Self:
+        """Return the same at some of the states, by indices or a mask."""
+        r = self.r[rows] if len(self.r) > 1 else self.r
+        p = self.p[rows] if self.p.ndim > 1 else self.p
+        return replace(self, t=self.t[rows], x=self.x[rows], r=r, p=p)
+
+    def evaluate(self, kernel: Kernel, x: np.ndarray | None = None) -> np.ndarray:
+        """Return the flat outputs of a Kernel, shape (m, o); x may have more than the states."""
+        return self.model.evaluate(kernel, self.t, self.x if x is None else x, self.r, self.p)
+
+    def interpret(self, nodes: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
+        """Return the values of nodes, shape (m, o) for each name; few are worth compiling."""
+        return self.model.interpreted(nodes, (self.t, self.x, self.r, self.p))
+
+    def rates(self) -> np.ndarray:
+        """Return the derivatives of the states, shape (m, n)."""
+        return self.evaluate(self.model.compiled("rates"))
+
+    def outputs(self) -> np.ndarray:
+        """Return the outputs, shape (m, o)."""
+        if not self.definition.outputs_symbols:
+            return np.empty((len(self.t), 0))
+        return self.evaluate(self.model.compiled("outputs"))
+
+
+def read_samples(
+    x: Any,
+    t: Any,
+    default: Callable[[], np.ndarray],
+    times: np.ndarray,
+    n: int,
+    argument: str = "x",
+) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Return states (m, n), times (m,), and whether there is only one sample."""
+    if x is None:
+        states = default()
+    else:
+        states = real_array(x, f"`{argument}`")
+        if states.ndim not in (1, 2) or states.shape[-1] != n:
+            raise ValueError(
+                f"`{argument}` must have the shape ({n},) or (m, {n}), one column for each state, "
+                f"got {states.shape}."
+            )
+    single = states.ndim == 1
+    if t is None:
+        if single:
+            instants = times[:1] if len(times) else np.zeros(1)
+        else:
+            instants = times if len(times) else np.zeros(len(states))
+        source = "the System's `times`"
+    else:
+        instants = real_array(t, "`t`")
+        source = "`t`"
+        if single:
+            if instants.ndim != 0:
+                raise ValueError(
+                    f"`t` must be a scalar for `{argument}` of the shape {states.shape}, got the "
+                    f"shape {np.shape(t)}."
+                )
+            instants = instants.reshape(1)
+        elif instants.ndim != 1:
+            raise ValueError(
+                f"`t` must have the shape ({len(states)},) for `{argument}` of the shape "
+                f"{states.shape}, got the shape {np.shape(t)}."
+            )
+    if not single and len(instants) != len(states):
+        raise ValueError(
+            f"`{argument}` and `t` must have as many rows as times: `{argument}` has the shape "
+            f"{states.shape}, {source} the shape {instants.shape}."
+        )
+    return (states[None] if single else states), np.ascontiguousarray(instants), single
