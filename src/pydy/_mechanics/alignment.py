@@ -16,22 +16,28 @@ moved along its axis, so that the vector to the next joint has two components in
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from sympy.physics.mechanics import Point
 
 from pydy._graph import Graph, signatures
 from pydy._mechanics.components import axis_rotation, flat, identity, in_rows, product, transposed
+from pydy._mechanics.frame_tree import Axes
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.tuning import SAME_DIRECTION
 from pydy._rank import ROUNDED
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import ReferenceFrame, Vector
+
+    from pydy._mechanics.frame_tree import AnyFrame
+
 Matrix = list[Vec]
 
 
-def hinge_axis(kinematics: Kinematics, frame: Any, before: Any) -> int | None:
+def hinge_axis(kinematics: Kinematics, frame: AnyFrame, before: AnyFrame | None) -> int | None:
     """Return the number of the axis about which a frame rotates in the frame before, or None."""
     k, g = kinematics, kinematics.graph
     if frame not in k.tree.frame_depth or frame is k.inertial:
@@ -67,10 +73,10 @@ class _Joint:
     component of it that is removed by moving along the axis.
     """
 
-    frame: Any
+    frame: AnyFrame
     axis: int
-    base: Any
-    before: Any
+    base: Point
+    before: AnyFrame
     position: Vec
     direction: Vec
     shortened: int
@@ -80,7 +86,7 @@ def choose_joint_points(kinematics: Kinematics) -> None:
     """Move joint points along the axes of their hinges if that saves products."""
     k, g = kinematics, kinematics.graph
     joints = _joints(k)
-    shifts: dict[Any, int] = {}
+    shifts: dict[Point, int] = {}
     for point in sorted(joints, key=lambda p: k.tree.frame_depth[joints[p].frame]):
         joint = joints[point]
         n = joint.shortened
@@ -116,7 +122,7 @@ def choose_joint_points(kinematics: Kinematics) -> None:
             k.reroute(point, axis_points[base], _summed(k, parts))
 
 
-def _back(graph: Graph, joint: _Joint, shift: int) -> tuple[Vec, Any]:
+def _back(graph: Graph, joint: _Joint, shift: int) -> tuple[Vec, AnyFrame]:
     """Return the vector from the moved point of an axis back to the joint."""
     zero = graph.zero
     return [graph.neg(shift) if i == joint.axis else zero for i in range(3)], joint.frame
@@ -124,7 +130,7 @@ def _back(graph: Graph, joint: _Joint, shift: int) -> tuple[Vec, Any]:
 
 def _summed(kinematics: Kinematics, parts: Parts) -> Parts:
     """Add vectors in the same frame, without rounding errors and zeros."""
-    sums: dict[Any, Vec] = {}
+    sums: dict[AnyFrame, Vec] = {}
     for v, frame in parts:
         sums[frame] = kinematics.plus(sums[frame], v) if frame in sums else v
     graph = kinematics.graph
@@ -138,17 +144,17 @@ def _summed(kinematics: Kinematics, parts: Parts) -> Parts:
     return [(v, frame) for frame, v in sums.items() if any(n != graph.zero for n in v)]
 
 
-def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
+def _joints(kinematics: Kinematics) -> dict[Point, _Joint]:
     """Return the joints by the points that they are located at."""
     k = kinematics
-    frames_at: dict[Any, set[Any]] = {}
+    frames_at: dict[Point | None, set[AnyFrame | None]] = {}
     for point in k.placed():
         base, _ = k.path(point)
         frames_at.setdefault(base, set()).update(frame for _, frame in k.parts(point))
     for body in k.body.bodies:
         frame = k.frames.axes(body.frame) if is_rigid(body) else None
         frames_at.setdefault(body.masscenter, set()).add(frame)
-    joints: dict[Any, _Joint] = {}
+    joints: dict[Point, _Joint] = {}
     for point, frames in frames_at.items():
         step = point and k.fixed_step(point)
         if not step or len(frames) != 1:
@@ -174,7 +180,7 @@ def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
     return joints
 
 
-def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int | None:
+def _shortened(kinematics: Kinematics, direction: Vec, before: AnyFrame) -> int | None:
     """Return the component of a position to remove, in addition to that along the inner hinge.
 
     The shift along the axis is that component over the direction's, which must not be small:
@@ -197,16 +203,6 @@ def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int | Non
 _UNIT, _ZERO = np.eye(3), np.zeros(3)
 
 
-class Axes:
-    """Axes that are not a frame of the user."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-
-    def __repr__(self) -> str:
-        return self.name
-
-
 @dataclass(frozen=True)
 class _Turn:
     """A rotation by an angle a about an axis: n₂ n₁ᵀ + even cos a + odd sin a, all numbers."""
@@ -222,12 +218,12 @@ class _Turn:
 class _Body:
     """Frames without relative motion."""
 
-    root: Any  # the first of them
-    before: Any = None  # the user's frame in which it rotates
+    root: ReferenceFrame  # the first of them
+    before: ReferenceFrame | None = None  # the user's frame in which it rotates
     turn: _Turn | None = None
     speed: int = 0  # its angular speed about the hinge
     # Matrices that give components in the root's axes.
-    frames: dict[Any, Matrix] = field(default_factory=dict)
+    frames: dict[ReferenceFrame, Matrix] = field(default_factory=dict)
     hinged: list[_Body] = field(default_factory=list)  # bodies whose hinges are on it
     weight: int = 1  # number of outer bodies, with itself
 
@@ -245,7 +241,7 @@ class _Alignment:
         self.kinematics, self.graph = kinematics, kinematics.graph
         g = self.graph
         self.unit = identity(g)
-        self.bodies: dict[Any, _Body] = {}  # by frame
+        self.bodies: dict[ReferenceFrame, _Body] = {}  # by frame
 
     def choose(self) -> None:
         k = self.kinematics
@@ -262,14 +258,14 @@ class _Alignment:
             if body.turn is None or not (self._by_numbers(body) or self._by_symbols(body)):
                 self._write(body, body.root, self.unit)
 
-    def _needed(self) -> list[Any]:
+    def _needed(self) -> list[ReferenceFrame]:
         """Return the frames of bodies, loads and positions, and all between them and the ground."""
         k = self.kinematics
         frames = {b.frame for b in k.body.bodies if hasattr(b, "frame")}
         frames |= {location for location, _ in k.loads}
         for point in k.placed():
             frames |= {f for vector in k.path(point)[1] for _, f in vector.args}
-        needed: dict[Any, None] = {}
+        needed: dict[ReferenceFrame, None] = {}
         for frame in sorted(frames, key=str):
             while frame in k.tree.frame_depth and frame is not k.inertial and frame not in needed:
                 needed[frame] = None
@@ -279,7 +275,7 @@ class _Alignment:
     # -- bodies and hinges
     # ----------------------------------------------------------------------------
 
-    def _classified(self, frame: Any) -> _Body | None:
+    def _classified(self, frame: ReferenceFrame) -> _Body | None:
         """Add a frame to its parent's group if it is fixed there, or return a new group."""
         k, g = self.kinematics, self.graph
         before = k.tree.parent(frame)
@@ -299,7 +295,7 @@ class _Alignment:
             self.bodies[before].hinged.append(body)
         return body
 
-    def _turns_only(self, body: _Body, spin: Any) -> bool:
+    def _turns_only(self, body: _Body, spin: Vector) -> bool:
         """Set the angular speed of a body about its hinge; return whether that is all its spin."""
         g, turn = self.graph, body.turn
         assert turn is not None
@@ -426,7 +422,7 @@ class _Alignment:
     def _turn_about(
         self,
         body: _Body,
-        home: Any,
+        home: AnyFrame,
         index: int,
         circle: tuple[int, int],
         sign: float,
@@ -444,7 +440,7 @@ class _Alignment:
         k.frames.insert(axes, home, axis_rotation(g, index, *circle), spin, depth)
         self._write(body, axes, rotation_to_axes)
 
-    def _fixed(self, home: Any, matrix: Matrix, body: _Body) -> Any:
+    def _fixed(self, home: AnyFrame, matrix: Matrix, body: _Body) -> AnyFrame:
         """Return axes that are fixed relative to others."""
         if matrix == self.unit:
             return home
@@ -453,7 +449,7 @@ class _Alignment:
         k.frames.insert(axes, home, matrix, None, k.tree.frame_depth[body.root])
         return axes
 
-    def _write(self, body: _Body, axes: Any, rotation_to_axes: Matrix) -> None:
+    def _write(self, body: _Body, axes: AnyFrame, rotation_to_axes: Matrix) -> None:
         for frame, matrix in body.frames.items():
             product = self._product(rotation_to_axes, matrix)
             self.kinematics.frames.write(frame, axes, None if product == self.unit else product)

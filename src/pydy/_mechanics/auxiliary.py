@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 from pydy._collector import collector_paused
 from pydy._graph import NodeExpression, jacobian, substitute
@@ -13,6 +13,9 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.inertia import loads_and_inertias
 from pydy._mechanics.kinematics import Kinematics, Vec
+
+if TYPE_CHECKING:
+    import sympy as sm
 
 
 @collector_paused()
@@ -60,7 +63,7 @@ def _of_loop(equations: Equations, j: int) -> bool:
     return not any(constraints.velocity[j] is e for e in constraints.nonholonomic)
 
 
-def _residuals(k: Kinematics, moved: list[Vec]) -> list[Any]:
+def _residuals(k: Kinematics, moved: list[Vec]) -> list[sm.Expr]:
     """Return the residual for each auxiliary speed: its active minus its inertia force.
 
     The velocity constraints' derivatives by the auxiliary speeds are `moved`.

@@ -26,7 +26,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, permutations
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from sympy.core.function import AppliedUndef
@@ -43,10 +43,19 @@ from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import HALF, ROUNDED, or_one
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import ReferenceFrame
+
+    from pydy._mechanics.frame_tree import AnyFrame
+    from pydy._sympy_types import Location
+
 _STATES = 4  # generic states at which rates are compared, for each of two sets of constants
 
+# Two points, two frames, or two bodies: a mass centre and a frame; None is the ground, or no frame.
+_End: TypeAlias = "Location | tuple[Point | None, ReferenceFrame | None]"
 
-def loop_points(body: Multibody) -> dict[Any, Any]:
+
+def loop_points(body: Multibody) -> dict[Point, Point | None]:
     """Return the points that constraints may connect, each with the one it is located from.
 
     Points of other mechanisms with the same origin depend on other functions of time.
@@ -55,7 +64,7 @@ def loop_points(body: Multibody) -> dict[Any, Any]:
     written = find_symbols((*body.holonomic, *body.velocity, *body.coordinate_derivatives))
     functions_of_motion = {s for s in written if isinstance(s, AppliedUndef)} | {*body.coordinates}
 
-    def connected(point: Any) -> list[Any]:
+    def connected(point: Point) -> list[Point]:
         return [
             neighbour
             for neighbour, offset in FrameTree.positions(point).items()
@@ -66,7 +75,7 @@ def loop_points(body: Multibody) -> dict[Any, Any]:
             <= functions_of_motion
         ]
 
-    before: dict[Any, Any] = {}
+    before: dict[Point, Point | None] = {}
     at_loads = [location for location, _ in body.loads if isinstance(location, Point)]
     for root in (*(b.masscenter for b in body.bodies), *at_loads):
         if root not in before:
@@ -84,11 +93,11 @@ class _Closures:
     nodes.
     """
 
-    ends: list[tuple[Any, Any]]
+    ends: list[tuple[_End, _End]]
     columns: np.ndarray
-    rates: Callable[[Any, Any], Vec]
+    rates: Callable[..., Vec]
     values: np.ndarray | None = None
-    axes: Any = None  # the frame of the components
+    axes: ReferenceFrame | None = None  # the frame of the components
     between_bodies: bool = False
 
 
@@ -100,8 +109,8 @@ class _Fit:
     """
 
     rank: int
-    ends: frozenset[Any]
-    axes: Any
+    ends: frozenset[_End]
+    axes: ReferenceFrame | None
     shares: Vec
 
 
@@ -112,10 +121,12 @@ class LoopShares:
     linear in the speeds.
     """
 
-    def __init__(self, k: Kinematics, points: dict[Any, Any], rows: Sequence[int]) -> None:
+    def __init__(
+        self, k: Kinematics, points: dict[Point, Point | None], rows: Sequence[int]
+    ) -> None:
         self.k, g = k, k.graph
-        self._position: dict[Any, Vec] = {}
-        self._root: dict[Any, Any] = {}
+        self._position: dict[Point, Vec] = {}
+        self._root: dict[Point, Point] = {}
         for point, before in points.items():
             self._position[point], self._root[point] = [g.zero] * 3, point
             if before is not None:
@@ -130,7 +141,7 @@ class LoopShares:
         self._rows = jacobian(g, rows, k.speeds).dense()
         self._number(k.read.all(k.body.holonomic))
 
-    def _moving(self, items: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, Vec]]]:
+    def _moving(self, items: Iterable[Location]) -> Iterator[tuple[Location, tuple[AnyFrame, Vec]]]:
         return ((item, self.k.velocity_of(item)) for item in items)
 
     def _number(self, holonomic: Vec) -> None:
@@ -221,7 +232,7 @@ class LoopShares:
         j: int,
         kind: _Closures,
         part: Sequence[int],
-        ends: tuple[Any, Any],
+        ends: tuple[_End, _End],
         columns: np.ndarray,
         weights: np.ndarray,
         values: np.ndarray | None,
@@ -431,35 +442,40 @@ class LoopShares:
     def _minus(self, a: Vec, b: Vec) -> Vec:
         return [self.k.graph.sub(x, y) for x, y in zip(a, b, strict=True)]
 
-    def _relative(self, a: Any, b: Any) -> tuple[Vec, Vec]:
+    def _relative(self, a: Point, b: Point) -> tuple[Vec, Vec]:
         """Return the vector between two points and the relative velocity."""
         position, motion = self._position, self._motion
         return self._minus(position[a], position[b]), self._minus(motion[a], motion[b])
 
-    def _component_rates(self, frame: Any, a: Any, b: Any) -> Vec:
+    def _component_rates(self, frame: ReferenceFrame, a: Point, b: Point) -> Vec:
         k, (r, v) = self.k, self._relative(a, b)
         rate = self._minus(v, k.cross(self._motion[frame], r))
         return product(k.graph, self._axes[frame], rate)
 
-    def _moved(self, frame: Any, a: Any, b: Any) -> Vec:
+    def _moved(self, frame: ReferenceFrame, a: Point, b: Point) -> Vec:
         return product(self.k.graph, self._axes[frame], self._relative(a, b)[1])
 
-    def _square(self, a: Any, b: Any) -> Vec:
+    def _square(self, a: Point, b: Point) -> Vec:
         return [dot(self.k.graph, *self._relative(a, b))]
 
-    def _distance(self, a: Any, b: Any) -> Vec:
+    def _distance(self, a: Point, b: Point) -> Vec:
         g, (r, v) = self.k.graph, self._relative(a, b)
         return [g.div(dot(g, r, v), g.call("sqrt", dot(g, r, r)))]
 
-    def _spin_components(self, a: Any, b: Any) -> Vec:
+    def _spin_components(self, a: ReferenceFrame, b: ReferenceFrame) -> Vec:
         spin = self._minus(self._motion[a], self._motion[b])
         return product(self.k.graph, self._axes[a], spin)
 
-    def _cosines(self, a: Any, b: Any) -> Vec:
+    def _cosines(self, a: ReferenceFrame, b: ReferenceFrame) -> Vec:
         k, spin = self.k, self._minus(self._motion[a], self._motion[b])
         return [dot(k.graph, spin, k.cross(x, y)) for x in self._axes[a] for y in self._axes[b]]
 
-    def _wrench(self, axes: Any, first: Any, second: Any) -> Vec:
+    def _wrench(
+        self,
+        axes: ReferenceFrame,
+        first: tuple[Point, ReferenceFrame | None],
+        second: tuple[Point | None, ReferenceFrame | None],
+    ) -> Vec:
         k, nothing = self.k, [self.k.graph.zero] * 3
         (a, fa), (b, fb) = first, second
         wa, wb = (nothing if f is None else self._motion[f] for f in (fa, fb))

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from sympy.core.function import AppliedUndef
@@ -37,9 +37,14 @@ from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, ROUNDED, or_one
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Point
+
+    from pydy._sympy_types import Location, TimeFunction
+
 # A label; the components of a position or orientation; their derivatives according to the
 # velocities; and the points that relate it to others.
-Moved = tuple[str, Vec, Vec, tuple[Any, ...]]
+Moved: TypeAlias = "tuple[str, Vec, Vec, tuple[Point, ...]]"
 
 
 def check_velocities(equations: Equations) -> None:
@@ -86,7 +91,7 @@ def check_velocities(equations: Equations) -> None:
 
 def _unmoved(
     k: Kinematics, velocity: Vec, position: Vec, zero_rows: list[int]
-) -> tuple[Any, Any] | None:
+) -> tuple[TimeFunction, TimeFunction] | None:
     """Return a coordinate that a position depends on, and its speed if no velocity has it.
 
     With constraints velocities may be written in some of the speeds: one speed is then enough.
@@ -106,7 +111,7 @@ def _unmoved(
     return None
 
 
-def _position_of(k: Kinematics, location: Any) -> Vec:
+def _position_of(k: Kinematics, location: Location) -> Vec:
     """Return the components that orient a frame, or locate a point from another one."""
     if isinstance(location, ReferenceFrame):
         return [*k.vector(location.x, k.inertial), *k.vector(location.y, k.inertial)]
@@ -186,7 +191,7 @@ def _points(k: Kinematics) -> Iterator[Moved]:
 
     Along other axes that point may be the contact of a wheel, which is at rest for an instant.
     """
-    located: dict[Any, tuple[Vec, Any]] = {}
+    located: dict[Point, tuple[Vec, Point]] = {}
     for point in (item.masscenter for item in k.body.bodies):
         located.update(_from_rest(k, point))
     for point, (position, base) in located.items():
@@ -194,13 +199,13 @@ def _points(k: Kinematics) -> Iterator[Moved]:
         yield f"the velocity of {point}", position, velocity, (point, *({base} & located.keys()))
 
 
-def _from_rest(k: Kinematics, point: Any) -> dict[Any, tuple[Vec, Any]]:
+def _from_rest(k: Kinematics, point: Point) -> dict[Point, tuple[Vec, Point]]:
     """Return positions along inertial axes from the nearest point at rest, if there is one.
 
     All points on the path are returned, each with the point before it: the velocity of that one
     must fit its position too, as that of a wheel's hub does not.
     """
-    before: dict[Any, Any] = {point: None}
+    before: dict[Point, Point | None] = {point: None}
     for current in (todo := [point]):
         if getattr(k.tree.velocity(current), "args", None) == []:
             break
@@ -211,7 +216,7 @@ def _from_rest(k: Kinematics, point: Any) -> dict[Any, tuple[Vec, Any]]:
             before |= {p: current for p in near if p not in before}
     else:
         return {}
-    located: dict[Any, tuple[Vec, Any]] = {}
+    located: dict[Point, tuple[Vec, Point]] = {}
     position = [k.graph.zero] * 3
     while (after := before[current]) is not None:
         position = k.plus(position, k.vector(FrameTree.positions(after)[current], k.inertial))
@@ -221,14 +226,16 @@ def _from_rest(k: Kinematics, point: Any) -> dict[Any, tuple[Vec, Any]]:
 
 
 def _dependencies(
-    k: Kinematics, label: str, position: Vec, velocity: Vec, points: Any
-) -> list[Any]:
+    k: Kinematics, label: str, position: Vec, velocity: Vec, points: tuple[Point, ...]
+) -> list[int | Point]:
     """Return the numbers of coordinates, and the points, that relate a velocity to others."""
     slopes = jacobian(k.graph, position, k.coordinates)
     return [*dict.fromkeys(i for row in slopes for i in row), *points]
 
 
-def _depends_alike(k: Kinematics, label: str, position: Vec, velocity: Vec, points: Any) -> bool:
+def _depends_alike(
+    k: Kinematics, label: str, position: Vec, velocity: Vec, points: tuple[Point, ...]
+) -> bool:
     """Return whether all inputs of a velocity occur in its position and in q' too."""
     g, available = k.graph, {*k.coordinates, *k.speeds}
     available |= {*g.reachable([*position, *k.dt(position)])}

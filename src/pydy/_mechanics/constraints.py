@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from pydy._forks import cached_property
 from pydy._mechanics.implicit import Implicit, blocks_of
 from pydy._mechanics.symbols import find_symbols
 
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import TimeFunction
+
 
 class RedundantConstraints(NamedTuple):
     """Constraints that follow from the others at generic states, in terms of the states."""
 
-    holonomic: tuple[Any, ...] = ()
-    velocity: tuple[Any, ...] = ()
+    holonomic: tuple[sm.Expr, ...] = ()
+    velocity: tuple[sm.Expr, ...] = ()
 
 
 class ImplicitResiduals:
@@ -24,9 +29,9 @@ class ImplicitResiduals:
     def __init__(
         self,
         implicit: Implicit | None = None,
-        holonomic: Sequence[Any] = (),
-        coordinates: Sequence[Any] = (),
-        speeds: Sequence[Any] = (),
+        holonomic: Sequence[sm.Expr] = (),
+        coordinates: Sequence[TimeFunction] = (),
+        speeds: Sequence[TimeFunction] = (),
     ) -> None:
         self.implicit = implicit
         self._holonomic, self._coordinates, self._speeds = holonomic, coordinates, speeds
@@ -57,7 +62,7 @@ class ImplicitResiduals:
         ]
 
     @cached_property
-    def unknowns_of_speeds(self) -> frozenset[Any]:
+    def unknowns_of_speeds(self) -> frozenset[TimeFunction]:
         """The unknowns whose residuals contain speeds: forces of friction, say."""
         moving = {*self._speeds}
         for rows, columns in self.blocks:
@@ -70,19 +75,20 @@ class ImplicitResiduals:
 class ConstraintEquations:
     """Holonomic and velocity constraints, each zero when satisfied."""
 
-    holonomic: tuple[Any, ...] = ()
-    velocity: tuple[Any, ...] = ()  # differentiated holonomic constraints included
+    holonomic: tuple[sm.Expr, ...] = ()
+    velocity: tuple[sm.Expr, ...] = ()  # differentiated holonomic constraints included
     # Those of `holonomic` that give unknowns.
     residuals: ImplicitResiduals = field(default_factory=ImplicitResiduals)
     # In addition to these.
     redundant: RedundantConstraints = field(default_factory=RedundantConstraints)
-    nonholonomic: tuple[Any, ...] = ()  # those of `velocity` that no holonomic constraint implies
+    # Those of `velocity` that no holonomic constraint implies.
+    nonholonomic: tuple[sm.Expr, ...] = ()
     # The positions of the holonomic constraints whose rates the velocity constraints imply.
     implied_holonomic: tuple[int, ...] = ()
     # Those whose rates no velocity constraint and no kinematic equation implies.
     undifferentiated_holonomic: tuple[int, ...] = ()
     # The velocity constraints that follow from `implied_holonomic` and from `nonholonomic`.
-    implied_velocity: tuple[Any, ...] = ()
+    implied_velocity: tuple[sm.Expr, ...] = ()
 
     @property
     def are_present(self) -> bool:
@@ -121,9 +127,9 @@ class DependentStates:
 
     def __init__(
         self,
-        coordinates: tuple[Any, ...] = (),
-        speeds: tuple[Any, ...] = (),
-        all_speeds: Sequence[Any] = (),
+        coordinates: tuple[TimeFunction, ...] = (),
+        speeds: tuple[TimeFunction, ...] = (),
+        all_speeds: Sequence[TimeFunction] = (),
     ) -> None:
         self.coordinates, self.speeds = coordinates, speeds
         self.speed_columns = tuple(all_speeds.index(u) for u in speeds)

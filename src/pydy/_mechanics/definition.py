@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
@@ -29,6 +29,15 @@ from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import activation_states, check_bodies, read_loads
 from pydy._mechanics.select_formulation import equations_of
 from pydy._mechanics.symbols import find_symbols, rate_of
+
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import ActuatorBase, KanesMethod, LagrangesMethod, System
+    from sympy.physics.mechanics.jointsmethod import JointsMethod
+
+    from pydy._sympy_types import AnySymbol, Body, Load, TimeFunction
+
+# What `pydy.system.System` takes as `eom_method`.
+EomMethod: TypeAlias = "KanesMethod | LagrangesMethod | JointsMethod | System | Definition"
 
 _COORDINATES = "pass all of them in `coordinates`, and the dependent ones also in"
 _SPEEDS = "pass all of them in `speeds`, and the dependent ones also in"
@@ -121,21 +130,21 @@ class Definition:
     def __init__(
         self,
         frame: ReferenceFrame,
-        coordinates: Sequence[Any],
-        speeds: Sequence[Any] | None = None,
+        coordinates: Sequence[TimeFunction],
+        speeds: Sequence[TimeFunction] | None = None,
         *,
-        bodies: Iterable[Any],
-        loads: Iterable[Any] = (),
-        kinematic_equations: Sequence[Any] | None = None,
-        holonomic_constraints: Sequence[Any] = (),
-        nonholonomic_constraints: Sequence[Any] = (),
-        velocity_constraints: Sequence[Any] | None = None,
-        dependent_coordinates: Sequence[Any] | None = None,
-        dependent_speeds: Sequence[Any] | None = None,
-        auxiliary_speeds: Sequence[Any] = (),
-        configuration: Mapping[Any, float] | None = None,
-        frames: Mapping[str, tuple[ReferenceFrame, Any]] | None = None,
-        values: Mapping[Any, float] | None = None,
+        bodies: Iterable[Body],
+        loads: Iterable[Load | ActuatorBase] = (),
+        kinematic_equations: Sequence[sm.Expr] | None = None,
+        holonomic_constraints: Sequence[sm.Expr] = (),
+        nonholonomic_constraints: Sequence[sm.Expr] = (),
+        velocity_constraints: Sequence[sm.Expr] | None = None,
+        dependent_coordinates: Sequence[TimeFunction] | None = None,
+        dependent_speeds: Sequence[TimeFunction] | None = None,
+        auxiliary_speeds: Sequence[TimeFunction] = (),
+        configuration: Mapping[AnySymbol | str, float] | None = None,
+        frames: Mapping[str, tuple[ReferenceFrame, Point]] | None = None,
+        values: Mapping[sm.Symbol, float] | None = None,
     ) -> None:
         instance(frame, ReferenceFrame, "`frame`")
         t = dynamicsymbols._t
@@ -173,7 +182,7 @@ class Definition:
         }
         self._check_names()
         self._check_motion()
-        self.as_method: Callable[[Definition], Any] | None = None
+        self.as_method: Callable[[Definition], EomMethod] | None = None
 
     def __repr__(self) -> str:
         constraints = len(self.holonomic_constraints) + len(self.nonholonomic_constraints)
@@ -184,19 +193,19 @@ class Definition:
         return f"<Definition in {self.frame}: {counts}>"
 
     @cached_property
-    def velocity_constraints(self) -> tuple[Any, ...]:
+    def velocity_constraints(self) -> tuple[sm.Expr, ...]:
         """All constraints of the speeds, differentiated by SymPy."""
         return self._constraints_of_speeds(evaluate=True)
 
     @cached_property
-    def _motion(self) -> tuple[Any, ...]:
+    def _motion(self) -> tuple[sm.Expr, ...]:
         """The same, differentiated on the graph.
 
         SymPy's take longer than all the rest for constraints of several hundred terms.
         """
         return self._constraints_of_speeds(evaluate=False)
 
-    def _constraints_of_speeds(self, evaluate: bool) -> tuple[Any, ...]:
+    def _constraints_of_speeds(self, evaluate: bool) -> tuple[sm.Expr, ...]:
         if self._given_motion is not None:
             return self._given_motion
         t = dynamicsymbols._t
@@ -204,11 +213,13 @@ class Definition:
         return (*rates, *self.nonholonomic_constraints)
 
     @cached_property
-    def method(self) -> Any:
+    def method(self) -> EomMethod:
         """The System's `eom_method`: this object, or the result of `as_method`, made once."""
         return self if self.as_method is None else self.as_method(self)
 
-    def _kinematic(self, equations: Any, rates: Sequence[Any]) -> tuple[Any, ...]:
+    def _kinematic(
+        self, equations: Sequence[sm.Expr] | None, rates: Sequence[sm.Derivative]
+    ) -> tuple[sm.Expr, ...]:
         if equations is not None:
             return _expressions("kinematic_equations", equations)
         if len(self.speeds) != len(rates):
@@ -219,7 +230,9 @@ class Definition:
             )
         return tuple(q - u for q, u in zip(rates, self.speeds, strict=True))
 
-    def _near(self, configuration: Any) -> dict[Any, float]:
+    def _near(
+        self, configuration: Mapping[AnySymbol | str, float] | None
+    ) -> dict[AnySymbol, float]:
         values = check_mapping("configuration", configuration)
         if not values:
             return {}
@@ -318,7 +331,9 @@ def equations_of_definition(
     return equations_of(body)
 
 
-def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[Any, ...]:
+def _functions(
+    argument: str, symbols: Iterable[TimeFunction], rates: Sequence[TimeFunction] = ()
+) -> tuple[TimeFunction, ...]:
     """Return functions of time, or derivatives that are among `rates`."""
     functions = tuple(listed(argument, symbols, "functions of time", hashable=True))
     for symbol in functions:
@@ -331,7 +346,7 @@ def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[
     return functions
 
 
-def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
+def _expressions(argument: str, expressions: Iterable[sm.Expr | float]) -> tuple[sm.Expr, ...]:
     entries = tuple(listed(argument, expressions, "expressions"))
     for expression in entries:
         is_number = isinstance(expression, (int, float)) and not isinstance(expression, bool)
@@ -344,7 +359,9 @@ def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
     return tuple(map(sm.sympify, entries))
 
 
-def _named_positions(frames: Any) -> dict[str, tuple[Any, Any]]:
+def _named_positions(
+    frames: Mapping[str, tuple[ReferenceFrame, Point]] | None,
+) -> dict[str, tuple[ReferenceFrame, Point]]:
     positions = {}
     for name, pair_ in check_mapping("frames", frames).items():
         pair = isinstance(pair_, tuple) and len(pair_) == 2
@@ -363,8 +380,11 @@ def _named_positions(frames: Any) -> dict[str, tuple[Any, Any]]:
 
 
 def _subset(
-    argument: str, symbols: Any, allowed: Sequence[Any], kind: str
-) -> tuple[Any, ...] | None:
+    argument: str,
+    symbols: Iterable[TimeFunction] | None,
+    allowed: Sequence[TimeFunction],
+    kind: str,
+) -> tuple[TimeFunction, ...] | None:
     if symbols is None:
         return None
     selected = tuple(listed(argument, symbols, kind, hashable=True))

@@ -10,7 +10,7 @@ import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,6 +23,11 @@ from pydy._mechanics.select_formulation import kinematics_of
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT
 from pydy._names import few
 from pydy._rank import HALF, OF_FEW, ROUNDED, equilibrated, is_zero, or_one
+
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol, TimeFunction
 
 _TRIALS = 12
 _SHARE = 0.1  # of the largest residual: what is named with it
@@ -104,11 +109,11 @@ def _in_one_size(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarr
 
 def constrained(
     body: Multibody,
-    holonomic: Sequence[Any],
-    velocity: Sequence[Any],
-    coordinates: Sequence[Any] | None = None,
-    speeds: Sequence[Any] | None = None,
-    near: Mapping[Any, float] | None = None,
+    holonomic: Sequence[sm.Expr],
+    velocity: Sequence[sm.Expr],
+    coordinates: Sequence[TimeFunction] | None = None,
+    speeds: Sequence[TimeFunction] | None = None,
+    near: Mapping[AnySymbol, float] | None = None,
 ) -> Multibody:
     """Return the body with constraints, and with dependent coordinates and speeds chosen.
 
@@ -139,12 +144,12 @@ def constrained(
 
 
 def _omitted(
-    rows: Sequence[Any], retained: Sequence[int], rounded: Sequence[int]
-) -> tuple[Any, ...]:
+    rows: Sequence[sm.Expr], retained: Sequence[int], rounded: Sequence[int]
+) -> tuple[sm.Expr, ...]:
     return tuple(e for k, e in enumerate(rows) if k not in retained and k not in rounded)
 
 
-def _moving_rows(equations: Equations, expressions: Sequence[Any]) -> list[Any]:
+def _moving_rows(equations: Equations, expressions: Sequence[sm.Expr]) -> list[sm.Expr]:
     """Return the velocity constraints that do not vanish identically."""
     states = GenericStates(equations, expressions, "the velocity constraints")
     values = signatures(states.graph, states.read.all(expressions))
@@ -153,10 +158,12 @@ def _moving_rows(equations: Equations, expressions: Sequence[Any]) -> list[Any]:
 
 def _choose(
     equations: Equations,
-    coordinates: Sequence[Any] | None,
-    speeds: Sequence[Any] | None,
-    near: Mapping[Any, float] | None,
-) -> tuple[tuple[Chosen, tuple[Any, ...]], tuple[Chosen, tuple[Any, ...]], list[int]]:
+    coordinates: Sequence[TimeFunction] | None,
+    speeds: Sequence[TimeFunction] | None,
+    near: Mapping[AnySymbol, float] | None,
+) -> tuple[
+    tuple[Chosen, tuple[TimeFunction, ...]], tuple[Chosen, tuple[TimeFunction, ...]], list[int]
+]:
     """Return the independent constraints, and the coordinates and speeds that follow from them."""
     states = GenericStates(equations, (), "the constraints")
     _check_linear(equations, states)
@@ -209,7 +216,7 @@ def _choose(
 
 
 def _searched(
-    states: GenericStates, near: Mapping[Any, float] | None
+    states: GenericStates, near: Mapping[AnySymbol, float] | None
 ) -> tuple[list[Block], list[dict[str, np.ndarray]]]:
     """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
     blocks = states.closing()
@@ -386,8 +393,8 @@ def _nearly_singular(matrix: np.ndarray) -> bool:
 
 def _checked(
     name: str,
-    symbols: Sequence[Any],
-    chosen: Sequence[Any],
+    symbols: Sequence[TimeFunction],
+    chosen: Sequence[TimeFunction],
     matrices: np.ndarray,
     bounds: np.ndarray,
     rank: int,

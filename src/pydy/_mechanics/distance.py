@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -15,8 +15,11 @@ from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import ROUNDED
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, TimeFunction
 
-def may_depend_on(expression: Any, square: Any, moving: Sequence[Any]) -> bool:
+
+def may_depend_on(expression: sm.Expr, square: sm.Expr, moving: Sequence[AnySymbol]) -> bool:
     """Return whether an expression may depend on the square of a distance and constants only.
 
     Then its gradient is parallel to that of the square, up to rounding. If all points are on one
@@ -47,7 +50,9 @@ def may_depend_on(expression: Any, square: Any, moving: Sequence[Any]) -> bool:
     return not bool((difference > ROUNDED * rounded).any())
 
 
-def beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any:
+def beside_constants(
+    total: sm.Expr, square: sm.Expr, coordinates: Sequence[TimeFunction]
+) -> tuple[sm.Expr, sm.Expr] | None:
     """Return a and b of ``total = a · square + b`` with constants a and b, or None."""
     if not find_symbols([total]).keys() >= {*coordinates}:
         return None

@@ -8,7 +8,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 from sympy.physics.mechanics import Particle, ReferenceFrame
@@ -22,22 +22,30 @@ from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._names import name_of
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Vector
+    from sympy.physics.mechanics.joint import Joint
+
+    from pydy._sympy_types import AnySymbol, Body, Load, TimeFunction
+
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
     """Bodies and loads as the user gave them; everything else is derived on demand."""
 
-    frame: Any  # the inertial frame
-    bodies: tuple[Any, ...]
-    loads: tuple[tuple[Any, Any], ...] = ()
-    known_energy: Any = None  # the kinetic energy, where it was formed already
-    joints: tuple[Any, ...] = ()  # those of SymPy that connect the bodies, where they are known
+    frame: ReferenceFrame  # the inertial frame
+    bodies: tuple[Body, ...]
+    loads: tuple[Load, ...] = ()
+    known_energy: sm.Expr | None = None  # the kinetic energy, where it was formed already
+    joints: tuple[Joint, ...] = ()  # those of SymPy that connect the bodies, where they are known
     # The kinetic energy less the potential one of all that is not among the loads.
-    lagrangian: Any = None
-    _rotations: dict[Any, Any] = field(default_factory=dict, repr=False)
+    lagrangian: sm.Expr | None = None
+    _rotations: dict[tuple[ReferenceFrame, ReferenceFrame], sm.Matrix] = field(
+        default_factory=dict, repr=False
+    )
 
     @cached_property
-    def kinetic_energy(self) -> Any:
+    def kinetic_energy(self) -> sm.Expr:
         """The kinetic energy by the velocities as the user wrote them, q' included."""
         with warnings.catch_warnings():
             # SymPy derives velocities that were not set, and warns if the result is ambiguous.
@@ -45,11 +53,11 @@ class Mechanism:
             return self._written_energy()
 
     @property
-    def energy(self) -> Any:
+    def energy(self) -> sm.Expr:
         """The kinetic energy as it was formed, or else as written."""
         return self.kinetic_energy if self.known_energy is None else self.known_energy
 
-    def _written_energy(self) -> Any:
+    def _written_energy(self) -> sm.Expr:
         terms = []
         for body in self.bodies:
             velocity = velocity_in(body.masscenter, self.frame)
@@ -61,13 +69,13 @@ class Mechanism:
         return sm.Add(*terms)
 
     @cached_property
-    def symbols(self) -> set[Any]:
+    def symbols(self) -> set[sm.Symbol]:
         """The symbols in the bodies and loads, whether they occur in the equations or not."""
         inertias = (size for body in self.bodies for size in self._inertias(body))
         return set().union(*(sm.sympify(part).free_symbols for part in (*self.parts, *inertias)))
 
     @cached_property
-    def parts(self) -> tuple[Any, ...]:
+    def parts(self) -> tuple[sm.Expr, ...]:
         """Masses, velocities, loads and inertias of rotating bodies: the terms of energies."""
         parts = [body.mass for body in self.bodies]
         vectors = [vector for _, vector in self.loads]
@@ -83,20 +91,20 @@ class Mechanism:
         return tuple(map(sm.sympify, parts))
 
     @staticmethod
-    def _inertias(body: Any) -> list[Any]:
+    def _inertias(body: Body) -> list[sm.Expr]:
         """Return the moments and products of inertia of a body; none for a particle."""
         point = isinstance(body, Particle)
         return [] if point else [size for size, _, _ in body.central_inertia.args]
 
-    def _square(self, vector: Any) -> Any:
+    def _square(self, vector: Vector) -> sm.Expr:
         if len(vector.args) == 1:
             return sum(part**2 for part in vector.args[0][0])
         # SymPy's dot pairs every frame with every other, which for a chain of n links is n³ dots.
         return sum(part**2 for part in self.components(vector, self.frame))
 
-    def components(self, vector: Any, frame: ReferenceFrame) -> Any:
+    def components(self, vector: Vector, frame: ReferenceFrame) -> sm.Matrix:
         """Return the column matrix of a vector's components in a frame."""
-        rows: tuple[list[Any], ...] = ([], [], [])
+        rows: tuple[list[sm.Expr], ...] = ([], [], [])
         for part, source in vector.args:
             if source == frame:
                 parts = part
@@ -107,20 +115,20 @@ class Mechanism:
                 row.append(entry)
         return sm.Matrix([sm.Add(*row) for row in rows])
 
-    def dot(self, a: Any, b: Any) -> Any:
+    def dot(self, a: Vector, b: Vector) -> sm.Expr:
         """Return the scalar product; `b` should have components in few frames."""
         return sm.Add(
             *(_sum_of_products(self.components(a, frame), part) for part, frame in b.args)
         )
 
-    def _rotation(self, target: ReferenceFrame, source: ReferenceFrame) -> Any:
+    def _rotation(self, target: ReferenceFrame, source: ReferenceFrame) -> sm.Matrix:
         key = (target, source)
         if key not in self._rotations:
             self._rotations[key] = target.dcm(source)
         return self._rotations[key]
 
 
-def _sum_of_products(a: Iterable[Any], b: Iterable[Any]) -> Any:
+def _sum_of_products(a: Iterable[sm.Expr], b: Iterable[sm.Expr]) -> sm.Expr:
     """Return the scalar product of two vectors, faster than by SymPy's matrices."""
     return sm.Add(*(x * y for x, y in zip(a, b, strict=True) if x != 0 and y != 0))
 
@@ -129,12 +137,13 @@ def _sum_of_products(a: Iterable[Any], b: Iterable[Any]) -> Any:
 class KinematicEquations:
     """The kinematic differential equations q' = G(q, u, t) and the symbols of all rates."""
 
-    coordinate_rates: tuple[Any, ...]  # the symbols q'
-    speed_rates: tuple[Any, ...]  # the symbols u'
-    coordinate_derivatives: tuple[Any, ...]  # q' in terms of q, u and t
-    zeros: tuple[Any, ...] = ()  # symbols that are zero in motion: auxiliary speeds, their rates
+    coordinate_rates: tuple[sm.Derivative, ...]  # the symbols q'
+    speed_rates: tuple[sm.Derivative, ...]  # the symbols u'
+    coordinate_derivatives: tuple[sm.Expr, ...]  # q' in terms of q, u and t
+    # Symbols that are zero in motion: auxiliary speeds, their rates.
+    zeros: tuple[TimeFunction, ...] = ()
 
-    def in_states(self, expression: Any) -> Any:
+    def in_states(self, expression: sm.Expr) -> sm.Expr:
         """Return an expression in terms of the states, without auxiliary speeds.
 
         Each distinct sub-expression is rewritten once.
@@ -147,8 +156,8 @@ class KinematicEquations:
 class MassAndForcing:
     """M and F of a method object; both are empty if the equations are `formed` on a graph."""
 
-    mass_matrix: Any = ()
-    forcing: tuple[Any, ...] = ()
+    mass_matrix: sm.Matrix = ()  # the empty tuple if they are `formed`
+    forcing: tuple[sm.Expr, ...] = ()
     # Whether the mass matrix is symmetric positive definite by construction.
     positive_definite: bool = True
 
@@ -157,10 +166,10 @@ class MassAndForcing:
 class AuxiliaryEquations:
     """The equations of noncontributing forces, which auxiliary speeds bring into evidence."""
 
-    speeds: tuple[Any, ...] = ()  # zero in motion
-    residuals: tuple[Any, ...] = ()  # one for each auxiliary speed
+    speeds: tuple[TimeFunction, ...] = ()  # zero in motion
+    residuals: tuple[sm.Expr, ...] = ()  # one for each auxiliary speed
     # The rate of a loop whose share in the residuals cannot be determined; these are empty then.
-    unresolved_loop: Any = None
+    unresolved_loop: sm.Expr | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -168,8 +177,8 @@ class Equations:
     """Equations of motion ``M u' = F`` with kinematics ``q' = G`` and constraints."""
 
     time: sm.Symbol
-    coordinates: tuple[Any, ...]
-    speeds: tuple[Any, ...]
+    coordinates: tuple[TimeFunction, ...]
+    speeds: tuple[TimeFunction, ...]
     kinematics: KinematicEquations
     matrices: MassAndForcing
     constraints: ConstraintEquations = field(default_factory=ConstraintEquations)
@@ -203,7 +212,7 @@ class Equations:
         return "\n  ".join(lines)
 
     @cached_property
-    def symbols(self) -> dict[Any, None]:
+    def symbols(self) -> dict[AnySymbol, None]:
         """The symbols, functions of time and derivatives that occur in the equations of motion."""
         occurring = find_symbols(self.expressions)
         if self.formed is not None:
@@ -211,7 +220,7 @@ class Equations:
         return occurring
 
     @property
-    def expressions(self) -> tuple[Any, ...]:
+    def expressions(self) -> tuple[sm.Expr, ...]:
         """The expressions in the equations of motion, as far as they are written as such.
 
         Constraints that were omitted as redundant are so with the right numbers only.
@@ -227,7 +236,7 @@ class Equations:
         )
 
     @cached_property
-    def kinetic_energy(self) -> Any:
+    def kinetic_energy(self) -> sm.Expr | None:
         """The kinetic energy in terms of q, u, t, constants and specifieds; None without bodies."""
         if self.mechanism is None or not self.mechanism.bodies:
             return None

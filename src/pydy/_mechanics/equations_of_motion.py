@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from html import escape
 from itertools import chain, count
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 from sympy.physics.vector import vlatex
@@ -20,6 +20,9 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.to_sympy import written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
 from pydy._names import name_of
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, TimeFunction
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,17 +43,17 @@ class EquationsOfMotion:
         What the short names stand for, in an order in which each needs earlier ones alone.
     """
 
-    coordinates: tuple[Any, ...]
-    speeds: tuple[Any, ...]
-    mass_matrix: Any
-    forcing: Any
-    kinematics: Any
-    constraint_jacobian: Any
-    names: dict[Any, Any] = field(default_factory=dict)
+    coordinates: tuple[TimeFunction, ...]
+    speeds: tuple[TimeFunction, ...]
+    mass_matrix: sm.Matrix
+    forcing: sm.Matrix
+    kinematics: sm.Matrix
+    constraint_jacobian: sm.Matrix
+    names: dict[sm.Symbol, sm.Expr] = field(default_factory=dict)
 
-    def written_out(self, expression: Any) -> Any:
+    def written_out(self, expression: sm.Expr | sm.Matrix) -> sm.Expr | sm.Matrix:
         """Return an expression, or a matrix of them, without the short names."""
-        full: dict[Any, Any] = {}
+        full: dict[sm.Symbol, sm.Expr] = {}
         for symbol, meaning in self.names.items():
             full[symbol] = replace_symbols(meaning, full)
         if isinstance(expression, sm.MatrixBase):
@@ -105,7 +108,7 @@ class EquationsOfMotion:
         )
 
 
-def _as_text(expression: Any) -> str:
+def _as_text(expression: sm.Expr) -> str:
     """Return an expression as text, functions of time by their names, derivatives with dashes."""
     short = {}
     for symbol in find_symbols([expression]):
@@ -118,7 +121,7 @@ def _as_text(expression: Any) -> str:
 
 
 @collector_paused()
-def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> EquationsOfMotion:
+def equations_to_read(equations: Equations, forces: tuple[AnySymbol, ...]) -> EquationsOfMotion:
     """Return the equations with short names."""
     q, u, n = equations.coordinates, equations.speeds, len(equations.speeds)
     kinematics, velocity = equations.kinematics, [*equations.constraints.velocity]
@@ -159,8 +162,11 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
 
 
 def _short(
-    graph: Graph, nodes: list[int], symbols: Mapping[int, Any], coordinates: tuple[Any, ...]
-) -> tuple[list[Any], dict[Any, Any]]:
+    graph: Graph,
+    nodes: list[int],
+    symbols: Mapping[int, AnySymbol],
+    coordinates: tuple[TimeFunction, ...],
+) -> tuple[list[sm.Expr], dict[sm.Symbol, sm.Expr]]:
     """Write nodes as a textbook would, or with named intermediate quantities."""
     used_names = {name_of(s) for s in symbols.values()}
     name = _namer(coordinates, used_names)
@@ -177,7 +183,7 @@ def _short(
     nodes = simplify(graph, nodes)
     numbers = count(1)
 
-    def intermediate(op: str, expression: Any) -> Any:
+    def intermediate(op: str, expression: sm.Expr) -> sm.Symbol:
         if op in ("sin", "cos") and set(find_symbols(expression.args)) <= {*coordinates}:
             return name(op, expression.args[0])
         return next(z for z in (sm.Symbol(f"z{k}") for k in numbers) if z.name not in used_names)
@@ -185,7 +191,9 @@ def _short(
     return written(graph, nodes, symbols, intermediate)
 
 
-def _namer(coordinates: tuple[Any, ...], used_names: set[str]) -> Callable[[str, Any], Any]:
+def _namer(
+    coordinates: tuple[TimeFunction, ...], used_names: set[str]
+) -> Callable[[str, sm.Expr], sm.Symbol]:
     """Return a function that names sines and cosines of sums of coordinates: s1, c12, s1m2."""
     names = [name_of(q) for q in coordinates]
     digits = [re.sub(r"^.*?(\d*)$", r"\1", n) for n in names]
@@ -193,9 +201,9 @@ def _namer(coordinates: tuple[Any, ...], used_names: set[str]) -> Callable[[str,
     if len({*labels.values()}) < len(labels):
         labels = dict(zip(coordinates, names, strict=True))
     separator = "" if all(len(label) == 1 for label in labels.values()) else "_"
-    symbols_of: dict[Any, Any] = {}
+    symbols_of: dict[tuple[str, sm.Expr], sm.Symbol] = {}
 
-    def name(op: str, angle: Any) -> Any:
+    def name(op: str, angle: sm.Expr) -> sm.Symbol:
         if (op, angle) not in symbols_of:
             text = ""
             for part in sm.Add.make_args(angle):

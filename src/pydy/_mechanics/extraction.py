@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from functools import singledispatch
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sympy import Derivative
 from sympy.physics.mechanics import (
@@ -27,6 +27,12 @@ from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.lagrange import equations_of_lagrange
 from pydy._mechanics.reader import activation_dynamics
 from pydy._mechanics.wrapping import warn_of_reversed_forces
+
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._mechanics.definition import EomMethod
+    from pydy._sympy_types import Body
 
 
 def equations_of_system(
@@ -79,7 +85,7 @@ def equations_of_joints(
 
 
 def _read(
-    formed: Any,
+    formed: KanesMethod | LagrangesMethod | None,
     source: str | None,
     implicit: Implicit | None,
     definition: Callable[[], Definition],
@@ -144,11 +150,11 @@ def _lagrange(system: System) -> LagrangesMethod:
     )
 
 
-def _as_standard_body(body: Any) -> Any:
+def _as_standard_body(body: Body) -> Body:
     """Return a Particle or RigidBody for a body of the deprecated class that is either."""
     if getattr(body, "is_rigidbody", isinstance(body, RigidBody)):
         inertia = (body.central_inertia, body.masscenter)
-        copy: Any = RigidBody(body.name, body.masscenter, body.frame, body.mass, inertia)
+        copy: Body = RigidBody(body.name, body.masscenter, body.frame, body.mass, inertia)
     else:
         copy = Particle(body.name, body.masscenter, body.mass)
     copy.potential_energy = body.potential_energy
@@ -157,7 +163,7 @@ def _as_standard_body(body: Any) -> Any:
 
 @singledispatch
 def extract(
-    eom_method: Any, source: str | None = None, implicit: Implicit | None = None
+    eom_method: object, source: str | None = None, implicit: Implicit | None = None
 ) -> Equations:
     """Return the equations of a method object, or those formed from its bodies and loads.
 
@@ -191,12 +197,14 @@ extract.register(System, _checked(equations_of_system))
 extract.register(JointsMethod, _checked(equations_of_joints))
 
 
-def method_of(eom_method: Any) -> Any:
+def method_of(eom_method: EomMethod) -> EomMethod:
     """Return the object that a System shows as its `eom_method`."""
     return eom_method.method if isinstance(eom_method, Definition) else eom_method
 
 
-def symbolic_matrices(equations: Equations, eom_method: Any) -> tuple[Any, Any]:
+def symbolic_matrices(
+    equations: Equations, eom_method: EomMethod
+) -> tuple[sm.Matrix, tuple[sm.Expr, ...]]:
     """Return the mass matrix and forcing as SymPy's expressions."""
     if equations.formed is not None and not len(equations.matrices.mass_matrix):
         try:

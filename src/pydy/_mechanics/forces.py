@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import pairwise, permutations
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -42,6 +42,11 @@ from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import is_rigid
 from pydy._rank import ROUNDED, is_zero
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import ReferenceFrame
+
+    from pydy._sympy_types import AnySymbol, Body, Load, Location
+
 
 class ConstraintForces:
     """The forces behind the constraints and joints of a mechanism.
@@ -57,14 +62,14 @@ class ConstraintForces:
     def __init__(
         self,
         body: Multibody,
-        holonomic: dict[int, Any],
-        nonholonomic: dict[int, Any],
-        redundant: dict[int, Any],
+        holonomic: dict[int, sm.Expr],
+        nonholonomic: dict[int, sm.Expr],
+        redundant: dict[int, sm.Expr],
     ) -> None:
         self.body, self.holonomic, self.nonholonomic = body, holonomic, nonholonomic
         self.redundant = redundant
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[type[ConstraintForces], tuple[object, ...]]:
         # Graphs and expressions are rebuilt on demand.
         return type(self), (self.body, self.holonomic, self.nonholonomic, self.redundant)
 
@@ -72,7 +77,7 @@ class ConstraintForces:
     def _kinematics(self) -> Kinematics:
         return moving(self.body, in_bodies=True, driven=True)
 
-    def multipliers(self, noncontributing: Iterable[Any] = ()) -> dict[Any, Any]:
+    def multipliers(self, noncontributing: Iterable[AnySymbol] = ()) -> dict[sm.Symbol, sm.Expr]:
         """λ of each constraint: symbols lambda0, lambda1, … to expressions in q, u and u'."""
         positions = [*self.holonomic, *self.nonholonomic, *self.redundant]
         if not positions:
@@ -108,7 +113,7 @@ class ConstraintForces:
             multipliers = self._shortest(columns, force)
         return multipliers
 
-    def unbalanced(self, noncontributing: Iterable[Any] = ()) -> list[Any]:
+    def unbalanced(self, noncontributing: Iterable[AnySymbol] = ()) -> list[sm.Expr]:
         """F − M u' of each speed, which Jᵀ λ balances: expressions in q, u and u'."""
         with collector_paused():
             nodes = self._neglecting(noncontributing, self._unbalanced())
@@ -135,12 +140,12 @@ class ConstraintForces:
 
     def reaction(
         self,
-        members: Iterable[Any],
-        point: Any,
-        frame: Any,
-        loads: Iterable[tuple[Any, Any]],
+        members: Iterable[Body | Location],
+        point: Point,
+        frame: ReferenceFrame,
+        loads: Iterable[Load],
         name: str,
-        noncontributing: Iterable[Any] = (),
+        noncontributing: Iterable[AnySymbol] = (),
     ) -> tuple[Vector, Vector]:
         """Return the reaction force, and the torque about a point, on a group of bodies.
 
@@ -168,7 +173,7 @@ class ConstraintForces:
             Vector([(sm.Matrix(values[3:]), frame)]),
         )
 
-    def _loads_on(self, members: Sequence[Any]) -> list[tuple[Any, Any]]:
+    def _loads_on(self, members: Sequence[Body | Location]) -> list[Load]:
         """Return the loads at points and frames that move with these bodies and no others."""
         return [
             (location, vector)
@@ -180,7 +185,7 @@ class ConstraintForces:
         ]
 
     @cached_property
-    def _owners(self) -> dict[Any, list[Any]]:
+    def _owners(self) -> dict[Location, list[Body | ReferenceFrame]]:
         """The bodies, or the inertial frame, that the point or frame of each load is fixed to."""
         k, bodies = self._kinematics, self.body.bodies
         owners = {w: [b for b in bodies if b.masscenter is w] for w, _ in self.body.loads}
@@ -206,7 +211,7 @@ class ConstraintForces:
                 undecided.append(location)
         pairs = [(location, body) for location in undecided for body in bodies]
         follows = self._vanishing([self._slip(body, location) for location, body in pairs])
-        carriers: dict[Any, list[Any]] = {location: [] for location in undecided}
+        carriers: dict[Point, list[Body]] = {location: [] for location in undecided}
         for (location, body), moves_along in zip(pairs, follows, strict=True):
             if moves_along:
                 carriers[location].append(body)
@@ -215,7 +220,7 @@ class ConstraintForces:
             for location, bodies_there in carriers.items()
         }
 
-    def _without_welded(self, point: Any, bodies: Sequence[Any]) -> list[Any]:
+    def _without_welded(self, point: Point, bodies: Sequence[Body]) -> list[Body]:
         """Drop bodies that are welded to another body to which the point is nearer.
 
         At a hinge there are two bodies as well, but with different angular velocities.
@@ -230,7 +235,7 @@ class ConstraintForces:
         dropped = [far for (far, _), same in zip(pairs, welded, strict=True) if same]
         return [body for body in bodies if body not in dropped]
 
-    def _located_by(self, point: Any) -> list[Any]:
+    def _located_by(self, point: Point) -> list[Point]:
         """Return a point, the point that it was located from, and so on, in order of definition."""
         line = [point]
         while (before := next(iter(FrameTree.positions(point)), None)) not in (None, *line):
@@ -241,7 +246,9 @@ class ConstraintForces:
             point = before
         return line
 
-    def _fixed_to(self, frames: Sequence[Any]) -> dict[Any, list[Any]]:
+    def _fixed_to(
+        self, frames: Sequence[ReferenceFrame]
+    ) -> dict[ReferenceFrame, list[Body | ReferenceFrame]]:
         """Return the nearest bodies that have the angular velocity of each frame.
 
         A carriage, for instance, has that of the ground.
@@ -253,7 +260,9 @@ class ConstraintForces:
         rigid.append((k.inertial, k.inertial))
         pairs = [(frame, *pair) for frame in frames for pair in rigid]
         slips = [[self._spin(body_frame), self._spin(f, -1.0)] for f, body_frame, _ in pairs]
-        alike: dict[Any, list[Any]] = {frame: [] for frame in frames}
+        alike: dict[ReferenceFrame, list[tuple[ReferenceFrame, Body | ReferenceFrame]]] = {
+            frame: [] for frame in frames
+        }
         for (frame, body_frame, body), same in zip(pairs, self._vanishing(slips), strict=True):
             if same or body_frame is frame:
                 alike[frame].append((body_frame, body))
@@ -264,13 +273,13 @@ class ConstraintForces:
             fixed[frame] = [body for body_frame, body in matches if away[body_frame] == nearest]
         return fixed
 
-    def _spin(self, frame: Any, sign: float = 1.0) -> Vec:
+    def _spin(self, frame: ReferenceFrame, sign: float = 1.0) -> Vec:
         """Return an angular velocity in the inertial frame."""
         k = self._kinematics
         w = k.expressed(k.spin(frame)[0], k.frames.axes(frame), k.inertial)
         return [k.graph.sum([(n, sign)]) for n in w]
 
-    def _slip(self, body: Any, point: Any) -> list[Vec]:
+    def _slip(self, body: Body, point: Point) -> list[Vec]:
         """Return vectors whose sum is zero if a point moves with the body."""
         k, g = self._kinematics, self._kinematics.graph
         away = distances(body.masscenter, FrameTree.positions)
@@ -327,14 +336,14 @@ class ConstraintForces:
         zero = is_zero(sizes, bounds) | ~np.isfinite(sizes)
         return [bool(z) for z in zero.all(axis=(0, 2))]
 
-    def _neglecting(self, forces: Iterable[Any], nodes: Vec) -> Vec:
+    def _neglecting(self, forces: Iterable[AnySymbol], nodes: Vec) -> Vec:
         """Return nodes with these forces set to zero."""
         g, atoms = self._kinematics.graph, self._kinematics.read.atoms
         nodes = substitute(g, nodes, {atoms[s]: g.zero for s in forces if s in atoms})
         values = signatures(g, nodes)
         return [node if value else g.zero for node, value in zip(nodes, values, strict=True)]
 
-    def _expression(self, node: int, name: str) -> Any:
+    def _expression(self, node: int, name: str) -> sm.Expr:
         g = self._kinematics.graph
         if node == g.zero:
             return sm.S.Zero
@@ -342,10 +351,14 @@ class ConstraintForces:
 
 
 def _balance(
-    k: Kinematics, point: Any, frame: Any, bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]
+    k: Kinematics,
+    point: Point,
+    frame: ReferenceFrame,
+    bodies: Iterable[Body],
+    loads: Iterable[Load],
 ) -> tuple[Vec, Vec]:
     """Return Newton's force and Euler's torque about a point, minus the loads."""
-    pushes: list[tuple[Any, Vec]] = []
+    pushes: list[tuple[Point, Vec]] = []
     couples: list[Vec] = []
     for body in bodies:
         if (translational := newton(k, body)) is not None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -39,6 +39,11 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import SAME_DIRECTION
 from pydy._rank import ROUNDED
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Point
+
+    from pydy._sympy_types import AnySymbol, TimeFunction
+
 # Meromorphic functions are equal everywhere if they are equal at random states; min, max and roots
 # are not meromorphic and count as inputs.
 _MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"))
@@ -51,8 +56,8 @@ class EquationGraph:
     # Its inputs are 'x' (coordinates, then speeds), 't', 'a' (derivatives of the speeds, in
     # loads that depend on them), 'p' and 'r' in the order of `constants` and `specifieds`.
     graph: Graph
-    constants: list[Any]
-    specifieds: list[Any]
+    constants: list[sm.Symbol]
+    specifieds: list[TimeFunction]
     rates: list[int]  # q'
     # M; the rows of dependent speeds are those of the acceleration constraints.
     matrix: list[list[int]]
@@ -63,7 +68,7 @@ class EquationGraph:
     residual_forcing: list[int]  # F − M · start, so that u' = start + M⁻¹ · this
     kinetic: int  # the kinetic energy
     # Points with a velocity of the user that is not the derivative of their position.
-    honoured: tuple[Any, ...] = ()
+    honoured: tuple[Point, ...] = ()
     # Whether no vector had to be expressed in another frame: the axes make no difference.
     in_one_frame: bool = False
     # Inertias and velocities that depend on speeds: their constants count as constants of the
@@ -80,21 +85,27 @@ class EquationGraph:
         measured = [n for n in graph.inputs(self.measures) if graph.constant[n]]
         return {graph.args[n] for n in (*graph.inputs(roots), *measured)}
 
-    def symbols(self, speed_rates: Sequence[Any]) -> list[Any]:
+    def symbols(self, speed_rates: Sequence[sm.Derivative]) -> list[AnySymbol]:
         """Return the constants, specifieds and derivatives of speeds that occur."""
         groups = {"p": self.constants, "r": self.specifieds, "a": speed_rates}
         return [groups[g][k] for g, k in sorted(self.inputs()) if g in groups]
 
-    def input_symbols(self, time: Any, states: Sequence[Any]) -> dict[int, Any]:
+    def input_symbols(
+        self, time: sm.Symbol, states: Sequence[TimeFunction]
+    ) -> dict[int, AnySymbol]:
         """Return the symbol of each input node, except derivatives of speeds."""
         return self.graph.input_symbols(t=[time], x=states, p=self.constants, r=self.specifieds)
 
-    def energy(self, time: Any, coordinates: Sequence[Any], speeds: Sequence[Any]) -> Any:
+    def energy(
+        self, time: sm.Symbol, coordinates: Sequence[TimeFunction], speeds: Sequence[TimeFunction]
+    ) -> sm.Expr:
         """Return the kinetic energy as an expression."""
         symbols = self.input_symbols(time, (*coordinates, *speeds))
         return NodeExpression.of(self.graph, self.kinetic, symbols)
 
-    def renumbered(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> EquationGraph:
+    def renumbered(
+        self, constants: Sequence[sm.Symbol], specifieds: Sequence[AnySymbol]
+    ) -> EquationGraph:
         """Return a copy whose inputs are numbered as in the arrays p and r."""
         needed = self.inputs()
         names: dict[tuple[str, int], tuple[str, int]] = {}
@@ -156,7 +167,7 @@ class EquationGraph:
 
 
 def forms(
-    body: Multibody, *, in_bodies: bool, honoured: Collection[Any] | None = None
+    body: Multibody, *, in_bodies: bool, honoured: Collection[Point] | None = None
 ) -> list[EquationGraph]:
     """Return the equations of motion, composite bodies first, then articulated ones.
 
@@ -246,13 +257,13 @@ def useful_axes(body: Multibody) -> list[bool]:
     if in_a_plane(k):
         return [True, False]
     vectors = [k.tree.velocity(p) for p in k.placed() if k.base(p) is None]
-    frames = {f for vector in vectors for _, f in vector.args}
+    frames = {f for vector in vectors if vector is not None for _, f in vector.args}
     frames |= {f for point in k.placed() for _, f in k.parts(point)}
     return [not frames <= {k.inertial}]
 
 
 def _check_masses(
-    body: Multibody, graph: Graph, matrix: list[list[int]], specifieds: Collection[Any]
+    body: Multibody, graph: Graph, matrix: list[list[int]], specifieds: Collection[TimeFunction]
 ) -> None:
     """Refuse an independent speed that moves no mass: no equation determines its derivative."""
     n = len(body.speeds)
@@ -306,8 +317,8 @@ def moving(
     in_bodies: bool,
     *,
     falling: bool = False,
-    fixed_honoured: Collection[Any] | None = None,
-    further_points: Iterable[Any] = (),
+    fixed_honoured: Collection[Point] | None = None,
+    further_points: Iterable[Point] = (),
     **how: bool,
 ) -> Kinematics:
     """Return the kinematics with all points connected, and those of `further_points`.
@@ -316,8 +327,8 @@ def moving(
     an acceleration if possible, and moves joint points along their axes. Which velocities of the
     user must be honoured is determined, unless it is fixed.
     """
-    honoured: set[Any] = set(fixed_honoured or ())
-    checked: dict[Any, Any] = {}
+    honoured: set[Point] = set(fixed_honoured or ())
+    checked: dict[Point, Point | None] = {}
     while True:
         kinematics = Kinematics(body, in_bodies=in_bodies, honoured=honoured, **how)
         if falling:
@@ -337,7 +348,7 @@ def moving(
         return kinematics
 
 
-def _paths(kinematics: Kinematics, points: Iterable[Any]) -> dict[Any, Any]:
+def _paths(kinematics: Kinematics, points: Iterable[Point]) -> dict[Point, Point | None]:
     return {p: kinematics.path(p)[0] for p in points}
 
 
@@ -381,7 +392,7 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
 # -- velocities that the user set ------------------------------------------------------------------
 
 
-def disagreeing(kinematics: Kinematics) -> list[Any]:
+def disagreeing(kinematics: Kinematics) -> list[Point]:
     """Return the points whose given velocity contradicts their position.
 
     The points that they are located from are assumed to move as given, with the user's velocity if
@@ -403,8 +414,8 @@ def disagreeing(kinematics: Kinematics) -> list[Any]:
 
 
 def _honoured(
-    kinematics: Kinematics, points: Sequence[Any], unequal: Mapping[Any, Sequence[int]]
-) -> list[Any]:
+    kinematics: Kinematics, points: Sequence[Point], unequal: Mapping[Point, Sequence[int]]
+) -> list[Point]:
     """Return the points whose velocities are given, from the inner ones to the outer ones.
 
     The velocity of a point that is located from one with a given velocity differs from the rate of
@@ -419,15 +430,15 @@ def _honoured(
     states = len(values)
     rotations = values[:, : len(steps)].reshape(states, -1, 3, 3)
     step = {f: rotations[:, i] for i, f in enumerate(frames)}
-    differences: dict[Any, np.ndarray] = {}
-    sizes: dict[Any, np.ndarray] = {}
+    differences: dict[Point, np.ndarray] = {}
+    sizes: dict[Point, np.ndarray] = {}
     pairs = values[:, len(steps) :].reshape(states, -1, 2, 3)
     for i, p in enumerate(unequal):
         difference = pairs[:, i, 1] - pairs[:, i, 0]
         for f in chains[p]:  # into the inertial frame
             difference = np.einsum("sij,si->sj", step[f], difference)
         differences[p], sizes[p] = difference, np.linalg.norm(pairs[:, i], axis=-1).sum(axis=-1)
-    honoured: dict[Any, None] = {}
+    honoured: dict[Point, None] = {}
     nothing = np.zeros((states, 3))
     for p in sorted(points, key=lambda p: len(_inner(k, p))):
         inner = next((q for q in _inner(k, p) if q in honoured), None)
@@ -439,7 +450,7 @@ def _honoured(
     return list(honoured)
 
 
-def _inner(kinematics: Kinematics, point: Any) -> list[Any]:
+def _inner(kinematics: Kinematics, point: Point) -> list[Point]:
     """Return the points that a point is located from, the nearest one first."""
     inner = []
     while (point := kinematics.base(point)) is not None:
@@ -468,7 +479,7 @@ def take_gravity_off(kinematics: Kinematics) -> None:
             return
 
 
-def _pulls(kinematics: Kinematics, point: Any, mass: int) -> dict[int, Vec]:
+def _pulls(kinematics: Kinematics, point: Point, mass: int) -> dict[int, Vec]:
     """Return force over mass of the loads at a point that are given in the inertial frame."""
     pulls = {}
     for k, (location, vector) in enumerate(kinematics.loads):
@@ -502,8 +513,10 @@ def _split(graph: Graph, node: int) -> tuple[float, int]:
 
 
 def without_idle(
-    forcing: Sequence[Any], auxiliary_equations: Iterable[Any], states: Collection[Any]
-) -> tuple[Any, ...]:
+    forcing: Sequence[sm.Expr],
+    auxiliary_equations: Iterable[sm.Expr],
+    states: Collection[TimeFunction],
+) -> tuple[sm.Expr, ...]:
     """Return the forcing without the forces of the auxiliary equations that cancel in it."""
     present = find_symbols(forcing)
     forces = [

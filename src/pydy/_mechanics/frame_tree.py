@@ -8,37 +8,58 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._forks import cached_property
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Point, ReferenceFrame, Vector
+
+    from pydy._sympy_types import Body, Location
+
 # The point from which a point is reached, None for a root, and the vectors on the way.
-BaseAndSteps = tuple[Any, tuple[Any, ...]]
+BaseAndSteps: TypeAlias = "tuple[Point | None, tuple[Vector, ...]]"
+
+Item = TypeVar("Item")
+
+
+class Axes:
+    """Axes that are not a frame of the user."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+# A frame of the user, or axes that were inserted between two of them (`pydy._mechanics.alignment`).
+AnyFrame: TypeAlias = "ReferenceFrame | Axes"
 
 
 class FrameTree:
     """Frames and points as the user related them to one another, seen from an inertial frame."""
 
-    def __init__(self, inertial: Any) -> None:
+    def __init__(self, inertial: ReferenceFrame) -> None:
         self.inertial = inertial
 
     # -- frames -----------------------------------------------------------------------------------
 
     @staticmethod
-    def orientations(frame: Any) -> dict[Any, Any]:
+    def orientations(frame: ReferenceFrame) -> dict[ReferenceFrame, sm.Matrix]:
         """Return the frames that a frame is oriented in or relative to it, with the matrices."""
-        related: dict[Any, Any] = frame._dcm_dict
+        related: dict[ReferenceFrame, sm.Matrix] = frame._dcm_dict
         return related
 
     @cached_property
-    def frame_depth(self) -> dict[Any, int]:
+    def frame_depth(self) -> dict[AnyFrame, int]:
         """The frames with an orientation, by their number of rotations from the inertial frame."""
         return distances(self.inertial, self.orientations)
 
-    def rotation_matrices(self) -> list[Any]:
+    def rotation_matrices(self) -> list[sm.Matrix]:
         """Return the matrices of all orientations, from the inertial frame outwards."""
         depth = self.frame_depth
         pairs = [
@@ -49,11 +70,11 @@ class FrameTree:
         return [m.as_immutable() for m, outwards in pairs if outwards]  # one may be the user's own
 
     @cached_property
-    def spin_depth(self) -> dict[Any, int]:
+    def spin_depth(self) -> dict[ReferenceFrame, int]:
         """The frames with an angular velocity, by their number of steps from the inertial frame."""
         return distances(self.inertial, lambda f: f._ang_vel_dict)
 
-    def parent(self, frame: Any) -> Any:
+    def parent(self, frame: ReferenceFrame) -> ReferenceFrame | None:
         """Return the parent of a frame; None for the inertial frame."""
         if frame not in self.frame_depth:
             raise ValueError(
@@ -63,7 +84,7 @@ class FrameTree:
             )
         return _nearer(frame, frame._dcm_dict, self.frame_depth)
 
-    def turns_in(self, frame: Any) -> Any:
+    def turns_in(self, frame: ReferenceFrame) -> ReferenceFrame | None:
         """Return the frame in which a frame's angular velocity is given, None for the inertial."""
         if frame not in self.spin_depth:
             self.parent(frame)  # a more specific error if it has no orientation
@@ -74,44 +95,46 @@ class FrameTree:
         return _nearer(frame, frame._ang_vel_dict, self.spin_depth)
 
     @staticmethod
-    def rotation(frame: Any, parent: Any) -> Any:
+    def rotation(frame: ReferenceFrame, parent: ReferenceFrame) -> sm.Matrix:
         """Return the matrix from components in the parent to those in a frame."""
         return frame._dcm_dict[parent]
 
     @staticmethod
-    def relative_spin(frame: Any, base: Any) -> Any:
+    def relative_spin(frame: ReferenceFrame, base: ReferenceFrame) -> Vector:
         """Return the angular velocity that was given between two frames."""
         return frame._ang_vel_dict[base]
 
-    def angular_acceleration(self, frame: Any) -> Any:
+    def angular_acceleration(self, frame: ReferenceFrame) -> Vector | None:
         """Return the angular acceleration that the user set in the inertial frame, or None."""
         return frame._ang_acc_dict.get(self.inertial)
 
     # -- points -----------------------------------------------------------------------------------
 
     @staticmethod
-    def positions(point: Any) -> dict[Any, Any]:
+    def positions(point: Point) -> dict[Point, Vector]:
         """Return the points that are located relative to a point, with the vectors from there."""
-        related: dict[Any, Any] = point._pos_dict
+        related: dict[Point, Vector] = point._pos_dict
         return related
 
     @staticmethod
-    def points_from(points: Sequence[Any]) -> dict[Any, Any]:
+    def points_from(points: Sequence[Point]) -> dict[Point, Point | None]:
         """Return points and all that are located from them, nearest first, with the point before.
 
         That is None for the points themselves.
         """
         return breadth_first(points, FrameTree.positions)
 
-    def velocity(self, point: Any) -> Any:
+    def velocity(self, point: Point) -> Vector | None:
         """Return the velocity that the user set, or None."""
         return given_velocity(point, self.inertial)
 
-    def acceleration(self, point: Any) -> Any:
+    def acceleration(self, point: Point) -> Vector | None:
         """Return the acceleration that the user set, or None."""
         return point._acc_dict.get(self.inertial)
 
-    def paths(self, points: Iterable[Any], roles: Mapping[Any, str]) -> dict[Any, BaseAndSteps]:
+    def paths(
+        self, points: Iterable[Point], roles: Mapping[Location, str]
+    ) -> dict[Point, BaseAndSteps]:
         """Return for each point its base and the vectors from there, (None, ()) for roots.
 
         The base moves independently of the point, so that a given velocity can be compared with the
@@ -121,13 +144,14 @@ class FrameTree:
         """
         targets = list(dict.fromkeys(points))
         reached = list(self.points_from(targets))
-        with_velocity = [p for p in reached if self.velocity(p) is not None]
-        simple = sorted(with_velocity, key=lambda p: len(self.velocity(p).args) > 0)
-        if simple and self.velocity(simple[0]).args:
-            simple = sorted(with_velocity, key=lambda p: _length(self.velocity(p)))
+        velocities = {p: v for p in reached if (v := self.velocity(p)) is not None}
+        with_velocity = list(velocities)
+        simple = sorted(with_velocity, key=lambda p: len(velocities[p].args) > 0)
+        if simple and velocities[simple[0]].args:
+            simple = sorted(with_velocity, key=lambda p: _length(velocities[p]))
         nearest = self.points_from(with_velocity)
-        rank: dict[Any, int] = {}
-        above: dict[Any, Any] = {}
+        rank: dict[Point, int] = {}
+        above: dict[Point, Point | None] = {}
         for root in simple:
             if root in rank:
                 continue
@@ -148,7 +172,7 @@ class FrameTree:
                     f"{self.inertial}, and no place from a point that has one. {remedy}"
                 )
         located_from = self._hung(targets, nearest)
-        paths: dict[Any, BaseAndSteps] = {}
+        paths: dict[Point, BaseAndSteps] = {}
         for point in targets:
             while point is not None and point not in paths:
                 if nearest[point] is not None:
@@ -161,23 +185,23 @@ class FrameTree:
         return paths
 
     def _hung(
-        self, targets: Sequence[Any], nearest: dict[Any, Any]
-    ) -> Callable[[Any], BaseAndSteps]:
+        self, targets: Sequence[Point], nearest: dict[Point, Point | None]
+    ) -> Callable[[Point], BaseAndSteps]:
         """Return the function that locates a point without a velocity from a point with one.
 
         It returns the next step to the nearest given velocity. If several are equally near and
         contradict each other, the one that SymPy chooses is used.
         """
-        given_paths: dict[Any, BaseAndSteps] = {}
-        root: dict[Any, Any] = {}
+        given_paths: dict[Point, BaseAndSteps] = {}
+        root: dict[Point, Point] = {}
         for point in targets:
             if nearest[point] is not None and (path := self._nearest_given(point, given_paths)):
                 given_paths[point] = path
                 root[point] = root.get(given_paths[point][0], given_paths[point][0])
-        chosen: dict[Any, BaseAndSteps] = {}
-        ends: dict[Any, Any] = {}  # the roots of the paths that agree
+        chosen: dict[Point, BaseAndSteps] = {}
+        ends: dict[Point, Point] = {}  # the roots of the paths that agree
 
-        def located_from(point: Any) -> BaseAndSteps:
+        def located_from(point: Point) -> BaseAndSteps:
             before = nearest[point]
             return chosen.get(point) or (before, (FrameTree.positions(point)[before],))
 
@@ -195,12 +219,12 @@ class FrameTree:
                 ends |= dict.fromkeys(chain, end)
         return located_from
 
-    def _nearest_given(self, point: Any, resolved: Container[Any]) -> BaseAndSteps | None:
+    def _nearest_given(self, point: Point, resolved: Container[Point]) -> BaseAndSteps | None:
         """Return the nearest point with a velocity, in SymPy's order, and the path from there.
 
         As in SymPy's search, positions in frames without orientation are ignored.
         """
-        steps: dict[Any, tuple[Any, ...]] = {point: ()}
+        steps: dict[Point, tuple[Vector, ...]] = {point: ()}
         todo = deque([point])
         while todo:
             item = todo.popleft()
@@ -215,11 +239,11 @@ class FrameTree:
 
     @staticmethod
     def _structural(
-        point: Any,
-        above: dict[Any, Any],
-        rank: dict[Any, int],
-        nearest: dict[Any, Any],
-        located_from: Callable[[Any], BaseAndSteps],
+        point: Point,
+        above: dict[Point, Point | None],
+        rank: dict[Point, int],
+        nearest: dict[Point, Point | None],
+        located_from: Callable[[Point], BaseAndSteps],
     ) -> BaseAndSteps:
         """Return the point before one with a given velocity, and the vector between."""
         base, steps = above[point], [FrameTree.positions(point)[above[point]]]
@@ -233,12 +257,12 @@ class FrameTree:
             base = above[base]
 
 
-def given_velocity(point: Any, frame: Any) -> Any:
+def given_velocity(point: Point, frame: ReferenceFrame) -> Vector | None:
     """Return the velocity that was set, or None; SymPy's `vel` would derive one."""
     return point._vel_dict.get(frame)
 
 
-def velocity_in(point: Any, frame: Any) -> Any:
+def velocity_in(point: Point, frame: ReferenceFrame) -> Vector:
     """Return the velocity of a point, derived from a neighbour if it was not set.
 
     SymPy's `vel` uses the first neighbour with a velocity, then searches the whole mechanism for a
@@ -255,7 +279,7 @@ def velocity_in(point: Any, frame: Any) -> Any:
     return point.vel(frame)
 
 
-def numbers_in_places(frame: Any, bodies: Iterable[Any]) -> set[float]:
+def numbers_in_places(frame: ReferenceFrame, bodies: Iterable[Body]) -> set[float]:
     """Return the magnitudes of the numbers in positions of bodies: the lengths with values.
 
     Other mechanisms may have the same origin: positions along axes that occur on no path to a body
@@ -289,8 +313,8 @@ def numbers_in_places(frame: Any, bodies: Iterable[Any]) -> set[float]:
 
 
 def breadth_first(
-    roots: Sequence[Any], neighbours: Callable[[Any], Iterable[Any]]
-) -> dict[Any, Any]:
+    roots: Sequence[Item], neighbours: Callable[[Item], Iterable[Item]]
+) -> dict[Item, Item | None]:
     """Return roots and all items connected with them, nearest first, with their parents."""
     parent, todo = dict.fromkeys(roots), deque(roots)
     while todo:
@@ -302,15 +326,15 @@ def breadth_first(
     return parent
 
 
-def distances(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, int]:
+def distances(root: Item, neighbours: Callable[[Item], Iterable[Item]]) -> dict[Item, int]:
     """Return all items connected with a root, and the number of steps to each."""
-    steps: dict[Any, int] = {}
+    steps: dict[Item, int] = {}
     for item, before in breadth_first([root], neighbours).items():
         steps[item] = 0 if before is None else steps[before] + 1
     return steps
 
 
-def steps_to(point: Any, away: Mapping[Any, int]) -> list[Any]:
+def steps_to(point: Point, away: Mapping[Point, int]) -> list[Vector]:
     """Return the vectors on the path to a point from the root of `away`, the last first."""
     steps = []
     for _ in range(away[point]):
@@ -320,12 +344,12 @@ def steps_to(point: Any, away: Mapping[Any, int]) -> list[Any]:
     return steps
 
 
-def _nearer(item: Any, neighbours: Iterable[Any], away: Mapping[Any, int]) -> Any:
+def _nearer(item: Item, neighbours: Iterable[Item], away: Mapping[Item, int]) -> Item | None:
     """Return the first neighbour nearer to the root, as SymPy does; None for the root."""
     return next((n for n in neighbours if away[n] < away[item]), None)
 
 
-def _first_located_from(point: Any) -> Any:
+def _first_located_from(point: Point) -> Point:
     """Return the first point of a chain of positions, in order of definition."""
     chain = [point]
     while (before := next(iter(FrameTree.positions(chain[-1])), None)) not in (None, *chain):
@@ -333,14 +357,14 @@ def _first_located_from(point: Any) -> Any:
     return chain[-1]
 
 
-def _of_speeds(vector: Any) -> bool:
+def _of_speeds(vector: Vector) -> bool:
     """Return whether the components in one frame are single functions of time, or zero."""
     return len(vector.args) == 1 and all(
         part == 0 or isinstance(part, AppliedUndef) for part in vector.args[0][0]
     )
 
 
-def _length(vector: Any) -> float:
+def _length(vector: Vector) -> float:
     """Return the written length of a velocity; vectors in several frames count as longest."""
     if len(vector.args) > 1:
         return float("inf")

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from sympy.core.function import AppliedUndef
@@ -22,6 +22,12 @@ from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import FULL_STEPS, OPEN
 from pydy._rank import HALF, ROUNDED, equilibrated, or_one
+
+if TYPE_CHECKING:
+    import sympy as sm
+    from numpy.typing import NDArray
+
+    from pydy._sympy_types import AnySymbol, TimeFunction
 
 _STEPS = 50
 _NEAR = 0.03  # deviation of first guesses from a configuration, relative to its largest number
@@ -45,7 +51,7 @@ class GenericStates:
     with their rates: coordinates, time, and specifieds whose derivatives occur.
     """
 
-    def __init__(self, equations: Equations, expressions: Iterable[Any], what: str) -> None:
+    def __init__(self, equations: Equations, expressions: Iterable[sm.Expr], what: str) -> None:
         graph = self.graph = Graph()
         t, q, u = equations.time, equations.coordinates, equations.speeds
         states = [*q, *u]
@@ -133,7 +139,7 @@ class GenericStates:
         trials: int,
         *,
         around: bool = False,
-        near: Mapping[Any, float] | None = None,
+        near: Mapping[AnySymbol, float] | None = None,
         left_open: bool = False,
     ) -> Iterator[dict[str, np.ndarray]]:
         """Yield the values of blocks at consistent states at which all are finite.
@@ -161,12 +167,21 @@ class GenericStates:
         self.holonomic = holonomic
 
     def consistent_samples(
-        self, blocks: Sequence[Block], trials: int, **options: Any
+        self,
+        blocks: Sequence[Block],
+        trials: int,
+        *,
+        around: bool = False,
+        near: Mapping[AnySymbol, float] | None = None,
     ) -> list[dict[str, np.ndarray]]:
         """Return the `samples` that are consistent; there may be none."""
-        return closed(list(self.samples([*blocks, *self.closing()], trials, **options)))
+        return closed(
+            list(self.samples([*blocks, *self.closing()], trials, around=around, near=near))
+        )
 
-    def uncertain(self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]) -> Any:
+    def uncertain(
+        self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]
+    ) -> NDArray[np.float64]:
         """Return bounds on the errors of nodes due to residuals of the constraints.
 
         Shape (samples, nodes). The state is uncertain by rounding errors and by the length of a
@@ -231,7 +246,7 @@ class GenericStates:
         conditions = [n for n in self.velocity if speeds.isdisjoint(g.reachable([n]))]
         return [*self.holonomic, *self._turning, *conditions]
 
-    def _beginning(self, trials: int, around: bool, near: Mapping[Any, float]) -> Inputs:
+    def _beginning(self, trials: int, around: bool, near: Mapping[AnySymbol, float]) -> Inputs:
         """Return the first guesses of the search for consistent states."""
         n = len(self.coordinates)
         inputs = generic_inputs(self._sizes, trials)
@@ -247,7 +262,7 @@ class GenericStates:
         return inputs
 
     def _scale_lengths(
-        self, inputs: Inputs, near: Mapping[Any, float], gradient: np.ndarray
+        self, inputs: Inputs, near: Mapping[AnySymbol, float], gradient: np.ndarray
     ) -> bool:
         """Scale free lengths from order one to the size of the mechanism.
 
@@ -277,7 +292,9 @@ class GenericStates:
                 by_symbol[free[k]] *= units[k]
         return True
 
-    def _magnitudes(self, coordinates: Sequence[Any], near: Mapping[Any, float]) -> list[float]:
+    def _magnitudes(
+        self, coordinates: Sequence[TimeFunction], near: Mapping[AnySymbol, float]
+    ) -> list[float]:
         """Return the magnitude of each coordinate near a configuration, in its unit.
 
         Angles and quaternions are dimensionless: their magnitude is that of their largest, at least
@@ -303,13 +320,13 @@ class GenericStates:
         units[[k for k, node in enumerate(variables) if node in turning]] = 1.0
         return units
 
-    def by_symbol(self, inputs: Inputs) -> dict[Any, np.ndarray]:
+    def by_symbol(self, inputs: Inputs) -> dict[AnySymbol, np.ndarray]:
         """Return the numbers of each symbol, as views."""
         t, x, r, _ = inputs
         return dict(zip(self._symbols, [t, *x.T, *r.T], strict=True))
 
     def consistent(
-        self, trials: int, *, around: bool = False, near: Mapping[Any, float] | None = None
+        self, trials: int, *, around: bool = False, near: Mapping[AnySymbol, float] | None = None
     ) -> Inputs:
         """Return states that are consistent if Newton's method converges."""
         n = len(self.coordinates)

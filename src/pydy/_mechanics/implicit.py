@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -24,6 +24,9 @@ from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
 from pydy._modular import inverse
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import TimeFunction
 
 
 class Implicit:
@@ -69,7 +72,9 @@ class Implicit:
     """
 
     def __init__(
-        self, residuals: Mapping[Any, Any], start: Mapping[Any, float] | None = None
+        self,
+        residuals: Mapping[TimeFunction, sm.Expr],
+        start: Mapping[TimeFunction, float] | None = None,
     ) -> None:
         time = dynamicsymbols._t
         self.residuals = check_mapping("residuals", residuals)
@@ -153,7 +158,9 @@ def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
         )
 
 
-def _rates(body: Multibody, unknowns: Sequence[Any], residuals: Sequence[Any]) -> list[Any]:
+def _rates(
+    body: Multibody, unknowns: Sequence[TimeFunction], residuals: Sequence[sm.Expr]
+) -> list[sm.Expr]:
     """Return z' by the implicit function theorem, block by block, as expressions.
 
     They are computed on a graph: SymPy takes minutes for a wheel that creeps on a rail.
@@ -192,7 +199,7 @@ def _rates(body: Multibody, unknowns: Sequence[Any], residuals: Sequence[Any]) -
 
 
 def blocks_of(
-    residuals: Sequence[Any], unknowns: Sequence[Any]
+    residuals: Sequence[sm.Expr], unknowns: Sequence[TimeFunction]
 ) -> list[tuple[list[int], list[int]]]:
     """Return the positions of residuals and unknowns, in blocks that are solved in turn."""
     if len(residuals) <= 1:

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from sympy.physics.mechanics import Point
 
@@ -31,8 +31,15 @@ from pydy._mechanics.components import flat, in_rows, transposed, unrounded
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid
 
+if TYPE_CHECKING:
+    import sympy as sm
+    from sympy.physics.mechanics import Vector
+
+    from pydy._mechanics.frame_tree import AnyFrame
+    from pydy._sympy_types import Body
+
 # A frame, and the point fixed in it that is the origin of a composite body.
-_Key = tuple[Any, Any]
+_Key: TypeAlias = "tuple[AnyFrame, Point]"
 
 
 @dataclass(frozen=True)
@@ -51,7 +58,7 @@ class Load:
     force: Vec
 
 
-def points_of(kinematics: Kinematics) -> list[Any]:
+def points_of(kinematics: Kinematics) -> list[Point]:
     """Return the points whose motion the equations need, in the order in which SymPy asks."""
     body = kinematics.body
     return [location for location, _ in body.loads if isinstance(location, Point)] + [
@@ -65,7 +72,7 @@ def loads_and_inertias(kinematics: Kinematics) -> tuple[list[Inertia], list[Load
 
 
 def contributions(
-    kinematics: Kinematics, bodies: Iterable[Any]
+    kinematics: Kinematics, bodies: Iterable[Body]
 ) -> tuple[list[Inertia], list[Load]]:
     """Return the contributions of the given bodies, and of all loads."""
     inertias: list[Inertia] = []
@@ -101,10 +108,10 @@ def without_rest(
 
 
 # Axes, a velocity in them, its inertia, and the inertia force with opposite sign.
-_Law = tuple[Any, Vec, list[Vec], Vec]
+_Law: TypeAlias = "tuple[AnyFrame, Vec, list[Vec], Vec]"
 
 
-def newton(kinematics: Kinematics, body: Any) -> _Law | None:
+def newton(kinematics: Kinematics, body: Body) -> _Law | None:
     """Return the velocity of a mass centre, the mass, and the force m a + m' v."""
     g = kinematics.graph
     mass = kinematics.read(body.mass)
@@ -117,7 +124,7 @@ def newton(kinematics: Kinematics, body: Any) -> _Law | None:
     return home, v, [[mass if i == j else g.zero for j in range(3)] for i in range(3)], needed
 
 
-def euler(kinematics: Kinematics, body: Any) -> _Law | None:
+def euler(kinematics: Kinematics, body: Body) -> _Law | None:
     """Return a body's angular velocity and the torque I α + ω × I ω + I' ω, as `newton` does."""
     terms = tuple(body.central_inertia.args) if is_rigid(body) else ()
     if not terms:
@@ -135,8 +142,8 @@ def euler(kinematics: Kinematics, body: Any) -> _Law | None:
 
 
 def inertia_seen(
-    kinematics: Kinematics, frame: Any, terms: tuple[Any, ...]
-) -> tuple[Any, list[Vec], list[Vec]]:
+    kinematics: Kinematics, frame: AnyFrame, terms: tuple[tuple[sm.Expr, Vector, Vector], ...]
+) -> tuple[AnyFrame, list[Vec], list[Vec]]:
     """Return the axes for a body's rotation, its inertia in them, and the rate of the inertia.
 
     These are the innermost axes in which the inertia is constant. The inertia of a wheel is
@@ -245,7 +252,7 @@ class _CompositeBodies:
 
     # -- bodies -----------------------------------------------------------------------------------
 
-    def _add_body(self, body: Any) -> bool:
+    def _add_body(self, body: Body) -> bool:
         """Add a body to the composite body of its frame, unless it must stay separate."""
         k, g = self.kinematics, self.graph
         if not is_rigid(body) or body.frame is k.inertial:
@@ -274,7 +281,7 @@ class _CompositeBodies:
         )
         return True
 
-    def _separate_spin(self, frame: Any, home: Any, tensor: list[Vec]) -> bool:
+    def _separate_spin(self, frame: AnyFrame, home: AnyFrame, tensor: list[Vec]) -> bool:
         """Separate the spin of a wheel; `tensor` becomes that of a body without spin."""
         k, g = self.kinematics, self.graph
         spin, alpha = k.spin(frame, home)
@@ -302,7 +309,7 @@ class _CompositeBodies:
         tensor[i] = [g.zero] * 3
         return True
 
-    def _root(self, point: Any, frame: Any) -> tuple[Any, Vec]:
+    def _root(self, point: Point, frame: AnyFrame) -> tuple[Point, Vec]:
         """Return the innermost point fixed in a frame together with a point, and the vector."""
         k, g = self.kinematics, self.graph
         position = [g.zero] * 3
@@ -311,7 +318,7 @@ class _CompositeBodies:
             point, position = k.first_there(step[0]), k.plus(position, step[2])
         return point, position
 
-    def _at(self, frame: Any, point: Any) -> _CompositeBody:
+    def _at(self, frame: AnyFrame, point: Point) -> _CompositeBody:
         zero = self.graph.zero
         return self.composites.setdefault(
             (frame, point), _CompositeBody(zero, [zero] * 3, *_empty(zero))
@@ -374,7 +381,7 @@ class _CompositeBodies:
         for key in sorted(self.composites, key=lambda key: -turns.get(key[0], 0)):
             self._transfer_to_parent(*key)
 
-    def _transfer_to_parent(self, frame: Any, point: Any) -> None:
+    def _transfer_to_parent(self, frame: AnyFrame, point: Point) -> None:
         """Move the inertia that a joint does not affect to the parent body."""
         k, g = self.kinematics, self.graph
         inner = before = k.frames.parent(frame) if frame in k.tree.frame_depth else None
@@ -415,7 +422,7 @@ class _CompositeBodies:
         if target is not None:
             self._add(target, part, position)
 
-    def _in_outer_axes(self, tensor: list[Vec], axes: Any) -> list[Vec]:
+    def _in_outer_axes(self, tensor: list[Vec], axes: AnyFrame) -> list[Vec]:
         """Return a constant tensor in the axes in which `axes` are fixed."""
         k = self.kinematics
         turn = transposed(k.frames.step(axes))
@@ -425,7 +432,7 @@ class _CompositeBodies:
 
     # -- contributions ----------------------------------------------------------------------------
 
-    def _inertia(self, frame: Any, point: Any, composite: _CompositeBody) -> Inertia:
+    def _inertia(self, frame: AnyFrame, point: Point, composite: _CompositeBody) -> Inertia:
         """Return the form in the velocity of the point and the angular velocity of the frame."""
         k, g, axes, zero = self.kinematics, self.graph, range(3), self.graph.zero
         v, _ = k.motion_in(point, frame)
@@ -438,7 +445,7 @@ class _CompositeBodies:
             matrix[3 + i][3:] = composite.tensor[i]
         return Inertia([*v, *k.spin(frame)[0]], matrix)
 
-    def _add_contributions(self, frame: Any, point: Any, composite: _CompositeBody) -> None:
+    def _add_contributions(self, frame: AnyFrame, point: Point, composite: _CompositeBody) -> None:
         k, g, axes = self.kinematics, self.graph, range(3)
         self.inertias.append(self._inertia(frame, point, composite))
         v, a = k.motion_in(point, frame)

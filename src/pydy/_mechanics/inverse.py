@@ -15,7 +15,7 @@ they and the constraint forces Jᵀ λ follow from the rows of the other speeds:
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from sympy.physics.mechanics import Point
 
@@ -43,15 +43,21 @@ from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import is_rigid
 
+if TYPE_CHECKING:
+    import sympy as sm
+    from sympy.physics.mechanics import ReferenceFrame, Vector
+
+    from pydy._sympy_types import AnySymbol
+
 
 class SymbolicNodes(NamedTuple):
     """Nodes, and the symbols of their graph's inputs: q, u, u', constants and specifieds."""
 
     graph: Graph
     nodes: Vec
-    symbols: dict[int, Any]
+    symbols: dict[int, AnySymbol]
 
-    def expressions(self) -> list[Any]:
+    def expressions(self) -> list[sm.Expr]:
         """Return SymPy expressions."""
         return [NodeExpression.of(self.graph, n, self.symbols, "…") for n in self.nodes]
 
@@ -72,7 +78,10 @@ class BodyDynamics:
     """
 
     def __init__(
-        self, symbols: Collection[Any] | None, zeros: Iterable[Any], values: Mapping[Any, float]
+        self,
+        symbols: Collection[AnySymbol] | None,
+        zeros: Iterable[AnySymbol],
+        values: Mapping[AnySymbol, float],
     ) -> None:
         self.symbols, self.zeros, self.values = symbols, frozenset(zeros), values
 
@@ -144,7 +153,7 @@ class BodyDynamics:
         return self.in_symbols(kinematics, cells)
 
     @collector_paused()
-    def weights(self, body: Multibody, pull: Any = None) -> SymbolicNodes | None:
+    def weights(self, body: Multibody, pull: Vector | None = None) -> SymbolicNodes | None:
         """Return the forces that balance gravity; None if gravity cannot be identified.
 
         Its acceleration is `pull`, by default the one common to the loads at all mass centres.
@@ -238,7 +247,7 @@ class BodyDynamics:
         return self.in_symbols(kinematics, parameters)
 
     @collector_paused()
-    def position(self, body: Multibody, point: Any, origin: Any) -> SymbolicNodes:
+    def position(self, body: Multibody, point: Point, origin: Point) -> SymbolicNodes:
         """Return the vector from `origin` to a point, in the axes of the inertial frame."""
         kinematics = moving(body, in_bodies=True)
         total = [kinematics.graph.zero] * 3
@@ -247,14 +256,16 @@ class BodyDynamics:
         return self.in_symbols(kinematics, total)
 
     @collector_paused()
-    def rotation(self, body: Multibody, frame: Any) -> SymbolicNodes:
+    def rotation(self, body: Multibody, frame: ReferenceFrame) -> SymbolicNodes:
         """Return the matrix whose columns are a frame's axes in the inertial frame."""
         kinematics = moving(body, in_bodies=True)
         columns = [kinematics.vector(axis, body.frame) for axis in (frame.x, frame.y, frame.z)]
         return self.in_symbols(kinematics, [column[i] for i in range(3) for column in columns])
 
     @collector_paused()
-    def partial_velocities(self, body: Multibody, point: Any, frame: Any) -> SymbolicNodes:
+    def partial_velocities(
+        self, body: Multibody, point: Point | None, frame: ReferenceFrame | None
+    ) -> SymbolicNodes:
         """Return a point's partial velocities and a frame's partial angular velocities.
 
         Either may be None. Components are in the inertial frame; rows come one after the other.
@@ -353,12 +364,14 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
     return None if common == nothing else common
 
 
-def _position_keys(kinematics: Kinematics, points: Sequence[Any]) -> dict[Any, Any]:
+def _position_keys(
+    kinematics: Kinematics, points: Sequence[Point]
+) -> dict[Point, tuple[Point | int, ...]]:
     """Return keys that are equal for points at equal positions: signatures of the coordinates.
 
     Positions are measured from the first of the points that are connected.
     """
-    keys: dict[Any, Any] = {}
+    keys: dict[Point, tuple[Point | int, ...]] = {}
     for first in points:
         if first in keys:
             continue
@@ -376,7 +389,7 @@ def _position_keys(kinematics: Kinematics, points: Sequence[Any]) -> dict[Any, A
 
 
 def _pulls(
-    kinematics: Kinematics, loads: Iterable[Any], mass: int, mass_symbols: Sequence[int]
+    kinematics: Kinematics, loads: Iterable[Vector], mass: int, mass_symbols: Sequence[int]
 ) -> list[Vec] | None:
     """Return the constant accelerations of loads that are proportional to a mass.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
@@ -18,6 +18,9 @@ from pydy._mechanics.rates import divide_alike, solve_rates
 from pydy._mechanics.reader import activation_states, check_bodies, read_loads
 from pydy._mechanics.select_formulation import classify, equations_of, formed_alike, kinematics_of
 
+if TYPE_CHECKING:
+    import sympy as sm
+
 
 def multibody_of_kane(kane: KanesMethod) -> Multibody:
     """Read bodies, loads and kinematics of a KanesMethod.
@@ -25,8 +28,8 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
     ``kanes_equations()`` need not have been called.
     """
     rates = _rates(kane)
-    velocity: tuple[Any, ...] = ()
-    acceleration: tuple[Any, ...] = ()
+    velocity: tuple[sm.Expr, ...] = ()
+    acceleration: tuple[sm.Expr, ...] = ()
     if kane._k_nh:
         velocity = tuple(kane._k_nh * kane.u + kane._f_nh)
         # SymPy hands the same matrix on when no acceleration constraints were given.
@@ -51,7 +54,7 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
     )
 
 
-def _rates(kane: KanesMethod) -> dict[Any, Any]:
+def _rates(kane: KanesMethod) -> dict[sm.Derivative, sm.Expr]:
     """Return q' in terms of the states.
 
     SymPy divides by pivots that may vanish in some states, or in all if it did not simplify them.
@@ -120,9 +123,9 @@ def equations_of_kane(
 
 
 # Formed equations by method, with the equations that they were compared with: these may change.
-_formed_by_method: WeakKeyDictionary[KanesMethod, tuple[Any, EquationGraph | None]] = (
-    WeakKeyDictionary()
-)
+_formed_by_method: WeakKeyDictionary[
+    KanesMethod, tuple[tuple[sm.Expr, ...], EquationGraph | None]
+] = WeakKeyDictionary()
 
 
 def _alike(kane: KanesMethod, base: Equations, body: Multibody) -> EquationGraph | None:

@@ -12,7 +12,7 @@ speeds are their product, which is never multiplied out. Accelerations are those
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from sympy.physics.mechanics import Point
 
@@ -24,11 +24,18 @@ from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.planes import IntermediateFrames
 from pydy._mechanics.reader import InputReader, checked_vector
 
+if TYPE_CHECKING:
+    import sympy as sm
+    from sympy.physics.mechanics import ReferenceFrame, Vector
+
+    from pydy._mechanics.frame_tree import AnyFrame, BaseAndSteps
+    from pydy._sympy_types import AnySymbol, Load, Location
+
 Vec = list[int]
 # The frame of the components, velocity, acceleration at u' = 0.
-Motion = tuple[Any, Vec, Vec]
+Motion: TypeAlias = "tuple[AnyFrame, Vec, Vec]"
 # Components of a vector, a frame for each three.
-Parts = list[tuple[Vec, Any]]
+Parts: TypeAlias = "list[tuple[Vec, AnyFrame]]"
 
 
 class Kinematics:
@@ -49,7 +56,7 @@ class Kinematics:
         auxiliary: bool = False,
         referred: bool = False,
         driven: bool = False,
-        honoured: Iterable[Any] = (),
+        honoured: Iterable[Point] = (),
     ) -> None:
         self.body, self.in_bodies, self.honoured = body, in_bodies, frozenset(honoured)
         g = self.graph = Graph()
@@ -86,14 +93,14 @@ class Kinematics:
         self._referred = referred
         self.tree = FrameTree(body.frame)
         self.frames = Frames(g, self.tree, self.read)
-        self._cosines: dict[Any, list[Vec]] = {}
-        self._spins: dict[Any, tuple[Vec, Vec]] = {}
-        self._motions: dict[Any, Motion] = {}
-        self._moved: dict[Any, tuple[Vec, Vec]] = {}
-        self._paths: dict[Any, tuple[Any, tuple[Any, ...]]] = {}
-        self._turnings: dict[Any, list[Vec]] = {}
-        self._parts: dict[Any, Parts] = {}
-        self.loads: tuple[tuple[Any, Any], ...] = body.loads
+        self._cosines: dict[AnyFrame, list[Vec]] = {}
+        self._spins: dict[tuple[AnyFrame, AnyFrame], tuple[Vec, Vec]] = {}
+        self._motions: dict[Point, Motion] = {}
+        self._moved: dict[tuple[Point, AnyFrame], tuple[Vec, Vec]] = {}
+        self._paths: dict[Point, BaseAndSteps] = {}
+        self._turnings: dict[AnyFrame, list[Vec]] = {}
+        self._parts: dict[Point, Parts] = {}
+        self.loads: tuple[Load, ...] = body.loads
         self.pull: Vec | None = None
 
     # -- time -------------------------------------------------------------------------------------
@@ -105,7 +112,7 @@ class Kinematics:
         rate = self.read(self.read.specifieds[index].diff(self.body.time))
         return {0: rate} if rate != self.graph.zero else {}
 
-    def _second(self, symbol: Any) -> int | None:
+    def _second(self, symbol: sm.Derivative) -> int | None:
         """Return a coordinate's second derivative at u' = 0 while accelerations are read."""
         if not self._at_rest or symbol.derivative_count != 2:
             return None
@@ -124,7 +131,7 @@ class Kinematics:
         """Return the u' at which angular accelerations of joints vanish, as far as speeds allow."""
         return self.dt(self.speeds)
 
-    def symbols(self) -> dict[int, Any]:
+    def symbols(self) -> dict[int, AnySymbol]:
         """Return the symbol of each input node, except auxiliary speeds."""
         body, read, g = self.body, self.read, self.graph
         states = (*body.coordinates, *body.speeds)
@@ -154,7 +161,7 @@ class Kinematics:
         """Whether no vector has been expressed in another frame so far."""
         return not self.frames.steps
 
-    def _cosine(self, frame: Any) -> list[Vec]:
+    def _cosine(self, frame: AnyFrame) -> list[Vec]:
         """Return the matrix from components in the inertial frame to those in a frame."""
         if frame not in self._cosines:
             parent, matrix = self.frames.parent(frame), self.frames.step(frame)
@@ -164,7 +171,7 @@ class Kinematics:
             self._cosines[frame] = matrix
         return self._cosines[frame]
 
-    def expressed(self, v: Sequence[int], frame: Any, target: Any) -> Vec:
+    def expressed(self, v: Sequence[int], frame: AnyFrame, target: AnyFrame) -> Vec:
         """Return the components in another frame."""
         if frame is target or all(n == self.graph.zero for n in v):
             return list(v)
@@ -185,7 +192,7 @@ class Kinematics:
             v = self.product(self.frames.step(f), v)
         return list(v)
 
-    def vector(self, vector: Any, target: Any) -> Vec:
+    def vector(self, vector: Vector, target: AnyFrame) -> Vec:
         """Return the components of a SymPy vector in a frame."""
         total = [self.graph.zero] * 3
         for part, frame in checked_vector(vector, "A position, velocity or load").args:
@@ -194,7 +201,9 @@ class Kinematics:
             )
         return total
 
-    def tensor(self, terms: Iterable[tuple[Any, Any, Any]], target: Any) -> list[Vec]:
+    def tensor(
+        self, terms: Iterable[tuple[sm.Expr, Vector, Vector]], target: AnyFrame
+    ) -> list[Vec]:
         """Return the components of a dyadic in a frame."""
         g = self.graph
         cells: list[list[list[tuple[int, float]]]] = [[[] for _ in range(3)] for _ in range(3)]
@@ -233,7 +242,7 @@ class Kinematics:
             (self.groups if groups is None else groups).append(group)
         return v
 
-    def _anchored_in(self, v: Vec, frame: Any, target: Any) -> Vec:
+    def _anchored_in(self, v: Vec, frame: AnyFrame, target: AnyFrame) -> Vec:
         """Return a velocity's components in another frame, as anchors."""
         count = len(self.groups)
         components = self.anchored(self.expressed(v, frame, target))
@@ -245,7 +254,7 @@ class Kinematics:
 
     # -- frames -----------------------------------------------------------------------------------
 
-    def spin(self, frame: Any, home: Any = None) -> tuple[Vec, Vec]:
+    def spin(self, frame: AnyFrame, home: AnyFrame | None = None) -> tuple[Vec, Vec]:
         """Return the angular velocity and acceleration of a frame, by default in its own axes."""
         frame = self.frames.axes(frame)
         home = frame if home is None else home
@@ -258,7 +267,7 @@ class Kinematics:
                 self._spins[key] = self._spun(frame, base, home)
         return self._spins[key]
 
-    def relative_spin(self, frame: Any, home: Any) -> Vec:
+    def relative_spin(self, frame: AnyFrame, home: AnyFrame) -> Vec:
         """Return a frame's angular velocity in its base, in some axes."""
         if frame not in self.frames.turns:
             return self.vector(self.tree.relative_spin(frame, self.tree.turns_in(frame)), home)
@@ -266,7 +275,7 @@ class Kinematics:
         # The rotation axis is common to both.
         return turns if home is self.frames.above[frame] else self.expressed(turns, frame, home)
 
-    def _spun(self, frame: Any, base: Any, home: Any) -> tuple[Vec, Vec]:
+    def _spun(self, frame: AnyFrame, base: AnyFrame, home: AnyFrame) -> tuple[Vec, Vec]:
         while home is not frame and home is not base and self.frames.is_fixed(base):
             base = self.frames.above[base]
         w, alpha = self.spin(base)
@@ -297,7 +306,7 @@ class Kinematics:
                 compensated.add(i)
         return compensated
 
-    def turning(self, frame: Any) -> list[Vec]:
+    def turning(self, frame: AnyFrame) -> list[Vec]:
         """Return [α] + [ω][ω] in a frame's axes, which gives accelerations of positions."""
         if frame not in self._turnings:
             g, (w, alpha) = self.graph, self.spin(frame)
@@ -311,12 +320,12 @@ class Kinematics:
             self._turnings[frame] = matrix
         return self._turnings[frame]
 
-    def angular_acceleration(self, frame: Any, home: Any) -> Vec:
+    def angular_acceleration(self, frame: ReferenceFrame, home: AnyFrame) -> Vec:
         """Return a frame's angular acceleration, as the user set it if so."""
         alpha = self.spin(frame, home)[1]
         return self._users(self.tree.angular_acceleration(frame), alpha, home)
 
-    def acceleration(self, point: Any) -> Vec:
+    def acceleration(self, point: Point) -> Vec:
         """Return a point's acceleration, as the user set it if so.
 
         As in SymPy, it does not affect the accelerations of other points.
@@ -324,20 +333,22 @@ class Kinematics:
         home, _, a = self.motion(point)
         return self._users(self.tree.acceleration(point), a, home, self.pull)
 
-    def _users(self, user_value: Any, derived: Vec, home: Any, pull: Vec | None = None) -> Vec:
+    def _users(
+        self, user_value: Vector | None, derived: Vec, home: AnyFrame, pull: Vec | None = None
+    ) -> Vec:
         if user_value is None:
             return derived
         user_components = self._falling(self._accelerating(user_value, home), home, pull)
         return derived if self.equal(derived, user_components) else user_components
 
-    def _falling(self, a: Vec, home: Any, pull: Vec | None) -> Vec:
+    def _falling(self, a: Vec, home: AnyFrame, pull: Vec | None) -> Vec:
         """Return an acceleration relative to free fall."""
         if pull is None:
             return a
         free_fall = self.expressed(pull, self.inertial, home)
         return [self.graph.sub(x, y) for x, y in zip(a, free_fall, strict=True)]
 
-    def _accelerating(self, vector: Any, home: Any) -> Vec:
+    def _accelerating(self, vector: Vector, home: AnyFrame) -> Vec:
         """Return an acceleration that the user wrote, at the u' of `start`."""
         read = self.read
         symbols = dict(zip(self.body.speed_rates, self.accelerations, strict=True))
@@ -354,25 +365,25 @@ class Kinematics:
 
     # -- points -----------------------------------------------------------------------------------
 
-    def connect(self, points: Iterable[Any]) -> None:
+    def connect(self, points: Iterable[Point]) -> None:
         """Connect points by their positions, before the motion of any of them is computed."""
         roles = {location: "which a load acts at" for location, _ in self.body.loads}
         roles |= {b.masscenter: f"the mass centre of the body {b.name}" for b in self.body.bodies}
         self._paths, self._parts = self.tree.paths(points, roles), {}
 
-    def moved(self) -> list[Any]:
+    def moved(self) -> list[Point]:
         """Return the points whose motion has been computed."""
         return list(self._motions)
 
-    def placed(self) -> list[Any]:
+    def placed(self) -> list[Point]:
         """Return the points that are connected."""
         return list(self._paths)
 
-    def path(self, point: Any) -> tuple[Any, tuple[Any, ...]]:
+    def path(self, point: Point) -> BaseAndSteps:
         """Return the point from which a point is located, None for a root, and the vectors."""
         return self._paths[point]
 
-    def parts(self, point: Any) -> Parts:
+    def parts(self, point: Point) -> Parts:
         """Return the components of the vectors to a point from the one that it is located from."""
         if point not in self._parts:
             vectors = [part for step in self._paths[point][1] for part in step.args]
@@ -381,16 +392,16 @@ class Kinematics:
             ]
         return self._parts[point]
 
-    def reroute(self, point: Any, base: Any, parts: Parts) -> None:
+    def reroute(self, point: Point, base: Point, parts: Parts) -> None:
         """Locate a point from another base."""
         self._paths[point], self._parts[point] = (base, ()), parts
 
-    def at_rest(self, point: Any, frame: Any) -> bool:
+    def at_rest(self, point: Point, frame: AnyFrame) -> bool:
         """Return whether a point is at rest and `frame` is inertial."""
         zero = self.graph.zero
         return frame is self.inertial and all(n == zero for n in self.motion(point)[1])
 
-    def motion(self, point: Any) -> Motion:
+    def motion(self, point: Point) -> Motion:
         """Return the frame of the components, velocity and acceleration of a point."""
         chain = [point]
         while chain[-1] not in self._motions and (base := self.base(chain[-1])) is not None:
@@ -400,11 +411,11 @@ class Kinematics:
                 self._motions[item] = self._moving(item)
         return self._motions[point]
 
-    def base(self, point: Any) -> Any:
+    def base(self, point: Point) -> Point | None:
         """Return the point from which a motion is derived; None if it is given."""
         return None if point in self.honoured else self._paths[point][0]
 
-    def _moving(self, point: Any) -> Motion:
+    def _moving(self, point: Point) -> Motion:
         base = self.base(point)
         if base is None:
             return self._motion_by_user(point)
@@ -427,7 +438,9 @@ class Kinematics:
             home, base = target, None
         return home, v, a
 
-    def _motion_in_axes(self, base: Any, home: Any, v: Vec, a: Vec, target: Any) -> tuple[Vec, Vec]:
+    def _motion_in_axes(
+        self, base: Point | None, home: AnyFrame, v: Vec, a: Vec, target: AnyFrame
+    ) -> tuple[Vec, Vec]:
         if home is target:
             return v, a
         key = (base, target)
@@ -443,18 +456,18 @@ class Kinematics:
             self._moved[key] = moved
         return self._moved[key]
 
-    def motion_in(self, point: Any, frame: Any) -> tuple[Vec, Vec]:
+    def motion_in(self, point: Point, frame: AnyFrame) -> tuple[Vec, Vec]:
         """Return a point's velocity and acceleration in the axes of a body's frame."""
         home, v, a = self.motion(point)
         return self._motion_in_axes(point, home, v, a, frame)
 
-    def first_there(self, point: Any) -> Any:
+    def first_there(self, point: Point) -> Point:
         """Return the innermost of the points that always coincide."""
         while self.base(point) is not None and not self.parts(point):
             point = self.base(point)
         return point
 
-    def fixed_step(self, point: Any) -> tuple[Any, Any, Vec] | None:
+    def fixed_step(self, point: Point) -> tuple[Point, AnyFrame, Vec] | None:
         """Return the base of a point, the frame in which both are fixed, and the vector between.
 
         None if the velocity of the point is given, or the vector is not constant in one frame.
@@ -467,16 +480,17 @@ class Kinematics:
         constant = all(self.graph.constant[n] for n in offset)
         return (base, frames[0], offset) if constant else None
 
-    def _motion_by_user(self, point: Any) -> Motion:
+    def _motion_by_user(self, point: Point) -> Motion:
         """Return the motion of a point with the velocity that the user set."""
         velocity = self.tree.velocity(point)
+        assert velocity is not None
         frames = [frame for _, frame in velocity.args]
         home = self.frames.axes(frames[-1]) if self.in_bodies and frames else self.inertial
         v = self.vector(velocity, home)
         a = self.plus(self.dt(v), self.cross(self.spin(home)[0], v))
         return home, self.anchored(v), self._falling(a, home, self.pull)
 
-    def velocity_of(self, item: Any) -> tuple[Any, Vec]:
+    def velocity_of(self, item: Location) -> tuple[AnyFrame, Vec]:
         """Return axes and components of a point's velocity or a frame's angular velocity."""
         if isinstance(item, Point):
             home, v, _ = self.motion(item)

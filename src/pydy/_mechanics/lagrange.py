@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
@@ -14,6 +15,9 @@ from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import activation_states, check_bodies, is_rigid, read_loads
 from pydy._mechanics.select_formulation import classify, kinematics_of
+
+if TYPE_CHECKING:
+    import sympy as sm
 
 
 def equations_of_lagrange(
@@ -70,9 +74,10 @@ def equations_of_lagrange(
     return classify(replace(base, formed=form_lagrangian(body)))
 
 
-def _named(method: LagrangesMethod, name: str, before: str) -> Any:
+def _named(method: LagrangesMethod, name: str, before: str) -> Iterable[sm.Expr]:
     """Return an attribute by its name since SymPy 1.15, or by the one that it had before."""
-    return getattr(method, name if hasattr(method, name) else before)
+    expressions: Iterable[sm.Expr] = getattr(method, name if hasattr(method, name) else before)
+    return expressions
 
 
 def _mechanism(method: LagrangesMethod, body: Multibody) -> Mechanism | None:

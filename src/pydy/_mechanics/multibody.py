@@ -4,48 +4,54 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydy._forks import cached_property
 from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.symbols import rate_of
 
+if TYPE_CHECKING:
+    import sympy as sm
+    from sympy.physics.mechanics import ReferenceFrame
+
+    from pydy._sympy_types import Body, Load, TimeFunction
+
 
 @dataclass(frozen=True, eq=False)
 class Multibody:
     """Bodies, loads and kinematics, from which equations of motion are formed."""
 
-    frame: Any  # the inertial frame
-    bodies: tuple[Any, ...]
-    loads: tuple[tuple[Any, Any], ...]
-    time: Any
-    coordinates: tuple[Any, ...]  # in the order of the states, like the speeds
-    speeds: tuple[Any, ...]
-    coordinate_rates: tuple[Any, ...]
-    coordinate_derivatives: tuple[Any, ...]  # q' in q, u and t
-    holonomic: tuple[Any, ...] = ()  # configuration constraints, zero when satisfied
-    velocity: tuple[Any, ...] = ()  # velocity constraints, one for each dependent speed
+    frame: ReferenceFrame  # the inertial frame
+    bodies: tuple[Body, ...]
+    loads: tuple[Load, ...]
+    time: sm.Symbol
+    coordinates: tuple[TimeFunction, ...]  # in the order of the states, like the speeds
+    speeds: tuple[TimeFunction, ...]
+    coordinate_rates: tuple[sm.Derivative, ...]
+    coordinate_derivatives: tuple[sm.Expr, ...]  # q' in q, u and t
+    holonomic: tuple[sm.Expr, ...] = ()  # configuration constraints, zero when satisfied
+    velocity: tuple[sm.Expr, ...] = ()  # velocity constraints, one for each dependent speed
     # Their derivatives, in u' and the states; empty where they are just that.
-    acceleration: tuple[Any, ...] = ()
-    auxiliary: tuple[Any, ...] = ()  # auxiliary speeds
+    acceleration: tuple[sm.Expr, ...] = ()
+    auxiliary: tuple[TimeFunction, ...] = ()  # auxiliary speeds
     # Of the coordinates and speeds; the speeds in the order of the velocity constraints.
-    dependent_coordinates: tuple[Any, ...] = ()
-    dependent_speeds: tuple[Any, ...] = ()
-    chosen: tuple[Any, ...] = ()  # the dependent ones that the user did not choose
+    dependent_coordinates: tuple[TimeFunction, ...] = ()
+    dependent_speeds: tuple[TimeFunction, ...] = ()
+    chosen: tuple[TimeFunction, ...] = ()  # the dependent ones that the user did not choose
     # In place of bodies; the speeds are then the derivatives of the coordinates.
-    lagrangian: Any = None
+    lagrangian: sm.Expr | None = None
     # More velocity constraints, which follow from the others at generic states.
-    redundant: tuple[Any, ...] = ()
+    redundant: tuple[sm.Expr, ...] = ()
     # More holonomic constraints, which follow from the others wherever their speeds do.
-    closed: tuple[Any, ...] = ()
+    closed: tuple[sm.Expr, ...] = ()
     # Whether the choice of dependent speeds may become invalid: the rank of the constraints, or
     # the speeds for which they can be solved, may change as the system moves.
     changing: bool = False
     implicit: Any = None  # the `Implicit` that gave some coordinates and holonomic constraints
-    activations: tuple[Any, ...] = ()  # states of musculotendons that are specifieds here
+    activations: tuple[TimeFunction, ...] = ()  # states of musculotendons that are specifieds here
     # The properties of the bodies when they were read: SymPy lets users change them.
-    snapshots: tuple[tuple[Any, tuple[Any, ...]], ...] = ()
+    snapshots: tuple[tuple[Body, tuple[Any, ...]], ...] = ()
 
     def __post_init__(self) -> None:
         if not self.snapshots:
@@ -53,7 +59,7 @@ class Multibody:
             object.__setattr__(self, "snapshots", snapshots)
 
     @property
-    def position_constraints(self) -> list[Any]:
+    def position_constraints(self) -> list[sm.Expr]:
         """The holonomic constraints, except the residuals of an `Implicit`."""
         residuals = set() if self.implicit is None else {*self.implicit.residuals.values()}
         return [e for e in (*self.holonomic, *self.closed) if e not in residuals]
@@ -74,7 +80,7 @@ class Multibody:
                     )
 
     @cached_property
-    def speed_rates(self) -> tuple[Any, ...]:
+    def speed_rates(self) -> tuple[sm.Derivative, ...]:
         """The derivatives of the speeds."""
         return tuple(rate_of(u, self.time) for u in self.speeds)
 
@@ -100,12 +106,14 @@ class Multibody:
         )
 
 
-def _last(symbols: Sequence[Any], dependent: Sequence[Any]) -> tuple[Any, ...]:
+def _last(
+    symbols: Sequence[TimeFunction], dependent: Sequence[TimeFunction]
+) -> tuple[TimeFunction, ...]:
     """Return the symbols with the dependent ones last."""
     return (*(s for s in symbols if s not in dependent), *dependent)
 
 
-def _snapshot(body: Any) -> tuple[Any, ...]:
+def _snapshot(body: Body) -> tuple[Any, ...]:
     """Return a record of a body's properties for `Multibody.check_unchanged`."""
     point = body.masscenter
     positions = {**FrameTree.positions(point)}

@@ -15,11 +15,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 from pydy._graph import DerivativeRows, Graph, signatures
 from pydy._mechanics.components import axis_rotation, flat, product, transposed
 from pydy._mechanics.tuning import SAME_DIRECTION
+
+if TYPE_CHECKING:
+    from pydy._mechanics.frame_tree import AnyFrame
 
 # The column, the sign and the node of the cosine, and of the sine.
 _Parts = tuple[tuple[int, float, int], tuple[int, float, int]]
@@ -36,13 +39,13 @@ class IntermediateFrames:
     # DerivativeRows of the anchors in the second frame, by the anchors before the last rotation.
     rows: dict[int, dict[int, int]] = field(default_factory=dict)
     # By pairs of frames: the number of the first group transferred, and the groups between.
-    stages: dict[tuple[Any, Any], tuple[int, list[Groups]]] = field(default_factory=dict)
+    stages: dict[tuple[AnyFrame, AnyFrame], tuple[int, list[Groups]]] = field(default_factory=dict)
 
     def add(
         self,
         graph: Graph,
         rows: DerivativeRows,
-        ends: tuple[Any, Any],
+        ends: tuple[AnyFrame, AnyFrame],
         first_group: tuple[int, list[int]],
         rotations: Sequence[Matrix],
         vectors: tuple[list[int], list[int]],

@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -39,6 +39,9 @@ from pydy._mechanics.verify_potential import ACROSS, has_momenta_of, is_potentia
 from pydy._mechanics.work import forces_of_power, has_quotients
 from pydy._rank import ROUNDED
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, Load, Location, TimeFunction
+
 _MASS = sm.Rational(7, 11)  # a number that occurs in no formula
 _SWITCHED = sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise
 
@@ -48,7 +51,7 @@ class Potential:
     """The potential energy of the loads that were recognised, and the loads that were not."""
 
     # In terms of q, t, constants and specifieds.
-    expression: Any = sm.S.Zero
+    expression: sm.Expr = sm.S.Zero
     # The loads that depend on the configuration but could not be recognised, for messages.
     unknown: list[str] = field(default_factory=list)
     advice: str = ""  # why they were not recognised
@@ -69,8 +72,8 @@ _NO_INTEGRAL = (
 class _Term:
     """One component of a load: a magnitude along a unit vector."""
 
-    location: Any  # a Point or ReferenceFrame
-    size: Any
+    location: Location  # a Point or ReferenceFrame
+    size: sm.Expr
     frame: ReferenceFrame
     axis: int
 
@@ -103,7 +106,7 @@ def find_potential(equations: Equations) -> Potential:
     return potential
 
 
-def _potential_of_lagrangian(equations: Equations, mechanism: Mechanism) -> Any:
+def _potential_of_lagrangian(equations: Equations, mechanism: Mechanism) -> sm.Expr:
     """Return the kinetic energy of the bodies minus the Lagrangian."""
     kinetic = equations.kinematics.in_states(mechanism.kinetic_energy)
     lagrangian = equations.kinematics.in_states(mechanism.lagrangian)
@@ -122,7 +125,8 @@ class _Search:
         self.frame = mechanism.frame
         forces = equations.constraints.residuals.unknowns_of_speeds
         self.coordinates = {*equations.coordinates} - forces
-        self.recognised: list[tuple[Any, Any]] = []  # energies, and the powers of their loads
+        # Energies, and the powers of their loads.
+        self.recognised: list[tuple[sm.Expr, sm.Expr]] = []
         self.fixed = cache(self._fixed)
         self.away = cache(lambda point: distances(point, FrameTree.positions))
         self.line = cache(self._line)
@@ -174,33 +178,33 @@ class _Search:
         advice = [_NO_PLACE] * bool(unlocated) + [_NO_INTEGRAL] * (len(unknown) > len(unlocated))
         return Potential(load_energy, [str(term) for term in unknown], " ".join(advice))
 
-    def _velocity(self, location: Any) -> Vector:
+    def _velocity(self, location: Location) -> Vector:
         if isinstance(location, Point):
             return velocity_in(location, self.frame)
         return location.ang_vel_in(self.frame)
 
-    def _power(self, location: Any, vector: Vector) -> Any:
+    def _power(self, location: Location, vector: Vector) -> sm.Expr:
         power = self.mechanism.dot(self._velocity(location), vector)
         return self.equations.kinematics.in_states(power)
 
-    def _does_work(self, location: Any) -> bool:
+    def _does_work(self, location: Location) -> bool:
         """Whether a load there does work in real motion, in which auxiliary speeds are zero."""
         in_states = self.equations.kinematics.in_states
         return any(
             in_states(part) != 0 for parts, _ in self._velocity(location).args for part in parts
         )
 
-    def _is_constant(self, expression: Any) -> bool:
+    def _is_constant(self, expression: sm.Expr) -> bool:
         time = self.equations.time
         return all(s.is_Symbol and s != time for s in find_symbols([sm.sympify(expression)]))
 
-    def _is_static(self, expression: Any) -> bool:
+    def _is_static(self, expression: sm.Expr) -> bool:
         """Whether an expression depends on coordinates and constants alone."""
         return all(
             s in self.coordinates or self._is_constant(s) for s in find_symbols([expression])
         )
 
-    def _static_part(self, expression: Any) -> Any:
+    def _static_part(self, expression: sm.Expr) -> sm.Expr:
         """Return the terms of an expression that depend on coordinates and constants alone.
 
         Products of sums are not expanded: products of velocities have very many terms.
@@ -211,7 +215,7 @@ class _Search:
             return self._static_part(expression.base) ** expression.exp
         return expression if self._is_static(expression) else sm.S.Zero
 
-    def _terms(self, location: Any, vector: Vector) -> Iterator[_Term]:
+    def _terms(self, location: Location, vector: Vector) -> Iterator[_Term]:
         for parts, frame in vector.args:
             for axis, part in enumerate(parts):
                 for size in sm.Add.make_args(sm.expand_mul(self._static_part(part))):
@@ -238,7 +242,7 @@ class _Search:
         away = self.away(start)
         if end not in away:
             return None
-        parts: dict[ReferenceFrame, list[Any]] = {}
+        parts: dict[ReferenceFrame, list[sm.Matrix]] = {}
         for step in steps_to(end, away):
             for part, frame in step.args:
                 parts.setdefault(frame, []).append(part)
@@ -257,9 +261,9 @@ class _Search:
 
     # -- forces between two points ----------------------------------------------------------------
 
-    def _radial(self, loads: Sequence[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
+    def _radial(self, loads: Sequence[Load]) -> list[Load]:
         """Recognise forces along the lines between points; return the other loads."""
-        remaining: list[tuple[Any, Any]] = []
+        remaining: list[Load] = []
         opposite = _opposite([vector for _, vector in loads], self.turns)
         numbers_of_remaining: list[int] = []
         for number, (location, vector) in enumerate(loads):
@@ -276,11 +280,9 @@ class _Search:
         opposites = [[opposite(i, j) for j in numbers_of_remaining] for i in numbers_of_remaining]
         return self._pathways(remaining, opposites)
 
-    def _pathways(
-        self, loads: list[tuple[Any, Any]], opposites: Sequence[Sequence[bool]]
-    ) -> list[tuple[Any, Any]]:
+    def _pathways(self, loads: list[Load], opposites: Sequence[Sequence[bool]]) -> list[Load]:
         """Recognise equal tensions in all segments of a pathway; return the other loads."""
-        segments: list[tuple[int, int, Any, Any]] = []  # two loads, force/line, L²
+        segments: list[tuple[int, int, sm.Expr, sm.Expr]] = []  # two loads, force/line, L²
         for j in range(len(loads)):
             used = {i for pair in segments for i in pair[:2]}
             for i in range(j):
@@ -307,7 +309,7 @@ class _Search:
                     used_loads |= ends
         return [load for i, load in enumerate(loads) if i not in used_loads]
 
-    def _of_length(self, segments: Sequence[tuple[Any, Any]]) -> Any:
+    def _of_length(self, segments: Sequence[tuple[sm.Expr, sm.Expr]]) -> sm.Expr | None:
         """Return the energy of a tension that depends on the total length of segments, or None."""
         lengths = {sm.Dummy("L", positive=True): square for _, square in segments}
         law, (first, *further) = segments[0][0], lengths
@@ -317,7 +319,7 @@ class _Search:
         total = sm.Add(*map(sm.sqrt, lengths.values()))
         return None if energy is None else replace_symbols(energy, {first: total})
 
-    def _pair(self, point: Any, partner: Any, force: Vector) -> bool:
+    def _pair(self, point: Location, partner: Location, force: Vector) -> bool:
         """Recognise a force along the line to `partner` that depends on the distance alone."""
         if not (isinstance(point, Point) and isinstance(partner, Point)):
             return False
@@ -341,14 +343,14 @@ class _Search:
         self.recognised.append((energy, self._power(point, force)))
         return True
 
-    def _by_law(self, ratio: Any, distance: Any) -> Any:
+    def _by_law(self, ratio: sm.Expr, distance: sm.Symbol) -> sm.Expr | None:
         """Return the energy of the force `ratio · line` between two points, or None."""
         law = ratio * distance
         if not self._is_constant(law):  # it may contain both a - b and b - a
             law = sm.signsimp(law)
         return _integral(-law, distance) if self._is_constant(law) else None
 
-    def _constant_load(self, location: Any, vector: Vector) -> bool:
+    def _constant_load(self, location: Location, vector: Vector) -> bool:
         """Recognise a constant load, or one proportional to a changing mass at its point."""
         if (mass := self._changing_mass(location)) != 1 and vector.args:
             # Products of decimals are rounded: divide at one value of the mass, then compare.
@@ -367,14 +369,14 @@ class _Search:
         del self.recognised[before:]
         return False
 
-    def _changing_mass(self, location: Any) -> Any:
+    def _changing_mass(self, location: Location) -> sm.Expr:
         """Return the mass of the body at a point if it depends on time or specifieds, else 1."""
         for mass in (sm.sympify(b.mass) for b in self.mechanism.bodies if b.masscenter is location):
             if not (self._is_constant(mass) or self.coordinates & {*find_symbols([mass])}):
                 return mass
         return sm.S.One
 
-    def _height(self, term: _Term) -> Any:
+    def _height(self, term: _Term) -> sm.Expr | None:
         """Return the height of a force's point along its direction; None if that changes."""
         origins = self.fixed(term.location) if isinstance(term.location, Point) else []
         if not origins:
@@ -385,7 +387,7 @@ class _Search:
         unit_vector = Vector([(direction, self.frame)])
         return self.mechanism.dot(self.line(origins[0], term.location), unit_vector)
 
-    def _constant_force(self, term: _Term, mass: Any = sm.S.One) -> bool:
+    def _constant_force(self, term: _Term, mass: sm.Expr = sm.S.One) -> bool:
         height = self._height(term) if self._is_constant(term.size) else None
         if height is None:
             return False
@@ -470,7 +472,7 @@ class _Search:
                 remaining.difference_update(group)
         return [terms[k] for k in sorted(remaining)]
 
-    def _along_rate(self, power: Any) -> Any:
+    def _along_rate(self, power: sm.Expr) -> sm.Expr | None:
         """Return minus the integral of a force times the rate of one coordinate, or None."""
         for c, u, slope in self._single:
             force = power.diff(u) / slope
@@ -484,14 +486,14 @@ class _Search:
                     return energy
         return None
 
-    def _is_sound(self, energy: Any, powers: Sequence[Any]) -> bool:
+    def _is_sound(self, energy: sm.Expr, powers: Sequence[sm.Expr]) -> bool:
         try:
             return is_potential_of(self.equations, energy, powers)
         except UnsupportedFunctionError:
             return False
 
     @cached_property
-    def _in_rates(self) -> tuple[dict[Any, Any], dict[Any, Any]]:
+    def _in_rates(self) -> tuple[dict[TimeFunction, sm.Expr], dict[AnySymbol, TimeFunction]]:
         """Substitutions of speeds by coordinate rates, and the coordinate of each rate.
 
         A rate is a speed, or a Dummy if it is a constant combination of several speeds.
@@ -514,7 +516,7 @@ class _Search:
         return in_rates, {**{u: c for u, c in direct.items() if u not in combined}, **dummies}
 
     @cached_property
-    def _single(self) -> list[tuple[Any, Any, Any]]:
+    def _single(self) -> list[tuple[TimeFunction, TimeFunction, sm.Expr]]:
         """Coordinates, each with one speed and that speed's constant factor in the rate."""
         single = []
         rates = self.equations.kinematics.coordinate_derivatives
@@ -523,7 +525,7 @@ class _Search:
             single += [(c, u, slope) for u, slope in slopes if slope.is_number and slope][:1]
         return single
 
-    def _antiderivative(self, powers: tuple[Any, ...]) -> Any:
+    def _antiderivative(self, powers: tuple[sm.Expr, ...]) -> sm.Expr | None:
         """Return minus the integral of the work, one coordinate after the other, or None."""
         in_rates, speed = self._in_rates
         if not speed:
@@ -543,12 +545,14 @@ class _Search:
         rates = list(speed.values())
         return self._integrated({rates[m.index(1)]: force for m, force in terms}, powers)
 
-    def _integrated(self, forces: dict[Any, Any], powers: Sequence[Any]) -> Any:
+    def _integrated(
+        self, forces: dict[TimeFunction, sm.Expr], powers: Sequence[sm.Expr]
+    ) -> sm.Expr | None:
         """Return minus the integral of forces along coordinates, one after the other, or None."""
         real = {c: sm.Dummy(c.func.__name__, real=True) for c in self.equations.coordinates}
-        parts: list[Any] = []
-        holding: dict[Any, list[Any]] = {}  # the parts that depend on a coordinate
-        done: set[Any] = set()
+        parts: list[sm.Expr] = []
+        holding: dict[sm.Symbol, list[sm.Expr]] = {}  # the parts that depend on a coordinate
+        done: set[sm.Symbol] = set()
         for c, force in forces.items():
             x = real[c]
             before = (part.diff(x) for part in holding.get(x, ()))
@@ -569,7 +573,7 @@ class _Search:
         return energy if exact or self._is_sound(energy, powers) else None
 
 
-def _primitive(force: Any, x: Any) -> Any:
+def _primitive(force: sm.Expr, x: sm.Symbol) -> sm.Expr | None:
     """Return a continuous integral over x, or None if SymPy finds none."""
     if force.has(*_SWITCHED):
         force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
@@ -582,12 +586,12 @@ def _primitive(force: Any, x: Any) -> Any:
     return _of_either_sign(integral)
 
 
-def _of_either_sign(energy: Any) -> Any:
+def _of_either_sign(energy: sm.Expr) -> sm.Expr:
     """Return an integral whose logarithms allow arguments of either sign."""
     return energy.replace(sm.log, lambda e: sm.log(e if e.is_positive else sm.Abs(e)))
 
 
-def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
+def _numbers(expressions: Sequence[sm.Expr], turns: Iterable[sm.Matrix]) -> np.ndarray:
     """Return the values of expressions at random states and constants, one row for each sample.
 
     Quaternions have unit length there, so that the matrices `turns` are rotations. Samples on the
@@ -607,7 +611,7 @@ def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
     return np.vstack(rows)
 
 
-def _opposite(vectors: Sequence[Vector], turns: Iterable[Any]) -> Callable[[int, int], bool]:
+def _opposite(vectors: Sequence[Vector], turns: Iterable[sm.Matrix]) -> Callable[[int, int], bool]:
     """Return a predicate that compares two vectors: opposite, up to rounding.
 
     A law times a vector of decimals and its opposite may be rounded differently.
@@ -631,7 +635,7 @@ def _opposite(vectors: Sequence[Vector], turns: Iterable[Any]) -> Callable[[int,
     return opposite
 
 
-def _ratio(force: Vector, line: Vector, turns: Iterable[Any]) -> Any:
+def _ratio(force: Vector, line: Vector, turns: Iterable[sm.Matrix]) -> sm.Expr | None:
     """Return s in ``force = s · line``, or None if there is none.
 
     Values are compared, since positions and forces given in decimals are rounded differently.
@@ -653,7 +657,9 @@ def _ratio(force: Vector, line: Vector, turns: Iterable[Any]) -> Any:
     return f / r
 
 
-def _in_terms_of(expression: Any, square: Any, distance: Any, turns: Iterable[Any]) -> Any:
+def _in_terms_of(
+    expression: sm.Expr, square: sm.Expr, distance: sm.Symbol, turns: Iterable[sm.Matrix]
+) -> sm.Expr:
     """Rewrite an expression in terms of a distance: replace multiples of its square."""
     moving = find_symbols([square])
     sums = {square, *(p.base for p in expression.atoms(sm.Pow)), *expression.atoms(sm.Add)}
@@ -667,10 +673,10 @@ def _in_terms_of(expression: Any, square: Any, distance: Any, turns: Iterable[An
         if same
     }
 
-    def is_power(e: Any) -> bool:
+    def is_power(e: sm.Expr) -> bool:
         return bool(e in named or (e.is_Pow and e.base in named))
 
-    def written(expression: Any) -> Any:
+    def written(expression: sm.Expr) -> sm.Expr:
         return expression.replace(
             is_power,
             lambda e: named[e] if e in named else sm.powdenest(named[e.base] ** e.exp, force=True),
@@ -687,7 +693,7 @@ def _in_terms_of(expression: Any, square: Any, distance: Any, turns: Iterable[An
     return rewritten
 
 
-def _integral(law: Any, distance: Any) -> Any:
+def _integral(law: sm.Expr, distance: sm.Symbol) -> sm.Expr | None:
     """Integrate a law over the distance; None if SymPy finds no elementary function."""
     if (powers := _integral_of_powers(law, distance)) is not None:
         return powers
@@ -712,7 +718,7 @@ def _integral(law: Any, distance: Any) -> Any:
     return integral
 
 
-def _integral_of_powers(law: Any, distance: Any) -> Any:
+def _integral_of_powers(law: sm.Expr, distance: sm.Symbol) -> sm.Expr | None:
     """Integrate a sum of powers of the distance; None for anything else."""
     parts = []
     for term in sm.Add.make_args(sm.expand(law)):

@@ -7,8 +7,7 @@ angles. No expression is used as a pivot: it may vanish where the equations are 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Hashable, Sequence
 
 import sympy as sm
 
@@ -20,12 +19,12 @@ from pydy._modular import PRIME, inverse
 
 
 def solve_rates(
-    equations: Sequence[Any], coordinate_rates: Sequence[Any], argument: str
-) -> tuple[Any, ...]:
+    equations: Sequence[sm.Expr], coordinate_rates: Sequence[sm.Derivative], argument: str
+) -> tuple[sm.Expr, ...]:
     """Return q' from equations that are zero, linear in q'."""
     order = {rate: k for k, rate in enumerate(coordinate_rates)}
     unknowns = [[s for s in find_symbols([e]) if s in order] for e in equations]
-    rates: dict[Any, Any] = {}
+    rates: dict[sm.Derivative, sm.Expr] = {}
     for group in connected(unknowns):
         group_rates = sorted({s for k in group for s in unknowns[k]}, key=order.__getitem__)
         rows = [equations[k] for k in group]
@@ -48,9 +47,9 @@ def solve_rates(
     return tuple(rates[rate] for rate in coordinate_rates)
 
 
-def connected(unknowns: list[list[Any]]) -> list[list[int]]:
+def connected(unknowns: Sequence[Sequence[Hashable]]) -> list[list[int]]:
     """Return the numbers of rows in groups that share unknowns, in order."""
-    home: dict[Any, list[int]] = {}
+    home: dict[Hashable, list[int]] = {}
     for k, symbols in enumerate(unknowns):
         merged = [k]
         for group in {id(home[s]): home[s] for s in symbols if s in home}.values():
@@ -61,7 +60,7 @@ def connected(unknowns: list[list[Any]]) -> list[list[int]]:
     return [*groups.values(), *([k] for k, symbols in enumerate(unknowns) if not symbols)]
 
 
-def _solved(rows: list[Any], unknowns: list[Any], argument: str) -> list[Any]:
+def _solved(rows: list[sm.Expr], unknowns: list[sm.Derivative], argument: str) -> list[sm.Expr]:
     if len(unknowns) == 1:  # mostly q' minus an expression: SymPy's derivatives would be slow
         for trial in (unknowns[0] - rows[0], unknowns[0] + rows[0]):
             if unknowns[0] not in find_symbols([trial]):
@@ -102,7 +101,7 @@ def _solved(rows: list[Any], unknowns: list[Any], argument: str) -> list[Any]:
     ]
 
 
-def _cofactors(matrix: list[list[Any]]) -> list[list[Any]]:
+def _cofactors(matrix: list[list[sm.Expr]]) -> list[list[sm.Expr]]:
     """Return the cofactors of a small matrix, without expanding products."""
     if len(matrix) == 1:
         return [[sm.S.One]]
@@ -117,7 +116,7 @@ def _cofactors(matrix: list[list[Any]]) -> list[list[Any]]:
     return cofactors
 
 
-def divide_alike(values: Sequence[Any], reference: Sequence[Any]) -> bool:
+def divide_alike(values: Sequence[sm.Expr], reference: Sequence[sm.Expr]) -> bool:
     """Return whether all denominators of `values` occur in `reference`, up to sign."""
     divisors = [
         [p.base for e in part for p in sm.sympify(e).atoms(sm.Pow) if p.exp.is_negative]

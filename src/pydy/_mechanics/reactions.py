@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import sympy as sm
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
@@ -16,11 +16,20 @@ from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
 from pydy._names import item_of_name, name_of
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Vector
 
-class Multipliers(dict[Any, Any]):
+    from pydy._sympy_types import AnySymbol, Body, Load, Location
+
+
+# Bodies on one side of a cut: some of them, or all beyond a joint.
+_Cut: TypeAlias = "Body | str | Joint | Iterable[Body | Location | str]"
+
+
+class Multipliers(dict[sm.Symbol, sm.Expr]):
     """Multipliers of the constraints by symbol; a name is taken too."""
 
-    def __missing__(self, key: Any) -> Any:
+    def __missing__(self, key: object) -> sm.Expr:
         for symbol, expression in self.items():
             if symbol.name == key:
                 return expression
@@ -41,11 +50,11 @@ class Reaction:
         The axes in which both were formed.
     """
 
-    force: Any
-    torque: Any
-    frame: Any
+    force: Vector
+    torque: Vector
+    frame: ReferenceFrame
 
-    def outputs(self, name: str) -> dict[Any, Any]:
+    def outputs(self, name: str) -> dict[sm.Symbol, sm.Expr]:
         """Return the components as a dictionary for `System.outputs`.
 
         Parameters
@@ -68,7 +77,7 @@ class Reactions:
     `auxiliary_forces` are the symbols of the noncontributing forces.
     """
 
-    def __init__(self, equations: Equations, auxiliary_forces: Sequence[Any]) -> None:
+    def __init__(self, equations: Equations, auxiliary_forces: Sequence[AnySymbol]) -> None:
         self.equations, self.auxiliary_forces = equations, auxiliary_forces
 
     def multipliers(self) -> Multipliers:
@@ -78,7 +87,11 @@ class Reactions:
         return Multipliers(self._forces(bodies=False).multipliers(self.auxiliary_forces))
 
     def reaction(
-        self, bodies: Any, point: Any, frame: Any, further_loads: Iterable[Any]
+        self,
+        bodies: _Cut,
+        point: Point | None,
+        frame: ReferenceFrame | None,
+        further_loads: Iterable[Load],
     ) -> Reaction:
         """Return the force and torque on a group of bodies; see `System.reaction`."""
         forces = self._forces(bodies=True)
@@ -127,11 +140,11 @@ class Reactions:
         return forces
 
     @property
-    def _joints(self) -> tuple[Any, ...]:
+    def _joints(self) -> tuple[Joint, ...]:
         mechanism = self.equations.mechanism
         return () if mechanism is None else mechanism.joints
 
-    def _bodies_beyond(self, joint: Any, bodies: Sequence[Any]) -> list[Any]:
+    def _bodies_beyond(self, joint: Joint, bodies: Sequence[Body]) -> list[Body]:
         """Return the child of a joint, and the bodies that further joints attach to it."""
         joints = self._joints
         if not any(joint is candidate for candidate in joints):
@@ -149,7 +162,7 @@ class Reactions:
         return [body for body in bodies if body.masscenter in points]
 
 
-def _as_list(bodies: Any) -> list[Any]:
+def _as_list(bodies: _Cut) -> list[Body | Location | str]:
     if isinstance(bodies, (str, RigidBody, Particle)):
         return [bodies]
     if not isinstance(bodies, Iterable):
@@ -160,7 +173,7 @@ def _as_list(bodies: Any) -> list[Any]:
     return listed("bodies", bodies)
 
 
-def _member(bodies: Sequence[Any], item: Any) -> Any:
+def _member(bodies: Sequence[Body], item: Body | Location | str) -> Body | Location:
     """Return a body by its name, or a body, point or frame as it is."""
     member = item_of_name(bodies, item)
     if isinstance(item, (Point, ReferenceFrame)) or any(member is body for body in bodies):
@@ -171,7 +184,7 @@ def _member(bodies: Sequence[Any], item: Any) -> Any:
     )
 
 
-def _check_located(item: Any, point: Any) -> None:
+def _check_located(item: Point, point: Point) -> None:
     try:
         item.pos_from(point)
     except ValueError:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Sequence
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
@@ -27,10 +27,16 @@ from pydy._graph import Graph, SymPyReader
 from pydy._mechanics.components import numbers_of
 from pydy._rank import ROUNDED
 
+if TYPE_CHECKING:
+    from sympy.physics.biomechanics import MusculotendonBase
+    from sympy.physics.mechanics import ActuatorBase
 
-def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
+    from pydy._sympy_types import AnySymbol, Body, Load, TimeFunction
+
+
+def read_loads(loads: Iterable[Load | ActuatorBase]) -> tuple[Load, ...]:
     """Return loads as pairs of a point and a force, or a frame and a torque."""
-    pairs: list[tuple[Any, Any]] = []
+    pairs: list[Load] = []
     for load in loads:
         if hasattr(load, "to_loads"):
             pairs += [(location, vector) for location, vector in read_loads(_loads_of(load))]
@@ -56,7 +62,7 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
     return tuple(pairs)
 
 
-def checked_vector(value: Any, what: str) -> Any:
+def checked_vector(value: object, what: str) -> Vector:
     """Return a Vector, or raise an error that shows the value."""
     if not isinstance(value, Vector):
         raise TypeError(
@@ -69,7 +75,7 @@ def checked_vector(value: Any, what: str) -> Any:
     return value
 
 
-def _loads_of(actuator: Any) -> Any:
+def _loads_of(actuator: ActuatorBase) -> Iterable[Load]:
     """Return the loads of an actuator.
 
     SymPy differentiates a damper's length, a root of many terms. The length times its rate is the
@@ -78,18 +84,20 @@ def _loads_of(actuator: Any) -> Any:
     if is_reversed(actuator):
         warn_of_reversed(f"A {type(actuator).__name__}")
     if type(actuator) is not LinearDamper or type(actuator.pathway) is not LinearPathway:
-        return actuator.to_loads()
+        loads: Iterable[Load] = actuator.to_loads()
+        return loads
     start, end = actuator.pathway.attachments
     vector = end.pos_from(start)
     if vector == 0:
-        return actuator.to_loads()
+        loads = actuator.to_loads()
+        return loads
     force = (
         actuator.damping * vector.dt(vector.args[0][1]).dot(vector) / vector.dot(vector) * vector
     )
     return [(start, force), (end, -force)]
 
 
-def is_reversed(actuator: Any) -> bool:
+def is_reversed(actuator: ActuatorBase) -> bool:
     """Return whether an actuator pushes where it should pull; a ForceActuator's sign is chosen."""
     path = getattr(actuator, "pathway", None)
     if type(actuator) is ForceActuator or not isinstance(path, WrappingPathway):
@@ -107,21 +115,23 @@ def warn_of_reversed(what: str) -> None:
     )
 
 
-def activation_states(loads: Iterable[Any], coordinates: Container[Any]) -> list[Any]:
+def activation_states(
+    loads: Iterable[Load | ActuatorBase], coordinates: Container[TimeFunction]
+) -> list[TimeFunction]:
     """Return states of musculotendons, activations and fibre lengths, that are no coordinates."""
     every = (s for muscle in _with_states(loads) for s in muscle.x)
     return [s for s in dict.fromkeys(every) if s not in coordinates]
 
 
-def activation_dynamics(loads: Iterable[Any]) -> dict[Any, Any]:
+def activation_dynamics(loads: Iterable[Load | ActuatorBase]) -> dict[TimeFunction, sm.Expr]:
     """Return the derivatives of the states of musculotendons."""
-    derivatives: dict[Any, Any] = {}
+    derivatives: dict[TimeFunction, sm.Expr] = {}
     for muscle in _with_states(loads):
         derivatives.update(zip(muscle.x, muscle.rhs(), strict=True))
     return derivatives
 
 
-def _with_states(loads: Iterable[Any]) -> list[Any]:
+def _with_states(loads: Iterable[Load | ActuatorBase]) -> list[MusculotendonBase]:
     """Return the musculotendons among loads, which have states `x` and derivatives `rhs()`."""
     return [
         load
@@ -142,12 +152,12 @@ def wrapped_force_pulls() -> bool:
     return bool(path.to_loads(sm.Integer(1))[0].force.dot(frame.y) > 0)
 
 
-def is_rigid(body: Any) -> bool:
+def is_rigid(body: Body) -> bool:
     """Return whether a body has a frame and an inertia."""
     return isinstance(body, RigidBody)
 
 
-def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
+def check_bodies(bodies: Iterable[Body]) -> tuple[Body, ...]:
     """Return bodies as a tuple."""
     bodies_, identities = tuple(bodies), set()
     for body in bodies_:
@@ -167,7 +177,7 @@ def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
     return bodies_
 
 
-def _check_symmetric(body: Any) -> None:
+def _check_symmetric(body: Body) -> None:
     """Refuse an inertia dyadic in one frame that is not symmetric."""
     terms = body.central_inertia.args
     # A dyadic holds the unit vectors of its frame: comparing identities is faster.
@@ -198,14 +208,16 @@ def _check_symmetric(body: Any) -> None:
 class InputReader(SymPyReader):
     """Reads expressions; symbols other than states and time become inputs when they occur."""
 
-    def __init__(self, graph: Graph, atoms: dict[Any, int], states: Sequence[Any]) -> None:
+    def __init__(
+        self, graph: Graph, atoms: dict[AnySymbol, int], states: Sequence[TimeFunction]
+    ) -> None:
         super().__init__(graph, atoms, "the bodies, loads and kinematics")
         self.states = frozenset(states)
-        self.constants: list[Any] = []
-        self.specifieds: list[Any] = []
-        self.second: Callable[[Any], int | None] = lambda symbol: None
+        self.constants: list[sm.Symbol] = []
+        self.specifieds: list[TimeFunction] = []
+        self.second: Callable[[sm.Derivative], int | None] = lambda symbol: None
 
-    def _leaf(self, expr: Any) -> int | None:
+    def _leaf(self, expr: sm.Expr) -> int | None:
         if expr not in self.atoms:
             if isinstance(expr, sm.Symbol):
                 self.atoms[expr] = self.graph.input("p", len(self.constants))
@@ -214,7 +226,7 @@ class InputReader(SymPyReader):
                 return self._function(expr)
         return super()._leaf(expr)
 
-    def _function(self, expr: Any) -> int:
+    def _function(self, expr: TimeFunction) -> int:
         if isinstance(expr, sm.Derivative) and expr.expr in self.states:
             node = self.second(expr)
             if node is None:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from pydy._mechanics.tuning import (
     SOUND_PIVOT,
     SOUND_SHARE,
 )
+
+if TYPE_CHECKING:
+    import sympy as sm
 
 # Of states, time, specifieds and constants: those differ from state to state too.
 _RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}
@@ -192,7 +195,7 @@ def _all_constraints(
 
 
 def _constraints(
-    kinematics: Kinematics, velocity: Sequence[Any]
+    kinematics: Kinematics, velocity: Sequence[sm.Expr]
 ) -> tuple[list[list[int]], list[int]]:
     """Return K and b of differentiated velocity constraints K u' + b = 0."""
     nodes = kinematics.read.all(velocity)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from itertools import pairwise
 from operator import itemgetter
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
@@ -14,8 +14,11 @@ from sympy.physics.mechanics import dynamicsymbols
 from pydy._graph import evaluated_derivative
 from pydy._names import written_out
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, TimeFunction
 
-def sort_symbols(symbols: Iterable[Any]) -> list[Any]:
+
+def sort_symbols(symbols: Iterable[AnySymbol]) -> list[AnySymbol]:
     """Sort symbols, functions of time and their derivatives as SymPy orders them.
 
     SymPy has no order for symbols that differ in their assumptions alone: those follow in the
@@ -28,7 +31,7 @@ def sort_symbols(symbols: Iterable[Any]) -> list[Any]:
     return [symbol for _, symbol in keyed]
 
 
-def rate_of(symbol: Any, time: Any) -> Any:
+def rate_of(symbol: TimeFunction, time: sm.Symbol) -> sm.Expr:
     """Return the derivative of a function of time, or of one of its derivatives.
 
     That of a function is made without SymPy's rules, which take thirty times as long.
@@ -38,15 +41,15 @@ def rate_of(symbol: Any, time: Any) -> Any:
     return symbol.diff(time)
 
 
-def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
+def find_symbols(expressions: Iterable[sm.Expr | sm.Matrix]) -> dict[AnySymbol, None]:
     """Return the symbols, applied undefined functions and derivatives, in order of discovery.
 
     Undefined functions and their derivatives are taken whole: what they are of is not entered.
     SymPy's ``free_symbols`` walks the tree, which for multibody equations can be larger than the
     graph of distinct objects by orders of magnitude; this walk does not.
     """
-    symbols: dict[Any, None] = {}
-    visited: dict[int, Any] = {}  # by identity, and with the objects: what is freed lends its id
+    symbols: dict[AnySymbol, None] = {}
+    visited: dict[int, object] = {}  # by identity, and with the objects: what is freed lends its id
     stack = list(expressions)
     while stack:
         expr = stack.pop()
@@ -63,15 +66,15 @@ def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
     return symbols
 
 
-def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
+def replace_symbols(expression: sm.Expr, mapping: Mapping[AnySymbol, sm.Expr]) -> sm.Expr:
     """Replace symbols, applied undefined functions and derivatives, each taken whole.
 
     As with `find_symbols`, and unlike SymPy's ``xreplace`` and ``subs``, the cost is the number of
     distinct objects. Nothing is simplified beyond what SymPy does when an expression is built.
     """
     root = sm.sympify(expression)
-    done: dict[int, Any] = {}
-    derivatives: dict[int, Any] = {}
+    done: dict[int, sm.Expr] = {}
+    derivatives: dict[int, sm.Expr] = {}
     stack = [(root, False)]
     while stack:
         expr, ready = stack.pop()
@@ -95,6 +98,6 @@ def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     return done[id(root)]
 
 
-def function_of_time(name: str) -> Any:
+def function_of_time(name: str) -> AppliedUndef:
     """Return a function of time, as coordinates and outputs are."""
     return dynamicsymbols(name)

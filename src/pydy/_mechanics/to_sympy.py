@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 
@@ -13,8 +13,11 @@ from pydy._errors import UnsupportedFunctionError
 from pydy._graph import Graph
 from pydy._program import OPERATIONS
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
 
-def exact(value: float) -> Any:
+
+def exact(value: float) -> sm.Expr:
     """Return a number as an integer or a simple fraction if it is one, else as a float."""
     # The fractions of moments of inertia.
     fraction = Fraction(value).limit_denominator(12) if abs(value) < 2**53 else None
@@ -23,7 +26,7 @@ def exact(value: float) -> Any:
     return sm.Float(f"{value:.15g}")
 
 
-_SPECIAL: dict[str, Callable[..., Any]] = {
+_SPECIAL: dict[str, Callable[..., sm.Expr]] = {
     "select": lambda condition, yes, no: sm.Piecewise((yes, condition), (no, True)),
     "min": sm.Min,
     "max": sm.Max,
@@ -35,7 +38,7 @@ _SPECIAL: dict[str, Callable[..., Any]] = {
 }
 
 
-def applied(op: str, args: Sequence[Any]) -> Any:
+def applied(op: str, args: Sequence[sm.Expr]) -> sm.Expr:
     """Return an operation applied to SymPy expressions."""
     row = OPERATIONS.get(op)
     function = _SPECIAL.get(op) or (getattr(sm, row.sympy) if row and row.sympy else None)
@@ -50,9 +53,9 @@ def applied(op: str, args: Sequence[Any]) -> Any:
 def written(
     graph: Graph,
     nodes: Sequence[int],
-    symbols: Mapping[int, Any],
-    name: Callable[[str, Any], Any] | None = None,
-) -> tuple[list[Any], dict[Any, Any]]:
+    symbols: Mapping[int, AnySymbol],
+    name: Callable[[str, sm.Expr], sm.Symbol | None] | None = None,
+) -> tuple[list[sm.Expr], dict[sm.Symbol, sm.Expr]]:
     """Return nodes as expressions, and the definitions of the names in them, in order.
 
     `symbols` are those of the inputs. ``name(op, expression)`` returns a symbol for what occurs
@@ -62,8 +65,8 @@ def written(
     uses = Counter(nodes)
     for node in reached:
         uses.update(graph.operands(node))
-    expressions: dict[int, Any] = {}
-    names: dict[Any, Any] = {}
+    expressions: dict[int, sm.Expr] = {}
+    names: dict[sm.Symbol, sm.Expr] = {}
     for node in reached:
         op, args = graph.ops[node], graph.args[node]
         if op == "input":

@@ -17,7 +17,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 
@@ -27,7 +27,12 @@ from pydy._mechanics.tuning import READABLE
 from pydy._program import OPERATIONS
 from pydy._rank import ROUNDED
 
-Powers = tuple[tuple[Any, int], ...]  # of angles or factors, none zero, in order
+if TYPE_CHECKING:
+    from sympy.logic.boolalg import Boolean
+
+    from pydy._sympy_types import AnySymbol
+
+Powers = tuple[tuple[int, int], ...]  # of angles or factors, none zero, in order
 Key = tuple[Powers, Powers]  # the harmonic n, and the powers m
 # Coefficients, each with the sum of the magnitudes of its terms.
 Polynomial = dict[Key, tuple[complex, float]]
@@ -83,16 +88,16 @@ class Textbook:
     """
 
     graph: Graph
-    symbols: Mapping[int, Any]
-    name: Callable[[str, Any], Any]
-    names: dict[Any, Any] = field(default_factory=dict)
+    symbols: Mapping[int, AnySymbol]
+    name: Callable[[str, sm.Expr], sm.Symbol]
+    names: dict[sm.Symbol, sm.Expr] = field(default_factory=dict)
     _polynomials: dict[int, Polynomial] = field(default_factory=dict)
-    _truths: dict[int, Any] = field(default_factory=dict)
-    _factors: list[Any] = field(default_factory=list)
-    _angles: list[Any] = field(default_factory=list)
-    _named: dict[Any, Any] = field(default_factory=dict)
+    _truths: dict[int, Boolean] = field(default_factory=dict)
+    _factors: list[sm.Expr] = field(default_factory=list)
+    _angles: list[sm.Expr] = field(default_factory=list)
+    _named: dict[sm.Symbol, sm.Expr] = field(default_factory=dict)
 
-    def __call__(self, nodes: Sequence[int]) -> list[Any]:
+    def __call__(self, nodes: Sequence[int]) -> list[sm.Expr]:
         """Return nodes as expressions; raises TooLongError if they would be too long."""
         for node in self.graph.reachable(nodes):
             op, args = self.graph.ops[node], self.graph.args[node]
@@ -133,13 +138,13 @@ class Textbook:
             return self._polynomials[args[0]]
         return self._factor(applied(op, self._operands(node)))
 
-    def _operands(self, node: int) -> list[Any]:
+    def _operands(self, node: int) -> list[sm.Expr]:
         return [
             self._truths[n] if n in self._truths else self._shortest(self._polynomials[n])
             for n in self.graph.operands(node)
         ]
 
-    def _factor(self, expression: Any, exponent: int = 1) -> Polynomial:
+    def _factor(self, expression: sm.Expr, exponent: int = 1) -> Polynomial:
         if expression.is_Number and (expression or exponent > 0):
             value = float(expression) ** exponent
             return {((), ()): (value, abs(value))}
@@ -172,7 +177,7 @@ class Textbook:
 
     # -- writing -----------------------------------------------------------------------------------
 
-    def _shortest(self, polynomial: Polynomial) -> Any:
+    def _shortest(self, polynomial: Polynomial) -> sm.Expr:
         candidates = [self._nested([*terms]) for terms in self._written(polynomial)]
         best = min(candidates, key=lambda expression: sm.count_ops(expression))
         used = best.free_symbols
@@ -181,7 +186,7 @@ class Textbook:
                 self.names[candidate] = meaning
         return best
 
-    def _written(self, polynomial: Polynomial) -> Iterator[list[tuple[float, dict[Any, int]]]]:
+    def _written(self, polynomial: Polynomial) -> Iterator[list[tuple[float, dict[sm.Expr, int]]]]:
         """Yield the terms in several bases: coefficients, and powers of factors."""
         yield list(self._as_harmonics(polynomial))
         used = sorted({angle for harmonic, _ in polynomial for angle, _ in harmonic})
@@ -194,7 +199,7 @@ class Textbook:
                 except TooLongError:
                     continue
 
-    def _as_harmonics(self, polynomial: Polynomial) -> Iterator[tuple[float, dict[Any, int]]]:
+    def _as_harmonics(self, polynomial: Polynomial) -> Iterator[tuple[float, dict[sm.Expr, int]]]:
         for (harmonic, powers), (c, _) in polynomial.items():
             factors = [(self._factors[k], n) for k, n in powers]
             if not harmonic:
@@ -204,7 +209,7 @@ class Textbook:
                     if value:
                         yield value, _collected([(self._trigonometric(op, harmonic), 1), *factors])
 
-    def _trigonometric(self, op: str, harmonic: Powers) -> Any:
+    def _trigonometric(self, op: str, harmonic: Powers) -> sm.Symbol:
         angle = sm.Add(*(n * self._angles[k] for k, n in harmonic))
         symbol = self.name(op, angle)
         self._named[symbol] = applied(op, [angle])
@@ -212,7 +217,7 @@ class Textbook:
 
     def _as_products(
         self, polynomial: Polynomial, used: Sequence[int], accumulated: Sequence[bool], square: str
-    ) -> list[tuple[float, dict[Any, int]]]:
+    ) -> list[tuple[float, dict[sm.Expr, int]]]:
         """Write e^{i n θ} as powers of cosines and sines; one of the two occurs at most once.
 
         If `accumulated`, an angle is replaced by its sum with those before.
@@ -255,12 +260,12 @@ class Textbook:
             terms.append((complex(c).real, _collected(factors)))
         return terms
 
-    def _nested(self, terms: list[tuple[float, dict[Any, int]]]) -> Any:
+    def _nested(self, terms: list[tuple[float, dict[sm.Expr, int]]]) -> sm.Expr:
         """Return a sum with common factors extracted, the most frequent first."""
         if len(terms) < 2:
             return sm.Add(*(_product(c, powers) for c, powers in terms))
-        counts: Counter[tuple[Any, int]] = Counter()
-        kinds: dict[Any, set[int]] = {}
+        counts: Counter[tuple[sm.Expr, int]] = Counter()
+        kinds: dict[sm.Expr, set[int]] = {}
         for _, powers in terms:
             counts.update((f, n) for f, n in powers.items() if n > 0)
             for f, n in powers.items():
@@ -286,15 +291,15 @@ class Textbook:
         return product_ + self._nested(without_factor) if without_factor else product_
 
 
-def _collected(factors: Sequence[tuple[Any, int]]) -> dict[Any, int]:
+def _collected(factors: Sequence[tuple[sm.Expr, int]]) -> dict[sm.Expr, int]:
     """Sum the powers of equal factors; 1/cos θ is a separate factor from cos θ."""
-    powers: dict[Any, int] = {}
+    powers: dict[sm.Expr, int] = {}
     for factor, n in factors:
         powers[factor] = powers.get(factor, 0) + n
     return {factor: n for factor, n in powers.items() if n}
 
 
-def _product(c: float, powers: Mapping[Any, int]) -> Any:
+def _product(c: float, powers: Mapping[sm.Expr, int]) -> sm.Expr:
     return sm.Mul(exact(c), *(f**n for f, n in powers.items()))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from pydy._mechanics.generic import Block, GenericStates
 from pydy._mechanics.tuning import NEAR
 from pydy._rank import ROUNDED
 
+if TYPE_CHECKING:
+    import sympy as sm
+
 _TRIALS = 3
 # Distances beyond a switch at which states are sampled, relative to the distance before it. Limbs
 # have a limited reach.
@@ -20,7 +23,7 @@ ACROSS = (-1.0, -0.1, -0.01)
 _SEARCH_STARTS = (-41.0, 41.0)  # 6 revolutions from zero, or as many units of length
 
 
-def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
+def is_potential_of(equations: Equations, potential: sm.Expr, powers: Sequence[sm.Expr]) -> bool:
     """Return whether ``d potential/dt = -sum(powers)``, on both sides of every switch."""
     states = GenericStates(equations, (potential, *powers), "the energy")
     energy, power_nodes = states.read(potential), states.read.all(powers)
@@ -49,7 +52,7 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     )
 
 
-def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
+def has_momenta_of(equations: Equations, lagrangian: sm.Expr, kinetic: sm.Expr) -> bool:
     """Return whether two energies have the same derivatives with respect to the speeds."""
     states = GenericStates(equations, (lagrangian, kinetic), "the energy")
     nodes = states.read.all((lagrangian, kinetic))

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import sympy as sm
 
 from pydy._mechanics.symbols import find_symbols
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
+
 # A sum of terms, each with its number, for each speed.
-_Linear = dict[Any, dict[Any, Any]]
+_Linear: TypeAlias = "dict[AnySymbol, dict[sm.Expr, sm.Expr]]"
 
 
-def forces_of_power(powers: Iterable[Any], speeds: Collection[Any]) -> dict[Any, Any] | None:
+def forces_of_power(
+    powers: Iterable[sm.Expr], speeds: Collection[AnySymbol]
+) -> dict[AnySymbol, sm.Expr] | None:
     """Return the coefficient of each speed in a sum of powers, without those that are zero.
 
     None if a power is not recognised as linear in the speeds. Equal terms are collected on the fly:
@@ -34,7 +39,7 @@ def forces_of_power(powers: Iterable[Any], speeds: Collection[Any]) -> dict[Any,
     return {u: force for u, force in forces if force != 0}
 
 
-def _linear(expression: Any, speeds: set[Any]) -> _Linear | None:
+def _linear(expression: sm.Expr, speeds: set[AnySymbol]) -> _Linear | None:
     if expression in speeds:
         return {expression: {sm.S.One: sm.S.One}}
     if expression.is_Add:
@@ -57,20 +62,22 @@ def _linear(expression: Any, speeds: set[Any]) -> _Linear | None:
     return {u: _multiplied(terms, number, factor) for u, terms in parts.items()}
 
 
-def _multiplied(terms: dict[Any, Any], number: Any, factor: Any) -> dict[Any, Any]:
-    scaled: dict[Any, Any] = {}
+def _multiplied(
+    terms: dict[sm.Expr, sm.Expr], number: sm.Expr, factor: sm.Expr
+) -> dict[sm.Expr, sm.Expr]:
+    scaled: dict[sm.Expr, sm.Expr] = {}
     for term, share in terms.items():
         coefficient, product = (1, factor) if term is sm.S.One else (term * factor).as_coeff_Mul()
         _collect(scaled, {product: share * coefficient * number})
     return scaled
 
 
-def _collect(total: dict[Any, Any], terms: dict[Any, Any]) -> None:
+def _collect(total: dict[sm.Expr, sm.Expr], terms: dict[sm.Expr, sm.Expr]) -> None:
     for term, number in terms.items():
         total[term] = total[term] + number if term in total else number
 
 
-def has_quotients(expression: Any) -> bool:
+def has_quotients(expression: sm.Expr) -> bool:
     """Return whether an expression has a sum in a denominator or under a root."""
     return any(
         p.base.has(sm.Add) and not (p.exp.is_Integer and p.exp > 0)

@@ -13,7 +13,7 @@ cannot be recognised by their loads.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from sympy.physics.mechanics import Force
@@ -27,10 +27,15 @@ from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import InputReader, is_reversed, warn_of_reversed, wrapped_force_pulls
 from pydy._rank import HALF
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import ActuatorBase, ReferenceFrame, Vector
+
+    from pydy._sympy_types import Load
+
 _STATES = 4
 
 
-def warn_of_reversed_forces(equations: Equations, actuators: Iterable[Any] = ()) -> None:
+def warn_of_reversed_forces(equations: Equations, actuators: Iterable[ActuatorBase] = ()) -> None:
     """Warn of forces of springs, dampers and muscles that a WrappingPathway reverses.
 
     Actuators among the loads were reported when these were read; the `actuators` are those of a
@@ -50,7 +55,7 @@ def warn_of_reversed_forces(equations: Equations, actuators: Iterable[Any] = ())
             return
 
 
-def _of_three(body: Multibody) -> list[tuple[Any, ...]]:
+def _of_three(body: Multibody) -> list[tuple[Load, ...]]:
     """Return triples of consecutive forces that a pathway may have produced."""
     three = zip(body.loads, body.loads[1:], body.loads[2:], strict=False)
     return [
@@ -62,11 +67,11 @@ def _of_three(body: Multibody) -> list[tuple[Any, ...]]:
     ]
 
 
-def _in_balance(vectors: Iterable[Any]) -> bool:
+def _in_balance(vectors: Iterable[Vector]) -> bool:
     """Return whether the sum of vectors vanishes identically."""
     graph = Graph()
     read = InputReader(graph, {}, ())
-    sums: dict[Any, list[int]] = {}
+    sums: dict[ReferenceFrame, list[int]] = {}
     for part, frame in (part for vector in vectors for part in vector.args):
         total = sums.setdefault(frame, [graph.zero] * 3)
         try:
@@ -77,7 +82,7 @@ def _in_balance(vectors: Iterable[Any]) -> bool:
     return not any(signatures(graph, flat([*sums.values()])))
 
 
-def _is_negative(body: Multibody, loads: Sequence[Any]) -> bool:
+def _is_negative(body: Multibody, loads: Sequence[Load]) -> bool:
     """Return whether three forces are a spring's or a damper's with a negative coefficient."""
     k = moving(body, in_bodies=False)
     g = k.graph

@@ -1,0 +1,20 @@
+"""Short names for unions of SymPy's classes, for annotations; SymPy is not loaded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    import sympy as sm
+    from sympy.core.function import AppliedUndef
+    from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
+
+# A function of time or a derivative of one: a coordinate, a speed, an input.
+TimeFunction: TypeAlias = "AppliedUndef | sm.Derivative"
+# What expressions depend on: constants, time, functions of time and their derivatives.
+AnySymbol: TypeAlias = "sm.Symbol | AppliedUndef | sm.Derivative"
+
+Body: TypeAlias = "RigidBody | Particle"
+# Where a load acts: a force at a point, a torque on a frame.
+Location: TypeAlias = "Point | ReferenceFrame"
+Load: TypeAlias = "tuple[Location, Vector]"
