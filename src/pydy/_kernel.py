@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -12,8 +12,12 @@ from pydy._forks import cached_property
 from pydy._graph import TimeSwitches
 from pydy._program import Program, SwitchTimes
 
+if TYPE_CHECKING:
+    from pydy.inputs import SampledInput
+
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
-Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
+# ``(x, t, r, p, out)``, arrays but for t.
+Call = Callable[[np.ndarray, float, np.ndarray, np.ndarray, np.ndarray], int]
 
 
 class NativeFunctions(Protocol):
@@ -43,7 +47,7 @@ class Kernel:
     # of failed lanes. Before `functions.link` it answers −1.
     gate: Call
     rebuild: Callable[..., Kernel]  # ``rebuild(program, *recipe)`` gives it where it is unpickled
-    recipe: tuple[Any, ...] = ()
+    recipe: tuple[object, ...] = ()
     lanes: int = 1  # how many states one native call takes
     # They own the machine code; None for a back end without native code.
     functions: NativeFunctions | None = field(default=None, repr=False)
@@ -52,13 +56,13 @@ class Kernel:
     # how many outputs, the first ones, change their sign. The functions are those of the Kernel.
     negated: int | None = None
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[Callable[..., Kernel], tuple[object, ...]]:
         return (self.rebuild, (self.program, *self.recipe))
 
     def __copy__(self) -> Kernel:
         return self
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> Kernel:
+    def __deepcopy__(self, memo: dict[int, object]) -> Kernel:
         return self  # a Kernel never changes
 
     @property
@@ -82,7 +86,9 @@ class Kernel:
 
     def time_switches(self, varying: frozenset[int]) -> TimeSwitches | None:
         """Return what switches by time alone, if anything does, where these inputs r vary."""
-        stored: dict[Any, TimeSwitches | None] = self.__dict__.setdefault("_time_switches", {})
+        stored: dict[frozenset[int], TimeSwitches | None] = self.__dict__.setdefault(
+            "_time_switches", {}
+        )
         if varying not in stored:
             # Of a Tangent: the rates, which come with what all their derivatives need.
             program = getattr(self.program, "shared", self.program)
@@ -114,7 +120,8 @@ class Inputs:
     """The specifieds as numbers, samples and functions, which give the array r."""
 
     values: np.ndarray  # (s,): those that are numbers; anything elsewhere
-    sampled: tuple[tuple[np.ndarray, Any], ...] = ()  # sampled data, with their places in r
+    # Sampled data, with their places in r.
+    sampled: tuple[tuple[np.ndarray, SampledInput], ...] = ()
     functions: tuple[tuple[np.ndarray, Any], ...] = ()  # of ``function(x, t)``, with a `label`
 
     @property
@@ -164,7 +171,8 @@ class KernelCall:
     kernel: Kernel
     p: np.ndarray  # (k,)
     r: np.ndarray  # (s,): the specifieds that are numbers; zero elsewhere
-    sampled: tuple[tuple[np.ndarray, Any], ...] = ()  # sampled data, with their places in r
+    # Sampled data, with their places in r.
+    sampled: tuple[tuple[np.ndarray, SampledInput], ...] = ()
     # ``inputs(x, t)`` gives r where functions have to be called for it.
     inputs: Callable[[np.ndarray, float], np.ndarray] | None = None
     names: Callable[[], tuple[str, ...]] = tuple  # returns the names of the states
@@ -172,11 +180,11 @@ class KernelCall:
     # (k, 3): when the Kernel switches by time alone, as `SwitchTimes.rows`; None: not known yet
     switched: np.ndarray | None = None
 
-    def native(self, args: tuple[Any, ...]) -> KernelCall:
+    def native(self, args: tuple[object, ...]) -> KernelCall:
         """Return itself, whatever the solver's `args`."""
         return self
 
-    def __call__(self, x: np.ndarray, t: float, *args: Any) -> np.ndarray:
+    def __call__(self, x: np.ndarray, t: float, *args: object) -> np.ndarray:
         """Return the derivatives; NaN where a linear solve is singular."""
         return self.evaluate(self.kernel, np.asarray(x), t)
 

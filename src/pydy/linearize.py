@@ -6,12 +6,15 @@ exactly, ``system.evaluate_jacobian()`` and ``system.evaluate_jacobian(of=...)``
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pydy._checks import real_array
 from pydy._rank import or_one, rank
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 __all__ = ["constrained_eigenvalues", "reduce_state_matrix"]
 
@@ -20,7 +23,7 @@ __all__ = ["constrained_eigenvalues", "reduce_state_matrix"]
 _INVARIANCE = 1e-5
 
 
-def reduce_state_matrix(state_matrix: Any, constraint_jacobian: Any) -> np.ndarray:
+def reduce_state_matrix(state_matrix: ArrayLike, constraint_jacobian: ArrayLike) -> np.ndarray:
     """Return the state matrix of the motions that satisfy the constraints.
 
     Parameters
@@ -108,7 +111,7 @@ def reduce_state_matrix(state_matrix: Any, constraint_jacobian: Any) -> np.ndarr
     return reduced
 
 
-def constrained_eigenvalues(state_matrix: Any, constraint_jacobian: Any) -> np.ndarray:
+def constrained_eigenvalues(state_matrix: ArrayLike, constraint_jacobian: ArrayLike) -> np.ndarray:
     """Return the eigenvalues of the motions that satisfy the constraints.
 
     Parameters
@@ -146,7 +149,7 @@ def constrained_eigenvalues(state_matrix: Any, constraint_jacobian: Any) -> np.n
     return values[np.lexsort((-values.imag, -values.real))]
 
 
-def _matrix(name: str, value: Any) -> np.ndarray:
+def _matrix(name: str, value: ArrayLike) -> np.ndarray:
     """Return a value as a finite real matrix."""
     matrix = real_array(value, f"`{name}`")
     if matrix.ndim != 2:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sm
 import sympy.physics.mechanics as me
 
@@ -16,7 +14,7 @@ _MOST = 10**6  # far beyond what can be derived; more would fill the memory befo
 __all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
 
 
-def _check_size(n: Any) -> None:
+def _check_size(n: object) -> None:
     if isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= _MOST:
         raise ValueError(f"`n` must be a positive integer up to {_MOST}, got {shown(n)}.")
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache, partial
-from typing import Any
+from typing import TYPE_CHECKING, SupportsIndex
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
@@ -24,7 +24,13 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, rebuild, substitute
 from pydy._program import OPERATIONS, ScipyOperation
 
-Handler = Callable[[Graph, Any, list[int]], int]
+if TYPE_CHECKING:
+    from sympy.printing.str import StrPrinter
+
+    from pydy._program import Args
+    from pydy._sympy_types import AnySymbol
+
+Handler = Callable[[Graph, sm.Basic, list[int]], int]
 
 
 def _reciprocal(op: str) -> Handler:
@@ -36,7 +42,7 @@ def _of_reciprocal(op: str) -> Handler:
 
 
 def _fold(op: str) -> Handler:
-    def handler(graph: Graph, expr: Any, args: list[int]) -> int:
+    def handler(graph: Graph, expr: sm.Basic, args: list[int]) -> int:
         node = args[0]
         for operand in args[1:]:
             node = graph.call(op, node, operand)
@@ -49,7 +55,7 @@ def _swapped(op: str) -> Handler:
     return lambda graph, expr, args: graph.call(op, args[1], args[0])
 
 
-def _power(graph: Graph, expr: Any, args: list[int]) -> int:
+def _power(graph: Graph, expr: sm.Pow, args: list[int]) -> int:
     base, exponent = args
     number = expr.exp
     if number.is_Float and float(number).is_integer() and abs(number) <= 64:
@@ -63,7 +69,7 @@ def _power(graph: Graph, expr: Any, args: list[int]) -> int:
     return graph.call("pow", base, exponent)
 
 
-def _piecewise(graph: Graph, expr: Any, args: list[int]) -> int:
+def _piecewise(graph: Graph, expr: sm.Piecewise, args: list[int]) -> int:
     node = graph.const(float("nan"))  # where no condition holds SymPy gives NaN
     for pair in reversed(args):
         value, condition = graph.args[pair]
@@ -71,7 +77,7 @@ def _piecewise(graph: Graph, expr: Any, args: list[int]) -> int:
     return node
 
 
-def _heaviside(graph: Graph, expr: Any, args: list[int]) -> int:
+def _heaviside(graph: Graph, expr: sm.Heaviside, args: list[int]) -> int:
     x, at_zero = args
     above = graph.call("select", graph.call("eq", x, graph.zero), at_zero, graph.one)
     node = graph.call("select", graph.call("lt", x, graph.zero), graph.zero, above)
@@ -79,12 +85,12 @@ def _heaviside(graph: Graph, expr: Any, args: list[int]) -> int:
     return graph.call("select", graph.call("eq", x, x), node, x)
 
 
-def _mod(graph: Graph, expr: Any, args: list[int]) -> int:
+def _mod(graph: Graph, expr: sm.Mod, args: list[int]) -> int:
     a, b = args
     return graph.sub(a, graph.mul(b, graph.call("floor", graph.div(a, b))))
 
 
-def _sinc(graph: Graph, expr: Any, args: list[int]) -> int:
+def _sinc(graph: Graph, expr: sm.sinc, args: list[int]) -> int:
     x = args[0]
     ratio = graph.div(graph.call("sin", x), x)
     # Below 1 a series, to rounding with its second derivative: those of the ratio cancel there.
@@ -95,11 +101,11 @@ def _sinc(graph: Graph, expr: Any, args: list[int]) -> int:
     return graph.call("select", graph.call("lt", square, graph.one), series, ratio)
 
 
-def _acot(graph: Graph, expr: Any, args: list[int]) -> int:
+def _acot(graph: Graph, expr: sm.acot, args: list[int]) -> int:
     return graph.call("atan", graph.powi(args[0], -1))
 
 
-def _xor(graph: Graph, expr: Any, args: list[int]) -> int:
+def _xor(graph: Graph, expr: sm.Xor, args: list[int]) -> int:
     node = args[0]
     for operand in args[1:]:
         either = graph.call("or", node, operand)
@@ -108,19 +114,19 @@ def _xor(graph: Graph, expr: Any, args: list[int]) -> int:
     return node
 
 
-def _if_then_else(graph: Graph, expr: Any, args: list[int]) -> int:
+def _if_then_else(graph: Graph, expr: sm.ITE, args: list[int]) -> int:
     # Of truth values; SymPy makes it of a Piecewise inside a condition.
     condition, yes, no = args
     otherwise = graph.call("and", graph.call("not", condition), no)
     return graph.call("or", graph.call("and", condition, yes), otherwise)
 
 
-def _equivalent(graph: Graph, expr: Any, args: list[int]) -> int:
+def _equivalent(graph: Graph, expr: sm.Equivalent, args: list[int]) -> int:
     none = graph.call("and", *(graph.call("not", a) for a in args))
     return graph.call("or", graph.call("and", *args), none)
 
 
-def _log(graph: Graph, expr: Any, args: list[int]) -> int:
+def _log(graph: Graph, expr: sm.log, args: list[int]) -> int:
     node = graph.call("log", args[0])
     return node if len(args) == 1 else graph.div(node, graph.call("log", args[1]))
 
@@ -134,22 +140,24 @@ class Formula(sm.Atom):  # type: ignore[misc]
     graph: Graph
     node: int
     inputs: tuple[int, ...]
-    name: Any
+    name: sm.Basic | str
 
-    def __new__(cls, graph: Graph, node: int, inputs: tuple[int, ...], name: Any = None) -> Formula:
+    def __new__(
+        cls, graph: Graph, node: int, inputs: tuple[int, ...], name: sm.Basic | str | None = None
+    ) -> Formula:
         """Make a formula; two are equal if they are of the same node of the same graph."""
         self: Formula = super().__new__(cls)
         self.graph, self.node, self.inputs = graph, node, inputs
         self.name = f"formula {node}" if name is None else name
         return self
 
-    def __reduce_ex__(self, protocol: Any) -> Any:
+    def __reduce_ex__(self, protocol: SupportsIndex) -> tuple[type[Formula], tuple[object, ...]]:
         return type(self), (self.graph, self.node, self.inputs, self.name)
 
-    def _hashable_content(self) -> tuple[Any, ...]:
+    def _hashable_content(self) -> tuple[int, int]:
         return (id(self.graph), self.node)
 
-    def _sympystr(self, printer: Any) -> str:
+    def _sympystr(self, printer: StrPrinter) -> str:
         return str(self.name)
 
 
@@ -160,7 +168,11 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
 
     @classmethod
     def of(
-        cls, graph: Graph, node: int, symbols: Mapping[int, Any], name: Any = None
+        cls,
+        graph: Graph,
+        node: int,
+        symbols: Mapping[int, sm.Expr],
+        name: sm.Basic | str | None = None,
     ) -> NodeExpression:
         """Return the expression of a node; `symbols` are those of the inputs.
 
@@ -171,20 +183,20 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
         expression: NodeExpression = cls(formula, *(symbols[n] for n in inputs))
         return expression
 
-    def _eval_derivative(self, symbol: Any) -> Any:
+    def _eval_derivative(self, symbol: AnySymbol) -> sm.Derivative:
         return sm.Derivative(self, symbol, evaluate=False)
 
-    def _sympystr(self, printer: Any) -> str:
+    def _sympystr(self, printer: StrPrinter) -> str:
         return str(self.args[0].name)
 
 
-def _node_expression(graph: Graph, expr: Any, args: list[int]) -> int:
+def _node_expression(graph: Graph, expr: NodeExpression, args: list[int]) -> int:
     formula = expr.args[0]
     inputs = dict(zip(formula.inputs, args[1:], strict=True))
     return substitute(formula.graph, [formula.node], inputs, into=graph)[0]
 
 
-HANDLERS: dict[Any, Handler] = {
+HANDLERS: dict[type[sm.Basic], Handler] = {
     NodeExpression: _node_expression,
     Formula: lambda graph, expr, args: graph.zero,  # read by what applies it
     sm.Add: lambda graph, expr, args: graph.add(*args),
@@ -244,21 +256,21 @@ class SymPyReader:
     """
 
     def __init__(
-        self, graph: Graph, atoms: Mapping[Any, int], what: str = "the expressions"
+        self, graph: Graph, atoms: Mapping[AnySymbol, int], what: str = "the expressions"
     ) -> None:
         self.graph = graph
         self.atoms = dict(atoms)
         self.what = what
         self._node_of: dict[int, int] = {}
-        self._alive: list[Any] = []  # keeps ids unique while the table lives
+        self._alive: list[sm.Basic] = []  # keeps ids unique while the table lives
 
-    def define(self, atom: Any, node: int) -> None:
+    def define(self, atom: AnySymbol, node: int) -> None:
         """Let `atom` stand for `node` from now on."""
         self.atoms[atom] = node
         self._node_of.clear()
         self._alive.clear()
 
-    def __call__(self, expression: Any) -> int:
+    def __call__(self, expression: sm.Basic | float) -> int:
         """Return the node of one expression, or say which part of it has none."""
         root = expression if isinstance(expression, sm.Basic) else sm.sympify(expression)
         try:
@@ -268,7 +280,7 @@ class SymPyReader:
 
     def _read(self, root: sm.Basic) -> int:
         graph, node_of, alive = self.graph, self._node_of, self._alive
-        stack: list[tuple[Any, Handler | None]] = [(root, None)]
+        stack: list[tuple[sm.Basic, Handler | None]] = [(root, None)]
         while stack:
             expr, handler = stack.pop()
             key = id(expr)
@@ -293,7 +305,7 @@ class SymPyReader:
             stack += [(a, None) for a in reversed(args) if id(a) not in node_of]
         return node_of[id(root)]
 
-    def all(self, expressions: Iterable[Any]) -> list[int]:
+    def all(self, expressions: Iterable[sm.Basic | float]) -> list[int]:
         """Return the nodes of several expressions."""
         node_of = self._node_of
         if isinstance(expressions, sm.MatrixBase):
@@ -301,7 +313,7 @@ class SymPyReader:
         nodes = ((node_of.get(id(e)), e) for e in expressions)
         return [self(e) if node is None else node for node, e in nodes]
 
-    def _leaf(self, expr: Any) -> int | None:
+    def _leaf(self, expr: sm.Basic) -> int | None:
         if isinstance(expr, Formula) or (
             expr.args and not isinstance(expr, (AppliedUndef, sm.Derivative))
         ):
@@ -332,7 +344,7 @@ class SymPyReader:
             )
         raise UnsupportedFunctionError(self._unsupported(expr))
 
-    def _otherwise(self, expr: Any) -> int:
+    def _otherwise(self, expr: sm.Basic) -> int:
         """Return the node of what is no operation: written out, or as a function of SciPy."""
         try:
             expansion = self._written_out(expr)
@@ -345,7 +357,7 @@ class SymPyReader:
             return self.graph.call(name, *map(self, operands))
         return self(expansion)
 
-    def _written_out(self, expr: Any) -> Any:
+    def _written_out(self, expr: sm.Basic) -> sm.Basic:
         """Return the expression that a function stands for, as the curves of muscles do."""
         if (derivative := evaluated_derivative(expr)) is not None:
             return derivative
@@ -354,7 +366,7 @@ class SymPyReader:
             raise UnsupportedFunctionError(self._unsupported(expr))
         return written
 
-    def _unsupported(self, expr: Any) -> str:
+    def _unsupported(self, expr: sm.Basic) -> str:
         return (
             f"{self.what} hold the function `{expr.func.__name__}` in `{_brief(expr)}`, which "
             "cannot be translated to numerical code. Rewrite it with elementary functions "
@@ -364,7 +376,7 @@ class SymPyReader:
         )
 
 
-def _brief(expr: Any) -> str:
+def _brief(expr: sm.Basic) -> str:
     text = str(expr)
     return text if len(text) <= 120 else text[:117] + "..."
 
@@ -373,7 +385,7 @@ class _ImaginaryUnitError(Exception):
     """An expression holds the imaginary unit."""
 
 
-def real_part(expr: Any, what: str) -> Any:
+def real_part(expr: sm.Expr, what: str) -> sm.Expr:
     """Return an expression that holds `I` without it, as exp(I x) + exp(-I x); x is real here."""
     named = {
         s: sm.Dummy(s.name if s.is_Symbol else str(s), real=True)
@@ -396,7 +408,9 @@ def real_part(expr: Any, what: str) -> Any:
 _OF_SCIPY = {"strict": True, "allow_unknown_functions": False, "fully_qualified_modules": True}
 
 
-def written_for_scipy(expr: Any) -> tuple[str, list[Any], Callable[..., tuple[int, ...]]] | None:
+def written_for_scipy(
+    expr: sm.Expr,
+) -> tuple[str, list[sm.Expr], Callable[..., tuple[int, ...]]] | None:
     """Return a function, sum or integral as code for SciPy, its operands, and its derivatives.
 
     None if SymPy's printer for SciPy does not know it.
@@ -428,7 +442,7 @@ def written_for_scipy(expr: Any) -> tuple[str, list[Any], Callable[..., tuple[in
     return code, operands, partials
 
 
-def _is_definite(expr: Any) -> bool:
+def _is_definite(expr: sm.Sum | sm.Integral) -> bool:
     """Return whether limits are numbers or expressions without the variables of others."""
     bound = {limit[0] for limit in expr.limits}
     return all(
@@ -440,7 +454,7 @@ def _is_definite(expr: Any) -> bool:
 # -- derivatives that SymPy leaves unevaluated ----------------------------------------------------
 
 
-def _is_unevaluated(expr: Any) -> bool:
+def _is_unevaluated(expr: sm.Basic) -> bool:
     """Return whether an expression is a derivative that can be taken, or holds one at a point.
 
     SymPy has no rules for those of ``Mod``, ``floor`` and others. A derivative of an undefined
@@ -454,13 +468,13 @@ def _is_unevaluated(expr: Any) -> bool:
 class _OpenReader(SymPyReader):
     """Reads expressions; each symbol becomes an input when it is met."""
 
-    def _leaf(self, expr: Any) -> int | None:
+    def _leaf(self, expr: sm.Basic) -> int | None:
         if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)) and expr not in self.atoms:
             self.atoms[expr] = self.graph.input("x", len(self.atoms))
         return super()._leaf(expr)
 
 
-def evaluated_derivative(expr: Any) -> NodeExpression | None:
+def evaluated_derivative(expr: sm.Basic) -> NodeExpression | None:
     """Return a derivative that SymPy left unevaluated, by the rules of the graph; else None.
 
     At steps the derivatives of ``Mod``, ``floor`` and others are those of the branch that is taken.
@@ -471,7 +485,7 @@ def evaluated_derivative(expr: Any) -> NodeExpression | None:
 
 
 @lru_cache(maxsize=512)
-def _differentiated(expr: Any) -> NodeExpression:
+def _differentiated(expr: sm.Derivative | sm.Subs) -> NodeExpression:
     graph = Graph()
     read = _OpenReader(graph, {})
     node = read(expr.expr)
@@ -494,7 +508,7 @@ def _differentiated(expr: Any) -> NodeExpression:
     return NodeExpression.of(graph, node, {n: s for s, n in read.atoms.items()}, expr)
 
 
-def _flattened(graph: Graph, node: int, op: str, args: tuple[Any, ...]) -> int:
+def _flattened(graph: Graph, node: int, op: str, args: Args) -> int:
     """Return a node with sums of sums written as one, as SymPy writes derivatives.
 
     Like terms then meet, and 0.5(2a + b) is a + 0.5b: mechanisms take up to 5 % fewer operations.
@@ -528,9 +542,9 @@ def _distributed(graph: Graph, node: int, c: float) -> tuple[int, float]:
     return node, c
 
 
-def _rates(variable: Any, symbols: Iterable[Any]) -> dict[Any, Any] | None:
+def _rates(variable: AnySymbol, symbols: Iterable[AnySymbol]) -> dict[AnySymbol, sm.Expr] | None:
     """Return the derivatives of symbols by one variable; None where they are not known."""
-    rates: dict[Any, Any] = {}
+    rates: dict[AnySymbol, sm.Expr] = {}
     for symbol in symbols:
         function = symbol.expr if isinstance(symbol, sm.Derivative) else symbol
         if symbol == variable:
@@ -542,6 +556,6 @@ def _rates(variable: Any, symbols: Iterable[Any]) -> dict[Any, Any] | None:
     return rates
 
 
-def _inside(variable: Any, symbols: Iterable[Any]) -> bool:
+def _inside(variable: AnySymbol, symbols: Iterable[AnySymbol]) -> bool:
     """Return whether a variable is an argument of an undefined function, or a part of one."""
     return any(s != variable and s.has(variable) for s in symbols)

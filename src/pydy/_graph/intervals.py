@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
 
@@ -17,7 +17,8 @@ from pydy._graph.node import Graph
 from pydy._graph.tuning import INTERVAL_SLACK
 from pydy._program import OPERATIONS
 
-Interval = tuple[Any, Any]  # lower and upper bounds: numbers, or arrays (m,)
+Bound: TypeAlias = "float | np.ndarray"
+Interval: TypeAlias = tuple[Bound, Bound]  # lower and upper bounds: numbers, or arrays (m,)
 
 _INCREASING = frozenset(
     ("exp", "log", "sqrt", "asin", "atan", "sinh", "tanh", "asinh", "acosh", "atanh", "erf")
@@ -31,9 +32,7 @@ def bounded(op: str) -> bool:
     return op in _RULES or op in ("sum", "prod", "const", "bool", "input")
 
 
-def bounds(
-    graph: Graph, nodes: Sequence[int], leaf: Callable[[int], Interval]
-) -> list[tuple[np.ndarray, np.ndarray]]:
+def bounds(graph: Graph, nodes: Sequence[int], leaf: Callable[[int], Interval]) -> list[Interval]:
     """Return bounds on nodes; `leaf` gives those of an input.
 
     What is undefined in a part of an interval has no finite bounds there.
@@ -55,13 +54,15 @@ def bounds(
     return [interval_of[n] for n in nodes]
 
 
-def _widened(low: Any, high: Any) -> Interval:
+def _widened(low: Bound, high: Bound) -> Interval:
     """Move bounds apart by what rounding may have done; no bound is known of NaN."""
     low, high = low - INTERVAL_SLACK * np.abs(low), high + INTERVAL_SLACK * np.abs(high)
     return np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
 
 
 def _sum(constant: float, terms: Sequence[tuple[Interval, float]]) -> Interval:
+    low: Bound
+    high: Bound
     low = high = constant
     for (a, b), c in terms:
         first, second = _widened(a * c, b * c) if c > 0.0 else _widened(b * c, a * c)
@@ -95,15 +96,15 @@ def _reciprocal(divisor: Interval) -> Interval:
     return _widened(least, np.where(low == 0.0, np.inf, most))
 
 
-def _size(low: Any, high: Any) -> Interval:
+def _size(low: Bound, high: Bound) -> Interval:
     least = np.where((low <= 0.0) & (high >= 0.0), 0.0, np.minimum(np.abs(low), np.abs(high)))
     return least, np.maximum(np.abs(low), np.abs(high))
 
 
-def _wave(function: Callable[[Any], Any], crest: float) -> Callable[[Interval], Interval]:
+def _wave(function: Callable[[Bound], Bound], crest: float) -> Callable[[Interval], Interval]:
     """Return the rule of a sine, which is 1 at a `crest` and after each turn."""
 
-    def holds(low: Any, high: Any, at: float) -> Any:
+    def holds(low: Bound, high: Bound, at: float) -> np.ndarray:
         first, last = (low - at) / math.tau, (high - at) / math.tau
         slack = INTERVAL_SLACK * np.maximum(np.abs(first), np.abs(last)) + INTERVAL_SLACK
         return ~(np.ceil(first - slack) > np.floor(last + slack))

@@ -143,7 +143,7 @@ class _Lowering:
         count = sum(node in hot for node in sums)
         users = Counter((n, abs(c)) for node in sums[:count] for n, c in graph.args[node][1])
 
-        def rank(term: tuple[tuple[int, float], bool]) -> tuple[Any, ...]:
+        def rank(term: tuple[tuple[int, float], bool]) -> tuple[bool, int, int]:
             # Constants first: their partial sum is then a value of the setup stage. Then the terms
             # of most sums, so that a run of shared terms stands together.
             operand = term[0]

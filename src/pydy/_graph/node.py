@@ -19,11 +19,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import filterfalse
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from pydy._program import OPERATIONS, Nodes, Operation
+
+if TYPE_CHECKING:
+    from pydy._program import Args
+
+# What an input stands for: a symbol, say.
+Key = TypeVar("Key")
 
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
@@ -312,7 +318,7 @@ class Graph(Nodes):
 
     # -- which input stands for each symbol -----------------------------------------------------
 
-    def input_nodes(self, **groups: Iterable[Any]) -> dict[Any, int]:
+    def input_nodes(self, **groups: Iterable[Key]) -> dict[Key, int]:
         """Return the input node of each symbol; inputs are made in the order of the arguments.
 
         Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
@@ -320,12 +326,12 @@ class Graph(Nodes):
         """
         return {s: self.input(g, k) for g, symbols in groups.items() for k, s in enumerate(symbols)}
 
-    def input_symbols(self, **groups: Iterable[Any]) -> dict[int, Any]:
+    def input_symbols(self, **groups: Iterable[Key]) -> dict[int, Key]:
         """Return the symbol of each input node; for the groups see `input_nodes`."""
         return {self.input(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}
 
 
-def _is_counted(op: str, args: tuple[Any, ...]) -> bool:
+def _is_counted(op: str, args: Args) -> bool:
     """Return whether a factor stays a factor of its own in a product."""
     if op != "sum":
         return op not in _SPECIAL_FACTORS

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from pydy._graph.node import Graph
 from pydy._program import OPERATIONS
+
+if TYPE_CHECKING:
+    from pydy._program import Args
 
 
 def rebuild(
     graph: Graph,
     roots: Sequence[int],
-    rule: Callable[[int, str, tuple[Any, ...]], int],
+    rule: Callable[[int, str, Args], int],
 ) -> list[int]:
     """Return the roots with every node replaced by the result of ``rule(node, op, args)``.
 
@@ -39,7 +42,7 @@ def substitute(
     if not set(mapping) & set(graph.reachable(roots)):
         return list(roots)
 
-    def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
+    def rule(node: int, op: str, args: Args) -> int:
         if node in mapping:
             return mapping[node]
         return node if args == graph.args[node] else make_canonical(graph, op, args)
@@ -47,12 +50,12 @@ def substitute(
     return rebuild(graph, roots, rule)
 
 
-def replaced(graph: Graph, node: int, new: dict[int, int]) -> tuple[Any, ...]:
+def replaced(graph: Graph, node: int, new: dict[int, int]) -> Args:
     """Return the arguments of `node` with its operands looked up in `new`."""
     return OPERATIONS.with_operands(graph.ops[node], graph.args[node], new)
 
 
-def make_canonical(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
+def make_canonical(graph: Graph, op: str, args: Args) -> int:
     """Make `op` on `args` with the graph's own rules (folding, collecting, ordering)."""
     if op == "sum":
         return graph.sum(args[1], args[0])

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from pydy._graph.tuning import (
 from pydy._program import OPERATIONS, Program, SwitchTimes
 from pydy.inputs import merged_jumps
 
+if TYPE_CHECKING:
+    from pydy._graph.intervals import Interval
+
 _COMPARED = frozenset(("lt", "le", "min", "max"))
 _SIGNED = frozenset(("abs", "sign", "atan2"))
 _ROUNDINGS = frozenset(("floor", "ceil"))
@@ -52,7 +55,7 @@ class TimeSwitches:
     nodes: tuple[int, ...]  # each is zero where one switches; inner ones first
     slopes: tuple[int, ...]  # their derivatives by time
     inputs: tuple[int, ...]  # what they depend on besides time
-    _stored: dict[Any, SwitchTimes] = field(default_factory=dict)
+    _stored: dict[tuple[object, ...], SwitchTimes] = field(default_factory=dict)
 
     @classmethod
     def of(cls, program: Program, varying: frozenset[int]) -> TimeSwitches | None:
@@ -181,7 +184,7 @@ class _Search:
     def _bounds(self, nodes: Sequence[int], low: np.ndarray, high: np.ndarray) -> list[np.ndarray]:
         """Return lower and upper bounds on nodes, one after the other, in intervals of time."""
 
-        def leaf(node: int) -> Any:
+        def leaf(node: int) -> Interval:
             value = self.values.get(node)
             return (low, high) if value is None else (value, value)
 
@@ -199,7 +202,7 @@ class _Search:
 
     def _values(self, node: int, times: np.ndarray) -> np.ndarray:
         graph = self.switches.graph
-        inputs = {graph.input("t", 0): times, **self.values}
+        inputs: dict[int, float | np.ndarray] = {graph.input("t", 0): times, **self.values}
         values: np.ndarray = graph.evaluator([node])(inputs, len(times))[:, 0]
         return values
 

@@ -3,6 +3,7 @@ from .nodes import Nodes as Nodes
 from .of_scipy import ScipyOperation as ScipyOperation
 from .operations import (
     OPERATIONS as OPERATIONS,
+    Args as Args,
     Operation as Operation,
     constraint_mark as constraint_mark,
     is_constrained as is_constrained,

@@ -12,20 +12,11 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pydy._program.operations import OPERATIONS, is_constrained, symmetric
+from pydy._program.operations import OPERATIONS, OperationSequence, is_constrained, symmetric
 from pydy._program.tuning import INDEPENDENT, REDUNDANT, SINGULAR, numbered
 
 
-class Operations(Protocol):
-    """What has operations and their arguments: a Program, or the nodes of a graph."""
-
-    @property
-    def ops(self) -> Sequence[str]: ...
-    @property
-    def args(self) -> Sequence[tuple[Any, ...]]: ...
-
-
-class StraightLine(Operations, Protocol):
+class StraightLine(OperationSequence, Protocol):
     """Operations in the order in which they are executed: a Program."""
 
     @property
@@ -44,7 +35,7 @@ def run(
     """
     inputs = {"x": x, "t": t[:, None], "r": r, "p": p}
 
-    def leaf(node: int) -> Any:
+    def leaf(node: int) -> np.ndarray:
         group, index = program.args[node]
         return inputs[group][..., index]
 
@@ -60,8 +51,8 @@ class SampleValues:
 
     def __init__(
         self,
-        nodes: Operations,
-        leaf: Callable[[int], Any],
+        nodes: OperationSequence,
+        leaf: Callable[[int], float | np.ndarray],
         m: int,
         fallback: Mapping[int, Iterable[int]],
     ) -> None:
@@ -122,7 +113,7 @@ class SampleValues:
         return solutions
 
 
-def stacked(columns: Sequence[Any], m: int) -> np.ndarray:
+def stacked(columns: Sequence[float | np.ndarray], m: int) -> np.ndarray:
     """Return numbers, or arrays of m, as the columns of an array."""
     out = np.empty((m, len(columns)))
     for k, column in enumerate(columns):

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
 from pydy._program.interpret import SampleValues
-from pydy._program.operations import OPERATIONS
+from pydy._program.operations import OPERATIONS, Args
 
-Evaluator = Callable[[Mapping[int, Any], int], np.ndarray]
+Evaluator = Callable[[Mapping[int, float | np.ndarray], int], np.ndarray]
 
 # Solves report failures, which only calls can do.
 _REPORTING = OPERATIONS.solves | {"item"}
@@ -21,18 +20,18 @@ class Nodes:
 
     def __init__(self) -> None:
         self.ops: list[str] = []  # the kind of each node
-        self.args: list[tuple[Any, ...]] = []  # its operands, and what else it takes
+        self.args: list[Args] = []  # its operands, and what else it takes
         self.constant: list[bool] = []  # whether it depends on inputs 'p' and numbers alone
         self._operands: list[tuple[int, ...]] = []
-        self._node_of: dict[tuple[Any, ...], int] = {}
+        self._node_of: dict[tuple[object, ...], int] = {}
 
-    def node(self, op: str, args: tuple[Any, ...], guard: int | None = None) -> int:
+    def node(self, op: str, args: Args, guard: int | None = None) -> int:
         """Return the node for `op` on `args` as they are, without any rewriting.
 
         With a `guard`, the node is private to the fallback of that guard, unless it depends on
         constants alone.
         """
-        key: tuple[Any, ...] = (op, args)
+        key: tuple[object, ...] = (op, args)
         if guard is not None and not self._is_constant(op, args, OPERATIONS.operands(op, args)):
             key = (op, args, guard)
         node = self._node_of.get(key)
@@ -46,7 +45,7 @@ class Nodes:
             self.constant.append(self._is_constant(op, args, needs))
         return node
 
-    def _is_constant(self, op: str, args: tuple[Any, ...], needs: tuple[int, ...]) -> bool:
+    def _is_constant(self, op: str, args: Args, needs: tuple[int, ...]) -> bool:
         if op == "input":
             return bool(args[0] == "p")
         return op not in _REPORTING and all(map(self.constant.__getitem__, needs))
@@ -89,7 +88,7 @@ class Nodes:
         """
         order = self.reachable(nodes)
 
-        def values_at(inputs: Mapping[int, Any], m: int) -> np.ndarray:
+        def values_at(inputs: Mapping[int, float | np.ndarray], m: int) -> np.ndarray:
             samples = SampleValues(self, inputs.__getitem__, m, {})
             samples.evaluate(order, np.ones(m, dtype=bool))
             return samples.columns(nodes)

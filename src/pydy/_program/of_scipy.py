@@ -11,7 +11,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from importlib import import_module
-from typing import Any
 
 import numpy as np
 
@@ -74,7 +73,7 @@ class ScipyOperation(Operation):
             )
 
     @staticmethod
-    def refuse(backend: Any, ops: Iterable[str]) -> None:
+    def refuse(backend: object, ops: Iterable[str]) -> None:
         """Refuse functions of SciPy for a back end that does not take them."""
         if (
             DESCRIPTIONS
@@ -97,7 +96,7 @@ def refusal(names: Iterable[str]) -> UnsupportedFunctionError:
 
 
 def _no_partials(code: str) -> Callable[..., Nodes]:
-    def partials(*_: Any) -> Nodes:
+    def partials(*_: object) -> Nodes:
         raise UnsupportedFunctionError(
             f"The derivative of `{code}` is needed, but not known in this process."
         )
@@ -105,14 +104,14 @@ def _no_partials(code: str) -> Callable[..., Nodes]:
     return partials
 
 
-def _evaluator(code: str, arity: int) -> Callable[..., Any]:
+def _evaluator(code: str, arity: int) -> Callable[..., np.ndarray | float]:
     modules = {m: import_module(m) for m in ("builtins", "functools", "math", "numpy", "scipy")}
     for name in re.findall(r"\bscipy\.\w+", code):
         import_module(name)
     operands = ", ".join(f"_{k}" for k in range(arity))
     function = eval(f"lambda {operands}: {code}", modules)
 
-    def real(*values: Any) -> float:
+    def real(*values: float) -> float:
         value = complex(function(*map(float, values)))
         return value.real if value.imag == 0.0 else float("nan")
 

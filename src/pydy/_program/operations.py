@@ -8,9 +8,9 @@ coefficients, powers, linear solves) are in a second table, which says where the
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -18,7 +18,39 @@ from pydy._modular import cosine, sine
 from pydy._program.tuning import INDEPENDENT, REDUNDANT
 
 Nodes = tuple[int, ...]
+# What an operation takes: nodes, alone or in tuples with numbers, and names (see `_STRUCTURES`).
 Args = tuple[Any, ...]
+# The numbers and truth values of operands, None for those that are not known.
+Values = Sequence[float | bool | None]
+
+
+class OperationSequence(Protocol):
+    """What has operations and their arguments: a Program, or the nodes of a graph."""
+
+    @property
+    def ops(self) -> Sequence[str]: ...
+    @property
+    def args(self) -> Sequence[Args]: ...
+
+
+class NodeBuilder(OperationSequence, Protocol):
+    """What makes nodes, for the rules below: `pydy._graph.Graph`."""
+
+    zero: int
+    one: int
+
+    def make(self, op: str, args: Args) -> int: ...
+    def boolean(self, value: bool) -> int: ...
+    def call(self, op: str, *nodes: int) -> int: ...
+    def scaled(self, node: int) -> tuple[float, int]: ...
+    def sum(self, terms: Iterable[tuple[int, float]], c0: float = 0.0) -> int: ...
+    def product(self, factors: Iterable[tuple[int, int]], coefficient: float = 1.0) -> int: ...
+    def add(self, *nodes: int) -> int: ...
+    def sub(self, a: int, b: int) -> int: ...
+    def neg(self, a: int) -> int: ...
+    def mul(self, *nodes: int) -> int: ...
+    def div(self, a: int, b: int) -> int: ...
+    def powi(self, a: int, exponent: int) -> int: ...
 
 
 @dataclass(frozen=True)
@@ -40,7 +72,7 @@ class Operation:
     partials: Callable[..., Nodes] | None = None
     # ``rewrite(graph, operands, values)`` returns a simpler node or None; ``values`` holds the
     # operands' numbers and truth values, None for those that are not known.
-    rewrite: Callable[[Any, Nodes, Sequence[Any]], int | None] | None = None
+    rewrite: Callable[[NodeBuilder, Nodes, Values], int | None] | None = None
     parity: int = 0  # 1 for an even function, −1 for an odd one: signs then leave the argument
     truth: bool = False  # whether the result is a truth value
     # Its value modulo `pydy._modular.PRIME` from the operands' values. Without it, a number
@@ -108,19 +140,19 @@ register = OPERATIONS.add
 # -- rules of simplification ----------------------------------------------------------------------
 
 
-def _extremum(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+def _extremum(g: NodeBuilder, nodes: Nodes, values: Values) -> int | None:
     return nodes[0] if nodes[0] == nodes[1] else None
 
 
-def _not(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+def _not(g: NodeBuilder, nodes: Nodes, values: Values) -> int | None:
     return None if values[0] is None else int(g.boolean(not values[0]))
 
 
-def _rule_of_and_or(op: str) -> Callable[[Any, Nodes, Sequence[Any]], int | None]:
+def _rule_of_and_or(op: str) -> Callable[[NodeBuilder, Nodes, Values], int | None]:
     """Return the rule of ``and`` or ``or``, which take any number of operands here."""
     neutral = op == "and"
 
-    def rule(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+    def rule(g: NodeBuilder, nodes: Nodes, values: Values) -> int | None:
         if any(v is (not neutral) for v in values):
             return int(g.boolean(not neutral))
         unknown = tuple(dict.fromkeys(n for n, v in zip(nodes, values, strict=True) if v is None))
@@ -134,14 +166,14 @@ def _rule_of_and_or(op: str) -> Callable[[Any, Nodes, Sequence[Any]], int | None
     return rule
 
 
-def _select(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+def _select(g: NodeBuilder, nodes: Nodes, values: Values) -> int | None:
     _, yes, no = nodes
     if values[0] is not None:
         return yes if values[0] else no
     return yes if yes == no else None
 
 
-def _root(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+def _root(g: NodeBuilder, nodes: Nodes, values: Values) -> int | None:
     """Take squares out of a root: √(c x² y) is √c |x| √y, with a slope where x passes zero."""
     c, core = g.scaled(nodes[0])
     factors = g.args[core] if g.ops[core] == "prod" else ()
@@ -161,39 +193,39 @@ def _root(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     )
 
 
-def _rule_of_kept(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+def _rule_of_kept(g: NodeBuilder, nodes: Nodes, values: Values) -> int | None:
     return nodes[0] if values[0] is not None or g.ops[nodes[0]] == "kept" else None
 
 
 # -- derivatives ----------------------------------------------------------------------------------
 
 
-def _root_of(g: Any, x: int, sign: float, c0: float) -> int:
+def _root_of(g: NodeBuilder, x: int, sign: float, c0: float) -> int:
     """Return ``1/√(c0 + sign·x²)``."""
     return int(g.powi(g.call("sqrt", g.sum([(g.powi(x, 2), sign)], c0)), -1))
 
 
-def _bell(g: Any, x: int) -> int:
+def _bell(g: NodeBuilder, x: int) -> int:
     """Return the derivative of the error function."""
     return int(g.product([(g.call("exp", g.neg(g.powi(x, 2))), 1)], 2.0 / math.sqrt(math.pi)))
 
 
-def _pow(g: Any, n: int, a: int, b: int) -> Nodes:
+def _pow(g: NodeBuilder, n: int, a: int, b: int) -> Nodes:
     by_base = g.mul(b, g.call("pow", a, g.sum([(b, 1.0)], -1.0)))
     # log(0) · 0 at a zero base would be NaN where the derivative is 0.
     by_exponent = g.call("select", g.call("eq", a, g.zero), g.zero, g.mul(n, g.call("log", a)))
     return by_base, by_exponent
 
 
-def _atan2(g: Any, n: int, y: int, x: int) -> Nodes:
+def _atan2(g: NodeBuilder, n: int, y: int, x: int) -> Nodes:
     square = g.add(g.powi(y, 2), g.powi(x, 2))
     return g.div(x, square), g.neg(g.div(y, square))
 
 
-def _chosen(first: Callable[[Any, int, int], int]) -> Callable[..., Nodes]:
+def _chosen(first: Callable[[NodeBuilder, int, int], int]) -> Callable[..., Nodes]:
     """Return the derivatives of a function that is one of its two operands."""
 
-    def partials(g: Any, n: int, a: int, b: int) -> Nodes:
+    def partials(g: NodeBuilder, n: int, a: int, b: int) -> Nodes:
         takes_first = first(g, a, b)
         return g.call("select", takes_first, g.one, g.zero), g.call(
             "select", takes_first, g.zero, g.one
@@ -210,7 +242,11 @@ _ERF, _ERFC = (np.vectorize(f, otypes=[float]) for f in (math.erf, math.erfc))
 
 
 def _function(
-    name: str, numpy: Callable[..., Any], llvm: str, partials: Any = None, **fields: Any
+    name: str,
+    numpy: Callable[..., Any],
+    llvm: str,
+    partials: Callable[..., Nodes] | None = None,
+    **fields: Any,
 ) -> None:
     """Register a function of one operand."""
     c = fields.pop("c", name)
@@ -386,7 +422,7 @@ def constraint_mark(*, independent: bool) -> float:
     return INDEPENDENT if independent else REDUNDANT
 
 
-def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
+def is_constrained(nodes: OperationSequence, entries: Sequence[int]) -> bool:
     """Return whether a guard solves a constrained system, by the mark of its last row.
 
     Rows so marked on the diagonal are constraints, in units of their rounding errors; as many as

@@ -27,7 +27,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import astuple, dataclass, fields
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from pydy._forks import cached_property
 from pydy._program.nodes import Nodes
@@ -35,6 +35,8 @@ from pydy._program.operations import OPERATIONS
 
 if TYPE_CHECKING:
     import numpy as np
+
+    from pydy._program import Args
 
 FREE = OPERATIONS.solves | {"const", "bool", "input", "item"}
 # Operations that must not be moved into a guard's fallback: back ends read or compute them in
@@ -163,7 +165,7 @@ class Program:
     num_specifieds: int
     num_constants: int
     ops: tuple[str, ...]  # the operations, see the module
-    args: tuple[tuple[Any, ...], ...]
+    args: tuple[Args, ...]
     setup: tuple[bool, ...]  # whether a node belongs to the setup stage
     carried: tuple[int, ...]  # its nodes that the run stage or the outputs need: the array c
     outputs: tuple[int, ...]  # the flat output

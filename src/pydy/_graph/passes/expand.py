@@ -9,12 +9,15 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import Term, factored, terms_of
 from pydy._graph.rewrite import make_canonical, rebuild
 from pydy._graph.tuning import LONGEST_MULTIPLIED_OUT
+
+if TYPE_CHECKING:
+    from pydy._program import Args
 
 
 def expand_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
@@ -46,7 +49,7 @@ class _Expansion:
     def run(self, roots: Sequence[int]) -> list[int]:
         return rebuild(self.graph, roots, self._rule)
 
-    def _rule(self, node: int, op: str, args: tuple[Any, ...]) -> int:
+    def _rule(self, node: int, op: str, args: Args) -> int:
         graph = self.graph
         same = args == graph.args[node]
         if op == "sum" and len(args[1]) > 1:
@@ -77,7 +80,7 @@ class _Expansion:
                 return graph.product([*cofactors, (sum_, 1)])
         return None
 
-    def _expanded(self, node: int, args: tuple[Any, ...], same: bool) -> int:
+    def _expanded(self, node: int, args: Args, same: bool) -> int:
         """Return a sum multiplied out and factored again, if there is anything to do."""
         graph = self.graph
         c0, pairs = args

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, rebuild
+
+if TYPE_CHECKING:
+    from pydy._program import Args
 
 # The powers of a product, its coefficient, and its node, -1 where there may be none yet.
 Term = tuple[dict[int, int], float, int]
@@ -19,7 +22,7 @@ def factor_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
     a matter of constants alone, which is computed once per binding and not at every call.
     """
 
-    def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
+    def rule(node: int, op: str, args: Args) -> int:
         if op != "sum" or len(args[1]) < 2:
             return node if args == graph.args[node] else make_canonical(graph, op, args)
         return factored(graph, terms_of(graph, args[1]), args[0])
@@ -46,7 +49,7 @@ def factored(graph: Graph, terms: list[Term], c0: float) -> int:
 
 def _collect(graph: Graph, terms: list[Term]) -> list[Term]:
     """Join the terms whose state-dependent part is the same: their constants add up."""
-    groups: dict[tuple[Any, ...], list[Term]] = {}
+    groups: dict[tuple[tuple[int, int], ...], list[Term]] = {}
     constant = graph.constant
     for term in terms:
         key = tuple([power for power in term[0].items() if not constant[power[0]]])
