@@ -322,7 +322,7 @@ class System:
         """
         more = constants if isinstance(constants, Mapping) else {}
         if contacts is not None:
-            if not contacts.given.keys() <= self._constants.keys():
+            if not contacts.contact_constants.keys() <= self._constants.keys():
                 contacts.refuse_lost({**self._constants, **more})
             own = [events] if isinstance(events, Event) else events
             events = [*contacts.symbols, *(own if isinstance(own, (list, tuple)) else ())]

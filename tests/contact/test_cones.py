@@ -8,15 +8,15 @@ import pytest
 import sympy.physics.mechanics as me
 
 from pydy.contact import Contacts
-from pydy.contact.decide import (
+from pydy.contact.complementarity import (
     OPEN,
     STARTING,
     STICKS,
     ComplementarityProblem,
-    Cone,
-    chosen,
+    FrictionCone,
     innermost,
     relaxed,
+    select_modes,
 )
 from touching import J, falling_body, mu, slope, y
 
@@ -27,7 +27,7 @@ def test_the_innermost_of_forces_that_are_not_determined():
     # Two feet hold 1 together with friction of any shares; the loads are 3 and 1, and μ is 0.3.
     y0 = np.array([3.0, 0.5, 1.0, 0.5])
     null = np.array([[0.0, 1.0, 0.0, -1.0]]).T / math.sqrt(2)
-    cones = [Cone(0, (1,), 0.3), Cone(2, (3,), 0.3)]
+    cones = [FrictionCone(0, (1,), 0.3), FrictionCone(2, (3,), 0.3)]
     found = innermost(y0, null, cones, 3.0)
     # Both margins may be (0.3 · 4 − 1) / 2.
     assert 0.05 <= min(c.margin(found) for c in cones) <= 0.1 + 1e-9
@@ -36,7 +36,7 @@ def test_the_innermost_of_forces_that_are_not_determined():
     y0 = np.concatenate([[3.0], 0.5 * turn, [1.0], 0.5 * turn])
     null = np.zeros((6, 2))
     null[1:3], null[4:] = np.eye(2), -np.eye(2)
-    cones = [Cone(0, (1, 2), 0.3), Cone(3, (4, 5), 0.3)]
+    cones = [FrictionCone(0, (1, 2), 0.3), FrictionCone(3, (4, 5), 0.3)]
     found = innermost(y0, null, cones, 3.0)
     assert 0.05 <= min(c.margin(found) for c in cones) <= 0.1 + 1e-9
 
@@ -44,7 +44,7 @@ def test_the_innermost_of_forces_that_are_not_determined():
 def test_a_known_impulse_beside_a_row_allows_its_friction():
     # As in the second phase of Poisson's hypothesis: of 2 that are given back and 1 more.
     for known, most in ((2.0, 1.5), (0.0, 0.5)):
-        cone = Cone(0, (1, 2), 0.5, known)
+        cone = FrictionCone(0, (1, 2), 0.5, known)
         assert cone.margin(np.array([1.0, 0.9, 1.2])) == pytest.approx(min(1.0, most - 1.5))
         contact = [(0, 0, [1, 2], 0.5, 0.5, known)]
         *_, found = relaxed(np.array([-1.0, 0.72, 0.96]), np.eye(3), contact, {})
@@ -56,7 +56,7 @@ def test_a_known_impulse_beside_a_row_allows_its_friction():
 def test_the_innermost_forces_count_a_known_impulse():
     # The friction of two feet is shared: what one is given beside its row, it may hold.
     y0, null = np.array([1.0, 0.9, 1.0, 0.9]), np.array([[0.0, 1.0, 0.0, -1.0]]).T / math.sqrt(2)
-    cones = [Cone(0, (1,), 0.5, 3.0), Cone(2, (3,), 0.5)]
+    cones = [FrictionCone(0, (1,), 0.5, 3.0), FrictionCone(2, (3,), 0.5)]
     found = innermost(y0, null, cones, 1.0)
     assert found[1] + found[3] == pytest.approx(1.8)
     assert min(c.margin(found) for c in cones) >= 0.175 - 1e-9  # of (0.5 · 5 − 1.8) / 2 = 0.35
@@ -88,7 +88,9 @@ def test_impacts_with_known_impulses_satisfy_coulombs_law():
     random, solved = np.random.default_rng(7), 0
     for _ in range(8):
         problem = replace(impact(random), pressed=np.array([0.6, 0.0, 0.3]))
-        found = chosen(problem, [[STICKS, STARTING], [STICKS, STARTING, OPEN], [STICKS, STARTING]])
+        found = select_modes(
+            problem, [[STICKS, STARTING], [STICKS, STARTING, OPEN], [STICKS, STARTING]]
+        )
         if found is None:  # those that must not open may have to
             continue
         solved += 1
@@ -121,7 +123,7 @@ def test_cones_of_redundant_feet_include_the_impulse_of_the_first_phase():
 
         least = np.linalg.lstsq(problem.square, -problem.free, rcond=1e-9)[0]
         moved += _margin(least, given, mu) < 0.0  # then forces of the null space have to be added
-        found = chosen(problem, [[STICKS]] * 4)
+        found = select_modes(problem, [[STICKS]] * 4)
         assert found is not None
         assert _margin(found.forces, given, mu) > -1e-9
         np.testing.assert_allclose(problem.square @ found.forces, -problem.free, atol=1e-9)
@@ -133,7 +135,7 @@ def test_impacts_of_bodies_on_several_feet_satisfy_coulombs_law(feet):
     random = np.random.default_rng(feet)
     for _ in range(12):
         problem = impact(random, feet)
-        found = chosen(problem, [[STICKS, STARTING, OPEN]] * feet)
+        found = select_modes(problem, [[STICKS, STARTING, OPEN]] * feet)
         assert found is not None
         p = found.forces.reshape(feet, 3)
         after = (problem.free + problem.square @ found.forces).reshape(feet, 3)

@@ -686,9 +686,9 @@ def test_symbols_of_events_alone_are_constants_too():
     system.constants[level] = 0.5
     motion = contacts.simulate(events=events, **TIGHT)
     assert motion.events[0].time == pytest.approx((1.0 / 9.81) ** 0.5)
-    made, contacts = contacts._kept, Contacts(system, [floor])
+    made, contacts = contacts._compiled_modes, Contacts(system, [floor])
     contacts.simulate(events=events, **TIGHT)
-    assert made.constants == contacts._kept.constants
+    assert made.constants == contacts._compiled_modes.constants
     several = system.integrate_ensemble(
         contacts=contacts, events=events, constants={level: [0.5, 0.3]}, reduce="events"
     )

@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
-from pydy.contact.decide import ComplementarityProblem
+from pydy.contact.complementarity import ComplementarityProblem
 from pydy.contact.impacts import newton, poisson
 from pydy.errors import ContactError
 from pydy.mechanics import Definition

@@ -10,7 +10,13 @@ from scipy.integrate import solve_ivp
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
-from pydy.contact.decide import SLIDING, STARTING, STICKS, ComplementarityProblem, chosen
+from pydy.contact.complementarity import (
+    SLIDING,
+    STARTING,
+    STICKS,
+    ComplementarityProblem,
+    select_modes,
+)
 from pydy.mechanics import Definition
 from touching import TIGHT, N, O, g, m, mu, slope
 
@@ -124,7 +130,7 @@ def test_sliding_begins_along_the_acceleration_whatever_the_mobility():
         np.array([-9.81, 4.0, 3.0]), square, [0], [[1, 2]], np.array([0.1]), np.array([0.1]),
         np.zeros(1), frozenset([0]), frozenset([0]),
     )  # fmt: skip
-    found = chosen(problem, [[STICKS, STARTING]])
+    found = select_modes(problem, [[STICKS, STARTING]])
     assert found.modes == (STARTING,)
     rate = found.rates[1:]
     assert found.forces[1:] == pytest.approx(-0.1 * found.forces[0] * rate / np.linalg.norm(rate))
@@ -140,7 +146,7 @@ def test_many_bodies_begin_to_slide_beside_one_that_slides_already():
         free, np.eye(len(free)) + 0.01, [row[0] for row in rows], [row[1:] for row in rows], mu, mu,
         np.zeros(number), frozenset(range(1, number)), frozenset(), {0: np.array([0.0, 1.0])},
     )  # fmt: skip
-    found = chosen(problem, [[SLIDING], *[[STICKS, STARTING]] * (number - 1)])
+    found = select_modes(problem, [[SLIDING], *[[STICKS, STARTING]] * (number - 1)])
     assert found.modes == (SLIDING, *[STARTING] * (number - 1))
     forces, rates = (np.reshape(part, (number, 3)) for part in (found.forces, found.rates))
     assert rates[:, 0] == pytest.approx(0.0, abs=1e-12)

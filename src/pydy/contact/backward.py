@@ -1,8 +1,9 @@
-"""Adjoints of motions with contacts: back from stretch to stretch, through their transitions.
+"""Adjoint gradients of motions with contacts: backward through segments and transitions.
 
-Each stretch is integrated in its mode with its steps noted, and gone back through by the adjoint of
-these. A transition is passed by the transpose of what sensitivities are turned by: their equations,
-with the unit vectors of all states as columns, beside those of the parameters.
+Each segment is integrated forward in its mode with its steps recorded; the discrete adjoint of
+these steps leads backward. At a transition the adjoint is multiplied by the transpose of the
+transition matrix. That matrix follows from the equations of the sensitivities, with the unit
+vectors of all states as columns before those of the parameters.
 """
 
 from __future__ import annotations
@@ -18,80 +19,89 @@ from pydy._judges import judge_start
 from pydy._motion import Motion, Segment, prepare
 from pydy._problem import Problem, read_term
 from pydy.analysis import AdjointGradient, MotionSegment, Task, integrate_forward
-from pydy.contact.decide import STARTING
+from pydy.contact.complementarity import STARTING
 from pydy.contact.modes import Mode
-from pydy.contact.rows import ContactRows, Numbers
-from pydy.contact.run import Run
+from pydy.contact.rows import ContactRows, RowValues
+from pydy.contact.run import ContactRun
 from pydy.contact.sensitivities import HybridSensitivities, Transitions
 from pydy.trajectory import EventRecord
 
 
-class Noted(Transitions):
-    """Stretches of a motion, each with the matrix of the transition that leads to it.
+class RecordedTransitions(Transitions):
+    """Segments of a motion, each with the matrix of the transition that leads to it.
 
-    It is (n, n + w), by the states before the transition and by what is wanted, and comes with the
-    derivatives of its time. The `terms` are those of the objective, which is differentiated by the
-    parameters `wrt`.
+    The matrix is (n, n + w): derivatives by the n states before the transition and by the w
+    parameters. It comes with the derivatives of the transition's time. `terms` are those of the
+    objective, which is differentiated by the parameters `wrt`.
     """
 
-    def __init__(self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, now: Problem) -> None:
-        sensitive = AugmentedSystem.of(now, now.model.code, now.plan, wrt, "wrt")
-        self.start = sensitive.start(now.x, float(now.settings.times[0]))
+    def __init__(
+        self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, problem: Problem
+    ) -> None:
+        sensitive = AugmentedSystem.of(problem, problem.model.code, problem.plan, wrt, "wrt")
+        self.start = sensitive.start(problem.x, float(problem.settings.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
         self.together = False
-        n, constants = len(now.definition.states), now.definition.constants
-        wanted = Task(sensitive, None, None).wanted
-        own = [constants[place] if group == "p" else None for group, place in wanted]
-        self._unit = np.eye(n, n + len(wanted))
-        super().__init__(rows, now, [*[None] * n, *own], self._unit)
+        n, constants = len(problem.definition.states), problem.definition.constants
+        requested = Task(sensitive, None, None).wanted
+        constants_by_column = [
+            constants[index] if group == "p" else None for group, index in requested
+        ]
+        self._unit = np.eye(n, n + len(requested))
+        super().__init__(rows, problem, [*[None] * n, *constants_by_column], self._unit)
         self.counts = {p.symbol: p.count for p in self._parameters}
         self.stretches: list[tuple[MotionSegment, np.ndarray, np.ndarray]] = []
 
     def simulate(
-        self, mode: Mode, given: np.ndarray, now: Problem, solver: Any, options: dict[str, Any]
+        self, mode: Mode, start: np.ndarray, problem: Problem, solver: Any, options: dict[str, Any]
     ) -> Motion:
-        """Simulate in one mode, with the matrix at the start `given`."""
-        definition = now.definition
+        """Simulate in one mode, with the transition matrix at its start."""
+        definition = problem.definition
         options = {**options, "dense_output": True}
         terms = [
             None if term is None else read_term(definition, term, name)
             for name, term in self._terms.items()
         ]
-        ready, times = prepare(now, now.settings.times, solver, options)
-        judge_start(now, times, ready)
-        places = definition.places  # where a mode has constants of its own among the others
+        ready, times = prepare(problem, problem.settings.times, solver, options)
+        judge_start(problem, times, ready)
+        symbol_tables = definition.places  # a mode has further constants, so indices differ
         parameters = tuple(
-            replace(p, place=places[p.kind].symbols.index(p.symbol)) for p in self._parameters
+            replace(p, place=symbol_tables[p.kind].symbols.index(p.symbol))
+            for p in self._parameters
         )
-        sensitive = AugmentedSystem(definition, ready.code, now.plan, parameters, now.p, "wrt")
-        guide = given.copy() if mode.turns else None
-        if guide is not None and STARTING in mode.modes:  # what begins to slide has no speed
+        sensitive = AugmentedSystem(
+            definition, ready.code, problem.plan, parameters, problem.p, "wrt"
+        )
+        guide = start.copy() if mode.turns else None
+        if guide is not None and STARTING in mode.modes:  # at the onset the sliding speed is zero
             guide[:, self._first : len(guide)] = 0.0
-        found = integrate_forward(now, solver, ready, times, Task(sensitive, *terms), guide)
-        compiled: Any = found.options.events
+        recorded = integrate_forward(problem, solver, ready, times, Task(sensitive, *terms), guide)
+        compiled: Any = recorded.options.events
         self._moments = {
-            r.index: found.moment(r, r.index in mode.untimed)[2]
-            for r in found.records
-            if found.stopped and r.time == found.end and compiled.terminal[r.index]
+            r.index: recorded.moment(r, r.index in mode.untimed)[2]
+            for r in recorded.records
+            if recorded.stopped and r.time == recorded.end and compiled.terminal[r.index]
         }
-        self._latest = found, given, np.where(self.doubtful, np.nan, self.time)
-        return found.motion(now, solver, ready)
+        self._latest = recorded, start, np.where(self.doubtful, np.nan, self.time)
+        return recorded.motion(problem, solver, ready)
 
-    def took(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
-        """Keep the latest stretch."""
+    def store_segment(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
+        """Store the latest segment."""
         self.stretches.append(self._latest)
 
-    def ended(self, record: EventRecord, rates: np.ndarray) -> None:
+    def locate_end(self, record: EventRecord, rates: np.ndarray) -> None:
         """Begin the matrix of a transition at the event that ends a mode."""
-        self.ends(self._unit, self._moments[record.index], rates)
+        self.end_mode(self._unit, self._moments[record.index], rates)
 
     def doubt(self, values: Mapping[Any, float], rows: Sequence[int]) -> None:
         """Treat the time of a stop in a plane as unknown: nearby motions do not stop there."""
         self.doubtful[:] = True
 
-    def apart(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> list[str]:
-        """Note whether the gap of a contact that closes opens by a state; see `gradient`."""
-        self.together |= bool(self.opened(i, slopes, p, share).any())
+    def separating_parameters(
+        self, i: int, slopes: np.ndarray, p: RowValues, share: float
+    ) -> list[str]:
+        """Record whether a state moves the gap of a closing contact; see `gradient`."""
+        self.together |= bool(self.gap_opens(i, slopes, p, share).any())
         return []
 
     def results(self, reached: np.ndarray) -> None:
@@ -102,11 +112,11 @@ class Noted(Transitions):
         return {}
 
 
-def gradient(run: Run) -> AdjointGradient:
-    """Return the gradient of a simulation that has not begun, whose transitions are noted."""
-    noted: Any = run.carried
+def gradient(run: ContactRun) -> AdjointGradient:
+    """Run a simulation with recorded transitions, and return the gradient."""
+    recorded: Any = run.transitions
     trajectory = run.motion().trajectory
-    stretches, n = noted.stretches, run.n
+    stretches, n = recorded.stretches, run.n
     last = stretches[-1][0]
     if any(time == last.end for time, _, _ in run.impacts[-1:]) and len(last.starts):
         raise run.fail(
@@ -124,15 +134,15 @@ def gradient(run: Run) -> AdjointGradient:
             by_state = stretch.through(matrix, time, stretches[k - 1][0] if k else None)
     except KeyboardInterrupt as stop:
         raise last.interrupted(trajectory.times, trajectory.states) from stop
-    values = stretches[0][0].by_parameters(by_state @ noted.start)
-    if noted.together:  # sensitivities tell whether parameters part what happens at one instant
-        columns = HybridSensitivities([*noted.counts], False, run.rows, run.now)
-        Run(
-            run.kept, run.solver, run.now, run.times, run.user_events, run.options, columns
+    values = stretches[0][0].by_parameters(by_state @ recorded.start)
+    if recorded.together:  # simultaneous transitions: check by forward sensitivities
+        columns = HybridSensitivities([*recorded.counts], False, run.rows, run.problem)
+        ContactRun(
+            run.compiled, run.solver, run.problem, run.times, run.user_events, run.options, columns
         ).motion()
         by_state = np.full(n, np.nan)
     value = sum(stretch.value for stretch, _, _ in stretches)
-    told = dict(trajectory.statistics or {})
+    statistics = dict(trajectory.statistics or {})
     return AdjointGradient(
-        value, values, noted.counts, by_state, last.end, told, lambda: trajectory
+        value, values, recorded.counts, by_state, last.end, statistics, lambda: trajectory
     )

@@ -115,29 +115,29 @@ class CompliantContact:
         self.speeds = tuple(sliding.dot(v) for v in directions)
         self.normal_force = _of_law("force(gap, rate)", force, self.gap, self.rate)
         self.friction_forces = self._friction(friction, smoothing)
-        whole = self.normal_force * normal
+        total = self.normal_force * normal
         for size, direction in zip(self.friction_forces, directions, strict=True):
-            whole += size * direction
-        self.loads = [(point, whole), *([(plane, -whole)] if opposite else [])]
+            total += size * direction
+        self.loads = [(point, total), *([(plane, -total)] if opposite else [])]
         self.events = [Event(self.gap, name=name)]
 
     def _friction(self, law: Any, smoothing: Any) -> tuple[Any, ...]:
         if law is None:
             return ()
-        called = "friction(speed, normal)"
+        signature = "friction(speed, normal)"
         if len(self.speeds) == 1:
-            return (_of_law(called, law, self.speeds[0], self.normal_force),)
+            return (_of_law(signature, law, self.speeds[0], self.normal_force),)
         (small,) = _expressions(smoothing=smoothing)
         size = sm.sqrt(sum(v**2 for v in self.speeds) + small**2)
-        share = _of_law(called, law, size, self.normal_force) / size
+        share = _of_law(signature, law, size, self.normal_force) / size
         return tuple(share * v for v in self.speeds)
 
 
-def _of_law(called: str, law: Callable[[Any, Any], Any], *given: Any) -> Any:
+def _of_law(signature: str, law: Callable[[Any, Any], Any], *arguments: Any) -> Any:
     """Return the force that a user's law gives: an expression or a number."""
     try:
-        force = law(*given)
+        force = law(*arguments)
     except Exception as error:
-        error.add_note(f"This was raised by `{called}`, called with expressions.")
+        error.add_note(f"This was raised by `{signature}`, called with expressions.")
         raise
-    return _expressions(**{called: force})[0]
+    return _expressions(**{signature: force})[0]

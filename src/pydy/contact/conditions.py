@@ -43,7 +43,7 @@ class Unilateral:
 
     def __init__(self, gap: Any, *, restitution: Any = 0, name: str = "contact") -> None:
         self.gap, self.restitution = _expressions(gap=gap, restitution=restitution)
-        _within("restitution", self.restitution, 1.0)
+        _check_range("restitution", self.restitution, 1.0)
         if self.gap.is_number:
             raise ValueError(f"`gap` must depend on coordinates, got the number {self.gap}.")
         self.name = text(name, "`name`", empty=False)
@@ -130,7 +130,7 @@ class Stick:
         )
         self.normal = None if normal is None else _expressions(normal=normal)[0]
         for argument in ("mu", "mu_static", "normal"):
-            _within(argument, getattr(self, argument))
+            _check_range(argument, getattr(self, argument))
         if (self.mu_static - self.mu).is_negative:
             raise ValueError(
                 f"`mu_static` must not be below `mu`, got {self.mu_static} and {self.mu}."
@@ -187,44 +187,44 @@ class Contact:
 
 
 def paired(contacts: Any) -> tuple[Contact, ...]:
-    """Return the contacts, each with its friction."""
-    given = listed("contacts", contacts, "Unilateral and Stick objects")
-    for one in given:
-        if not isinstance(one, (Unilateral, Stick)):
-            raise TypeError(f"`contacts` must hold Unilateral and Stick, got {shown(one)}.")
-    gaps = [one for one in given if isinstance(one, Unilateral)]
-    sticks = [one for one in given if isinstance(one, Stick)]
-    if not given:
+    """Return the contacts, each gap with the friction on it."""
+    conditions = listed("contacts", contacts, "Unilateral and Stick objects")
+    for condition in conditions:
+        if not isinstance(condition, (Unilateral, Stick)):
+            raise TypeError(f"`contacts` must hold Unilateral and Stick, got {shown(condition)}.")
+    gaps = [condition for condition in conditions if isinstance(condition, Unilateral)]
+    sticks = [condition for condition in conditions if isinstance(condition, Stick)]
+    if not conditions:
         raise ValueError("`contacts` must have at least one Unilateral or Stick.")
     for stick in sticks:
         if stick.on is not None and stick.on not in gaps:
             gaps.append(stick.on)
-    found = []
+    pairs = []
     for gap in gaps:
-        own = [s for s in sticks if s.on is gap]
-        if len(own) > 1:
+        sticks_on_gap = [s for s in sticks if s.on is gap]
+        if len(sticks_on_gap) > 1:
             raise ValueError(
-                f"`contacts` has {len(own)} Sticks on {gap!r}. Give one, with two vectors as "
-                "`along` if it slides in a plane."
+                f"`contacts` has {len(sticks_on_gap)} Sticks on {gap!r}. Give one, with two "
+                "vectors as `along` if it slides in a plane."
             )
-        found.append(Contact(gap.name, gap, own[0] if own else None))
-    found += [Contact(s.name, None, s) for s in sticks if s.on is None]
-    names = [c.name for c in found]
+        pairs.append(Contact(gap.name, gap, sticks_on_gap[0] if sticks_on_gap else None))
+    pairs += [Contact(s.name, None, s) for s in sticks if s.on is None]
+    names = [c.name for c in pairs]
     if twice := [n for n in names if names.count(n) > 1]:
         raise ValueError(
             f"`contacts` must have different names, got {twice[0]!r} twice. Give them `name=`."
         )
-    if len(found) > 8:  # up to 4⁸ combinations of modes are tried
-        raise ValueError(f"`contacts` may be up to 8, got {len(found)}.")
-    return tuple(found)
+    if len(pairs) > 8:  # up to 4⁸ combinations of modes are tried
+        raise ValueError(f"`contacts` may be up to 8, got {len(pairs)}.")
+    return tuple(pairs)
 
 
 class InfeasibleError(ValueError):
-    """No motion begins with these numbers: a coefficient or a gap is out of its range."""
+    """No motion can start: a coefficient or a gap is out of its range."""
 
 
 def check_values(contacts: Sequence[Contact], numbers: Any) -> None:
-    """Check gaps and coefficients when their numbers are known."""
+    """Check the values of gaps and coefficients."""
     columns = (numbers.gap, numbers.restitution, numbers.mu, numbers.mu_static)
     for contact, gap, e, mu, static in zip(contacts, *columns, strict=True):
         if contact.unilateral is not None and not np.isfinite(gap):
@@ -244,8 +244,8 @@ def check_values(contacts: Sequence[Contact], numbers: Any) -> None:
             )
 
 
-def _within(argument: str, value: Any, most: float | None = None) -> None:
-    """Refuse a number that is negative, or more than the most."""
+def _check_range(argument: str, value: Any, most: float | None = None) -> None:
+    """Refuse a number that is negative, or above the limit."""
     if value is None or not value.is_number:
         return
     if not (value.is_real and value >= 0 and (most is None or value <= most)):

@@ -15,13 +15,13 @@ from pydy._integration import AugmentedSystem, SensitivityRequest
 from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion, check_events, native_solver
 from pydy._names import column_names
-from pydy._problem import CallArguments, Problem, refuse_descending, with_settings
+from pydy._problem import CallArguments, Problem, refuse_descending
 from pydy.analysis import AdjointGradient
+from pydy.contact.complementarity import OPEN, SLIDING, independent, rows_of_modes
 from pydy.contact.conditions import InfeasibleError, paired
-from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
-from pydy.contact.modes import Compiled, modes_of
+from pydy.contact.modes import CompiledModes, modes_of
 from pydy.contact.rows import StartError
-from pydy.contact.run import Run, State
+from pydy.contact.run import ContactRun, State
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers import Event, Outcome, Solver
@@ -32,8 +32,8 @@ _TAKE_CONTACTS = (
     "adjoint_gradient", "animate", "as_jax", "as_torch", "find_periodic_orbit", "fit",
     "integrate_ensemble", "plot",
 )  # fmt: skip
-# How `constraints` may be given; closed contacts are held by projection.
-_HELD = (None, "project", "baumgarte")
+# Values of `constraints`; closed contacts are enforced by projection.
+_ENFORCEMENTS = (None, "project", "baumgarte")
 
 
 class Contacts:
@@ -97,9 +97,17 @@ class Contacts:
     array([0.074006, 0.074006, 0.074006])
     """
 
-    # A misspelt attribute, or one of the System, would be set and never read.
-    __slots__ = ("_kept", "contacts", "given", "hypothesis", "names", "symbols", "system")
-    infeasible = InfeasibleError  # numbers that a search may try
+    # Without slots a misspelt attribute, or one of the System, could be set and would be ignored.
+    __slots__ = (
+        "_compiled_modes",
+        "contact_constants",
+        "contacts",
+        "hypothesis",
+        "names",
+        "symbols",
+        "system",
+    )
+    infeasible = InfeasibleError  # raised for values outside the domain; a search may try them
 
     def __init__(
         self,
@@ -114,7 +122,7 @@ class Contacts:
         self.contacts = paired(contacts)
         self.hypothesis: str = choice(hypothesis, ("newton", "poisson"), "`hypothesis`")
         self.names = tuple(c.name for c in self.contacts)
-        parts: list[Any] = []  # what needs numbers
+        parts: list[Any] = []  # expressions that need numbers
         frame = getattr(system._equations.mechanism, "frame", None)
         if frame is None:
             raise ValueError("Contacts need a System with bodies and an inertial frame.")
@@ -122,13 +130,13 @@ class Contacts:
             parts += [] if c.unilateral is None else [c.unilateral.gap]
             parts += [*c.coefficients.values(), *(c.stick.speeds(frame) if c.stick else ())]
         self.symbols = [Event(part) for part in parts]
-        self._kept: Compiled | None = None
-        self.given = dict(check_mapping("constants", constants))
-        if self.given:
-            # The System's dictionary may be the user's, who makes other Systems of it: it stays.
+        self._compiled_modes: CompiledModes | None = None
+        self.contact_constants = dict(check_mapping("constants", constants))
+        if self.contact_constants:
+            # The dictionary may be shared with other Systems of the user: do not modify it.
             system._constants = dict(system._constants)
-            system.constants.update(self.given)
-        self._problem()  # names what is wrong at once
+            system.constants.update(self.contact_constants)
+        self._problem()  # raises errors here, not at the first simulation
         system._has_contacts = True
 
     def __repr__(self) -> str:
@@ -137,7 +145,11 @@ class Contacts:
     @property
     def compiled_modes(self) -> list[dict[str, str]]:
         """The combinations of modes that have been compiled so far."""
-        keys = {} if self._kept is None else dict.fromkeys(m for m, _ in self._kept.modes)
+        keys = (
+            {}
+            if self._compiled_modes is None
+            else dict.fromkeys(m for m, _ in self._compiled_modes.modes)
+        )
         return [dict(zip(self.names, modes, strict=True)) for modes in keys]
 
     @property
@@ -147,14 +159,14 @@ class Contacts:
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
         return "t" in rows.graph.inputs_of(nodes)
 
-    def _problem(self, events: Any = None) -> tuple[Problem, Compiled]:
+    def _problem(self, events: Any = None) -> tuple[Problem, CompiledModes]:
         problem = self.system._now(events, contacts=self)
         return problem, self._compiled(problem)
 
-    def _compiled(self, problem: Problem) -> Compiled:
-        if self._kept is None or self._kept.definition != problem.definition:
-            self._kept = Compiled(problem, self.contacts, self.hypothesis)
-        return self._kept
+    def _compiled(self, problem: Problem) -> CompiledModes:
+        if self._compiled_modes is None or self._compiled_modes.definition != problem.definition:
+            self._compiled_modes = CompiledModes(problem, self.contacts, self.hypothesis)
+        return self._compiled_modes
 
     def integrate(
         self,
@@ -168,17 +180,17 @@ class Contacts:
     ) -> Motion:
         """Integrate a Problem of the System; see `pydy._integration.integration.integrate`.
 
-        A Problem with `modes` begins in these, projected on what they hold; otherwise the modes
-        follow from the state.
+        A Problem with `modes` starts in these, projected onto their constraints; otherwise the
+        modes follow from the state.
         """
         if len(times):
             problem = problem.replace(times=times, t=float(times[0]))
         run = self._run(problem, times, solver, events, **options)
         if sensitivities is not None:
-            wanted, controlled = sensitivities.parameters, sensitivities.controlled
-            run.carried = HybridSensitivities(wanted, controlled, run.rows, problem)
-            sensitivities.sensitive = run.carried.sensitive
-        run.begun = problem.modes
+            parameters, controlled = sensitivities.parameters, sensitivities.controlled
+            run.transitions = HybridSensitivities(parameters, controlled, run.rows, problem)
+            sensitivities.sensitive = run.transitions.sensitive
+        run.start_modes = problem.modes
         return run.motion()
 
     def simulate(
@@ -226,28 +238,28 @@ class Contacts:
         PyDyUserWarning
             Outputs are not finite; or a load jumps on the way, which `sensitivities` do not know.
         """
-        wanted = _requested(sensitivities, control_sensitivities)
+        request = _requested(sensitivities, control_sensitivities)
         problem = self._problem(events)[0]
         motion = self.integrate(
             problem,
             problem.settings.times,
             solver=self.system.ode_solver,
-            sensitivities=wanted,
+            sensitivities=request,
             events=events,
             **solver_kwargs,
         )
         trajectory = cast(ContactTrajectory, motion.trajectory)
         if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, problem)
-        if wanted is not None:
-            warn_of_jumps(problem, lambda: trajectory, wanted.sensitive)
+        if request is not None:
+            warn_of_jumps(problem, lambda: trajectory, request.sensitive)
         return trajectory
 
     def in_modes(self, modes: Mapping[str, str]) -> System:
         """Return the System with fixed modes, for analyses without transitions.
 
-        Linear models, equilibria and exports are those of one combination of modes: what it holds
-        are constraints, and nothing ends it.
+        Linear models, equilibria and exports are those of one combination of modes: its active
+        contacts are constraints, and no event ends it.
 
         Parameters
         ----------
@@ -266,36 +278,40 @@ class Contacts:
         NotImplementedError
             A contact slides in a plane, where it has no direction of its own.
         """
-        given = check_mapping("modes", modes)
-        if unknown := [name for name in given if name not in self.names]:
+        modes_by_name = check_mapping("modes", modes)
+        if unknown := [name for name in modes_by_name if name not in self.names]:
             raise ValueError(
                 f"`modes` has the key {unknown[0]!r}; the contacts are {', '.join(self.names)}."
             )
-        found = []
+        combination = []
         for c in self.contacts:
             possible = modes_of(c)
-            mode = given.get(c.name, possible[0])
-            known = isinstance(mode, str) and mode in possible
-            if not known or (c.name not in given and mode != OPEN):
+            mode = modes_by_name.get(c.name, possible[0])
+            is_possible = isinstance(mode, str) and mode in possible
+            if not is_possible or (c.name not in modes_by_name and mode != OPEN):
                 raise ValueError(
                     f"`modes[{c.name!r}]` must be one of {', '.join(map(repr, possible))}, got "
-                    f"{shown(given.get(c.name))}."
+                    f"{shown(modes_by_name.get(c.name))}."
                 )
             if mode == SLIDING:
                 raise NotImplementedError(
                     f"`modes[{c.name!r}]`: sliding in a plane is not supported by itself."
                 )
-            found.append(mode)
-        now, kept = self._problem()
-        run = Run(kept, native_solver(self.system.ode_solver), now, np.array([now.t]), [], {})
-        p = run.numbers(now.t, now.x)
-        every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
-        held = tuple(independent(p.square, every))
-        mode = kept.mode(tuple(found), held, every)[0]
-        system = System(mode.equations, **kept.settings(mode))
-        system._contradicted = None  # the user knows of these numbers
-        system._implied = dict.fromkeys(kept.rows.hidden, 0.0)
-        system.constants = dict(now.constants)
+            combination.append(mode)
+        problem, compiled = self._problem()
+        run = ContactRun(
+            compiled, native_solver(self.system.ode_solver), problem, np.array([problem.t]), [], {}
+        )
+        p = run.numbers(problem.t, problem.x)
+        active = rows_of_modes(
+            run.complementarity(p, State(problem.t, problem.x, set(), set(), set())), combination
+        )
+        enforced = tuple(independent(p.square, active))
+        mode = compiled.mode(tuple(combination), enforced, active)[0]
+        system = System(mode.equations, **compiled.settings(mode))
+        system._contradicted = None  # do not warn about the same values again
+        system._implied = dict.fromkeys(compiled.rows.hidden, 0.0)
+        system.constants = dict(problem.constants)
         system.specifieds = dict(self.system.specifieds)
         system.ode_solver, system.times = self.system.ode_solver, self.system.times
         system.initial_conditions = dict(self.system.initial_conditions)
@@ -313,29 +329,30 @@ class Contacts:
         )
 
     def refuse_lost(self, constants: dict[Any, Any]) -> None:
-        """Refuse constants without those that the Contacts were given: 1.0 would stand for them."""
-        known = Keyed(constants)
-        if lost := [key for key in self.given if key not in known]:
+        """Refuse constants that lack those of the Contacts, which would default to 1.0."""
+        numbers = Keyed(constants)
+        if missing := [key for key in self.contact_constants if key not in numbers]:
             raise ValueError(
-                f"`system.constants` has no value of `{lost[0]}`, {self.given[lost[0]]} in "
-                "`Contacts`: a dictionary that is assigned replaces all values. Give it one, or "
+                f"`system.constants` has no value of `{missing[0]}`, "
+                f"{self.contact_constants[missing[0]]} in `Contacts`: a dictionary that is "
+                "assigned replaces all values. Give it one, or "
                 "change others by `system.constants.update(...)`."
             )
 
-    def motions(self, *given: Any) -> Motions:
-        """Return how the samples of an ensemble move, for `System.integrate_ensemble`."""
-        return Motions(self, *given)
+    def motions(self, *arguments: Any) -> ContactMotions:
+        """Return the motions of the samples of an ensemble, for `System.integrate_ensemble`."""
+        return ContactMotions(self, *arguments)
 
     def gradient(
         self, wrt: Any, final: Any, integral: Any, *, events: Any = (), **options: Any
     ) -> AdjointGradient:
         """Return the gradient of a motion, for `System.adjoint_gradient`."""
-        from pydy.contact.backward import Noted, gradient
+        from pydy.contact.backward import RecordedTransitions, gradient
 
         terms = {"final": final, "integral": integral}
         problem = self._problem(events)[0]
         run = self._run(problem, problem.settings.times, self.system.ode_solver, events, **options)
-        run.carried = Noted(wrt, terms, run.rows, problem)
+        run.transitions = RecordedTransitions(wrt, terms, run.rows, problem)
         return gradient(run)
 
     def _run(
@@ -345,12 +362,12 @@ class Contacts:
         solver: Any,
         events: Any = (),
         **solver_kwargs: Any,
-    ) -> Run:
-        """Return a simulation that has not begun."""
-        # The trajectory holds what it would return.
+    ) -> ContactRun:
+        """Return a simulation that has not started."""
+        # The trajectory has everything that `full_output` would return.
         flag(solver_kwargs.pop("full_output", True), "`full_output`")
-        held = choice(solver_kwargs.get("constraints"), _HELD, "`constraints`")
-        if held == "baumgarte" or not flag(
+        enforcement = choice(solver_kwargs.get("constraints"), _ENFORCEMENTS, "`constraints`")
+        if enforcement == "baumgarte" or not flag(
             solver_kwargs.get("dense_output", True), "`dense_output`"
         ):
             raise ValueError(
@@ -362,9 +379,9 @@ class Contacts:
                 "Contacts need a native solver, which locates events: set `system.ode_solver = "
                 "'dop853'`, or another one of pydy.solvers."
             )
-        kept = self._compiled(problem)
-        given = check_events(events, problem.definition.places["states"])
-        if any(e.reset for e in given):
+        compiled = self._compiled(problem)
+        user_events = check_events(events, problem.definition.places["states"])
+        if any(e.reset for e in user_events):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
         times = CallArguments(problem).times(times)
         if times.size and times[-1] < times[0]:
@@ -376,17 +393,17 @@ class Contacts:
                 "`times` must have at least two values that differ, got "
                 f"{shown(times.tolist())}. Set `system.times`."
             )
-        return Run(kept, solver, problem, times, given, solver_kwargs)
+        return ContactRun(compiled, solver, problem, times, user_events, solver_kwargs)
 
 
-def _requested(wanted: Any, controlled: Any) -> SensitivityRequest | None:
+def _requested(parameters: Any, controlled: Any) -> SensitivityRequest | None:
     """Return the sensitivities to compute, or None."""
     controlled = flag(controlled, "`control_sensitivities`")
-    return None if wanted is None else SensitivityRequest(wanted, controlled)
+    return None if parameters is None else SensitivityRequest(parameters, controlled)
 
 
-class Motions:
-    """How the samples of an ensemble with contacts move; see `pydy.ensemble.model.Motions`.
+class ContactMotions:
+    """The motions of the samples of an ensemble with contacts; a `pydy.ensemble.model.Motions`.
 
     Samples in several threads share the compiled modes.
     """
@@ -394,45 +411,41 @@ class Motions:
     def __init__(
         self,
         contacts: Contacts,
-        now: Problem,
+        problem: Problem,
         solver: Solver,
         specifieds: Mapping[Any, Any],
         columns: Sequence[int],
         options: Mapping[str, Any],
     ) -> None:
         self.contacts, self.solver, self.options = contacts, solver, {**options}
-        # The ensemble judges all samples.
-        self._problem = replace(
-            with_settings(
-                now, specifieds={**now.settings.specifieds, **specifieds}, contradicted=None
-            ),
-            hybrid=None,
-        )
+        user = {**problem.user, "specifieds": {**problem.settings.specifieds, **specifieds}}
+        # The ensemble checks the assumptions for all samples.
+        self._problem = replace(problem, user=user, contradicted=None, hybrid=None)
         self.columns: tuple[str, ...] = ()
-        wanted, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
-        if wanted is not None:
-            made = AugmentedSystem.of(now, now.model.code, now.plan, wanted)
-            wanted = [p.symbol for p in made.parameters]
-            self.columns = column_names({p.symbol: p.count for p in made.parameters})
-        self._wanted = wanted
+        requested, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
+        if requested is not None:
+            augmented = AugmentedSystem.of(problem, problem.model.code, problem.plan, requested)
+            requested = [p.symbol for p in augmented.parameters]
+            self.columns = column_names({p.symbol: p.count for p in augmented.parameters})
+        self._parameters = requested
         events = self.options.pop("events", None)
-        self._given = check_events(events, now.definition.places["states"])
-        definition, kept = now.definition, contacts._compiled(now)
-        self.outputs = kept.outputs
-        self.events = (*kept.transitions, *(event.name for event in self._given))
+        self._events = check_events(events, problem.definition.places["states"])
+        definition, compiled = problem.definition, contacts._compiled(problem)
+        self.outputs = compiled.outputs
+        self.events = (*compiled.transitions, *(event.name for event in self._events))
         self._states, self._constants = definition.states, definition.constants
         self._varied = {definition.specifieds[k]: k for k in columns}
 
     @property
     def identity(self) -> Any:
-        """The data that identify them, in addition to equations, numbers and options."""
+        """The data of a cache key, in addition to equations, numbers and options."""
         events = [
             (e.name, sm.srepr(e.expression), int(e.direction), bool(e.terminal))
-            for e in self._given
+            for e in self._events
         ]
-        held = self.options.get("constraints")
-        about = self.contacts.hypothesis, events, held, self.columns, self._control
-        return *about, self.contacts._compiled(self._problem).rows.identity
+        enforcement = self.options.get("constraints")
+        settings = self.contacts.hypothesis, events, enforcement, self.columns, self._control
+        return *settings, self.contacts._compiled(self._problem).rows.identity
 
     def __call__(
         self,
@@ -444,16 +457,17 @@ class Motions:
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states, outputs, and how the motion ended."""
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
-        problem = with_settings(
-            self._problem,
-            constants=dict(zip(self._constants, p.tolist(), strict=True)),
-            specifieds={**self._problem.settings.specifieds, **varied},
-            initial_conditions=dict(zip(self._states, x.tolist(), strict=True)),
-            times=times,
-        )
-        run = self.contacts._run(problem, times, self.solver, self._given, **self.options)
-        if self._wanted is not None:
-            run.carried = HybridSensitivities(self._wanted, self._control, run.rows, problem)
+        user = {
+            "constants": dict(zip(self._constants, p.tolist(), strict=True)),
+            "specifieds": {**self._problem.settings.specifieds, **varied},
+            "initial_conditions": dict(zip(self._states, x.tolist(), strict=True)),
+        }
+        problem = replace(self._problem, user=user, times=times)
+        run = self.contacts._run(problem, times, self.solver, self._events, **self.options)
+        if self._parameters is not None:
+            run.transitions = HybridSensitivities(
+                self._parameters, self._control, run.rows, problem
+            )
         run.stopped = stopped
         code, motion = Outcome.FINISHED, None
         try:
@@ -464,14 +478,14 @@ class Motions:
             code, end = Outcome.START_OFF_CONSTRAINTS, float(times[0])
         except ContactError as error:
             motion, end = run.partial(), error.time
-            known = getattr(error.__cause__, "info", None) or {}
-            code = known.get("code", Outcome.CONTACTS_IMPOSSIBLE)
+            failure = getattr(error.__cause__, "info", None) or {}
+            code = failure.get("code", Outcome.CONTACTS_IMPOSSIBLE)
         happened = [] if motion is None else motion.events
-        records = [replace(one, index=self.events.index(one.name)) for one in happened]
+        records = [replace(record, index=self.events.index(record.name)) for record in happened]
         info = {**run.totals, "code": int(code), "time": end, "events": records, "nearness": 1.0}
         if motion is None:
             return np.empty((0, len(x))), np.empty((0, len(self.outputs))), info
         if self.columns:
-            found = motion.trajectory.sensitivity
-            info["columns"] = np.concatenate([found.values, found.outputs], axis=1)
+            sensitivities = motion.trajectory.sensitivity
+            info["columns"] = np.concatenate([sensitivities.values, sensitivities.outputs], axis=1)
         return motion.states, motion.trajectory.outputs, info

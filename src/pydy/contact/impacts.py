@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 
 from pydy._rank import ROUNDING
-from pydy.contact.decide import (
+from pydy.contact.complementarity import (
     BACKWARD,
     CLOSED,
     FORWARD,
@@ -36,13 +36,13 @@ from pydy.contact.decide import (
     STARTING,
     STICKS,
     ComplementarityProblem,
-    chosen,
+    select_modes,
     solved,
 )
-from pydy.contact.missed import flat
-from pydy.contact.tuning import SLACK, WITHIN
+from pydy.contact.missed_transitions import diagnose_flat_gap
+from pydy.contact.tuning import ROUNDING_MARGIN, SLACK
 
-OPTIONS = (  # what an impulse may do, by the number of tangential directions
+OPTIONS = (  # the modes of an impulse, by the number of tangential directions
     [CLOSED, OPEN],
     [STICKS, FORWARD, BACKWARD, OPEN],
     [STICKS, STARTING, OPEN],
@@ -66,24 +66,24 @@ _NONE = {
 
 
 def contradiction(hypothesis: str, e: np.ndarray) -> str:
-    """Say why an impact with some coefficients of restitution has no solution."""
-    return _NONE[hypothesis if e.any() else "poisson"]  # without rebounds both are the same
+    """Return a message: why an impact with coefficients of restitution e has no solution."""
+    return _NONE[hypothesis if e.any() else "poisson"]  # without restitution both are the same
 
 
 @dataclass(frozen=True)
 class Phase:
     """The result of a phase of an impact."""
 
-    # (rows,), impulses beside those that are given, and the velocities after them.
+    # (rows,), impulses without `restitution_impulses`, and the velocities at the end.
     forces: np.ndarray
     rates: np.ndarray
     modes: tuple[str, ...]
-    given: np.ndarray  # (contacts,), e Λ_C
+    restitution_impulses: np.ndarray  # (contacts,), e Λ_C
     leaves: Collection[int] = ()  # contacts with P = 0, which may move apart
 
 
 @dataclass(frozen=True)
-class Blow:
+class ImpactResult:
     """The result of an impact."""
 
     forces: np.ndarray  # (rows,), all impulses
@@ -104,136 +104,148 @@ class Blow:
 
 def newton(
     problem: ComplementarityProblem, speed: np.ndarray, e: np.ndarray, closing: Collection[int],
-    still: Collection[int],
-) -> Blow | None:  # fmt: skip
-    """Return the impact of the contacts that touch; None if no impulses satisfy the laws.
+    closed_before: Collection[int],
+) -> ImpactResult | None:  # fmt: skip
+    """Return the impact of the closed contacts; None if no impulses satisfy the laws.
 
-    The problem's free velocities are not used, but `speed` (rows,), and `e` (contacts,). Contacts
-    are `closing`, or `still` closed from before.
+    The velocities before it are `speed` (rows,), and `e` (contacts,) is the restitution. Contacts
+    are `closing`, or `closed_before`.
     """
     start = speed.copy()
-    for i in problem.touching:
+    for i in problem.closed:
         normal = problem.normal[i]
         if normal is not None and speed[normal] < 0.0 and i in closing:
             start[normal] = speed[normal] * (1.0 + e[i])
-        elif normal is not None and i in still:
+        elif normal is not None and i in closed_before:
             start[normal] = 0.0
-    found = chosen(replace(problem, free=start, sizes=None), _options(problem))
-    if found is None:
+    solution = select_modes(replace(problem, free=start, sizes=None), _options(problem))
+    if solution is None:
         return None
-    rates = speed + problem.square @ found.forces
-    return Blow(found.forces, rates, (Phase(found.forces, rates, found.modes, np.zeros(len(e))),))
+    rates = speed + problem.square @ solution.forces
+    return ImpactResult(
+        solution.forces, rates, (Phase(solution.forces, rates, solution.modes, np.zeros(len(e))),)
+    )
 
 
-def poisson(problem: ComplementarityProblem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
-    """Return the impact of the contacts that touch; None if no impulses satisfy the laws."""
-    pressing = chosen(replace(problem, free=speed, sizes=None), _options(problem))
+def poisson(
+    problem: ComplementarityProblem, speed: np.ndarray, e: np.ndarray
+) -> ImpactResult | None:
+    """Return the impact of the closed contacts; None if no impulses satisfy the laws."""
+    pressing = select_modes(replace(problem, free=speed, sizes=None), _options(problem))
     if pressing is None:
         return None
-    given, known = np.zeros(len(e)), np.zeros(len(speed))
-    for i in problem.touching:
+    restitution_impulses, returned = np.zeros(len(e)), np.zeros(len(speed))
+    for i in problem.closed:
         normal = problem.normal[i]
         if normal is not None and pressing.modes[i] != OPEN:
-            given[i] = known[normal] = e[i] * max(float(pressing.forces[normal]), 0.0)
+            restitution_impulses[i] = returned[normal] = e[i] * max(
+                float(pressing.forces[normal]), 0.0
+            )
     first = Phase(pressing.forces, pressing.rates, pressing.modes, np.zeros(len(e)))
-    if not given.any():
-        return Blow(pressing.forces, pressing.rates, (first,))
-    free = pressing.rates + problem.square @ known
-    pushed = [int(i) for i in np.flatnonzero(given)]
-    every = _options(problem)
+    if not restitution_impulses.any():
+        return ImpactResult(pressing.forces, pressing.rates, (first,))
+    free = pressing.rates + problem.square @ returned
+    pushed = [int(i) for i in np.flatnonzero(restitution_impulses)]
+    options_by_contact = _options(problem)
     for number in range(len(pushed) + 1):
-        for more in itertools.combinations(pushed, number):  # contacts with P > 0
-            leaves = [i for i in pushed if i not in more]
+        for pushing in itertools.combinations(pushed, number):  # contacts with P > 0
+            leaves = [i for i in pushed if i not in pushing]
             second = replace(
                 problem,
                 free=free,
                 sizes=None,
-                pressed=given,
+                pressed=restitution_impulses,
                 normal=[None if i in leaves else n for i, n in enumerate(problem.normal)],
             )
             options = [
-                [mode for mode in own if mode != OPEN] if i in pushed else own
-                for i, own in enumerate(every)
+                [mode for mode in modes if mode != OPEN] if i in pushed else modes
+                for i, modes in enumerate(options_by_contact)
             ]
-            found = chosen(second, options)
-            if found is None:
+            solution = select_modes(second, options)
+            if solution is None:
                 continue
-            sizes = second.terms(found.forces)
-            apart = [n for i in leaves if (n := problem.normal[i]) is not None]
-            if (found.rates[apart] < -SLACK * sizes[apart]).any():
+            sizes = second.terms(solution.forces)
+            separating_rows = [n for i in leaves if (n := problem.normal[i]) is not None]
+            if (solution.rates[separating_rows] < -SLACK * sizes[separating_rows]).any():
                 continue
-            last = Phase(found.forces, found.rates, found.modes, given, leaves)
-            return Blow(pressing.forces + known + found.forces, found.rates, (first, last))
+            last = Phase(
+                solution.forces, solution.rates, solution.modes, restitution_impulses, leaves
+            )
+            return ImpactResult(
+                pressing.forces + returned + solution.forces, solution.rates, (first, last)
+            )
     return None
 
 
 def _options(problem: ComplementarityProblem) -> list[Sequence[str]]:
     return [
-        OPTIONS[len(tangent)] if i in problem.touching else [OPEN]
+        OPTIONS[len(tangent)] if i in problem.closed else [OPEN]
         for i, tangent in enumerate(problem.tangent)
     ]
 
 
-# -- what an impact does to a motion ---------------------------------------------------------------
+# -- effect of an impact on a motion ---------------------------------------------------------------
 
 
-def strike(run: Any, state: Any, closing: set[int]) -> None:
-    """Apply the impulses of contacts that close to a `Run`; all that are closed take part."""
+def apply_impacts(run: Any, state: Any, closing: set[int]) -> None:
+    """Apply an impact to a `ContactRun`: contacts in `closing`, and all closed ones, take part."""
     p, rows = run.numbers(state.t, state.x), run.rows
     hit = {
         i
         for i, normal in enumerate(rows.normal)
         if normal is not None
-        and (i in closing | state.touching or (i in state.rising and p.is_closed(i)))
+        and (i in closing | state.closed or (i in state.separating and p.is_closed(i)))
     }
     rows.check_directions(hit - run.struck, run.values(state.t, state.x))
     run.struck |= hit
-    problem = run.problem(p, state)
+    problem = run.complementarity(p, state)
     rates = solved(problem, run.modes).rates
-    for i in sorted(closing):  # those that could be turned by roundings of the gap or the time
+    for i in sorted(closing):  # impacts that rounding of the gap or the time could reverse
         speed, rate = abs(p.speed[rows.normal[i]]), abs(rates[rows.normal[i]])
         least = ROUNDING * p.near[i] + speed * run.resolution(state.t)
-        if speed**2 <= 16.0 * rate * least and (why := flat(run, state.t, state.x, [i])):
+        if speed**2 <= 16.0 * rate * least and (
+            why := diagnose_flat_gap(run, state.t, state.x, [i])
+        ):
             raise run.fail(state.t, state.x, why)
-    blow, rests = _blow(run, state, p, problem, rates, hit, closing)
-    work, rises = blow.work(p.speed)
+    impact, suppressed = _find_impact(run, state, p, problem, rates, hit, closing)
+    work, rises = impact.work(p.speed)
     if rises:
-        raise run.fail(state.t, state.x, RISES[run.kept.hypothesis])
-    before, e = state.x, np.zeros(len(rows.normal))  # what is given back of each speed
-    if run.kept.hypothesis == "newton":
-        back = [i for i in closing - rests.keys() if p.speed[rows.normal[i]] < 0.0]
+        raise run.fail(state.t, state.x, RISES[run.compiled.hypothesis])
+    before, e = state.x, np.zeros(len(rows.normal))  # the ratio of each rebound
+    if run.compiled.hypothesis == "newton":
+        back = [i for i in closing - suppressed.keys() if p.speed[rows.normal[i]] < 0.0]
         e[back] = p.restitution[back]
     slopes: Any = None
-    if run.carried is not None:
-        slopes = _carried(run, state, p, blow, e, hit & closing)
+    if run.transitions is not None:
+        slopes = _apply_derivatives(run, state, p, impact, e, hit & closing)
     state.x = before.copy()
-    state.x[run.first : run.first + len(p.moves)] += p.moves @ blow.forces
-    q = p.after(blow.forces)
+    state.x[run.first : run.first + len(p.response)] += p.response @ impact.forces
+    q = p.after(impact.forces)
     impulses: dict[str, tuple[float, ...]] = {}
     for i in sorted(hit):
         normal, name = rows.normal[i], run.contacts[i].name
-        if blow.modes[i] != OPEN:
-            impulses[name] = tuple(float(blow.forces[k]) for k in (normal, *rows.tangent[i]))
-        _parted(run, state, i, p, q, blow, e[i])
+        if impact.modes[i] != OPEN:
+            impulses[name] = tuple(float(impact.forces[k]) for k in (normal, *rows.tangent[i]))
+        _update_contact(run, state, i, p, q, impact, e[i])
         if i in closing:
             run.note(state, i, "closes", before)
-        if i in rests and i in closing:
+        if i in suppressed and i in closing:
             run.first_height.pop(i, None)
-            by_phases = run.kept.hypothesis == "poisson"
-            ratio = rests[i] / abs(p.speed[normal]) if by_phases else p.restitution[i]
-            run.note_rest(state, i, p, (rests[i], abs(rates[normal]), ratio), slopes)
-        elif i in state.touching:
+            by_phases = run.compiled.hypothesis == "poisson"
+            ratio = suppressed[i] / abs(p.speed[normal]) if by_phases else p.restitution[i]
+            run.note_rest(state, i, p, (suppressed[i], abs(rates[normal]), ratio), slopes)
+        elif i in state.closed:
             run.first_height.pop(i, None)
-    for i in state.touching:
-        # Friction with a known normal force has no impulse, but may slide now.
+    for i in state.closed:
+        # Friction with a known normal force has no impulse, but its speed has changed.
         if rows.normal[i] is None:
-            state.resting.discard(i)
-            if q.is_still(rows.tangent[i], blow.rates[rows.tangent[i]]):
-                state.resting.add(i)
+            state.at_rest.discard(i)
+            if q.is_still(rows.tangent[i], impact.rates[rows.tangent[i]]):
+                state.at_rest.add(i)
     run.impacts.append((state.t, impulses, work))
 
 
-def _blow(
+def _find_impact(
     run: Any,
     state: Any,
     p: Any,
@@ -241,71 +253,75 @@ def _blow(
     rates: np.ndarray,
     hit: set[int],
     closing: set[int],
-) -> tuple[Blow, dict[int, float]]:
-    """Return an impact, and the speeds of rebounds that are left out of it, as they are low."""
-    hypothesis, e, speed = run.kept.hypothesis, p.restitution, p.moving()
+) -> tuple[ImpactResult, dict[int, float]]:
+    """Return an impact, and the speeds of rebounds that are suppressed as too low."""
+    hypothesis, e, speed = run.compiled.hypothesis, p.restitution, p.moving()
     every, free = frozenset(hit), np.zeros(len(e))
     flying = problem
-    problem = replace(problem, hold=p.mu, pressed=free, resting=every, touching=every)
+    problem = replace(problem, hold=p.mu, pressed=free, at_rest=every, closed=every)
     by_phases = hypothesis == "poisson"
-    rests: dict[int, float] = {}
-    left = e.copy()
+    suppressed: dict[int, float] = {}
+    effective = e.copy()
     while True:
         if by_phases:
-            blow = poisson(problem, speed, left)
+            impact = poisson(problem, speed, effective)
         else:
-            blow = newton(problem, speed, left, closing, state.touching)
+            impact = newton(problem, speed, effective, closing, state.closed)
         low: dict[int, float] = {}
-        for i in sorted((hit if by_phases else closing) - rests.keys()):
+        for i in sorted((hit if by_phases else closing) - suppressed.keys()):
             normal = run.rows.normal[i]
             leaves = e[i] * abs(p.speed[normal])
-            if by_phases:  # friction, and other contacts, change it
-                hits = blow is not None and blow.modes[i] != OPEN
-                leaves = max(float(blow.rates[normal]), 0.0) if blow and hits else np.inf
+            if by_phases:  # friction and other contacts change the rebound
+                hits = impact is not None and impact.modes[i] != OPEN
+                leaves = max(float(impact.rates[normal]), 0.0) if impact and hits else np.inf
             if e[i] > 0.0 and run.is_low(i, leaves, rates[normal], p, state.x):
                 low[i] = leaves
         if not low:
             break
-        rests |= low
-        left[list(rests)] = 0.0
-        # What stays closed changes the accelerations of others, whose rebounds may be low too.
-        rates = solved(flying, [CLOSED if i in rests else m for i, m in enumerate(run.modes)]).rates
-    if blow is None:
-        raise run.fail(state.t, state.x, contradiction(hypothesis, left))
-    return blow, rests
+        suppressed |= low
+        effective[list(suppressed)] = 0.0
+        # Contacts that stay closed change the accelerations of others, whose rebounds may be low.
+        rates = solved(
+            flying, [CLOSED if i in suppressed else m for i, m in enumerate(run.modes)]
+        ).rates
+    if impact is None:
+        raise run.fail(state.t, state.x, contradiction(hypothesis, effective))
+    return impact, suppressed
 
 
-def _carried(
-    run: Any, state: Any, p: Any, blow: Blow, e: np.ndarray, closing: set[int]
+def _apply_derivatives(
+    run: Any, state: Any, p: Any, impact: ImpactResult, e: np.ndarray, closing: set[int]
 ) -> dict[str, np.ndarray]:
-    """Apply the derivatives of an impact; return those of the rows before it."""
+    """Apply the derivatives of an impact; return the derivatives of the rows before it."""
     normals = run.rows.normal
-    newtons = run.kept.hypothesis == "newton"
-    kept = {i: float(e[i]) for i in closing if newtons and p.speed[normals[i]] < 0.0}
-    still = frozenset(state.touching if newtons else ())
+    newtons = run.compiled.hypothesis == "newton"
+    ratios = {i: float(e[i]) for i in closing if newtons and p.speed[normals[i]] < 0.0}
+    closed_before = frozenset(state.closed if newtons else ())
     values = run.values(state.t, state.x)
-    slopes: dict[str, np.ndarray] = run.carried.impact(values, p, blow, kept, still)
+    slopes: dict[str, np.ndarray] = run.transitions.impact(values, p, impact, ratios, closed_before)
     if run.segments:
         run.check_instant(state, p, slopes["gap"], closing)
     return slopes
 
 
-def _parted(run: Any, state: Any, i: int, p: Any, q: Any, blow: Blow, kept: float) -> None:
-    """Note whether a contact that was hit leaves, stays closed or rests, by its rows.
+def _update_contact(
+    run: Any, state: Any, i: int, p: Any, q: Any, impact: ImpactResult, ratio: float
+) -> None:
+    """Update whether a contact of the impact separates, stays closed or comes to rest.
 
-    The numbers are `p` before and `q` after; by Newton's hypothesis it gives back the part `kept`
-    of its speed.
+    The row values are `p` before and `q` after; by Newton's hypothesis it rebounds with `ratio`
+    times its speed.
     """
-    normal, rows, mode = run.rows.normal[i], run.rows.tangent[i], blow.modes[i]
-    by_phases = run.kept.hypothesis == "poisson"
-    leaves = blow.rates[normal] if by_phases or mode == OPEN else -kept * p.speed[normal]
-    slow = max(SLACK * abs(p.speed[normal]), WITHIN * np.finfo(float).eps * q.slow[normal])
-    state.resting.discard(i)
+    normal, rows, mode = run.rows.normal[i], run.rows.tangent[i], impact.modes[i]
+    by_phases = run.compiled.hypothesis == "poisson"
+    leaves = impact.rates[normal] if by_phases or mode == OPEN else -ratio * p.speed[normal]
+    slow = max(SLACK * abs(p.speed[normal]), ROUNDING_MARGIN * np.finfo(float).eps * q.slow[normal])
+    state.at_rest.discard(i)
     if leaves > slow and leaves > 0.0:
-        state.touching.discard(i)
-        state.rising.add(i)
+        state.closed.discard(i)
+        state.separating.add(i)
         return
-    state.touching.add(i)
-    state.rising.discard(i)
-    if rows and (mode == STICKS or q.is_still(rows, blow.rates[rows])):
-        state.resting.add(i)
+    state.closed.add(i)
+    state.separating.discard(i)
+    if rows and (mode == STICKS or q.is_still(rows, impact.rates[rows])):
+        state.at_rest.add(i)

@@ -1,4 +1,4 @@
-"""Contacts that are told by a geometry: bodies that roll, and joints with play."""
+"""Contacts defined by a geometry: bodies that roll, and joints with play."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Roll(Stick):
 
     A `Stick` on a `Unilateral`, for the point of the body that touches the plane: it is another
     one at each instant, at −`radius` n from the centre of a ball with the normal n, or at the
-    lowest place of the rim of a disc.
+    lowest point of the rim of a disc.
 
     Parameters
     ----------
@@ -162,8 +162,8 @@ class Clearance(Stick):
         if not pair or not all(isinstance(frame, ReferenceFrame) for frame in frames):
             raise TypeError(f"`frames` must be a pair of ReferenceFrames, got {shown(frames)}.")
         self.bush, self.frames, self.axis = bush, tuple(frames), axis
-        whole = pin.pos_from(bush)
-        self.offset = whole - whole.dot(axis) * axis
+        separation = pin.pos_from(bush)
+        self.offset = separation - separation.dot(axis) * axis
         gap = (self.play**2 - self.offset.dot(self.offset)) / (2 * self.play)
         pressed = Unilateral(gap, restitution=restitution, name=name)
         super().__init__(pin, on=pressed, mu=mu, mu_static=mu_static, along=axis, name=name)
@@ -173,9 +173,15 @@ class Clearance(Stick):
 
         It is that of the pin on the bush where they touch, r and r + c away from the centres.
         """
-        pin, bush = (own.ang_vel_in(frame).dot(self.axis) for own in self.frames)
-        moves = (self.point.vel(frame) - self.bush.vel(frame)).dot(self.axis.cross(self.offset))
-        return (moves / self.play + self.radius * pin - (self.radius + self.play) * bush,)
+        pin, bush = (
+            frame_of_body.ang_vel_in(frame).dot(self.axis) for frame_of_body in self.frames
+        )
+        tangential_speed = (self.point.vel(frame) - self.bush.vel(frame)).dot(
+            self.axis.cross(self.offset)
+        )
+        return (
+            tangential_speed / self.play + self.radius * pin - (self.radius + self.play) * bush,
+        )
 
 
 def _unit(argument: str, value: Any) -> None:

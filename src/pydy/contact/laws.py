@@ -159,11 +159,11 @@ def brown_mcphee(
     )
     (peak,) = _expressions(mu_static=mu if mu_static is None else mu_static)
     x = v / slow
-    more = (peak - mu) * x / (x**2 / 4 + sm.Rational(3, 4)) ** 2
+    peak_term = (peak - mu) * x / (x**2 / 4 + sm.Rational(3, 4)) ** 2
     if normal_transition is not None:
         (light,) = _expressions(normal_transition=normal_transition)
         viscous = viscous * sm.tanh(4 * n / light)
-    return -n * (mu * sm.tanh(4 * x) + more) - viscous * v
+    return -n * (mu * sm.tanh(4 * x) + peak_term) - viscous * v
 
 
 def stribeck(
@@ -317,31 +317,31 @@ _POSITIVE = {"exponent", "transition", "stribeck_speed", "normal_transition", "s
 _NOT_NEGATIVE = {"stiffness", "damping", "mu", "mu_static", "viscous", "arm", "radius"}
 
 
-def _expressions(**given: Any) -> list[Any]:
-    """Return arguments as SymPy expressions with finite real values."""
-    found = []
-    for name, value in given.items():
+def _expressions(**arguments: Any) -> list[Any]:
+    """Return the arguments as SymPy expressions; numbers must be finite and in their range."""
+    expressions = []
+    for name, value in arguments.items():
         if isinstance(value, sm.Expr) and not value.is_number:
             if value.has(sm.nan, sm.zoo, sm.I, sm.oo, sm.MatrixSymbol):
                 raise ValueError(f"`{name}` must have real values, got {shown(value)}.")
-            found.append(value)
+            expressions.append(value)
             continue
         if not hasattr(value, "__float__") and not isinstance(value, sm.Basic):
             raise TypeError(f"`{name}` must be an expression or a number, got {shown(value)}.")
-        known = number(value, f"`{name}`", finite=True)
-        if name in _POSITIVE and not known > 0.0:
-            raise ValueError(f"`{name}` must be positive, got {known:g}.")
-        if name in _NOT_NEGATIVE and known < 0.0:
+        numeric = number(value, f"`{name}`", finite=True)
+        if name in _POSITIVE and not numeric > 0.0:
+            raise ValueError(f"`{name}` must be positive, got {numeric:g}.")
+        if name in _NOT_NEGATIVE and numeric < 0.0:
             raise ValueError(
-                f"`{name}` must not be negative, got {known:g}: the force would do work by itself."
+                f"`{name}` must not be negative, got {numeric:g}: the force would add energy."
             )
-        plain = isinstance(value, (int, sm.Expr)) and not isinstance(value, bool)
-        found.append(sm.sympify(value if plain else known))
-    return found
+        is_exact = isinstance(value, (int, sm.Expr)) and not isinstance(value, bool)
+        expressions.append(sm.sympify(value if is_exact else numeric))
+    return expressions
 
 
 def _check_units(argument: str, vectors: Iterable[Any]) -> None:
-    """Refuse vectors whose length is a number other than 1: forces would be wrong by it."""
+    """Refuse vectors whose length is a number other than 1: it would scale the forces."""
     for vector in vectors:
         length = sm.simplify(vector.dot(vector))
         if length.is_number and not abs(length - 1) <= ROUNDED:
@@ -351,14 +351,14 @@ def _check_units(argument: str, vectors: Iterable[Any]) -> None:
             )
 
 
-def _axes(along: Any) -> tuple[Vector, ...]:
-    found = () if along is None else (along,) if isinstance(along, Vector) else along
-    valid = isinstance(found, (list, tuple)) and len(found) <= 2
-    if not valid or not all(isinstance(v, Vector) for v in found):
-        raise TypeError(f"`along` must be one Vector or two, got {shown(along)}.")
-    for v in found:
+def _axes(argument: Any) -> tuple[Vector, ...]:
+    vectors = () if argument is None else (argument,) if isinstance(argument, Vector) else argument
+    valid = isinstance(vectors, (list, tuple)) and len(vectors) <= 2
+    if not valid or not all(isinstance(v, Vector) for v in vectors):
+        raise TypeError(f"`along` must be one Vector or two, got {shown(argument)}.")
+    for v in vectors:
         checked_vector(v, "`along`")
-    axes: tuple[Any, ...] = tuple(found)
+    axes: tuple[Any, ...] = tuple(vectors)
     if len(axes) == 2:
         product = sm.simplify(axes[0].dot(axes[1]))
         if product.is_number and not abs(product) <= ROUNDED:

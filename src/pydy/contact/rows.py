@@ -33,7 +33,7 @@ from pydy._mechanics import EquationGraph, Equations, dot, find_symbols
 from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact, InfeasibleError
 from pydy.contact.smooth import Switched, switched
-from pydy.contact.tuning import WITHIN
+from pydy.contact.tuning import ROUNDING_MARGIN
 
 
 class StartError(InfeasibleError):
@@ -43,11 +43,11 @@ class StartError(InfeasibleError):
 Parts = dict[str, tuple[tuple[int, ...], Sequence[int]]]  # shapes and nodes, by name
 
 
-_LATE = ("free", "terms", "square", "moves")  # what takes M⁻¹, which open contacts do without
+_LATE = ("free", "terms", "square", "response")  # they need M⁻¹; open contacts do without
 
 
-class Numbers:
-    """The rows at one state: what takes M⁻¹, and the others, are evaluated when they are wanted."""
+class RowValues:
+    """The rows at one state, evaluated lazily: those that need M⁻¹, and the others."""
 
     gap: np.ndarray  # (contacts,); zero without one
     near: np.ndarray  # (contacts,), bounds on the rounding errors of the gaps, in units of 2⁻⁵²
@@ -60,40 +60,42 @@ class Numbers:
     mu: np.ndarray
     mu_static: np.ndarray
     free: np.ndarray  # (rows,), J a + b
-    terms: np.ndarray  # (rows,), how large that would be if none of its terms cancelled
+    terms: np.ndarray  # (rows,), the sums of the absolute terms of `free`
     square: np.ndarray  # (rows, rows), J W
-    moves: np.ndarray  # (speeds, rows), W
+    response: np.ndarray  # (speeds, rows), W
 
-    def __init__(self, rows: ContactRows, *at: np.ndarray) -> None:
-        self._rows, self._at = rows, at
+    def __init__(self, rows: ContactRows, *point: np.ndarray) -> None:
+        self._rows, self._point = rows, point
 
-    def __getattr__(self, name: str) -> Any:  # of what has not been evaluated
-        if name not in Numbers.__annotations__:
+    def __getattr__(self, name: str) -> Any:  # an attribute that has not been evaluated
+        if name not in RowValues.__annotations__:
             raise AttributeError(name)
         kernel = self._rows.late if name in _LATE else self._rows.early
-        out, failed = kernel.evaluate(*self._at)
+        out, failed = kernel.evaluate(*self._point)
         out[failed] = np.nan
         vars(self).update(kernel.program.by_block(out[0]))
         return vars(self)[name]
 
     def is_closed(self, i: int) -> bool:
         """Return whether a gap is zero within its rounding errors."""
-        return bool(self.gap[i] <= WITHIN * ROUNDING * self.near[i])
+        return bool(self.gap[i] <= ROUNDING_MARGIN * ROUNDING * self.near[i])
 
     def moving(self) -> np.ndarray:
         """Return the speeds, with those within their rounding errors set to zero."""
-        return np.where(np.abs(self.speed) <= WITHIN * ROUNDING * self.slow, 0.0, self.speed)
+        return np.where(
+            np.abs(self.speed) <= ROUNDING_MARGIN * ROUNDING * self.slow, 0.0, self.speed
+        )
 
-    def after(self, impulses: np.ndarray) -> Numbers:
-        """Return the numbers after impulses, which enlarge the terms that speeds are sums of."""
-        found, slow = copy(self), self.slow + np.abs(self.square) @ np.abs(impulses)
-        found.slow = slow
-        return found
+    def after(self, impulses: np.ndarray) -> RowValues:
+        """Return the values after impulses, which enlarge the rounding bounds of the speeds."""
+        values, slow = copy(self), self.slow + np.abs(self.square) @ np.abs(impulses)
+        values.slow = slow
+        return values
 
     def is_still(self, rows: Sequence[int], speeds: np.ndarray) -> bool:
-        """Return whether sliding speeds are zero within the rounding of terms or earlier speeds."""
+        """Return whether sliding speeds are zero within rounding of their terms or of `speed`."""
         sizes = np.maximum(self.slow[list(rows)], np.abs(self.speed[list(rows)]))
-        return bool(np.linalg.norm(speeds) <= WITHIN * ROUNDING * np.linalg.norm(sizes))
+        return bool(np.linalg.norm(speeds) <= ROUNDING_MARGIN * ROUNDING * np.linalg.norm(sizes))
 
 
 class ContactRows:
@@ -108,13 +110,13 @@ class ContactRows:
     ) -> None:
         self.equations, self.contacts = equations, tuple(contacts)
         formed = _checked(equations)
-        # For sliding in a plane: a direction in which each contact slides, and two speeds.
+        # For sliding in a plane: the reference direction of each contact, and two speeds.
         self.references = {
             i: sm.symbols([f"{c.name}_reference_{k}" for k in ("1", "2", "least", "clear")])
             for i, c in enumerate(contacts)
             if c.stick is not None and c.stick.plane
         }
-        # Of each row: what forces that are not determined differ from least.
+        # Of each row: redundant forces are those with the least distance from these.
         self.biases = [
             sm.Symbol(f"{c.name}_bias_{k}")
             for c in contacts
@@ -122,27 +124,26 @@ class ContactRows:
                 (c.unilateral is not None) + (0 if c.stick is None else 2 if c.stick.plane else 1)
             )
         ]
-        # Of each contact: what rounding leaves of its speed where that begins; or zero. While
-        # a gap is on the way up, its speed is watched, not the gap.
-        self.rising = [sm.Symbol(f"{c.name}_rising") for c in contacts]
-        self.hidden = [
-            *(s for own in self.references.values() for s in own), *self.biases, *self.rising
-        ]  # fmt: skip
+        # Of each contact: a bound on the rounding of its speed where a motion begins, or zero.
+        # While a gap separates from zero, the event monitors its speed instead of the gap.
+        self.speed_bounds = [sm.Symbol(f"{c.name}_rising") for c in contacts]
+        references = (s for symbols in self.references.values() for s in symbols)
+        self.hidden = [*references, *self.biases, *self.speed_bounds]
         constants = [*constants, *self.hidden]
         self.checked: bytes | None = None  # the constants that coefficients were checked with
-        more = [s for s in constants if s not in formed.constants]
-        others = [s for s in specifieds if s not in formed.specifieds]
+        added_constants = [s for s in constants if s not in formed.constants]
+        added_specifieds = [s for s in specifieds if s not in formed.specifieds]
         self.formed = replace(
             formed,
             graph=formed.graph.copy(),
-            constants=[*formed.constants, *more],
-            specifieds=[*formed.specifieds, *others],
+            constants=[*formed.constants, *added_constants],
+            specifieds=[*formed.specifieds, *added_specifieds],
             simplified=None,
         )
         self.graph = self.formed.graph
         self._orders = (
-            _places(specifieds, self.formed.specifieds),
-            _places(constants[: -len(self.hidden)], self.formed.constants),
+            _indices(specifieds, self.formed.specifieds),
+            _indices(constants[: -len(self.hidden)], self.formed.constants),
         )
         self._read()
 
@@ -160,7 +161,7 @@ class ContactRows:
         read = SymPyReader(g, atoms, "the contacts")
         self.normal: list[int | None] = []
         self.tangent: list[list[int]] = []
-        self.switched: list[Switched] = []  # gaps and sliding speeds that are written in pieces
+        self.switched: list[Switched] = []  # piecewise gaps and sliding speeds
         speeds: list[Any] = []
         gaps: list[int] = []
         for c in self.contacts:
@@ -190,35 +191,41 @@ class ContactRows:
             if all(n == g.zero for n in row):
                 raise ValueError(f"The contact {c.name!r} moves with no speed of the system.")
         self.free = self._free()
-        self.moves = self._moves()
+        self.response = self._speed_responses()
         rows = zip(*(map(read, c.coefficients.values()) for c in self.contacts), strict=True)
         self.restitution, self.mu, self.static, self.pressed = map(list, rows)
 
     @property
     def identity(self) -> Any:
-        """The key of the rows: their nodes, numbered when they were read."""
-        g, groups = self.graph, (self.jacobian, self.moves, self.formed.matrix)
-        parts = (self.gaps, self.speeds, self.drift, self.free, *(r for own in groups for r in own))
+        """A cache key of the rows: their nodes in the order of reading."""
+        g, groups = self.graph, (self.jacobian, self.response, self.formed.matrix)
+        parts = (
+            self.gaps,
+            self.speeds,
+            self.drift,
+            self.free,
+            *(r for group in groups for r in group),
+        )
         parts += (self.mu, self.static, self.restitution, self.pressed)
         nodes = [(n, g.ops[n], g.args[n]) for n in g.reachable([n for part in parts for n in part])]
-        inputs = [[*map(str, own)] for own in (self.formed.constants, self.formed.specifieds)]
+        inputs = [[*map(str, group)] for group in (self.formed.constants, self.formed.specifieds)]
         names = [(c.name, c.kind, c.stick is not None and c.stick.plane) for c in self.contacts]
         return names, inputs, nodes, [list(part) for part in parts]
 
-    def _smooth(self, what: str, expression: Any, slopes: bool) -> Any:
-        """Return an expression in a differentiable form, or refuse a jump in it by name."""
+    def _smooth(self, subject: str, expression: Any, slopes: bool) -> Any:
+        """Return an expression in a differentiable form; refuse jumps."""
         moving = (self.equations.time, *self.equations.coordinates, *self.equations.speeds)
-        found = switched(what, expression, moving, slopes)
-        if found is None:
+        switches = switched(subject, expression, moving, slopes)
+        if switches is None:
             return expression
-        self.switched.append(found)
-        return found.expression
+        self.switched.append(switches)
+        return switches.expression
 
     def _owners(self) -> list[Contact]:
-        found = []
+        owners = []
         for c, normal, tangent in zip(self.contacts, self.normal, self.tangent, strict=True):
-            found += [c] * (len(tangent) + (normal is not None))
-        return found
+            owners += [c] * (len(tangent) + (normal is not None))
+        return owners
 
     def _free(self) -> list[int]:
         """Return u' without contact forces."""
@@ -226,23 +233,23 @@ class ContactRows:
         if formed.accelerations is not None:
             return list(formed.accelerations)
         kind = "ldl" if self.equations.matrices.positive_definite else "lu"
-        beyond = solve_accelerations(g, formed.matrix, formed.residual_forcing, kind)
-        return [g.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
+        corrections = solve_accelerations(g, formed.matrix, formed.residual_forcing, kind)
+        return [g.add(*parts) for parts in zip(formed.start, corrections, strict=True)]
 
-    def _moves(self) -> list[list[int]]:
-        """Return for each row the change of u' by a unit of its force.
+    def _speed_responses(self) -> list[list[int]]:
+        """Return for each row the change of u' per unit of its force: the columns of W.
 
-        With dependent speeds u_d = A u_i + …, by their rows of the matrix, the force of a row is
-        Jᵢ + Aᵀ J_d.
+        With dependent speeds u_d = A u_i + …, where A follows from their rows of the matrix, the
+        generalized force of a row is Jᵢ + Aᵀ J_d.
         """
         g, e, matrix = self.graph, self.equations, self.formed.matrix
         dependent, independent = e.dependents.speed_columns, e.dependents.independent_columns
         columns = [list(row) for row in self.jacobian]
         if dependent:
             below = [matrix[k] for k in dependent]
-            held = [[row[j] for j in dependent] for row in below]
-            moved = [[g.neg(row[i]) for row in below] for i in independent]
-            shares = dict(zip(independent, g.solve(held, moved, "lu"), strict=True))
+            block = [[row[j] for j in dependent] for row in below]
+            right = [[g.neg(row[i]) for row in below] for i in independent]
+            shares = dict(zip(independent, g.solve(block, right, "lu"), strict=True))
             columns = [
                 [
                     dot(g, shares[i], [row[j] for j in dependent], (row[i], 1.0))
@@ -256,16 +263,16 @@ class ContactRows:
         return g.solve([list(row) for row in matrix], columns, kind)
 
     def _terms(self) -> list[int]:
-        """Return the sizes of the terms of the rows' accelerations without contact forces.
+        """Return the sums of the absolute terms of the rows' accelerations without contact forces.
 
-        A body that is about to leave a curved surface has a weight and a centripetal acceleration,
-        and the two cancel. With M u' = F these are J M⁻¹ F + b.
+        The terms may cancel: weight and centripetal acceleration do when a body leaves a curved
+        surface. With M u' = F they are those of J M⁻¹ F + b.
         """
         g, matrix = self.graph, self.formed.matrix
-        shares = self.moves
+        shares = self.response
         if self.equations.constraints.velocity:  # M is not symmetric
-            turned = [list(column) for column in zip(*matrix, strict=True)]
-            shares = g.solve(turned, [list(row) for row in self.jacobian], "lu")
+            transposed = [list(column) for column in zip(*matrix, strict=True)]
+            shares = g.solve(transposed, [list(row) for row in self.jacobian], "lu")
         forces = sizes_of_terms(g, self.formed.forcing)
         return [
             g.add(dot(g, [g.call("abs", n) for n in share], forces), drift)
@@ -277,8 +284,8 @@ class ContactRows:
         """The blocks of `Numbers`, by name."""
         g, e = self.graph, self.equations
         q, u, k, c = (len(s) for s in (e.coordinates, e.speeds, self.speeds, self.contacts))
-        by_q, by_u = ([g.input("x", j) for j in own] for own in (range(q), range(q, q + u)))
-        square = [dot(g, row, moved) for row in self.jacobian for moved in self.moves]
+        by_q, by_u = ([g.input("x", j) for j in indices] for indices in (range(q), range(q, q + u)))
+        square = [dot(g, row, response) for row in self.jacobian for response in self.response]
         return {
             "gap": ((c,), self.gaps),
             "near": ((c,), rounding_bounds(g, self.gaps)),
@@ -287,7 +294,7 @@ class ContactRows:
             "free": ((k,), [self.acceleration(g, row, self.free) for row in range(k)]),
             "terms": ((k,), self._terms()),
             "square": ((k, k), square),
-            "moves": ((u, k), [moved[j] for j in range(u) for moved in self.moves]),
+            "response": ((u, k), [response[j] for j in range(u) for response in self.response]),
             "kinematics": ((q, u), jacobian(g, self.formed.rates, by_u).flat()),
             "gradient": ((c, q), jacobian(g, self.gaps, by_q).flat()),
             "normal": ((c,), self.pressed),
@@ -307,7 +314,7 @@ class ContactRows:
         return self._compiled(_LATE)
 
     def _compiled(self, names: Iterable[str]) -> Kernel:
-        # From the first state on: interpreted, it would have other last bits in later motions.
+        # Compiled from the first state on: an interpreter would change the last bits.
         f = self.formed
         n = len(self.equations.coordinates) + len(self.equations.speeds)
         blocks = [(name, *self.parts[name]) for name in names]
@@ -315,12 +322,12 @@ class ContactRows:
         return compile_program(lower(self.graph, sizes, blocks), "llvm", {})
 
     @cached_property
-    def _ways(self) -> dict[int, Any]:
-        """For each friction at a point on a gap: the functions of both Jacobians, and the axes.
+    def _friction_jacobians(self) -> dict[int, Any]:
+        """For each friction at a point of a gap: evaluators of both Jacobians and the axes.
 
-        The velocity has three rows, in the inertial frame.
+        The point's velocity has three rows, in the inertial frame.
         """
-        g, e, found = self.graph, self.equations, {}
+        g, e, evaluators = self.graph, self.equations, {}
         u = [g.input("x", len(e.coordinates) + k) for k in range(len(e.speeds))]
         atoms = {symbol: node for node, symbol in self.symbols.items()}
         read = SymPyReader(g, atoms, "the contacts")
@@ -332,96 +339,105 @@ class ContactRows:
                 in_states = e.kinematics.in_states
                 nodes = read.all([in_states(x) for v in vectors for x in v.to_matrix(frame)])
                 rows = [*self.jacobian[normal], *jacobian(g, nodes[:3], u).flat(), *nodes[3:]]
-                found[i] = g.evaluator(rows)
-        return found
+                evaluators[i] = g.evaluator(rows)
+        return evaluators
 
     @cached_property
     def cuts(self) -> dict[int, list[tuple[Any, Any]]]:
         """For each gap: its functions atan2(y, x), which jump by 2π where y = 0 and x < 0.
 
-        With the function of y, x, the gap, and the gap with 2π more and less in place of that jump.
+        Each comes with an evaluator of y, x, the gap, and the gap with 2π added and subtracted.
         """
-        found: dict[int, list[tuple[Any, Any]]] = {}
+        evaluators: dict[int, list[tuple[Any, Any]]] = {}
         atoms = {symbol: node for node, symbol in self.symbols.items()}
         read = SymPyReader(self.graph.copy(), atoms, "the contacts")
         for i, c in enumerate(self.contacts):
             gap = sm.S.Zero if c.unilateral is None else c.unilateral.gap
             for f in sorted(gap.atoms(sm.atan2), key=sm.default_sort_key):
-                turned = (gap.xreplace({f: f + n * sm.pi}) for n in (0, 2, -2))
+                branches = (gap.xreplace({f: f + n * sm.pi}) for n in (0, 2, -2))
                 in_states = self.equations.kinematics.in_states
-                nodes = read.all([in_states(part) for part in (*f.args, *turned)])
-                found.setdefault(i, []).append((f, read.graph.evaluator(nodes)))
-        return found
+                nodes = read.all([in_states(part) for part in (*f.args, *branches)])
+                evaluators.setdefault(i, []).append((f, read.graph.evaluator(nodes)))
+        return evaluators
 
-    def check_directions(self, closed: Iterable[int], values: dict[Any, float]) -> None:
-        """Refuse friction at a point of a closed gap that is no length, or is not along it.
+    def check_directions(self, closed: Iterable[int], values_by_symbol: dict[Any, float]) -> None:
+        """Refuse friction at a point if the closed gap is no length, or `along` is not tangential.
 
-        The gap's rate is that of the point along a unit normal, whose part in directions in which
-        the point can move follows. Where it is another point's, nothing is told.
+        If the gap belongs to the point, its rate is the point's velocity along a unit normal; this
+        determines the normal within the directions in which the point can move. The check is
+        skipped if the gap belongs to another point.
         """
-        inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
-        for i in sorted(self._ways.keys() & set(closed)):
-            found, n = self._ways[i](inputs, 1)[0], len(self.equations.speeds)
-            if np.isfinite(found).all():
-                moves, axes = found[n : 4 * n].reshape(3, n), found[4 * n :].reshape(-1, 3)
-                _check_direction(self.contacts[i].name, found[:n], moves, axes)
+        inputs = {node: values_by_symbol.get(symbol, 0.0) for node, symbol in self.symbols.items()}
+        for i in sorted(self._friction_jacobians.keys() & set(closed)):
+            values, n = self._friction_jacobians[i](inputs, 1)[0], len(self.equations.speeds)
+            if np.isfinite(values).all():
+                velocity_jacobian, axes = (
+                    values[n : 4 * n].reshape(3, n),
+                    values[4 * n :].reshape(-1, 3),
+                )
+                _check_direction(self.contacts[i].name, values[:n], velocity_jacobian, axes)
 
-    def numbers(self, t: float, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> Numbers:
+    def numbers(self, t: float, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> RowValues:
         """Return the rows at a state, with values of the definition's specifieds and constants."""
-        r_order, p_order = self._orders  # inputs that it does not have are zero, or hidden
+        r_order, p_order = self._orders  # missing inputs are zero, or hidden
         r, p = np.append(r, 0.0)[r_order], np.append(p, 0.0)[p_order]
-        return Numbers(self, np.array([t]), x[None].copy(), r[None], p)
+        return RowValues(self, np.array([t]), x[None].copy(), r[None], p)
 
     @cached_property
     def _checks_constants(self) -> bool:
-        """Whether what a start checks, but for gaps, depends on the constants alone."""
+        """Whether the checks at the start, except for gaps, depend on the constants alone."""
         g, coefficients = self.graph, [*self.mu, *self.static, *self.restitution]
-        held = g.inputs_of(coefficients) | (g.inputs_of(self.gaps) - {"t", "x"})
-        return None not in self.normal and not held - {"p"}
+        input_groups = g.inputs_of(coefficients) | (g.inputs_of(self.gaps) - {"t", "x"})
+        return None not in self.normal and not input_groups - {"p"}
 
-    def are_open(self, gaps: Numbers, p: np.ndarray) -> bool:
-        """Whether all gaps are open, where no more is to be checked: constants are as `checked`."""
+    def are_open(self, gaps: RowValues, p: np.ndarray) -> bool:
+        """Whether all gaps are open, and the constants have been `checked` before."""
         if self.checked != p.tobytes() or not self._checks_constants:
             return False
-        return bool((gaps.gap > WITHIN * ROUNDING * gaps.near).all())
+        return bool((gaps.gap > ROUNDING_MARGIN * ROUNDING * gaps.near).all())
 
-    def owners_of(self, held: Sequence[int]) -> dict[int, int]:
-        """Return the contacts of the normal rows among the active rows, in their order."""
+    def owners_of(self, active: Sequence[int]) -> dict[int, int]:
+        """Return the contact of each normal row among the active rows, in their order."""
         owners = {n: i for i, n in enumerate(self.normal) if n is not None}
-        return {n: owners[n] for n in held if n in owners}
+        return {n: owners[n] for n in active if n in owners}
 
     def rates(self, g: Graph, forces: Sequence[int]) -> list[int]:
-        """Return u' with some forces of the rows."""
-        moves = zip(*self.moves, strict=True)
-        return [dot(g, own, forces, (a, 1.0)) for a, own in zip(self.free, moves, strict=True)]
+        """Return u' under forces of the rows."""
+        responses = zip(*self.response, strict=True)
+        return [
+            dot(g, response, forces, (a, 1.0))
+            for a, response in zip(self.free, responses, strict=True)
+        ]
 
     def acceleration(self, g: Graph, row: int, rates: Sequence[int]) -> int:
         """Return J u' + b of a row."""
         return g.add(dot(g, self.jacobian[row], rates), self.drift[row])
 
 
-def by_name(parts: Parts, found: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the numbers (nodes, …) of all parts, each in its shape."""
+def by_name(parts: Parts, values: np.ndarray) -> dict[str, np.ndarray]:
+    """Split the values (nodes, …) into the parts, each in its shape."""
     ends = np.cumsum([len(nodes) for _, nodes in parts.values()])
-    pieces = zip(parts.items(), np.split(found, ends[:-1]), strict=True)
-    return {name: own.reshape(*shape, *found.shape[1:]) for (name, (shape, _)), own in pieces}
+    arrays = zip(parts.items(), np.split(values, ends[:-1]), strict=True)
+    return {name: array.reshape(*shape, *values.shape[1:]) for (name, (shape, _)), array in arrays}
 
 
-def _places(given: Sequence[Any], symbols: Sequence[Any]) -> list[int]:
-    """Return where each symbol is among those given; -1 if it is not."""
-    found = {symbol: k for k, symbol in enumerate(given)}
-    return [found.get(symbol, -1) for symbol in symbols]
+def _indices(inputs: Sequence[Any], symbols: Sequence[Any]) -> list[int]:
+    """Return the index of each symbol among the inputs; -1 if it is missing."""
+    index = {symbol: k for k, symbol in enumerate(inputs)}
+    return [index.get(symbol, -1) for symbol in symbols]
 
 
-def _check_direction(name: str, gap: np.ndarray, moves: np.ndarray, axes: np.ndarray) -> None:
-    """Refuse a gap (n,) that changes in other units than a point moves (3, n), and slanted axes."""
-    units = or_one(np.abs(moves).max(axis=0))
-    gap, moves = gap / units, moves / units
-    left, sizes, right = np.linalg.svd(moves)
+def _check_direction(
+    name: str, gap: np.ndarray, velocity_jacobian: np.ndarray, axes: np.ndarray
+) -> None:
+    """Refuse a gap (n,) in other units than the velocity (3, n), and non-tangential axes."""
+    units = or_one(np.abs(velocity_jacobian).max(axis=0))
+    gap, velocity_jacobian = gap / units, velocity_jacobian / units
+    left_vectors, sizes, right_vectors = np.linalg.svd(velocity_jacobian)
     r = rank_of(sizes)
-    normal = left[:, :r] @ ((right[:r] @ gap) / sizes[:r])
+    normal = left_vectors[:, :r] @ ((right_vectors[:r] @ gap) / sizes[:r])
     size = float(np.linalg.norm(normal))
-    if not np.linalg.norm(gap - normal @ moves) <= DIGITS * np.linalg.norm(gap):
+    if not np.linalg.norm(gap - normal @ velocity_jacobian) <= DIGITS * np.linalg.norm(gap):
         return
     if size > 1.0 + DIGITS or (r == 3 and size < 1.0 - DIGITS):
         raise ValueError(
@@ -430,8 +446,10 @@ def _check_direction(name: str, gap: np.ndarray, moves: np.ndarray, axes: np.nda
             "Divide it by that, or give the Stick a sliding speed in the gap's unit as `point`."
         )
     for axis in axes:
-        seen = np.linalg.norm(left[:, r:].T @ axis) <= DIGITS  # all of it is a way that it can move
-        if seen and abs(cosine := float(axis @ normal) / size) > DIGITS:
+        reachable = (
+            np.linalg.norm(left_vectors[:, r:].T @ axis) <= DIGITS
+        )  # the point can move along it
+        if reachable and abs(cosine := float(axis @ normal) / size) > DIGITS:
             angle = np.degrees(np.arccos(min(abs(cosine), 1.0)))
             raise ValueError(
                 f"`along` of {name!r} must be tangential to what is touched, got a vector at "
@@ -441,7 +459,7 @@ def _check_direction(name: str, gap: np.ndarray, moves: np.ndarray, axes: np.nda
 
 
 def _checked(equations: Equations) -> EquationGraph:
-    """Return the equations on the graph, or say why contacts cannot use them."""
+    """Return the equations on the graph; refuse those that contacts cannot use."""
     formed = equations.formed
     if formed is None:
         raise ValueError(
@@ -459,27 +477,29 @@ def _checked(equations: Equations) -> EquationGraph:
 
 
 def _rate(equations: Equations, gap: Any, name: str) -> Any:
-    found = find_symbols([gap])
+    symbols = find_symbols([gap])
     rates = (*equations.speeds, *equations.kinematics.coordinate_rates)
-    wrong = [s for s in found if s in rates]
+    wrong = [s for s in symbols if s in rates]
     if wrong:
         raise ValueError(f"The gap of {name!r} must depend on coordinates, got {describe(wrong)}.")
-    _check_known(equations, found, name)
+    _check_symbols(equations, symbols, name)
     return equations.kinematics.in_states(sm.sympify(gap).diff(equations.time))
 
 
-def _check_known(equations: Equations, found: Any, name: str) -> None:
-    known = {*equations.coordinates, *equations.speeds, *equations.kinematics.coordinate_rates}
-    others = [s for s in found if isinstance(s, (AppliedUndef, sm.Derivative)) and s not in known]
-    if others:
+def _check_symbols(equations: Equations, symbols: Any, name: str) -> None:
+    supported = {*equations.coordinates, *equations.speeds, *equations.kinematics.coordinate_rates}
+    unsupported = [
+        s for s in symbols if isinstance(s, (AppliedUndef, sm.Derivative)) and s not in supported
+    ]
+    if unsupported:
         raise NotImplementedError(
-            f"The contact {name!r} depends on {describe(others)}, which is no state. Write a "
+            f"The contact {name!r} depends on {describe(unsupported)}, which is no state. Write a "
             "prescribed motion as an expression of time."
         )
 
 
 def _check_linear(equations: Equations, speed: Any, name: str) -> None:
-    _check_known(equations, find_symbols([speed]), name)
+    _check_symbols(equations, find_symbols([speed]), name)
     for u in equations.speeds:
         slope = speed.diff(u)
         if any(slope.has(w) for w in equations.speeds):

@@ -1,4 +1,4 @@
-"""One simulation with contacts: from transition to transition."""
+"""One simulation with contacts: an integration from transition to transition."""
 
 from __future__ import annotations
 
@@ -15,10 +15,9 @@ from pydy._forks import cached_property
 from pydy._integration import simulate
 from pydy._motion import Motion, Segment
 from pydy._names import numbers_of, some
-from pydy._problem import Problem, Settings, evaluate_specifieds, with_settings
+from pydy._problem import Problem, evaluate_specifieds
 from pydy._rank import ROUNDED, ROUNDING
-from pydy.contact.conditions import check_values
-from pydy.contact.decide import (
+from pydy.contact.complementarity import (
     BACKWARD,
     CLOSED,
     FORWARD,
@@ -28,149 +27,152 @@ from pydy.contact.decide import (
     STARTING,
     STICKS,
     ComplementarityProblem,
-    Solution,
-    chosen,
-    held_rows,
+    ModeSolution,
+    all_open,
+    has_sudden_onset,
     independent,
-    leaps,
+    innermost_solution,
     linked,
-    opened,
+    rows_of_modes,
+    select_modes,
     solved,
-    within,
 )
-from pydy.contact.impacts import strike
-from pydy.contact.missed import flat, missed
-from pydy.contact.modes import Compiled, Mode
-from pydy.contact.rows import Numbers, StartError
+from pydy.contact.conditions import check_values
+from pydy.contact.impacts import apply_impacts
+from pydy.contact.missed_transitions import diagnose_flat_gap, missed_transitions
+from pydy.contact.modes import CompiledModes, Mode
+from pydy.contact.rows import RowValues, StartError
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import contact_trajectory
-from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, SLACK, WITHIN
+from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, ROUNDING_MARGIN, SLACK
 from pydy.solvers import SOLVERS, EventContinuation, Options, Outcome, Solver, read_options
 from pydy.trajectory import EventRecord
 
-_NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
+_MODE_PRESERVING = frozenset({"bends", "clears", "turns"})  # events that change no mode
 
 
 @dataclass
 class State:
-    """Where the motion is."""
+    """The current state of the motion, and of its contacts."""
 
     t: float
     x: np.ndarray
-    touching: set[int]
-    rising: set[int]  # open, and on the way up
-    resting: set[int]  # contacts whose sliding speed is zero
-    directions: dict[int, np.ndarray] = field(default_factory=dict)  # of those in a plane
+    closed: set[int]
+    separating: set[int]  # open contacts whose gap is zero to rounding and increases
+    at_rest: set[int]  # closed contacts whose sliding speed is zero
+    directions: dict[int, np.ndarray] = field(default_factory=dict)  # unit vectors, in a plane
 
 
-class Run:
-    """One simulation."""
+class ContactRun:
+    """One simulation of a system with contacts, from transition to transition."""
 
     def __init__(
         self,
-        kept: Compiled,
+        compiled: CompiledModes,
         solver: Solver,
-        now: Problem,
+        problem: Problem,
         times: np.ndarray,
         events: Sequence[Any],
         options: dict[str, Any],
-        carried: Any = None,  # Transitions
+        transitions: Any = None,  # Transitions
     ) -> None:
-        self.carried = carried
-        self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
-        self.state: State | None = None  # where the motion is, at last where it ends
-        self.resumed = False  # whether it goes on from the end of another run
-        self.counted: set[str] = set()  # events of the user's that happened at that end
-        self.kept, self.solver, self.now, self.times = kept, solver, now, times
+        self.transitions = transitions
+        self.start_modes: tuple[str, ...] | None = None  # prescribed modes at the first time
+        self.state: State | None = None  # the current state; after the run, the final one
+        self.resumed = False  # whether it continues another run from its end
+        self.counted: set[str] = set()  # user events that the other run recorded at its end
+        self.compiled, self.solver, self.problem, self.times = compiled, solver, problem, times
         self.user_events, self.options = events, options
-        self.stopped: Callable[[], bool] | None = None  # is asked between transitions
-        self.rows, self.contacts = kept.rows, kept.contacts
+        self.stopped: Callable[[], bool] | None = None  # called between transitions
+        self.rows, self.contacts = compiled.rows, compiled.contacts
         self.span = float(times[-1] - times[0])
-        self.n = len(now.definition.states)
-        self.first = len(now.definition.equations.coordinates)
+        self.n = len(problem.definition.states)
+        self.first = len(problem.definition.equations.coordinates)
         self.states = np.full((len(times), self.n), np.nan)
         self.segments: list[Segment] = []
         self.records: list[EventRecord] = []
         self.impacts: list[tuple[float, dict[str, tuple[float, ...]], float]] = []
         self.first_height: dict[int, float] = {}
         self.modes: tuple[str, ...] = tuple(OPEN for _ in self.contacts)
-        self.sizes = np.zeros(len(self.contacts))  # of forces where a part of the motion begins
-        self.sure: set[int] = set()  # contacts with events of their own at the last transition
+        self.sizes = np.zeros(len(self.contacts))  # of forces where a segment begins
+        self.sure: set[int] = set()  # contacts whose own event ended the last segment
         self.bias: np.ndarray | None = None
         self.redundant = False
-        self.quickest: dict[int, float] = {}  # sliding speeds since they began
+        self.quickest: dict[int, float] = {}  # largest sliding speed since the slide began
         self.reached = np.ones(len(times), dtype=bool)
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
-        self._latest: tuple[Any, Numbers] | None = None  # a state, and the rows there
+        self._latest: tuple[Any, RowValues] | None = None  # the rows at the last state evaluated
         self.struck: set[int] = set()  # contacts that have closed
-        self.untold: dict[int, str] = {}  # transitions that an event of another contact has shown
-        self.widest = np.zeros(len(self.contacts))  # bounds on roundings of the gaps until now
-        values = zip(now.definition.constants, now.p.tolist(), strict=True)
+        # Transitions found at the event of another contact; recorded if the new modes agree.
+        self.pending_events: dict[int, str] = {}
+        self.widest = np.zeros(len(self.contacts))  # largest bounds on rounding of the gaps so far
+        values = zip(problem.definition.constants, problem.p.tolist(), strict=True)
         self._numbers_of: dict[Any, float] = dict(values)
 
     # -- numbers ----------------------------------------------------------------------------------
 
     @cached_property
     def _tolerances(self) -> Options:
-        given = {k: v for k, v in self.options.items() if k in ("rtol", "atol")}
-        return read_options("dop853", True, given)
+        tolerances = {k: v for k, v in self.options.items() if k in ("rtol", "atol")}
+        return read_options("dop853", True, tolerances)
 
-    # Of another shape than the states have, it is refused where they are integrated.
+    # A wrong shape is refused by the integration.
     atol = property(lambda self: np.asarray(self._tolerances.atol))
     rtol: Any = property(lambda self: float(np.min(self._tolerances.rtol, initial=1.0)))
 
-    def numbers(self, t: float, x: np.ndarray) -> Numbers:
+    def numbers(self, t: float, x: np.ndarray) -> RowValues:
         """Return the rows of the contacts at a state."""
         key = t, x.tobytes()
         if self._latest is None or self._latest[0] != key:
             r = np.zeros(0)
-            if self.now.definition.specifieds:
-                r = evaluate_specifieds(self.now, np.array([t]), x[None])[0]
-            self._latest = key, self.rows.numbers(t, x, r, self.now.p)
+            if self.problem.definition.specifieds:
+                r = evaluate_specifieds(self.problem, np.array([t]), x[None])[0]
+            self._latest = key, self.rows.numbers(t, x, r, self.problem.p)
         return self._latest[1]
 
     def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
-        """Return a number for each symbol."""
-        definition = self.now.definition
+        """Return the values of states, constants, specifieds and time, by symbol."""
+        definition = self.problem.definition
         values = {**self._numbers_of, definition.equations.time: t}
         values.update(zip(definition.states, x.tolist(), strict=True))
         if definition.specifieds:
-            r = evaluate_specifieds(self.now, np.array([t]), x[None])[0]
+            r = evaluate_specifieds(self.problem, np.array([t]), x[None])[0]
             values.update(zip(definition.specifieds, r.tolist(), strict=True))
         return values
 
-    def problem(self, p: Numbers, state: State) -> ComplementarityProblem:
-        """Return the problem of accelerations that combinations of modes are tried on."""
+    def complementarity(self, p: RowValues, state: State) -> ComplementarityProblem:
+        """Return the complementarity problem of the accelerations at a state."""
         self.note_directions(p, state)
         return ComplementarityProblem(
             p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
-            frozenset(state.resting), frozenset(state.touching), dict(state.directions), self.bias,
+            frozenset(state.at_rest), frozenset(state.closed), dict(state.directions), self.bias,
             p.terms,
         )  # fmt: skip
 
-    def note_directions(self, p: Numbers, state: State) -> None:
-        """Record the directions of sliding in a plane; contacts that begin to slide keep theirs."""
+    def note_directions(self, p: RowValues, state: State) -> None:
+        """Record directions of sliding in a plane; they are unchanged where a slide begins."""
         for i, rows in enumerate(self.rows.tangent):
-            if len(rows) == 2 and i in state.touching and i not in state.resting:
+            if len(rows) == 2 and i in state.closed and i not in state.at_rest:
                 speed = p.speed[rows]
                 if not p.is_still(rows, speed):
                     state.directions[i] = speed / np.linalg.norm(speed)
-                elif i not in state.directions:  # an impact has left it nothing but rounding
-                    state.resting.add(i)
+                elif i not in state.directions:  # after an impact the speed is only rounding
+                    state.at_rest.add(i)
 
     def resolution(self, t: float) -> float:
-        """Return the time within which events happen at the same instant."""
+        """Return the time difference below which two events count as simultaneous."""
         return RESOLUTION * max(abs(t), self.span)
 
     def fail(self, t: float, x: np.ndarray, why: str) -> ContactError:
         """Return an error with the state, the modes and the results so far."""
-        state = numbers_of(self.now.definition.states, x)
+        state = numbers_of(self.problem.definition.states, x)
         results = self.so_far(t, x)
-        where = f"At t = {t!r} in the state {state}; the modes before were {results[-1]['modes']}."
-        return ContactError(f"{why} {where}", *results)
+        modes = results[-1]["modes"]
+        context = f"At t = {t!r} in the state {state}; the modes before were {modes}."
+        return ContactError(f"{why} {context}", *results)
 
     def so_far(self, t: float, x: np.ndarray) -> tuple[Any, ...]:
-        """Return the results up to a time and a state, as errors have them."""
+        """Return the arguments of an error: the results up to a time and a state."""
         done = int((self.times < t).sum())
         modes = dict(zip([c.name for c in self.contacts], self.modes, strict=True))
         info = {"modes": modes, "events": list(self.records)}
@@ -180,84 +182,84 @@ class Run:
 
     def begin(self) -> State:
         """Return the state at the first time, after the impacts that happen there."""
-        t, x = float(self.times[0]), self.now.x.copy()
+        t, x = float(self.times[0]), self.problem.x.copy()
         p = self.numbers(t, x)
         self.widest = p.near
-        if self.begun is None and self.rows.are_open(p, self.now.p):
+        if self.start_modes is None and self.rows.are_open(p, self.problem.p):
             return State(t, x, set(), set(), set())
         check_values(self.contacts, p)
         for expression in self.rows.switched:
             expression.check(self.values(t, x))
-        self.rows.checked = self.now.p.tobytes()
+        self.rows.checked = self.problem.p.tobytes()
         closed = {i for i, n in enumerate(self.rows.normal) if n is not None and p.is_closed(i)}
         self.rows.check_directions(closed, self.values(t, x))
         state = State(t, x, set(), set(), set())
         closing, moving = set[int](), p.moving()
         for i, c in enumerate(self.contacts):
             normal = self.rows.normal[i]
-            if normal is None or (self.begun is not None and self.begun[i] != OPEN):
-                state.touching.add(i)
+            if normal is None or (self.start_modes is not None and self.start_modes[i] != OPEN):
+                state.closed.add(i)
                 continue
-            nothing = WITHIN * np.finfo(float).eps * p.near[i]
-            # Open, it may be widest.
+            nothing = ROUNDING_MARGIN * np.finfo(float).eps * p.near[i]
+            # A gap with zero slope may be at its maximum if it is open.
             if not (p.gap[i] > nothing or p.square[normal, normal] > 0.0):
-                raise self.fail(t, x, flat(self, t, x, [i]))
+                raise self.fail(t, x, diagnose_flat_gap(self, t, x, [i]))
             if -p.gap[i] > max(nothing, self.unresolved_gap(i, p, x)):
                 why = (
                     f"The gap of {c.name!r} must not be negative at the first time, got "
                     f"{p.gap[i]:.6g}. Change the initial conditions, or the sign of the gap."
                 )
-                raise StartError(why) if self.begun is None else self.fail(t, x, why)
+                raise StartError(why) if self.start_modes is None else self.fail(t, x, why)
             if p.gap[i] <= nothing:
                 speed = moving[normal]
-                (state.rising if speed > 0 else closing if speed < 0 else state.touching).add(i)
+                (state.separating if speed > 0 else closing if speed < 0 else state.closed).add(i)
         for i, rows in enumerate(self.rows.tangent):
-            if rows and i in state.touching:
-                # What is left of gaps and speeds that given modes hold is projected away.
-                begun = self.begun
+            if rows and i in state.closed:
+                # Prescribed modes: remaining gaps and speeds are projected to zero later.
+                begun = self.start_modes
                 if p.is_still(rows, p.speed[rows]) if begun is None else begun[i] == STICKS:
-                    state.resting.add(i)
+                    state.at_rest.add(i)
         self.modes = tuple(
-            OPEN if i not in state.touching else self.options_of(state, p, i)[0]
+            OPEN if i not in state.closed else self.options_of(state, p, i)[0]
             for i in range(len(self.contacts))
         )
         if closing:
-            strike(self, state, closing)
+            apply_impacts(self, state, closing)
         return state
 
     # -- what happens -----------------------------------------------------------------------------
 
-    def options_of(self, state: State, p: Numbers, i: int) -> list[str]:
-        """Return the possible modes of a contact, likely ones first."""
-        if i not in state.touching:
+    def options_of(self, state: State, p: RowValues, i: int) -> list[str]:
+        """Return the possible modes of a contact, the most likely ones first."""
+        if i not in state.closed:
             return [OPEN]
-        rows, found = self.rows.tangent[i], [CLOSED]
+        rows, modes = self.rows.tangent[i], [CLOSED]
         if len(rows) == 2:
-            found = [STICKS, STARTING] if i in state.resting else [SLIDING]
+            modes = [STICKS, STARTING] if i in state.at_rest else [SLIDING]
         elif rows:
             sliding = [FORWARD if p.speed[rows[0]] > 0.0 else BACKWARD]
-            found = [STICKS, FORWARD, BACKWARD] if i in state.resting else sliding
-        return found if self.rows.normal[i] is None else [*found, OPEN]
+            modes = [STICKS, FORWARD, BACKWARD] if i in state.at_rest else sliding
+        return modes if self.rows.normal[i] is None else [*modes, OPEN]
 
-    def decide(
+    def select_modes(
         self, state: State, fixed: dict[int, str], excluded: Collection[tuple[str, ...]] = ()
-    ) -> Solution:
-        """Return the modes from here on, by the complementarity of the accelerations."""
+    ) -> ModeSolution:
+        """Select the modes that follow, by complementarity of the accelerations."""
         self.bias = None
-        if not state.touching:
-            return opened(len(self.contacts), len(self.rows.speeds))
+        if not state.closed:
+            return all_open(len(self.contacts), len(self.rows.speeds))
         p = self.numbers(state.t, state.x)
-        still = [row for i in sorted(state.resting) for row in self.rows.tangent[i]]
-        if len(held := independent(p.square, still)) < len(still):
-            # What is left of speeds that are zero together contradicts that in its accelerations.
-            self.settle(state, tuple(held))
+        rest_rows = [row for i in sorted(state.at_rest) for row in self.rows.tangent[i]]
+        if len(enforced := independent(p.square, rest_rows)) < len(rest_rows):
+            # Redundant rows at rest: residual speeds would make their accelerations inconsistent.
+            self.settle(state, tuple(enforced))
             p = self.numbers(state.t, state.x)
-        problem = self.problem(p, state)
-        for i in state.touching - state.resting:
+        problem = self.complementarity(p, state)
+        for i in state.closed - state.at_rest:
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
             if normal is not None and rows and fixed.get(i) != OPEN:
-                along = state.directions[i] if len(rows) == 2 else np.sign(p.speed[rows])
-                push = p.mu[i] * p.square[normal, rows] @ along
+                unit = state.directions[i] if len(rows) == 2 else np.sign(p.speed[rows])
+                push = p.mu[i] * p.square[normal, rows] @ unit
                 if p.square[normal, normal] - push <= SLACK * p.square[normal, normal]:
                     raise self.fail(
                         state.t, state.x,
@@ -265,84 +267,86 @@ class Run:
                         "slides, would not push the bodies apart, because its friction pulls them "
                         "together by more.",
                     )  # fmt: skip
-        every = [self.options_of(state, p, i) for i in range(len(self.contacts))]
-        wanted = [[fixed[i]] if i in fixed else own for i, own in enumerate(every)]
-        found = chosen(problem, wanted, excluded)
-        if found is None and fixed.keys() - self.sure:
-            # What was told by values that are nearly zero may be wrong; events are not.
+        possible = [self.options_of(state, p, i) for i in range(len(self.contacts))]
+        candidates = [[fixed[i]] if i in fixed else modes for i, modes in enumerate(possible)]
+        solution = select_modes(problem, candidates, excluded)
+        if solution is None and fixed.keys() - self.sure:
+            # Transitions inferred from nearly zero values may be wrong; located events are not.
             tied = self.sure & fixed.keys()
-            wanted = [[fixed[i]] if i in tied else own for i, own in enumerate(every)]
-            found = chosen(problem, wanted)
-        found = found or (chosen(problem, every) if fixed or excluded else None)
-        if found is None:
+            candidates = [[fixed[i]] if i in tied else modes for i, modes in enumerate(possible)]
+            solution = select_modes(problem, candidates)
+        solution = solution or (select_modes(problem, possible) if fixed or excluded else None)
+        if solution is None:
             raise self.fail(
                 state.t, state.x,
                 "Jamming: no combination of contacts that open, stick and slide satisfies the "
                 "equations of motion.",
             )  # fmt: skip
-        for i, mode in enumerate(found.modes):
-            if mode == OPEN and i in state.touching:
-                state.touching.discard(i)
-                state.resting.discard(i)
-                state.rising.add(i)
-        return found
+        for i, mode in enumerate(solution.modes):
+            if mode == OPEN and i in state.closed:
+                state.closed.discard(i)
+                state.at_rest.discard(i)
+                state.separating.add(i)
+        return solution
 
     def note_rest(
-        self, state: State, i: int, p: Numbers, rebound: tuple[float, float, float], slopes: Any
+        self, state: State, i: int, p: RowValues, rebound: tuple[float, float, float], slopes: Any
     ) -> None:
-        """Note when impacts of a contact that accumulate end.
+        """Record the limit time of accumulating impacts of a contact (Zeno behaviour).
 
-        That is by the speed of the first `rebound`, its acceleration, and the ratio by which speeds
-        fall; the `slopes` are those of the rows before the impact.
+        `rebound` has the speed of the first rebound, its acceleration, and the ratio of successive
+        speeds. `slopes` are the derivatives of the rows before the impact.
         """
         v, a, ratio = rebound
         later = 1.0 / (a * (1.0 - ratio)) if ratio < 1.0 else 0.0
         limit, name = float(state.t + 2.0 * v * later), f"{self.contacts[i].name} rests"
         record = EventRecord(limit, name, i, state.x.copy(), state.x.copy())
-        if isinstance(self.carried, HybridSensitivities):  # with the forces of other contacts held
+        if isinstance(self.transitions, HybridSensitivities):  # other contacts' forces are constant
             normal, by_e = self.rows.normal[i], slopes["restitution"][i]
             slower = v * later * a * by_e + v / a * slopes["free"][normal]
             faster = -p.restitution[i] * slopes["speed"][normal] - p.speed[normal] * by_e
-            moved = self.carried.time + 2.0 * later * (faster + slower)
-            if self.kept.hypothesis == "poisson":  # others change the ratio between rebounds
-                moved = np.full(len(moved), np.nan)
-            record = replace(record, time_sensitivity=moved)
+            limit_sensitivity = self.transitions.time + 2.0 * later * (faster + slower)
+            if self.compiled.hypothesis == "poisson":  # other contacts change the ratio
+                limit_sensitivity = np.full(len(limit_sensitivity), np.nan)
+            record = replace(record, time_sensitivity=limit_sensitivity)
         if limit <= self.times[-1]:
             self.records.append(record)
 
     def check_instant(
-        self, state: State, p: Numbers, slopes: np.ndarray, closing: Collection[int]
+        self, state: State, p: RowValues, slopes: np.ndarray, closing: Collection[int]
     ) -> None:
-        """Refuse derivatives where contacts close together only at this very state."""
+        """Refuse derivatives if contacts close together for these parameter values alone."""
+        share = SLACK + ERRORS * self.rtol
         for i in sorted(closing):
-            apart = self.carried.apart(i, slopes[i], p, SLACK + ERRORS * self.rtol)
-            if apart:
+            parameters = self.transitions.separating_parameters(i, slopes[i], p, share)
+            if parameters:
                 raise self.fail(
                     state.t, state.x,
                     f"{self.contacts[i].name!r} closes at the instant of another transition, but "
-                    f"with another {some(apart)} it would close before or after that: there is no "
-                    "derivative. Leave that out of the parameters, or begin a little elsewhere.",
+                    f"with another {some(parameters)} it would close before or after that: there "
+                    "is no derivative. Leave that out of the parameters, or begin a little "
+                    "elsewhere.",
                 )  # fmt: skip
 
     def unresolved(self, i: int) -> float:
-        """Return the sliding speed that is not told from zero by the tolerances of the solver."""
+        """Return the largest sliding speed that solver tolerances do not distinguish from zero."""
         atol = float(np.min(self.atol))
         return float(ERRORS * (atol + self.rtol * self.quickest.get(i, 0.0)))
 
-    def is_low(self, i: int, speed: float, acceleration: float, p: Numbers, x: np.ndarray) -> bool:
-        """Whether the rebounds that follow are all lower than the tolerance of the solver.
+    def is_low(self, i: int, speed: float, rate: float, p: RowValues, x: np.ndarray) -> bool:
+        """Whether the rebounds at a speed and acceleration are lower than the solver's tolerance.
 
-        Heights are compared with that of the first impact of the sequence, and with what the
-        solver tells of the gap: twice that, so that no impact which follows grazes.
+        The height is compared with that of the first rebound of the sequence, and with twice the
+        unresolved gap, so that no later impact grazes.
         """
-        if not acceleration < 0.0:
+        if not rate < 0.0:
             return False
-        height = speed**2 / (2.0 * -acceleration)
+        height = speed**2 / (2.0 * -rate)
         first = self.first_height.setdefault(i, height)
         return bool(height <= max(self.rtol * first, 2.0 * self.unresolved_gap(i, p, x)))
 
-    def unresolved_gap(self, i: int, p: Numbers, x: np.ndarray) -> float:
-        """Return the gap that is not told from zero by the tolerances of the solver."""
+    def unresolved_gap(self, i: int, p: RowValues, x: np.ndarray) -> float:
+        """Return the largest gap that solver tolerances do not distinguish from zero."""
         atol = np.broadcast_to(self.atol, self.n)[: self.first]
         return float(np.abs(p.gradient[i]) @ (atol + self.rtol * np.abs(x[: self.first])))
 
@@ -366,7 +370,7 @@ class Run:
         except MemoryError as error:
             done = int(np.isfinite(self.states).all(axis=1).sum())
             parts = {"times": self.times[:done].copy(), "states": self.states[:done].copy()}
-            if hasattr(error, "times"):  # of the last part
+            if hasattr(error, "times"):  # of the last segment
                 vars(error).update(parts)
             else:
                 note_finished(error, "What was computed until then is", **parts)
@@ -374,40 +378,40 @@ class Run:
         return self.result()
 
     def _go_through(self, state: State) -> None:
-        """Go from mode to mode, until the end."""
+        """Integrate mode after mode, until the end."""
         fixed: dict[int, str] = {}
         instants, transitions = 0, 0
-        excluded: set[tuple[str, ...]] = set()  # what is not possible at this instant
+        excluded: set[tuple[str, ...]] = set()  # combinations already tried at this instant
         while True:
             if self.stopped is not None and self.stopped():
                 raise KeyboardInterrupt
-            before, touching, resting = state.t, set(state.touching), set(state.resting)
-            found = self.decide(state, fixed, excluded)
+            before, closed, at_rest = state.t, set(state.closed), set(state.at_rest)
+            solution = self.select_modes(state, fixed, excluded)
             if self.redundant and excluded:
-                self.note_changes(state, found)
-            for i, kind in self.untold.items():
-                if found.modes[i] == fixed.get(i):
+                self.note_changes(state, solution)
+            for i, kind in self.pending_events.items():
+                if solution.modes[i] == fixed.get(i):
                     self.note(state, i, kind, state.x)
-            self.untold = {}
-            self.modes = found.modes
-            ended, fired = self.run(state, found)
+            self.pending_events = {}
+            self.modes = solution.modes
+            ended, fired = self.run(state, solution)
             if ended:
                 return
-            here = state.t - before <= self.resolution(state.t)
-            excluded = excluded if here else set()
+            same_instant = state.t - before <= self.resolution(state.t)
+            excluded = excluded if same_instant else set()
             impacts = len(self.impacts)
-            shared = self.redundant and {what for what, _ in fired} <= {"slips", "opens"}
+            shared = self.redundant and {kind for kind, _ in fired} <= {"slips", "opens"}
             fixed = {} if shared else self.after(state, fired)
-            # What ended as it began is no mode at this instant, unless velocities have changed.
-            still = here and len(self.impacts) == impacts
-            again = not self.goes_on(state) if shared else still
-            excluded = {*excluded, self.modes} if again else set()
-            if again and still:  # nor has anything opened
-                state.touching |= touching
-                state.resting |= resting
-                state.rising -= touching
+            # A mode that ended at once is excluded at this instant, unless velocities changed.
+            unchanged = same_instant and len(self.impacts) == impacts
+            repeated = not self.goes_on(state) if shared else unchanged
+            excluded = {*excluded, self.modes} if repeated else set()
+            if repeated and unchanged:  # then nothing has opened, either
+                state.closed |= closed
+                state.at_rest |= at_rest
+                state.separating -= closed
             transitions += 1
-            instants = instants + 1 if here else 0
+            instants = instants + 1 if same_instant else 0
             # Several contacts may take several transitions each at one instant.
             if instants > 64 or transitions > 100_000:
                 raise self.fail(
@@ -415,62 +419,64 @@ class Run:
                     "Chattering: the contacts change their modes again and again without an end.",
                 )  # fmt: skip
 
-    def run(self, state: State, solution: Solution) -> tuple[bool, list[tuple[str, int]]]:
-        """Integrate in one mode; return whether the end was reached, and else the event."""
+    def run(self, state: State, solution: ModeSolution) -> tuple[bool, list[tuple[str, int]]]:
+        """Integrate in one mode; return whether the end was reached, and the events otherwise."""
         state.directions.update(solution.directions)
         self.bias = solution.bias
         p = self.numbers(state.t, state.x)
-        # An impact elsewhere may have turned round what was on its way up.
-        normals = self.rows.normal
-        state.rising = {i for i in state.rising if p.speed[normals[i]] > 0.0 or p.is_closed(i)}
-        held, every = self.hold(p, state, solution)
-        if held:
-            self.settle(state, held)
-            if self.carried is not None:
+        # An impact elsewhere may have reversed a separating contact.
+        speed = {i: p.speed[self.rows.normal[i]] for i in state.separating}
+        state.separating = {i for i in state.separating if speed[i] > 0.0 or p.is_closed(i)}
+        enforced, active = self.update_active_rows(p, state, solution)
+        if enforced:
+            self.settle(state, enforced)
+            if self.transitions is not None:
                 settled = self.numbers(state.t, state.x)
-                self.carried.project(self.values(state.t, state.x), settled, held)
-        mode, model = self.kept.mode(solution.modes, held, every)
+                self.transitions.project(self.values(state.t, state.x), settled, enforced)
+        mode, model = self.compiled.mode(solution.modes, enforced, active)
         events, kinds = mode.events
         events = [*events, *self.user_events]
-        kinds = [("turns", i) if what == "closes" and i in state.rising else (what, i)
-                 for what, i in kinds]  # fmt: skip
+        kinds = [("turns", i) if kind == "closes" and i in state.separating else (kind, i)
+                 for kind, i in kinds]  # fmt: skip
         later = self.times > state.t
         self.states[self.times == state.t] = state.x
-        if self.carried is None and not later.any():
+        if self.transitions is None and not later.any():
             return True, []
-        now = Problem(
+        problem = Problem(
             model.definition,
-            replace(model, already_warned=self.now.model.already_warned),
-            # Assumptions are judged along the whole motion.
-            Settings(
-                {**self._numbers_of, **self.references(p, state, solution)},
-                self.now.settings.specifieds,
-                dict(zip(self.now.definition.states, state.x.tolist(), strict=True)),
-                np.concatenate([[state.t], self.times[later]]),
-            ),
+            replace(model, already_warned=self.problem.model.already_warned),
+            {
+                "constants": {**self._numbers_of, **self.references(p, state, solution)},
+                "specifieds": self.problem.settings.specifieds,
+                "initial_conditions": dict(
+                    zip(self.problem.definition.states, state.x.tolist(), strict=True)
+                ),
+            },
+            np.concatenate([[state.t], self.times[later]]),
+            contradicted=None,  # assumptions are checked along the complete motion
         )
         options = {**self.options, "events": events}
-        # Only events of the user's happen where the motion starts.
+        # At the first time of the motion only user events may occur.
         later_part = self.segments or self.resumed
         options["continuation"] = EventContinuation(
             None if later_part else frozenset(range(len(kinds)))
         )
-        # Each part would begin with the drift so far.
-        if held or now.definition.equations.constraints.velocity:
+        # Without projection each segment would begin with the drift so far.
+        if enforced or problem.definition.equations.constraints.velocity:
             options["constraints"] = "project"
         solver = self.shorten(p, state, solution, options)
-        if self.carried is not None:
-            slides = any(solution.modes[i] in SLIDES for i in state.resting)
-            rates = now.at(np.array([state.t]), state.x[None]).rates()[0]
-            given = self.carried.starts(rates, slides)
+        if self.transitions is not None:
+            slides = any(solution.modes[i] in SLIDES for i in state.at_rest)
+            rates = problem.at(np.array([state.t]), state.x[None]).rates()[0]
+            start = self.transitions.begin_mode(rates, slides)
             if not later.any():
-                self.carried.begun(state.t, given, self.records)
+                self.transitions.store_instant(state.t, start, self.records)
                 return True, []
         try:
-            if self.carried is not None:
-                motion = self.carried.simulate(mode, given, now, solver, options)
+            if self.transitions is not None:
+                motion = self.transitions.simulate(mode, start, problem, solver, options)
             else:
-                motion = simulate(now, now.settings.times, solver=solver, **options)
+                motion = simulate(problem, problem.settings.times, solver=solver, **options)
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
             states = getattr(error, "states", np.empty((0, self.n)))[1:, : self.n]
             self.states[np.flatnonzero(later)[: len(states)]] = states
@@ -479,54 +485,55 @@ class Run:
             last = error.state[: self.n]
             if isinstance(error, IntegrationInterrupted):
                 raise IntegrationInterrupted(str(error), *self.so_far(error.time, last)) from None
-            closed = self.rows.owners_of(held).values()
-            why = flat(self, error.time, last, closed) if np.isfinite(last).all() else ""
+            closed, why = self.rows.owners_of(enforced).values(), ""
+            if np.isfinite(last).all():
+                why = diagnose_flat_gap(self, error.time, last, closed)
             why = why or f"The integration stopped in the modes {', '.join(self.modes)}: {error}"
             raise self.fail(error.time, last, why) from error
         return self.take(state, mode, motion, kinds)
 
-    def hold(
-        self, p: Numbers, state: State, solution: Solution
+    def update_active_rows(
+        self, p: RowValues, state: State, solution: ModeSolution
     ) -> tuple[tuple[int, ...], list[int]]:
-        """Return the rows that are held, independent ones and all; note forces and speeds."""
-        every, held, self.sizes = list[int](), tuple[int, ...](), solution.sizes
-        if state.touching:
-            problem = self.problem(p, state)
-            every = held_rows(problem, solution.modes)
-            held = tuple(independent(p.square, every))
+        """Return the independent active rows, and all active rows; store force sizes and speeds."""
+        active, enforced, self.sizes = list[int](), tuple[int, ...](), solution.sizes
+        if state.closed:
+            problem = self.complementarity(p, state)
+            active = rows_of_modes(problem, solution.modes)
+            enforced = tuple(independent(p.square, active))
             self.sizes = solved(problem, solution.modes).sizes
-        self.redundant = len(held) < len(every)
+        self.redundant = len(enforced) < len(active)
         for i, mode in enumerate(solution.modes):
             if mode in SLIDES:
                 speed = float(np.linalg.norm(p.speed[self.rows.tangent[i]]))
                 self.quickest[i] = max(self.quickest.get(i, 0.0), speed)
             else:
                 self.quickest.pop(i, None)
-        return held, every
+        return enforced, active
 
     def shorten(
-        self, p: Numbers, state: State, solution: Solution, options: dict[str, Any]
+        self, p: RowValues, state: State, solution: ModeSolution, options: dict[str, Any]
     ) -> Solver:
-        """Return the solver, and begin with short steps, where sliding in a plane begins.
+        """Return the solver for the segment, and set a short first step at a sliding onset.
 
-        Friction turns a velocity in a plane ever faster the slower it is: steps are in proportion
-        to the speed, slopes at rest hide the error of a long first step, and the direction of the
-        least speed has to be resolved. Implicit methods take longer steps, in which they see no
-        turns. Where sliding begins without an acceleration, as with μ = μ_static, slopes hide more:
-        explicit methods have to do it; but several contacts that turn each other are stiff then.
+        In a plane friction turns the velocity at a rate that grows as the speed falls, so steps
+        must be proportional to the speed. From rest, a long first step has an error that the error
+        estimate does not show. Implicit methods take longer steps, which miss such turns. Explicit
+        ones are needed at an onset without acceleration, as with μ = μ_static; but where several
+        contacts turn each other, that onset is stiff.
         """
         if STARTING not in solution.modes:
             return self.solver
-        at_once = leaps(solution, p.free, self.rows.tangent)
+        at_once = has_sudden_onset(solution, p.free, self.rows.tangent)
         several = solution.modes.count(STARTING) > 1
         if (at_once or several) and "step" not in options:
-            # From there a dozen steps that grow as they may lead to any other size.
+            # From this step a dozen growing steps lead to any other size.
             options["first_step"] = 16.0 * self.resolution(state.t)
-            if at_once or self.carried is not None:
+            if at_once or self.transitions is not None:
                 options["atol"] = RESOLVED**2 * self.atol
                 return SOLVERS["dop853"]
             return SOLVERS["radau"]
-        if self.carried is not None:
+        if self.transitions is not None:
             raise NotImplementedError(
                 "`sensitivities` where a body begins to slide in a plane without an acceleration, "
                 "as under a pull that grows until `mu` = `mu_static` is reached, or in steps of a "
@@ -535,85 +542,87 @@ class Run:
             )
         return self.solver
 
-    def references(self, p: Numbers, state: State, solution: Solution) -> dict[Any, float]:
-        """Return the biases, the opening gaps, and the directions of sliding in a plane.
+    def references(self, p: RowValues, state: State, solution: ModeSolution) -> dict[Any, float]:
+        """Return the values of the hidden constants: biases, speed bounds, reference directions.
 
-        The least speed is rounding, or, where they begin to slide, a part of what the solver
-        resolves: below it the direction is that of the acceleration. They have begun at a part of
-        the speed that they would gain without contacts.
+        Below the least speed the direction of sliding is that of the acceleration. It is the
+        rounding of the speed, or, at a sliding onset, a fraction of what the solver resolves. The
+        onset ends at a fraction of the speed that the contact would gain without friction.
         """
         bias = np.zeros(len(self.rows.speeds)) if self.bias is None else self.bias
-        found: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
+        values: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
         eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
-        found.update(dict.fromkeys(self.rows.rising, 0.0))
-        for i in state.rising:  # roundings of their speeds
-            found[self.rows.rising[i]] = max(eps * float(p.slow[self.rows.normal[i]]), tiny)
-        for i in state.resting:
-            # Friction has just reached its limit: the acceleration grows from zero, of which √ε of
-            # its terms may be missing. Until it has made up for that, speeds are ε of theirs.
+        values.update(dict.fromkeys(self.rows.speed_bounds, 0.0))
+        for i in state.separating:  # bounds on rounding of their speeds
+            values[self.rows.speed_bounds[i]] = max(eps * float(p.slow[self.rows.normal[i]]), tiny)
+        for i in state.at_rest:
+            # Friction has just reached its limit: the acceleration grows from zero, with an error
+            # of √ε of its terms. Until it exceeds that error, speeds are ε of their terms.
             if solution.modes[i] in (FORWARD, BACKWARD) and solution.margins[i] <= SLACK:
                 (row,) = self.rows.tangent[i]
                 terms = max(float(p.slow[row]), float(p.terms[row]) * self.span)
-                found[self.rows.rising[i]] = WITHIN * eps * terms
+                values[self.rows.speed_bounds[i]] = ROUNDING_MARGIN * eps * terms
         for i, symbols in self.rows.references.items():
             if solution.modes[i] not in (STARTING, SLIDING):
                 continue
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
-            # In the shortest step that can be taken, of 16 roundings of the time.
+            # The speed gained in the shortest possible step, 16 roundings of the time.
             least = 16.0 * eps * max(float(np.linalg.norm(p.slow[rows])), gained)
-            # Derivatives turn ever faster before a stop: there, a turn within errors is the stop.
-            clear = 0.0 if self.carried is not None else self.unresolved(i)
+            # Sensitivities turn too fast before a stop; without them, stop below the resolution.
+            clear = 0.0 if self.transitions is not None else self.unresolved(i)
             if solution.modes[i] == STARTING:
                 least, clear = max(least, RESOLVED * float(np.min(self.atol))), BEGUN * gained
-            along = map(float, solution.directions.get(i, np.array([1.0, 0.0])))
-            found.update(zip(symbols, [*along, least or 1.0, clear], strict=True))
-        return found
+            unit = map(float, solution.directions.get(i, np.array([1.0, 0.0])))
+            values.update(zip(symbols, [*unit, least or 1.0, clear], strict=True))
+        return values
 
-    def settle(self, state: State, held: tuple[int, ...]) -> None:
-        """Remove rounding errors of closed gaps and sticking speeds by Newton's method."""
-        owners = self.rows.owners_of(held)
-        normals, given = list(owners), np.abs(state.x)
-        for _ in range(3):  # the second changes the last digits, if any
+    def settle(self, state: State, active: tuple[int, ...]) -> None:
+        """Project rounding errors out of closed gaps and sticking speeds by Newton's method."""
+        owners = self.rows.owners_of(active)
+        normals, magnitudes = list(owners), np.abs(state.x)
+        for _ in range(3):  # the second iteration changes the last digits at most
             p = self.numbers(state.t, state.x)
-            rest = p.gap[list(owners.values())]
-            if not rest.any() and not p.speed[list(held)].any():
+            residuals = p.gap[list(owners.values())]
+            if not residuals.any() and not p.speed[list(active)].any():
                 return
             x = state.x.copy()
             if normals:
-                shares = np.linalg.solve(p.square[np.ix_(normals, normals)], -rest)
-                x[: self.first] += p.kinematics @ (p.moves[:, normals] @ shares)
+                shares = np.linalg.solve(p.square[np.ix_(normals, normals)], -residuals)
+                x[: self.first] += p.kinematics @ (p.response[:, normals] @ shares)
                 p = self.numbers(state.t, x)
-            rows = list(held)
+            rows = list(active)
             shares = np.linalg.solve(p.square[np.ix_(rows, rows)], -p.speed[rows])
-            x[self.first : self.first + len(p.moves)] += p.moves[:, rows] @ shares
-            # What is left of a number that vanishes is rounding of that number.
-            state.x = np.where(np.abs(x) <= ROUNDING * given, 0.0, x)
+            x[self.first : self.first + len(p.response)] += p.response[:, rows] @ shares
+            # The remainder of a state that vanishes is rounding of its former value.
+            state.x = np.where(np.abs(x) <= ROUNDING * magnitudes, 0.0, x)
 
     def take(
         self, state: State, mode: Mode, motion: Motion, kinds: list[tuple[str, int]]
     ) -> tuple[bool, list[tuple[str, int]]]:
-        """Keep the states up to the event that ended the mode."""
+        """Store the states up to the event that ended the mode."""
         for name in self.totals:
             self.totals[name] += motion.statistics[name]
-        own = len(kinds)
+        count = len(kinds)
         stopped = motion.statistics["code"] == Outcome.TERMINATED
         end = motion.events[-1].time if stopped else float(self.times[-1])
         at_end = [r for r in motion.events if stopped and r.time == end]
-        acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]
-        told_of = {kinds[r.index] for r in acting}
+        acting = [r for r in at_end if r.index < count and kinds[r.index][0] != "nears"]
+        reported = {kinds[r.index] for r in acting}
         last = at_end[-1].before if stopped else None
-        if broken := missed(self, motion, mode.places, state.resting, end, last, told_of):
+        index = mode.output_index
+        if broken := missed_transitions(self, motion, index, state.at_rest, end, last, reported):
             return False, broken
-        if self.carried is not None:
-            self.carried.took(motion, end, self.records)
+        if self.transitions is not None:
+            self.transitions.store_segment(motion, end, self.records)
         for record in motion.events:
-            again = record.name in self.counted and record.time - self.times[0] <= self.resolution(
-                state.t
-            )
+            repeated = record.name in self.counted and record.time - self.times[
+                0
+            ] <= self.resolution(state.t)
             first = not (self.segments or self.resumed)
-            if record.index >= own and not again and (record.time > state.t or first):
-                self.records.append(replace(record, index=record.index + len(self.contacts) - own))
+            if record.index >= count and not repeated and (record.time > state.t or first):
+                user_index = record.index + len(self.contacts) - count
+                self.records.append(replace(record, index=user_index))
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = motion.states[1 : 1 + int(rows.sum())]
         self.segments.append(
@@ -625,37 +634,38 @@ class Run:
         if not stopped:
             state.t, state.x = end, motion.states[-1, : self.n].copy()
             return True, []
-        if self.carried is not None and acting:
-            one = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
-            before = np.ascontiguousarray(one.before[: self.n])
+        if self.transitions is not None and acting:
+            ending = (r for r in acting if kinds[r.index][0] not in _MODE_PRESERVING)
+            event = next(ending, acting[-1])
+            before = np.ascontiguousarray(event.before[: self.n])
             rates = motion.problem.at(np.array([end]), before[None]).rates()[0]
-            self.carried.ended(one, rates)
-            what, i = kinds[one.index]
-            if what in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
-                values = self.values(end, one.before[: self.n])
-                self.carried.doubt(values, self.rows.tangent[i])
+            self.transitions.locate_end(event, rates)
+            kind, i = kinds[event.index]
+            if kind in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
+                values = self.values(end, event.before[: self.n])
+                self.transitions.doubt(values, self.rows.tangent[i])
         after = at_end[-1].after[: self.n].copy()
         p, lasted = self.numbers(end, after), end - state.t
-        for i in [i for i in state.resting if mode.modes[i] in SLIDES]:
-            tangent = self.rows.tangent[i]  # what rounding of forces alone has moved still rests
+        for i in [i for i in state.at_rest if mode.modes[i] in SLIDES]:
+            tangent = self.rows.tangent[i]  # speeds due to rounding of forces count as rest
             rate = SLACK * self.sizes[i] * np.linalg.norm(p.square.diagonal()[tangent])
             if np.linalg.norm(p.speed[tangent]) > rate * lasted:
-                state.resting.discard(i)
+                state.at_rest.discard(i)
         state.t, state.x = end, after
-        if any(r.index >= own and self.user_events[r.index - own].terminal for r in at_end):
+        if any(r.index >= count and self.user_events[r.index - count].terminal for r in at_end):
             self.reached = self.times <= end
             return True, []
         return False, [kinds[r.index] for r in acting]
 
     def goes_on(self, state: State) -> bool:
-        """Whether other forces of the same modes are within the cones, with a margin."""
-        problem = self.problem(self.numbers(state.t, state.x), state)
-        better = within(problem, solved(problem, self.modes))
+        """Whether the same modes have other forces that are inside the friction cones."""
+        problem = self.complementarity(self.numbers(state.t, state.x), state)
+        better = innermost_solution(problem, solved(problem, self.modes))
         return bool(better.margins.min() > ROUNDED)
 
-    def note_changes(self, state: State, found: Solution) -> None:
-        """Note which contacts open and slip where forces were not determined before."""
-        for i, (old, new) in enumerate(zip(self.modes, found.modes, strict=True)):
+    def note_changes(self, state: State, solution: ModeSolution) -> None:
+        """Record which contacts open and slip, where redundant forces were undetermined before."""
+        for i, (old, new) in enumerate(zip(self.modes, solution.modes, strict=True)):
             kind = "opens" if new == OPEN != old else "slips" if old == STICKS != new else ""
             if kind:
                 self.note(state, i, kind, state.x)
@@ -666,83 +676,84 @@ class Run:
         self.records.append(EventRecord(state.t, name, i, before.copy(), state.x.copy()))
 
     def after(self, state: State, fired: list[tuple[str, int]]) -> dict[int, str]:
-        """Record a transition; return the modes after it.
+        """Update the contacts after events; return the modes that these determine.
 
-        What happens to several contacts at the same instant is told by values that are nearly zero.
+        Simultaneous transitions of other contacts are inferred from values that are nearly zero.
         """
         p, eps = self.numbers(state.t, state.x), np.finfo(float).eps
-        problem = self.problem(p, state)
+        problem = self.complementarity(p, state)
         solution = solved(problem, self.modes)
         resolved = self.resolution(state.t)
-        # What closes together has roundings of all heights from which it has fallen.
+        # The rounding of a closing gap is that of the largest height since the start.
         self.widest = np.maximum(self.widest, p.near)
         closing: set[int] = set()
         fixed: dict[int, str] = {}
-        self.untold = {}
-        # Others have events of their own.
+        self.pending_events = {}
+        # Only contacts coupled to these are checked; the others have events of their own.
         near_by = linked(problem, {i for _, i in fired})
         turning = any(kind in ("stops", "bends") for kind, _ in fired)
         self.sure = {i for kind, i in fired if kind == "opens" or (kind == "slips" and not turning)}
         for i, mode in enumerate(self.modes):
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
-            what = {kind for kind, k in fired if k == i}
-            if turning:  # friction that turns where a body stops leaves the cones of others
-                what.discard("slips")
+            kinds = {kind for kind, k in fired if k == i}
+            if turning:  # friction reverses at the stop, so slip events of others are spurious
+                kinds.discard("slips")
             if mode == OPEN:
                 assert normal is not None
-                near, speed = WITHIN * eps * self.widest[i], p.speed[normal]
-                if i in state.rising:
-                    if what:
-                        state.rising.discard(i)
-                    if what and p.is_closed(i):
-                        state.touching.add(i)
+                near, speed = ROUNDING_MARGIN * eps * self.widest[i], p.speed[normal]
+                if i in state.separating:
+                    if kinds:
+                        state.separating.discard(i)
+                    if kinds and p.is_closed(i):
+                        state.closed.add(i)
                         if rows and np.linalg.norm(p.speed[rows]) <= self.unresolved(i):
-                            state.resting.add(i)  # not even its direction is known
-                elif what or (speed < 0.0 and p.gap[i] <= near - speed * resolved):
+                            state.at_rest.add(i)  # the direction is not resolved, either
+                elif kinds or (speed < 0.0 and p.gap[i] <= near - speed * resolved):
                     closing.add(i)
                 continue
             press = p.normal[i] if normal is None else solution.forces[normal]
-            if "jams" in what:
+            if "jams" in kinds:
                 raise self.fail(
                     state.t, state.x,
                     f"Painlevé's paradox: the normal force at {self.contacts[i].name!r}, which "
                     "slides, has no bound, because its friction presses the bodies together.",
                 )  # fmt: skip
             little = (SLACK if i in near_by else ROUNDED) * solution.sizes[i]
-            if normal is not None and ("opens" in what or press < little):
+            if normal is not None and ("opens" in kinds or press < little):
                 fixed[i] = OPEN
-                self.untold[i] = "opens"
+                self.pending_events[i] = "opens"
             elif mode == STICKS:
                 force = solution.forces[rows]
-                if "slips" in what or p.mu_static[i] * press - np.linalg.norm(force) < little:
-                    one = FORWARD if force[0] < 0.0 else BACKWARD
-                    fixed[i] = STARTING if len(rows) == 2 else one
-                    self.untold[i] = "slips"
+                if "slips" in kinds or p.mu_static[i] * press - np.linalg.norm(force) < little:
+                    slides = FORWARD if force[0] < 0.0 else BACKWARD
+                    fixed[i] = STARTING if len(rows) == 2 else slides
+                    self.pending_events[i] = "slips"
             elif rows:
                 speed = np.linalg.norm(p.speed[rows])
                 if turning and i in near_by and speed <= self.unresolved(i):
-                    what.add("stops")  # a body on several feet comes to rest on all of them at once
+                    kinds.add("stops")  # a body on several feet stops on all of them at once
                 if mode == STARTING and speed > self.unresolved(i):
-                    what.discard("stops")  # it has turned by a right angle
+                    kinds.discard("stops")  # the velocity has turned by a right angle
                 slow = np.linalg.norm(solution.rates[rows]) * resolved
-                if "stops" in what or p.is_still(rows, p.speed[rows]) or speed <= slow:
-                    state.resting.add(i)
-            for kind in what & {"opens", "slips", "stops"}:
+                if "stops" in kinds or p.is_still(rows, p.speed[rows]) or speed <= slow:
+                    state.at_rest.add(i)
+            for kind in kinds & {"opens", "slips", "stops"}:
                 self.note(state, i, kind, state.x)
-                self.untold.pop(i, None)
+                self.pending_events.pop(i, None)
         if closing:
-            strike(self, state, closing)
+            apply_impacts(self, state, closing)
             return {}
         return fixed
 
     # -- the result -------------------------------------------------------------------------------
 
     def _go_on(self, motion: Motion, times: np.ndarray) -> Any:
-        """Return the trajectory from the end of the motion on, at some times."""
+        """Return the trajectory that continues the motion from its end, at some times."""
         assert self.state is not None
-        start = dict(zip(self.now.definition.states, self.state.x.tolist(), strict=True))
-        now = with_settings(self.now, times=times, initial_conditions=start)
-        run = Run(self.kept, self.solver, now, times, self.user_events, dict(self.options))
+        start = dict(zip(self.problem.definition.states, self.state.x.tolist(), strict=True))
+        user = {**self.problem.user, "initial_conditions": start}
+        problem, options = replace(self.problem, times=times, user=user), dict(self.options)
+        run = ContactRun(self.compiled, self.solver, problem, times, self.user_events, options)
         run.state, run.resumed = deepcopy(self.state), True
         run.counted = {record.name for record in self.records if record.time == self.state.t}
         run.modes, run.bias, run.sizes = self.modes, self.bias, self.sizes
@@ -751,7 +762,7 @@ class Run:
         return run.motion().trajectory
 
     def partial(self) -> Motion | None:
-        """Return the motion up to where it could not go on; None if it did not begin."""
+        """Return the motion up to its failure; None if it did not begin."""
         if not self.segments:
             return None
         self.reached = self.times <= self.segments[-1].end
@@ -760,14 +771,14 @@ class Run:
     def result(self) -> Motion:
         """Return the segments as one motion."""
         times, states = self.times[self.reached], self.states[self.reached]
-        last, carried = self.segments[-1].end, self.carried
-        names = [c.name for c in self.contacts]
+        last, transitions = self.segments[-1].end, self.transitions
+        names, columns = [c.name for c in self.contacts], self.compiled.trajectory_columns
         refusal = (
             "`sensitivities` of a motion that is continued are not known. Simulate over the "
             "whole time at once, or without `sensitivities`."
         )
         return Motion(
-            problem=self.now,
+            problem=self.problem,
             solver=self.solver,
             options=self.options,
             times=times,
@@ -775,9 +786,9 @@ class Run:
             segments=tuple(self.segments),
             events=sorted((r for r in self.records if r.time <= last), key=lambda r: r.time),
             statistics={"transitions": len(self.segments) - 1, **self.totals},
-            sensitivities=None if carried is None else carried.results(self.reached),
+            sensitivities=None if transitions is None else transitions.results(self.reached),
             projected=True,
-            refusal="" if carried is None else refusal,
+            refusal="" if transitions is None else refusal,
             proceed=self._go_on,
-            label=partial(contact_trajectory, self.kept.named, names, self.impacts, carried),
+            label=partial(contact_trajectory, columns, names, self.impacts, transitions),
         )

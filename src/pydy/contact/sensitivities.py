@@ -1,7 +1,7 @@
 """Derivatives of a motion with contacts by parameters, through its transitions.
 
-Within a mode the columns S = ∂x/∂θ are integrated beside the state. A transition at the time τ(θ)
-turns the state x into R(x, t, θ), which an impact changes and which held rows are projected on:
+Within a mode the columns S = ∂x/∂θ are integrated together with the state. A transition at the time
+τ(θ) maps the state x to R(x, t, θ), by an impact and by projection onto the active rows:
 
     D = S + f dτ/dθ,    S⁺ = R_x D + R_t dτ/dθ + R_θ − f⁺ dτ/dθ,
 
@@ -28,68 +28,68 @@ from pydy._motion import Motion, Segment
 from pydy._names import column_names
 from pydy._problem import Problem
 from pydy._rank import DEPENDENT, ROUNDING
-from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
-from pydy.contact.impacts import Blow, Phase
+from pydy.contact.complementarity import CLOSED, OPEN, SLIDES, STARTING, STICKS
+from pydy.contact.impacts import ImpactResult, Phase
 from pydy.contact.modes import Mode
-from pydy.contact.rows import ContactRows, Numbers, by_name
+from pydy.contact.rows import ContactRows, RowValues, by_name
 from pydy.contact.trajectory import SegmentedSensitivities
-from pydy.contact.tuning import SLACK, WITHIN
+from pydy.contact.tuning import ROUNDING_MARGIN, SLACK
 from pydy.trajectory import EventRecord
 
-_SLOPES = ("gap", "speed", "square", "moves", "restitution", "mu", "free")
+_SLOPES = ("gap", "speed", "square", "response", "restitution", "mu", "free")
 
 
 class Transitions:
-    """Derivatives of the state at transitions, by columns.
+    """Derivatives of the state at transitions, as columns.
 
-    `total` (n, k) is D, the derivatives of the state where the motion is, at the time that moves;
-    `time` (k,) has those of that time. Columns are by the `constants`, or, where that is None, by
-    what no transition holds.
+    `total` (n, k) is D, the derivatives of the state at the time of the transition, which depends
+    on the parameters; `time` (k,) has the derivatives of that time. Each column belongs to one of
+    the `constants`, or, where that is None, to a parameter that no transition depends on.
     """
 
     def __init__(
-        self, rows: ContactRows, now: Problem, constants: Sequence[Any], total: np.ndarray
+        self, rows: ContactRows, problem: Problem, constants: Sequence[Any], total: np.ndarray
     ) -> None:
-        self.rows, self.now, self._constants = rows, now, constants
-        self._first = len(rows.equations.coordinates)  # the place of the first speed
+        self.rows, self.problem, self._constants = rows, problem, constants
+        self._first = len(rows.equations.coordinates)  # the column of the first speed
         self.total = total
         self.time = np.zeros(len(constants))
-        self.doubtful = np.zeros(len(constants), dtype=bool)  # whose time is not known
-        # By contact: how far roundings of the impulses' derivatives may have moved the gap since.
+        self.doubtful = np.zeros(len(constants), dtype=bool)  # columns whose `time` is unknown
+        # By contact: bounds on the effect of rounding of impulse derivatives on its gap.
         self.blurred = np.zeros((len(rows.contacts), len(constants)))
 
     @cached_property
     def _slopes(self) -> Any:
-        """The differentiated blocks, their evaluator, and the columns of inputs' directions."""
+        """The differentiated blocks, their evaluator, and the symbol of each seed."""
         rows = self.rows
         parts = {name: rows.parts[name] for name in _SLOPES}
-        nodes = [n for _, own in parts.values() for n in own]
+        nodes = [n for _, nodes_of_part in parts.values() for n in nodes_of_part]
         g = rows.graph.copy()
-        moving = {*self.now.definition.states, self.now.definition.equations.time}
+        moving = {*self.problem.definition.states, self.problem.definition.equations.time}
         moving.update(symbol for symbol in self._constants if symbol is not None)
-        places = {node: s for node, s in rows.symbols.items() if s in moving}
-        if "r" in g.inputs_of(nodes[: -len(rows.speeds)]):  # but for accelerations
+        moving_symbols = {node: s for node, s in rows.symbols.items() if s in moving}
+        if "r" in g.inputs_of(nodes[: -len(rows.speeds)]):  # except accelerations
             raise NotImplementedError(
                 "`sensitivities` of contacts that depend on specifieds are not supported yet. "
                 "Write a prescribed motion as an expression of time."
             )
-        along = {node: g.input("along", k) for k, node in enumerate(places)}
-        slopes = directional(g, nodes, {node: {0: unit} for node, unit in along.items()})
-        found = g.evaluator([row.get(0, g.zero) for row in slopes])
-        return parts, found, {along[node]: symbol for node, symbol in places.items()}
+        seeds = {node: g.input("along", k) for k, node in enumerate(moving_symbols)}
+        slopes = directional(g, nodes, {node: {0: unit} for node, unit in seeds.items()})
+        evaluator = g.evaluator([row.get(0, g.zero) for row in slopes])
+        return parts, evaluator, {seeds[node]: symbol for node, symbol in moving_symbols.items()}
 
     def slopes(self, values: Mapping[Any, float]) -> dict[str, np.ndarray]:
-        """Return derivatives of `Numbers` along D by k parameters, given a number for each symbol.
+        """Return derivatives of `RowValues` along D by k parameters, from the values by symbol.
 
         The last axis is that of the parameters; accelerations are those without contact forces.
         """
         parts, evaluate, directions = self._slopes
-        states = list(self.now.definition.states)
+        states = list(self.problem.definition.states)
         inputs: dict[int, Any] = {
             node: values.get(symbol, 0.0) for node, symbol in self.rows.symbols.items()
         }
         for node, symbol in directions.items():
-            if symbol in self.now.definition.states:
+            if symbol in self.problem.definition.states:
                 inputs[node] = self.total[states.index(symbol)]
             elif symbol in self._constants:
                 inputs[node] = np.eye(len(self.time))[self._constants.index(symbol)]
@@ -97,21 +97,21 @@ class Transitions:
                 inputs[node] = self.time
         return by_name(parts, evaluate(inputs, len(self.time)).T)
 
-    # -- what transitions do ----------------------------------------------------------------------
+    # -- effects of transitions -------------------------------------------------------------------
 
-    def ends(self, before: np.ndarray, time: np.ndarray, rates: np.ndarray) -> None:
-        """Take S before the event that ends a mode, and the derivatives of its time.
+    def end_mode(self, before: np.ndarray, time: np.ndarray, rates: np.ndarray) -> None:
+        """Set D from S before the event that ends a mode, and the derivatives of its time.
 
-        These are NaN where they are not known.
+        The latter are NaN where they are unknown.
         """
         self.doubtful = np.isnan(time)
         self.time = np.where(self.doubtful, 0.0, time)
         self.total = before + np.outer(rates, self.time)
 
-    def starts(self, rates: np.ndarray, slides: bool) -> np.ndarray:
-        """Return S⁺ of the mode that begins, in which something that was at rest `slides` or not.
+    def begin_mode(self, rates: np.ndarray, slides: bool) -> np.ndarray:
+        """Return S⁺ of the next mode; `slides`: a contact at rest slides in it.
 
-        Where it is held, what follows from the time of a stop is taken out.
+        If it sticks, projection removes the effect of the time of the stop.
         """
         if slides and self.doubtful.any():
             raise NotImplementedError(
@@ -120,13 +120,13 @@ class Transitions:
             )
         return self.total - np.outer(rates, self.time)
 
-    def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
+    def store_instant(self, start: float, values: np.ndarray, records: list[EventRecord]) -> None:
         """Keep S⁺ of a mode that lasts no time, as it begins at the last."""
 
-    def opened(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> np.ndarray:
-        """Return whether the gap of a contact that closes opens by each column.
+    def gap_opens(self, i: int, slopes: np.ndarray, p: RowValues, share: float) -> np.ndarray:
+        """Return for each column whether it moves the gap of a closing contact away from zero.
 
-        A `share` of their terms may be missing of its `slopes` at the time that moves.
+        The `slopes` of the gap may have errors of a `share` of their terms.
         """
         terms = np.abs(p.gradient[i]) @ np.abs(self.total[: self._first])
         terms += np.abs(p.speed[self.rows.normal[i]] * self.time)
@@ -136,47 +136,57 @@ class Transitions:
     def impact(
         self,
         values: Mapping[Any, float],
-        p: Numbers,
-        found: Blow,
-        kept: Mapping[int, float],
-        still: Collection[int],
+        p: RowValues,
+        result: ImpactResult,
+        rebound_ratios: Mapping[int, float],
+        closed_before: Collection[int],
     ) -> dict[str, np.ndarray]:
         """Apply the derivatives of an impact; return the rows' derivatives before it.
 
-        The `values` are numbers before it. By Newton's hypothesis, `kept` is the restitution of
-        each contact that closes, zero where it rests; those that are `still` touched before it.
+        The `values` are those before it. By Newton's hypothesis, `rebound_ratios` has the
+        restitution of each contact that closes, zero where it rests; those in `closed_before`
+        were closed before it.
         """
         d = self.slopes(values)
-        # Velocities before impulses; normal ones are those of them that impulses take away.
-        moved = d["speed"].copy()
+        # Velocities before the impact; of normal ones, the change that the impulses must cause.
+        velocities = d["speed"].copy()
         for i, normal in enumerate(self.rows.normal):
             if normal is None:
                 continue
-            if i in kept:
-                more = d["restitution"][i] if kept[i] > 0.0 else 0.0
-                moved[normal] = d["speed"][normal] * (1.0 + kept[i]) + p.speed[normal] * more
-            elif i in still:
-                moved[normal] = 0.0
-        total = np.zeros_like(moved)  # of the impulses
-        for phase in found.phases:
-            impulses, slopes = phase.forces.copy(), np.zeros_like(moved)
-            given = np.zeros((len(phase.given), len(self.time)))
-            for i in np.flatnonzero(phase.given).tolist():  # e Λ_C, where e is not zero
+            if i in rebound_ratios:
+                ratio_slope = d["restitution"][i] if rebound_ratios[i] > 0.0 else 0.0
+                velocities[normal] = (
+                    d["speed"][normal] * (1.0 + rebound_ratios[i]) + p.speed[normal] * ratio_slope
+                )
+            elif i in closed_before:
+                velocities[normal] = 0.0
+        impulse_slopes = np.zeros_like(velocities)  # of the impulses
+        for phase in result.phases:
+            impulses, slopes = phase.forces.copy(), np.zeros_like(velocities)
+            restitution_slopes = np.zeros((len(phase.restitution_impulses), len(self.time)))
+            for i in np.flatnonzero(
+                phase.restitution_impulses
+            ).tolist():  # e Λ_C, where e is not zero
                 e, normal = p.restitution[i], self.rows.normal[i]
-                given[i] = d["restitution"][i] * phase.given[i] / e + e * total[normal]
-                impulses[normal] += phase.given[i]
-                slopes[normal] = given[i]
-            moved = moved + np.einsum("ijk,j->ik", d["square"], impulses) + p.square @ slopes
-            own = self._impulses(d, p, phase, given, moved)
-            moved = moved + p.square @ own
-            total = total + slopes + own
+                restitution_slopes[i] = (
+                    d["restitution"][i] * phase.restitution_impulses[i] / e
+                    + e * impulse_slopes[normal]
+                )
+                impulses[normal] += phase.restitution_impulses[i]
+                slopes[normal] = restitution_slopes[i]
+            velocities = (
+                velocities + np.einsum("ijk,j->ik", d["square"], impulses) + p.square @ slopes
+            )
+            increments = self._impulses(d, p, phase, restitution_slopes, velocities)
+            velocities = velocities + p.square @ increments
+            impulse_slopes = impulse_slopes + slopes + increments
         # Entries of J M⁻¹ Jᵀ that should be zero are rounded as √(A_ii A_jj).
         root = np.sqrt(np.abs(p.square.diagonal()))
-        span = WITHIN * ROUNDING * float(np.ptp(self.now.settings.times))
+        span = ROUNDING_MARGIN * ROUNDING * float(np.ptp(self.problem.settings.times))
         for i, normal in enumerate(self.rows.normal):
             if normal is not None:
-                self.blurred[i] += span * root[normal] * (root @ np.abs(total))
-        change = np.einsum("ijk,j->ik", d["moves"], found.forces) + p.moves @ total
+                self.blurred[i] += span * root[normal] * (root @ np.abs(impulse_slopes))
+        change = np.einsum("ijk,j->ik", d["response"], result.forces) + p.response @ impulse_slopes
         self.total = self.total.copy()
         self.total[self._first : self._first + len(change)] += change
         return d
@@ -184,26 +194,28 @@ class Transitions:
     def _impulses(
         self,
         d: Mapping[str, np.ndarray],
-        p: Numbers,
+        p: RowValues,
         phase: Phase,
-        given: np.ndarray,
-        moved: np.ndarray,
+        restitution_slopes: np.ndarray,
+        velocities: np.ndarray,
     ) -> np.ndarray:
-        """Return the derivatives of a phase's impulses in addition to those `given`.
+        """Return the derivatives of a phase's impulses, without the `restitution_slopes`.
 
-        What is `moved` are velocities after it but for what these derivatives add.
+        `velocities` has the derivatives of the velocities after it, without those impulses.
         """
         f = phase.forces
-        matrix, right = np.eye(len(f)), np.zeros_like(moved)
-        told: set[int] = set()  # rows whose velocities are given; of the others impulses are
+        matrix, right = np.eye(len(f)), np.zeros_like(velocities)
+        constrained: set[int] = (
+            set()
+        )  # rows with given velocities; the impulses of the others are given
         for i, mode in enumerate(phase.modes):
             normal, tangent = self.rows.normal[i], list(self.rows.tangent[i])
             if mode == OPEN or normal is None:
                 continue
-            held = [] if i in phase.leaves else [normal]
-            held += tangent if mode in (STICKS, CLOSED) else ()
-            matrix[held], right[held] = p.square[held], -moved[held]
-            told.update(held)
+            zero_rows = [] if i in phase.leaves else [normal]
+            zero_rows += tangent if mode in (STICKS, CLOSED) else ()
+            matrix[zero_rows], right[zero_rows] = p.square[zero_rows], -velocities[zero_rows]
+            constrained.update(zero_rows)
             if mode not in SLIDES:
                 continue
             if mode != STARTING:
@@ -212,118 +224,125 @@ class Transitions:
                 after = phase.rates[tangent]
                 unit = after / np.linalg.norm(after)
                 turning = (np.eye(2) - np.outer(unit, unit)) / np.linalg.norm(after)
-            press = phase.given[i] + f[normal]
+            press = phase.restitution_impulses[i] + f[normal]
             push = p.mu[i] * press
             matrix[tangent, normal] += p.mu[i] * unit
             matrix[tangent] += push * turning @ p.square[tangent]
             right[tangent] = (
-                -np.outer(unit, d["mu"][i] * press + p.mu[i] * given[i])
-                - push * turning @ moved[tangent]
+                -np.outer(unit, d["mu"][i] * press + p.mu[i] * restitution_slopes[i])
+                - push * turning @ velocities[tangent]
             )
-        for row in {*range(len(f))} - told:
+        for row in {*range(len(f))} - constrained:
             matrix[row] *= p.square[row, row]
             right[row] *= p.square[row, row]
         return _least(matrix, right, p.square.diagonal())
 
-    def project(self, values: Mapping[Any, float], p: Numbers, held: Sequence[int]) -> None:
-        """Project D onto the directions that active rows leave free."""
-        owners, first = self.rows.owners_of(held), self._first
+    def project(self, values: Mapping[Any, float], p: RowValues, active: Sequence[int]) -> None:
+        """Project D onto the null space of the active rows."""
+        owners, first = self.rows.owners_of(active), self._first
         normals = list(owners)
         self.total = self.total.copy()
         if normals:
-            rest = self.slopes(values)["gap"][list(owners.values())]
+            residuals = self.slopes(values)["gap"][list(owners.values())]
             square = p.square[np.ix_(normals, normals)]
-            shares = _least(square, -rest, square.diagonal())
-            self.total[:first] += p.kinematics @ (p.moves[:, normals] @ shares)
-        if held:
-            rest = self.slopes(values)["speed"][list(held)]
-            square = p.square[np.ix_(held, held)]
-            shares = _least(square, -rest, square.diagonal())
-            self.total[first : first + len(p.moves)] += p.moves[:, list(held)] @ shares
+            shares = _least(square, -residuals, square.diagonal())
+            self.total[:first] += p.kinematics @ (p.response[:, normals] @ shares)
+        if active:
+            residuals = self.slopes(values)["speed"][list(active)]
+            square = p.square[np.ix_(active, active)]
+            shares = _least(square, -residuals, square.diagonal())
+            self.total[first : first + len(p.response)] += p.response[:, list(active)] @ shares
 
 
 class HybridSensitivities(Transitions):
-    """Sensitivities that are carried from mode to mode.
+    """Sensitivities of a motion, passed from mode to mode.
 
-    `counts` has the number of columns of each parameter. Where `controlled`, the step control looks
-    at them too.
+    `controlled` includes them in the step-size control.
     """
 
-    def __init__(self, wanted: Any, controlled: bool, rows: ContactRows, now: Problem) -> None:
-        self.sensitive = sensitive = AugmentedSystem.of(now, now.model.code, now.plan, wanted)
+    def __init__(
+        self, requested: Any, controlled: bool, rows: ContactRows, problem: Problem
+    ) -> None:
+        self.sensitive = sensitive = AugmentedSystem.of(
+            problem, problem.model.code, problem.plan, requested
+        )
         parameters = sensitive.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]
-        super().__init__(rows, now, constants, sensitive.start(now.x, float(now.settings.times[0])))
+        super().__init__(
+            rows, problem, constants, sensitive.start(problem.x, float(problem.settings.times[0]))
+        )
         self._controlled = controlled
         self._counts = {p.symbol: p.count for p in parameters}
-        self._before: np.ndarray | None = None  # the last event; None if there was none
-        self._columns = np.full((len(now.settings.times), *self.total.shape), np.nan)
+        self._before: np.ndarray | None = None  # S before the last event; None at the start
+        self._columns = np.full((len(problem.settings.times), *self.total.shape), np.nan)
 
     def simulate(
-        self, mode: Mode, given: np.ndarray, now: Problem, solver: Any, options: dict[str, Any]
+        self, mode: Mode, start: np.ndarray, problem: Problem, solver: Any, options: dict[str, Any]
     ) -> Motion:
-        """Simulate in one mode, with S at the start `given`."""
-        self._columns[self.now.settings.times == now.settings.times[0]] = given
+        """Simulate in one mode, with the sensitivities S at the start."""
+        self._columns[self.problem.settings.times == problem.settings.times[0]] = start
         controlled = self._controlled or mode.turns
-        wanted = SensitivityRequest([*self._counts], controlled, given, mode.untimed)
-        return simulate(now, now.settings.times, solver=solver, sensitivities=wanted, **options)
+        request = SensitivityRequest([*self._counts], controlled, start, mode.untimed)
+        return simulate(problem, problem.settings.times, solver=solver, sensitivities=request, **options)
 
-    def begun(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
+    def store_instant(self, start: float, values: np.ndarray, records: list[EventRecord]) -> None:
         """Keep S⁺ of a mode that lasts no time, as it begins at the last."""
-        self._columns[self.now.settings.times == start] = given
-        self._note(start, given, records)
+        self._columns[self.problem.settings.times == start] = values
+        self._note(start, values, records)
 
-    def _note(self, start: float, given: np.ndarray, records: list[EventRecord]) -> None:
-        """Note S⁺ in the records of the transition that led to it."""
-        told: dict[str, Any] = {
+    def _note(self, start: float, values: np.ndarray, records: list[EventRecord]) -> None:
+        """Store S⁺ in the records of the transition that led to it."""
+        fields: dict[str, Any] = {
             "time_sensitivity": np.where(self.doubtful, np.nan, self.time),
             "sensitivity_before": self._before,
-            "sensitivity_after": given,
+            "sensitivity_after": values,
         }
         for k, record in enumerate(records):
             if record.time == start and record.time_sensitivity is None:
-                records[k] = replace(record, **told)
+                records[k] = replace(record, **fields)
 
-    def took(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
+    def store_segment(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
         """Store the sensitivities of a segment."""
         start, values = motion.times[0], motion.sensitivities
         assert values is not None
         self._note(start, values[0], records)
-        rows = (self.now.settings.times > start) & (self.now.settings.times <= end)
+        rows = (self.problem.settings.times > start) & (self.problem.settings.times <= end)
         self._columns[rows] = values[1 : 1 + int(rows.sum())]
 
-    def ended(self, record: EventRecord, rates: np.ndarray) -> None:
-        """Take the derivatives at the event that ends a mode."""
+    def locate_end(self, record: EventRecord, rates: np.ndarray) -> None:
+        """Set D from the record of the event that ends a mode."""
         assert record.sensitivity_before is not None
         assert record.time_sensitivity is not None
         self._before = record.sensitivity_before
-        self.ends(self._before, record.time_sensitivity, rates)
+        self.end_mode(self._before, record.time_sensitivity, rates)
 
     def doubt(self, values: Mapping[Any, float], rows: Sequence[int]) -> None:
-        """Tell of which parameters the time of a stop in a plane is not known.
+        """Mark parameters for which the derivative of the time of a stop in a plane is unknown.
 
-        Both sliding speeds are zero there, for all parameters. One of them gives the time; where
-        the other contradicts it, friction turned the velocity too quickly at the end. What follows
-        does not depend on it: the rows that are held take out what it adds.
+        At a stop both sliding speeds vanish for all parameter values. One of them determines the
+        derivative of the time; if the other contradicts it, friction turned the velocity too fast
+        at the end. A contact that sticks next does not depend on it: projection removes its effect.
         """
-        rest = self.slopes(values)["speed"][rows]
+        speeds = self.slopes(values)["speed"][rows]
         total, time = self.total, self.time
         assert self._before is not None
         self.total, self.time = self._before, np.zeros(len(time))
         size = np.linalg.norm(self.slopes(values)["speed"][rows], axis=0)
         self.total, self.time = total, time
-        self.doubtful |= ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
+        self.doubtful |= ~(np.linalg.norm(speeds, axis=0) <= SLACK * size)
 
-    def apart(self, i: int, slopes: np.ndarray, p: Numbers, share: float) -> list[str]:
-        """Return by which parameters the gap of a contact that closes opens."""
-        wrong = self.opened(i, slopes, p, share)
+    def separating_parameters(
+        self, i: int, slopes: np.ndarray, p: RowValues, share: float
+    ) -> list[str]:
+        """Return the parameters that move the gap of a closing contact away from zero."""
+        wrong = self.gap_opens(i, slopes, p, share)
         return [name for name, off in zip(column_names(self._counts), wrong, strict=True) if off]
 
     def results(self, reached: np.ndarray) -> np.ndarray:
         """Return the sensitivities at the times that were reached, shape (m, n, k)."""
-        found: np.ndarray = self._columns[reached]
-        return found
+        columns: np.ndarray = self._columns[reached]
+        return columns
 
     def labels(self, values: Any, segments: Sequence[Segment]) -> dict[str, Any]:
         """Return the trajectory's arguments for its sensitivities (m, n, k)."""
@@ -332,12 +351,12 @@ class HybridSensitivities(Transitions):
 
 
 def _least(matrix: np.ndarray, right: np.ndarray, square: np.ndarray) -> np.ndarray:
-    """Solve for the least unknowns: rows of several feet may hold the same thing.
+    """Solve for the unknowns of least norm, since rows may be redundant.
 
-    Rows and unknowns are measured by what a unit of each force does to its own row, so that ranks
-    are those of the mechanism in any units.
+    Rows and unknowns are scaled by the acceleration of each row per unit of its own force, which
+    makes the rank independent of units.
     """
     size = np.sqrt(np.where(square > 0.0, square, 1.0))
     scaled = matrix / np.outer(size, size)
-    found: np.ndarray = np.linalg.lstsq(scaled, right / size[:, None], rcond=DEPENDENT)[0]
-    return found / size[:, None]
+    solution: np.ndarray = np.linalg.lstsq(scaled, right / size[:, None], rcond=DEPENDENT)[0]
+    return solution / size[:, None]

@@ -1,8 +1,8 @@
-"""Whether gaps have rates and sliding speeds are continuous, as the laws of contacts need.
+"""Check that gaps have continuous rates and that sliding speeds are continuous.
 
-Where a Piecewise, Abs or Max switches, what it gives on both sides is compared, at points of the
-surface where it does: rates of a gap whose slope jumps, or a sliding speed that jumps, would be
-those of one side, and the body would follow the other without an impact or a force.
+Where a Piecewise, Abs or Max switches, its values on both sides are compared at points of the
+switching surface. If the slope of a gap or a sliding speed jumped there, the equations would use
+the value of one side while the body moves on the other, without an impact or a force.
 """
 
 from __future__ import annotations
@@ -19,77 +19,81 @@ from pydy._checks import shown
 from pydy._graph import Graph, SymPyReader, jacobian, rounding_bounds, substitute
 from pydy._mechanics import find_symbols, replace_symbols
 from pydy._rank import ROUNDING
-from pydy.contact.tuning import DRAWS, WITHIN
+from pydy.contact.tuning import DRAWS, ROUNDING_MARGIN
 
 _STEPS = (sm.floor, sm.ceiling, sm.frac, sm.Mod)
 _KINDS = (sm.Piecewise, sm.Abs, sm.Min, sm.Max, sm.sign, sm.Heaviside, sm.DiracDelta, *_STEPS)
 _INVERSES: dict[Any, Any] = {
     sm.asin: (sm.sin, sm.cos), sm.acos: (sm.sin, sm.cos), sm.atan: sm.tan
 }  # fmt: skip
-_BOUNDED = {sm.sin: "asin", sm.cos: "asin", sm.tanh: "atanh"}  # what is NaN beyond their bounds
+_BOUNDED = {
+    sm.sin: "asin",
+    sm.cos: "asin",
+    sm.tanh: "atanh",
+}  # inverses that are NaN outside the range
 
 
-def switched(what: str, expression: Any, moving: Iterable[Any], slopes: bool) -> Switched | None:
-    """Return the switches of an expression, or None; refuse jumps and kinks."""
-    seen: dict[int, Any] = {}
+def switched(subject: str, expression: Any, moving: Iterable[Any], slopes: bool) -> Switched | None:
+    """Return the switches of an expression, or None if it has none; refuse jumps and kinks."""
+    visited: dict[int, Any] = {}
     stack = [expression]
     while stack:
         e = stack.pop()
         if isinstance(e, _KINDS) or _is_folded(e):
-            found = Switched(what, expression, moving, slopes)
-            found.check()
-            return found
-        if id(e) not in seen:
-            seen[id(e)] = e
+            switches = Switched(subject, expression, moving, slopes)
+            switches.check()
+            return switches
+        if id(e) not in visited:
+            visited[id(e)] = e
             stack += e.args
     return None
 
 
 class Switched:
-    """An expression with functions that switch where coordinates, or time, have some value.
+    """An expression with functions that switch on surfaces of coordinates or time.
 
-    With `slopes` the derivatives must be continuous too. Pieces may meet for some values of the
-    constants alone, such as times in their order: `check` is given these when they are known.
+    With `slopes` the derivatives must be continuous, too. Pieces may be continuous for certain
+    values of the constants only, such as switching times in ascending order; `check` takes them.
     """
 
-    def __init__(self, what: str, expression: Any, moving: Iterable[Any], slopes: bool) -> None:
-        self.what, self.slopes = what, slopes
+    def __init__(self, subject: str, expression: Any, moving: Iterable[Any], slopes: bool) -> None:
+        self.subject, self.slopes = subject, slopes
         self.symbols = {s: sm.Dummy(str(s), real=True) for s in find_symbols([expression])}
         self.moving = [self.symbols[s] for s in moving if s in self.symbols]
-        self.steps: dict[Any, Any] = {}  # whole numbers, by what they are the floors of
+        self.steps: dict[Any, Any] = {}  # integer symbols, by the argument of their floor
         # SymPy writes roots of squares of these as Abs.
         real = replace_symbols(expression, self.symbols).replace(_is_folded, _unfolded)
-        # SymPy would add them up, and what remains of 0.1 + 0.2 - 0.3 would be a jump.
+        # SymPy would add floats: the remainder of 0.1 + 0.2 - 0.3 would look like a jump.
         self.floats = {
             f: sm.Integer(int(f)) if f == int(f) else sm.Dummy(str(f), real=True)
             for f in real.atoms(sm.Float, sm.NumberSymbol)
         }
-        found = [f for f in real.atoms(*_KINDS) if self._moves(f)]
-        self.functions = sorted(found, key=lambda f: (f.count_ops(), sm.default_sort_key(f)))
-        self.whole = self._rewritten(real.xreplace(self.floats))
-        self.graph, self.kept = Graph(), list[tuple[Any, int, Any]]()
+        functions = [f for f in real.atoms(*_KINDS) if self._depends_on_motion(f)]
+        self.functions = sorted(functions, key=lambda f: (f.count_ops(), sm.default_sort_key(f)))
+        self.piecewise = self._rewritten(real.xreplace(self.floats))
+        self.graph, self.surfaces = Graph(), list[tuple[Any, int, Any]]()
         if self.functions:
             self._read()
 
-    def _moves(self, expression: Any) -> bool:
+    def _depends_on_motion(self, expression: Any) -> bool:
         return not expression.free_symbols.isdisjoint(self.moving)
 
     def _rewritten(self, expression: Any) -> Any:
-        """Return an expression with conditions in place of functions."""
+        """Replace functions such as Abs and Max by Piecewise expressions."""
         return expression.replace(
-            lambda e: isinstance(e, _KINDS) and self._moves(e), self._by_conditions
+            lambda e: isinstance(e, _KINDS) and self._depends_on_motion(e), self._by_conditions
         )
 
     @property
     def expression(self) -> Any:
-        """The same in conditions: SymPy has second derivatives of these, without DiracDelta."""
+        """The expression in Piecewise form, whose second derivatives have no DiracDelta."""
         symbols = {d: s for s, d in self.symbols.items()}
         symbols |= {d: f for f, d in self.floats.items() if d.is_Dummy}
         symbols |= {k: sm.floor(s) for s, k in self.steps.items()}
-        found = self.whole
-        while not find_symbols([found]).keys().isdisjoint(symbols):  # floors may hold floors
-            found = replace_symbols(found, symbols)
-        return found
+        result = self.piecewise
+        while not find_symbols([result]).keys().isdisjoint(symbols):  # floors may be nested
+            result = replace_symbols(result, symbols)
+        return result
 
     def _by_conditions(self, f: Any) -> Any:
         s = f.args[0]
@@ -116,10 +120,11 @@ class Switched:
         return self.steps.setdefault(s, sm.Dummy("k", integer=True))
 
     def _surfaces(self) -> Iterator[tuple[Any, Any, Any, Any]]:
-        """Yield each switch, both sides of the equation of its surface, and both expressions."""
+        """Yield each switch, both sides of its surface's equation, and both expressions."""
         conditions = [
-            r for r in self.whole.atoms(Relational)
-            if self._moves(r) and not isinstance(r, (sm.Eq, sm.Ne))  # true at a point, or but there
+            r for r in self.piecewise.atoms(Relational)
+            if self._depends_on_motion(r)
+            and not isinstance(r, (sm.Eq, sm.Ne))  # these concern isolated points only
         ]  # fmt: skip
         conditions.sort(key=sm.default_sort_key)
         excess = {r: r.gts - r.lts for r in conditions}  # positive where it holds
@@ -128,17 +133,17 @@ class Switched:
             if r in done:
                 continue
             sides = {
-                other: sm.true if same == 0 else sm.false
-                for other in conditions
-                for same in (sm.expand(excess[other] - excess[r]),)
-                if same == 0 or sm.expand(excess[other] + excess[r]) == 0
+                relation: sm.true if same == 0 else sm.false
+                for relation in conditions
+                for same in (sm.expand(excess[relation] - excess[r]),)
+                if same == 0 or sm.expand(excess[relation] + excess[r]) == 0
             }
             done.update(sides)
-            turned = {other: sm.Not(holds) for other, holds in sides.items()}
+            opposite = {relation: sm.Not(holds) for relation, holds in sides.items()}
             equal = (r.lhs, r.rhs) if r.lhs.free_symbols else (r.rhs, r.lhs)
-            yield (r, *equal, (self.whole.xreplace(sides), self.whole.xreplace(turned)))
+            yield (r, *equal, (self.piecewise.xreplace(sides), self.piecewise.xreplace(opposite)))
         for s, k in self.steps.items():
-            yield k, s, k, (self.whole, self.whole.xreplace({k: k - 1}))
+            yield k, s, k, (self.piecewise, self.piecewise.xreplace({k: k - 1}))
 
     def _read(self) -> None:
         """Read each surface into the graph: its equation, and the expressions on both sides."""
@@ -147,45 +152,47 @@ class Switched:
         names += [d for d in self.floats.values() if d.is_Dummy]
         self.inputs = {d: g.input("x", k) for k, d in enumerate(names)}
         self.exact = {d: float(f) for f, d in self.floats.items()}
-        read = SymPyReader(g, {sm.nan: g.const(np.nan), **self.inputs}, self.what)
-        by = [self.inputs[v] for v in self.moving]
-        for switch, left, right, sides in self._surfaces():
-            nodes = read.all(_apart(*sides))
+        read = SymPyReader(g, {sm.nan: g.const(np.nan), **self.inputs}, self.subject)
+        moving_nodes = [self.inputs[v] for v in self.moving]
+        for switch, left_side, right, sides in self._surfaces():
+            nodes = read.all(_without_common_terms(*sides))
             if self.slopes:
-                a, b = (jacobian(g, [node], by).flat() for node in nodes)
+                a, b = (jacobian(g, [node], moving_nodes).flat() for node in nodes)
                 nodes += [n for pair in zip(a, b, strict=True) for n in pair]
-            for place in _places(left, right, self.moving):
-                where = [self._known(v) if v.is_number else read(v) for v in place.values()]
-                onto = dict(zip(read.all(place), where, strict=True))
-                for f, node in zip(place, list(where), strict=True):
-                    if f.func in _BOUNDED:  # beyond their bounds there is no such surface
-                        where.append(g.call(_BOUNDED[f.func], node))
-                there = substitute(g, nodes, onto)
-                every = [*there, *rounding_bounds(g, there), *where]
-                self.kept.append((switch, len(nodes), g.evaluator(every)))
+            for substitution in _surface_substitutions(left_side, right, self.moving):
+                targets = [
+                    self._number_input(v) if v.is_number else read(v) for v in substitution.values()
+                ]
+                onto = dict(zip(read.all(substitution), targets, strict=True))
+                for f, node in zip(substitution, list(targets), strict=True):
+                    if f.func in _BOUNDED:  # outside its range there is no surface
+                        targets.append(g.call(_BOUNDED[f.func], node))
+                substituted = substitute(g, nodes, onto)
+                every = [*substituted, *rounding_bounds(g, substituted), *targets]
+                self.surfaces.append((switch, len(nodes), g.evaluator(every)))
 
-    def _known(self, value: Any) -> int:
-        """Return an input in place of a number, so that rounding bounds include it."""
-        made = sm.Dummy(str(value), real=True)
-        self.exact[made] = float(value) if value.is_extended_real else np.nan
-        self.inputs[made] = self.graph.input("x", len(self.inputs))
-        return self.inputs[made]
+    def _number_input(self, value: Any) -> int:
+        """Return an input with the value of a number, so that rounding bounds include it."""
+        symbol = sm.Dummy(str(value), real=True)
+        self.exact[symbol] = float(value) if value.is_extended_real else np.nan
+        self.inputs[symbol] = self.graph.input("x", len(self.inputs))
+        return self.inputs[symbol]
 
-    def check(self, values: Mapping[Any, float] | None = None) -> None:
-        """Refuse switches with a jump in value; constants without values may be any."""
+    def check(self, constants: Mapping[Any, float] | None = None) -> None:
+        """Refuse switches with a jump; constants without values are drawn at random."""
         for f in self.functions:
             if isinstance(f, sm.DiracDelta):
                 self._refuse(f)
-        inputs = self._drawn(values) if self.kept else {}
-        for switch, n, evaluate in self.kept:
+        inputs = self._drawn(constants) if self.surfaces else {}
+        for switch, n, evaluate in self.surfaces:
             with np.errstate(all="ignore"):
-                found = evaluate(inputs, DRAWS**2).T
-                a, b = found[:n:2], found[1:n:2]
-                near = np.nan_to_num(found[n : 2 * n : 2] + found[n + 1 : 2 * n : 2])
-                off = ~(np.abs(a - b) <= WITHIN * ROUNDING * near) & (a != b)
+                values = evaluate(inputs, DRAWS**2).T
+                a, b = values[:n:2], values[1:n:2]
+                near = np.nan_to_num(values[n : 2 * n : 2] + values[n + 1 : 2 * n : 2])
+                off = ~(np.abs(a - b) <= ROUNDING_MARGIN * ROUNDING * near) & (a != b)
             off &= ~(np.isnan(a) & np.isnan(b))
-            # There is no such surface, or no value on one side of it: other errors tell.
-            off = off.any(axis=0) & np.isfinite([*found[:2], *found[2 * n :]]).all(axis=0)
+            # No surface, or no value on one side of it: other checks report that.
+            off = off.any(axis=0) & np.isfinite([*values[:2], *values[2 * n :]]).all(axis=0)
             if off.reshape(DRAWS, DRAWS).any(axis=1).all():
                 self._refuse(
                     next(
@@ -196,15 +203,15 @@ class Switched:
                 )
 
     def _drawn(self, values: Mapping[Any, float] | None) -> dict[int, np.ndarray]:
-        """Return inputs: a row for each draw of the constants, in which the others change.
+        """Draw random inputs: the constants vary by row, the other inputs by column, too.
 
-        Coordinates are drawn from all sizes, since nothing tells their units.
+        Coordinates are drawn over all magnitudes, because their units are unknown.
         """
         draws, shape = np.random.default_rng(0), (DRAWS, DRAWS)
         exact = dict(self.exact)
         if values is not None:
             exact |= {d: values[s] for s, d in self.symbols.items() if s in values}
-        found = {}
+        drawn = {}
         for d, node in self.inputs.items():
             if d in self.moving:
                 reach = np.where(np.arange(DRAWS) % 2, 1.0, 12.0)
@@ -215,22 +222,22 @@ class Switched:
                 x = draws.integers(-9, 10, shape).astype(float)
             else:
                 x = np.repeat(10.0 ** draws.uniform(-1, 1, (DRAWS, 1)), DRAWS, axis=1)
-            found[node] = x.ravel()
-        return found
+            drawn[node] = x.ravel()
+        return drawn
 
     def _refuse(self, function: Any) -> None:
-        got = replace_symbols(function, {d: s for s, d in self.symbols.items()})
+        function_text = replace_symbols(function, {d: s for s, d in self.symbols.items()})
         must, part = "must not jump", "a ramp"
         if self.slopes:
             must, part = "must have no jumps and no kinks", "one with a continuous slope"
         raise ValueError(
-            f"{self.what} {must}, got `{shown(got)}` in it. Give one contact for each smooth part, "
-            f"or a smooth transition: {part}."
+            f"{self.subject} {must}, got `{shown(function_text)}` in it. Give one contact for each "
+            f"smooth part, or a smooth transition: {part}."
         )
 
 
 def _is_folded(e: Any) -> bool:
-    """Whether an expression is a root of a square, an angle of its own sine, say, or an acot."""
+    """Whether an expression is √(s²), an inverse such as asin(sin(s)), or an acot."""
     if e.is_Pow:
         powers = (f for f in sm.Mul.make_args(e.base) if f.is_Pow)
         return e.exp.is_integer is False and any(f.exp.is_even for f in powers)
@@ -240,40 +247,46 @@ def _is_folded(e: Any) -> bool:
 
 
 def _unfolded(e: Any) -> Any:
-    """Return the same with functions that switch."""
+    """Return an equivalent expression in functions that switch."""
     half = sm.pi / 2
     if e.is_Pow:
         return e
-    if isinstance(e, sm.acot):  # as SymPy has it, it jumps at zero
+    if isinstance(e, sm.acot):  # SymPy's acot jumps at zero
         return half - sm.atan(e.args[0]) - sm.pi * sm.Heaviside(-e.args[0])
     s = e.args[0].args[0]
     if isinstance(e, sm.atan):
         return sm.Mod(s + half, sm.pi) - half
     s = s - half if isinstance(e.args[0], sm.sin) else s
-    turned = sm.Abs(sm.Mod(s + sm.pi, 2 * sm.pi) - sm.pi)  # the angle of the cosine of s
-    return half - turned if isinstance(e, sm.asin) else turned
+    angle = sm.Abs(sm.Mod(s + sm.pi, 2 * sm.pi) - sm.pi)  # the angle of the cosine of s
+    return half - angle if isinstance(e, sm.asin) else angle
 
 
-def _places(left: Any, right: Any, moving: Sequence[Any]) -> list[dict[Any, Any]]:
-    """Return substitutions that lead onto the surface where both sides are equal."""
-    excess = left - right
+def _surface_substitutions(
+    left_side: Any, right_side: Any, moving: Sequence[Any]
+) -> list[dict[Any, Any]]:
+    """Return substitutions that solve the equation of a surface, left_side = right_side."""
+    excess = left_side - right_side
     parts = [e for e in excess.atoms(sm.Function, sm.Pow) if not e.free_symbols.isdisjoint(moving)]
     parts.sort(key=sm.default_sort_key)
     for degree, unknowns in ((1, moving), (2, moving), (1, parts)):
         for v in unknowns:
             z = sm.Dummy("z", real=True)
-            plain = excess.xreplace({v: z})
-            if not (plain.has(z) and plain.is_polynomial(z) and sm.degree(plain, z) == degree):
+            polynomial = excess.xreplace({v: z})
+            if not (
+                polynomial.has(z)
+                and polynomial.is_polynomial(z)
+                and sm.degree(polynomial, z) == degree
+            ):
                 continue
-            *square, a, b = sm.Poly(plain, z).all_coeffs()
+            *square, a, b = sm.Poly(polynomial, z).all_coeffs()
             if not square:
                 return [{v: -b / a}]
             root = sm.sqrt(a**2 - 4 * square[0] * b)
             return [{v: (root - a) / (2 * square[0])}, {v: (-root - a) / (2 * square[0])}]
-    return [{left: right}]
+    return [{left_side: right_side}]
 
 
-def _apart(a: Any, b: Any) -> tuple[Any, Any]:
-    """Return two expressions without the terms that both have."""
-    one, other = (Counter(sm.Add.make_args(e)) for e in (a, b))
-    return sm.Add(*(one - other).elements()), sm.Add(*(other - one).elements())
+def _without_common_terms(a: Any, b: Any) -> tuple[Any, Any]:
+    """Return two expressions without their common terms."""
+    first, second = (Counter(sm.Add.make_args(e)) for e in (a, b))
+    return sm.Add(*(first - second).elements()), sm.Add(*(second - first).elements())

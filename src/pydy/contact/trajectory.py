@@ -1,4 +1,4 @@
-"""The motion of a System with contacts: a Trajectory that knows its modes."""
+"""The motion of a System with contacts: a Trajectory with modes and impacts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._interpolation import between
 from pydy._motion import Motion, Segment
-from pydy._problem import AssumptionChecks, TrajectoryModel
 from pydy.trajectory import Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -24,16 +23,21 @@ class _Segmented:
         self.segments = list(segments)
         self._starts = np.array([segment.start for segment in segments])
 
-    def _each(self, times: np.ndarray, value: Callable[[Segment, Any], np.ndarray]) -> np.ndarray:
+    def _by_segment(
+        self, times: np.ndarray, value: Callable[[Segment, Any], np.ndarray]
+    ) -> np.ndarray:
         """Evaluate each time by its segment; at a transition, by the later one."""
         if len(self.segments) == 1:
             return value(self.segments[0], slice(None))
-        places = np.searchsorted(self._starts[1:], times, side="right")
-        masks = [(k, places == k) for k in (np.unique(places) if len(places) else (0,))]
-        values = [(own, value(self.segments[k], own)) for k, own in masks]
+        segment_index = np.searchsorted(self._starts[1:], times, side="right")
+        masks = [
+            (k, segment_index == k)
+            for k in (np.unique(segment_index) if len(segment_index) else (0,))
+        ]
+        values = [(rows, value(self.segments[k], rows)) for k, rows in masks]
         table = np.empty((len(times), *values[0][1].shape[1:]))
-        for own, part in values:
-            table[own] = part
+        for rows, part in values:
+            table[rows] = part
         return table
 
 
@@ -47,17 +51,19 @@ class SegmentedModel(_Segmented):
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self._each(times, lambda s, own: s.problem.at(times[own], states[own]).rates())
+        return self._by_segment(
+            times, lambda s, rows: s.problem.at(times[rows], states[rows]).rates()
+        )
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
-        return self._each(
-            times, lambda s, own: s.problem.at(times[own], states[own]).outputs()[:, s.columns]
+        return self._by_segment(
+            times, lambda s, rows: s.problem.at(times[rows], states[rows]).outputs()[:, s.columns]
         )
 
 
 class _SegmentedDense(_Segmented):
-    """The continuous extension of all segments; like theirs, it becomes None elsewhere."""
+    """The dense output of all segments; like that of a segment, it is pickled as None."""
 
     @property
     def starts(self) -> np.ndarray:
@@ -67,7 +73,7 @@ class _SegmentedDense(_Segmented):
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return the states, and the sensitivities after them."""
         times = np.asarray(times, dtype=float)
-        return self._each(times, lambda segment, own: segment.dense(times[own]))
+        return self._by_segment(times, lambda segment, rows: segment.dense(times[rows]))
 
     def __deepcopy__(self, memo: Any) -> _SegmentedDense:
         return self
@@ -81,15 +87,17 @@ class SegmentedSensitivities(_Segmented):
 
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
-        return self._each(
-            times, lambda s, own: s.augmented.rates(times[own], states[own], values[own])
+        return self._by_segment(
+            times, lambda s, rows: s.augmented.rates(times[rows], states[rows], values[rows])
         )
 
     def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the sensitivities of the outputs, shape (m, o, k)."""
-        return self._each(
+        return self._by_segment(
             times,
-            lambda s, own: s.augmented.outputs(times[own], states[own], values[own])[:, s.columns],
+            lambda s, rows: s.augmented.outputs(times[rows], states[rows], values[rows])[
+                :, s.columns
+            ],
         )
 
 
@@ -122,15 +130,15 @@ class ContactTrajectory(Trajectory):
         impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
         **options: Any,
     ) -> None:
-        kept = all(segment.dense is not None for segment in segments.segments)
+        all_dense = all(segment.dense is not None for segment in segments.segments)
         super().__init__(
             *args,
             model=segments,
-            dense=_SegmentedDense(segments.segments) if kept else None,
+            dense=_SegmentedDense(segments.segments) if all_dense else None,
             **options,
         )
         self._segments, self._names = segments, tuple(names)
-        # Impacts and changes of what guides the steps divide the motion, too.
+        # Consecutive segments may have the same modes, as before and after an impact.
         self.modes = [
             (parts[0].start, parts[-1].end, dict(zip(names, modes, strict=True)))
             for modes, group in groupby(segments.segments, key=lambda segment: segment.modes)
@@ -138,11 +146,11 @@ class ContactTrajectory(Trajectory):
         ]
         self.impacts = [(time, impulses) for time, impulses, _ in impacts]
         self._describe({"modes": self.modes, "impacts": self.impacts})
-        self._lost = [(time, work) for time, _, work in impacts]
+        self._impact_work = [(time, work) for time, _, work in impacts]
 
     def __getstate__(self) -> dict[str, Any]:
-        whole = super().__getstate__()
-        return {**whole, "contact_work": self.contact_work}  # it needs continuous extensions
+        state = super().__getstate__()
+        return {**state, "contact_work": self.contact_work}  # it needs the dense output
 
     @cached_property
     def contact_work(self) -> np.ndarray:
@@ -159,8 +167,8 @@ class ContactTrajectory(Trajectory):
         8 points. Without the steps, which are kept up to 128 MB, the states are interpolated
         between `times`.
         """
-        own = {f"{name}_power" for name in self._names}
-        powers = [k for k, symbol in enumerate(self.outputs_symbols) if str(symbol) in own]
+        power_names = {f"{name}_power" for name in self._names}
+        powers = [k for k, symbol in enumerate(self.outputs_symbols) if str(symbol) in power_names]
         knots = [self.times]
         for segment in self._segments.segments:
             inside = np.asarray(getattr(segment.dense, "starts", ()), dtype=float)
@@ -174,26 +182,26 @@ class ContactTrajectory(Trajectory):
             outputs = self._segments.outputs(times, between(self, times)[0])
             power = outputs[:, powers].sum(axis=1).reshape(len(half), -1)
             work[1:] = np.cumsum(half * (power @ _WEIGHTS))
-        for time, lost in self._lost:
-            work[nodes >= time] += lost
+        for time, impact_work in self._impact_work:
+            work[nodes >= time] += impact_work
         return work[np.searchsorted(nodes, self.times)]
 
 
 def contact_trajectory(
     columns: Any, names: Sequence[str], impacts: Any, sensitivities: Any, motion: Motion
 ) -> ContactTrajectory:
-    """Return a Motion's Trajectory, which knows the modes and can be continued.
+    """Return the Trajectory of a Motion, with modes; it can be continued.
 
-    The `columns` name the states and outputs, `names` the contacts. The `sensitivities` are those
-    that were carried through transitions, or None.
+    `columns` names the states and outputs, `names` the contacts. `sensitivities` are those passed
+    through the transitions, or None.
     """
     problem, times, states = motion.problem, motion.times, motion.states
     if problem.definition.assumes_motions:
         AssumptionChecks(problem).motion(times, states)
-    model = SegmentedModel(motion.segments, TrajectoryModel(problem))
-    more = {}
+    model = SegmentedModel(motion.segments, problem)
+    sensitivity_arguments = {}
     if sensitivities is not None:
-        more = sensitivities.labels(motion.sensitivities, motion.segments)
+        sensitivity_arguments = sensitivities.labels(motion.sensitivities, motion.segments)
     trajectory = ContactTrajectory(
         times,
         states,
@@ -206,7 +214,7 @@ def contact_trajectory(
         segments=model,
         names=names,
         impacts=impacts,
-        **more,
+        **sensitivity_arguments,
     )
     trajectory._leg = motion
     return trajectory

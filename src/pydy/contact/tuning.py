@@ -1,4 +1,4 @@
-"""Thresholds of exact contacts. All are shares of what is compared, or counts."""
+"""Thresholds of exact contacts. All are relative to the compared quantities, or counts."""
 
 import math
 
@@ -6,51 +6,52 @@ from pydy._rank import HALF, ROUNDING
 from pydy.solvers import NO_LATER
 
 SLACK = HALF
-"""An inequality between forces or accelerations holds if it is missed by this share of the largest
-that take part. Events are located to rounding, but in states that have errors of integration:
-forces that are equal there agree in half their digits."""
+"""Relative violation up to which an inequality between forces or accelerations is satisfied. Events
+are located to rounding, but the states have integration errors: forces that are equal in theory
+agree in half their digits."""
 
-WITHIN = 2.0**10
-"""A gap or a sliding speed is zero within so many of its bounds on rounding errors: initial
-conditions may have been computed in some hundred operations."""
+ROUNDING_MARGIN = 2.0**10
+"""A gap or a sliding speed is zero within this multiple of its rounding bound: initial conditions
+may have been computed in some hundred operations."""
 
 RESOLUTION = NO_LATER * ROUNDING
-"""Events whose times differ by less, in units of the time, happen at the same instant: the solver
-locates them to rounding."""
+"""Events whose times differ by less, relative to the time, are simultaneous: the solver locates
+them to rounding."""
 
 CHECKED = 33
-"""States of each part of a motion at which gaps and normal forces are looked at again."""
+"""Number of states of each segment at which gaps and normal forces are checked afterwards."""
 
-TURNED = 0.5
-"""The cosine of the angle by which a sliding velocity may turn before its direction is noted again:
-a velocity through zero is told from one that turns round by its sign along that direction. In rad,
-the most by which a Newton step turns a direction."""
+TURN_LIMIT = 0.5
+"""The cosine of the angle by which a sliding velocity may turn before its reference direction is
+updated: its sign along that direction distinguishes a passage through zero from a turn. Also the
+limit, in rad, of the rotation in a Newton step for a direction."""
 
 RESOLVED = 2.0**-6
-"""The part of the absolute tolerance below which a speed in a plane has no direction: what this
-changes is as small."""
+"""The fraction of the absolute tolerance below which a speed in a plane has no direction; the
+resulting error is as small."""
 
 BEGUN = 2.0**-10
-"""The speed from which on a body slides like any other, in units of what it would gain without
-contacts: explicit methods then need some thousand steps for the whole time, where friction turns
-the velocity."""
+"""The speed at which a sliding onset ends, relative to the speed gained without contact forces.
+From there explicit methods need some thousand steps for the total time where friction turns the
+velocity."""
 
 ERRORS = 16.0
-"""Errors of many steps, in units of the tolerance of one. They have either sign and add up as the
-square root of their number: of 256 steps, and motions between two transitions rarely take more."""
+"""Error of a segment relative to the tolerance of one step. Errors of random sign grow as the
+square root of the number of steps, here 256; segments rarely take more."""
 
 CUTS = round(-math.log2(ROUNDING))
-"""Linear programs for the innermost forces: each plane that touches a cone halves the distance to
-it or more, and so many halves lead from one to rounding."""
+"""Limit of linear programs for the innermost forces. Each tangent plane at least halves the
+distance to a cone; this many halvings lead from one to rounding."""
 
 FEASIBLE = 1e-10
 """The tolerance of these linear programs, the finest that HiGHS takes; forces are of size one."""
 
 TILT = FEASIBLE**0.5
-"""What a unit of normal forces is worth in margins of cones, where internal forces may be as large
-as one likes: as far above what the linear programs resolve as below one. Contacts with a smaller
-coefficient of friction are not pressed together to hold."""
+"""Cost of a unit of normal force relative to a unit of cone margin, which bounds internal forces.
+It is the geometric mean of one and the tolerance of the linear programs. Contacts with a smaller
+coefficient of friction are not pressed together by internal forces."""
 
 DRAWS = 32
-"""Values of the constants, and of the states for each of them, at which the pieces of a gap are
-compared: five times in a row occur in any order, as far as two that follow each other tell."""
+"""Number of random values of the constants, and of states for each, at which the pieces of a gap
+are compared. With this many, five switching times occur in all orders that matter for
+neighbours."""

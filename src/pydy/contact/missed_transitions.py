@@ -1,0 +1,164 @@
+"""Checks of a motion with contacts after the integration: missed transitions, flat gaps."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import shown
+from pydy._interpolation import evenly
+from pydy._judges import diagnosis_of
+from pydy._motion import Motion
+from pydy._rank import ROUNDING
+from pydy.contact.complementarity import OPEN, SLIDES, STICKS
+from pydy.contact.modes import margin_symbol
+from pydy.contact.tuning import CHECKED, SLACK
+
+
+def missed_transitions(
+    run: Any,
+    motion: Motion,
+    output_index: Mapping[Any, int],
+    at_rest: Collection[int],
+    end: float,
+    last: np.ndarray | None,
+    reported: Collection[tuple[str, int]],
+) -> list[tuple[str, int]]:
+    """Refuse a motion in one mode if its integration missed a transition.
+
+    `output_index` has the columns of the mode's outputs. Return the kinds and contacts of
+    inequalities that are violated from the start on: with forces at their limits, or contacts that
+    are `at_rest`, several modes are possible at the start, and the motion shows which are wrong.
+    Transitions `reported` by events at the end, where a load may jump, are not missed there.
+    """
+    symbols = run.compiled.symbols
+    before_end, sample_times = motion.times < end, motion.times[:0]
+    last = motion.states[-1] if last is None else last[: run.n]  # before the event's reset
+    rows = [motion.states[before_end], last[None]]
+    if motion.dense is not None:  # only as many steps as are stored
+        starts, sample_times = motion.dense.starts, np.linspace(motion.times[0], end, CHECKED)
+        if len(starts) > CHECKED:  # select evenly spaced steps
+            sample_times = starts[evenly(len(starts), CHECKED)]
+        sample_times = sample_times[sample_times < end]
+        rows.insert(1, motion.dense(sample_times)[:, : run.n])
+    sample_times, states = (
+        np.concatenate([motion.times[before_end], sample_times, [end]]),
+        np.concatenate(rows),
+    )
+    table = motion.problem.at(sample_times, states).outputs()
+    least = table.min(axis=0)
+    broken = []
+    for i, c in enumerate(run.contacts):
+        if run.modes[i] == OPEN and i in run.rows.cuts:
+            _check_cuts(run, i, sample_times, states)
+        if run.modes[i] == OPEN and least[output_index[symbols[i, "gap"]]] >= 0.0:
+            continue
+        for symbol, slack, kind, words in _limits(run, i, i in at_rest):
+            column = output_index[symbol]
+            values = table[:, column] * (-1.0 if words[:5] == "power" else 1.0)
+            allowed = SLACK * np.abs(values).max(initial=0.0) + slack
+            below = values < -allowed
+            below[-1:] &= (kind, i) not in reported
+            if below.any() and symbol is symbols.get((i, "gap")):
+                # Compare with the start: a gap that was closed before may have drifted.
+                below &= values < values[0] - allowed
+                # For large coordinates the relative tolerance resolves less of the gap.
+                worst = int(values.argmin())
+                p = run.numbers(float(sample_times[worst]), states[worst])
+                late = run.resolution(float(sample_times[worst])) * abs(p.speed[run.rows.normal[i]])
+                below &= values < -run.unresolved_gap(i, p, states[worst]) - late
+            if not below.any():
+                continue
+            earlier = sample_times < sample_times[below].min()
+            if kind and values[earlier].max(initial=-np.inf) <= allowed:
+                broken.append((kind, i))
+                continue
+            worst = int(values.argmin())
+            remedy = (
+                "between two transitions: the solver stepped over one. Limit the step with "
+                "`max_step`."
+                if words != "`normal`"  # a known normal force has no transitions
+                else "during the motion, but must not be negative. Give an expression that is "
+                "never negative, such as Max(0, ...), or a Unilateral as `on`, which opens."
+            )
+            raise run.fail(
+                float(sample_times[worst]), states[worst],
+                f"The {words} of {c.name!r} became {table[worst, column]:.3g} "
+                + remedy,
+            )  # fmt: skip
+    return broken
+
+
+def _check_cuts(run: Any, i: int, times: np.ndarray, states: np.ndarray) -> None:
+    """Refuse a gap that jumps during the motion, where atan2 goes from π to −π."""
+    order = np.argsort(times, kind="stable")
+    times, states = times[order], states[order]
+    values = dict(run.values(float(times[0]), states[0]))
+    values |= zip(run.problem.definition.states, states.T, strict=True)
+    values[run.problem.definition.equations.time] = times
+    inputs = {node: values.get(symbol, 0.0) for node, symbol in run.rows.symbols.items()}
+    for f, evaluate in run.rows.cuts[i]:
+        y, x, gap, gap_above, gap_below = evaluate(inputs, len(times)).T
+        crosses = (np.signbit(y[1:]) != np.signbit(y[:-1])) & (np.maximum(x[1:], x[:-1]) < 0.0)
+        continued = np.where(np.signbit(y[:-1]), gap_below[1:], gap_above[1:])  # without the jump
+        size = np.maximum(np.abs(gap[1:]), np.abs(continued))
+        for k in np.flatnonzero(crosses & (np.abs(continued - gap[1:]) > SLACK * size)):
+            raise run.fail(
+                float(times[k + 1]), states[k + 1],
+                f"The gap of {run.contacts[i].name!r} jumped to {gap[k + 1]:.6g}, and would have "
+                f"gone on to {continued[k]:.6g}: `{shown(f)}` jumps by 2π where the angle is π. "
+                "Turn the angle so that the motion does not come there, as atan2(-y, -x) + pi is "
+                "of atan2(y, x), or use a coordinate that counts turns.",
+            )  # fmt: skip
+
+
+def diagnose_flat_gap(run: Any, t: float, x: np.ndarray, contacts: Collection[int]) -> str:
+    """Return a message if a closed gap has no slope, as q² has none at q = 0, or no mass; or ''.
+
+    A slope counts as zero if it changes by its own size within the rounding errors of the gap and
+    of the closing time.
+    """
+    p = run.numbers(t, x)
+    for i in contacts:
+        normal = run.rows.normal[i]
+        inverse_mass = p.square[normal, normal]
+        if not np.isfinite(inverse_mass):
+            cause = diagnosis_of(run.problem.at(np.array([t]), x[None]))
+            return (
+                f"The force that closes the gap of {run.contacts[i].name!r} cannot be computed. "
+                f"{cause or 'Check that no mass or inertia of the bodies there is zero.'}"
+            )
+        step = np.zeros(run.first)
+        if inverse_mass > 0.0:
+            least = ROUNDING * p.near[i] + abs(p.speed[normal]) * run.resolution(t)
+            step = p.kinematics @ p.response[:, normal] * (least / inverse_mass)
+        for shift in (step, -step):
+            shifted = x.copy()
+            shifted[: run.first] += shift
+            neighbour = run.numbers(t, shifted).square[normal, normal]
+            if not inverse_mass / 4.0 < neighbour < 4.0 * inverse_mass:
+                return (
+                    f"The gap of {run.contacts[i].name!r} has no slope where it closes: no speed "
+                    "changes it there, so that it has no normal force and no impact. Write a gap "
+                    "that changes as a distance does, such as q in place of q**2 or q**3, and a "
+                    "stop at a dead centre as a limit of the crank's angle."
+                )
+    return ""
+
+
+def _limits(run: Any, i: int, at_rest: bool) -> Iterator[tuple[Any, float, str, str]]:
+    """Yield the non-negative quantities of a contact's mode: symbol, slack, event kind, name."""
+    c, mode, symbols, size = run.contacts[i], run.modes[i], run.compiled.symbols, run.sizes[i]
+    if c.unilateral is None:
+        yield symbols[i, "normal"], SLACK * size, "", "`normal`"
+    if mode in SLIDES:
+        kind = "turns" if at_rest else ""
+        yield symbols[i, "power"], run.unresolved(i) * size, kind, "power of friction"
+    if mode == STICKS:
+        yield margin_symbol(c), 2.0 * SLACK * size**2, "slips", "margin of friction, squared,"
+    if c.unilateral is not None and mode == OPEN:
+        yield symbols[i, "gap"], float(np.max(run.atol)), "", "gap"
+    elif c.unilateral is not None:
+        yield symbols[i, "normal"], SLACK * size, "opens", "normal force"
