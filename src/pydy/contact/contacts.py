@@ -15,7 +15,7 @@ from pydy._integration import AugmentedSystem, SensitivityRequest
 from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion, check_events, native_solver
 from pydy._names import column_names
-from pydy._problem import CallArguments, Problem, refuse_descending
+from pydy._problem import CallArguments, Problem, refuse_descending, with_settings
 from pydy.analysis import AdjointGradient
 from pydy.contact.complementarity import OPEN, SLIDING, independent, rows_of_modes
 from pydy.contact.conditions import InfeasibleError, paired
@@ -418,9 +418,11 @@ class ContactMotions:
         options: Mapping[str, Any],
     ) -> None:
         self.contacts, self.solver, self.options = contacts, solver, {**options}
-        user = {**problem.user, "specifieds": {**problem.settings.specifieds, **specifieds}}
         # The ensemble checks the assumptions for all samples.
-        self._problem = replace(problem, user=user, contradicted=None, hybrid=None)
+        changed = {**problem.settings.specifieds, **specifieds}
+        self._problem = replace(
+            with_settings(problem, specifieds=changed, contradicted=None), hybrid=None
+        )
         self.columns: tuple[str, ...] = ()
         requested, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
         if requested is not None:
@@ -457,12 +459,13 @@ class ContactMotions:
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return states, outputs, and how the motion ended."""
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
-        user = {
-            "constants": dict(zip(self._constants, p.tolist(), strict=True)),
-            "specifieds": {**self._problem.settings.specifieds, **varied},
-            "initial_conditions": dict(zip(self._states, x.tolist(), strict=True)),
-        }
-        problem = replace(self._problem, user=user, times=times)
+        problem = with_settings(
+            self._problem,
+            constants=dict(zip(self._constants, p.tolist(), strict=True)),
+            specifieds={**self._problem.settings.specifieds, **varied},
+            initial_conditions=dict(zip(self._states, x.tolist(), strict=True)),
+            times=times,
+        )
         run = self.contacts._run(problem, times, self.solver, self._events, **self.options)
         if self._parameters is not None:
             run.transitions = HybridSensitivities(

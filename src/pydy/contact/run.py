@@ -15,7 +15,7 @@ from pydy._forks import cached_property
 from pydy._integration import simulate
 from pydy._motion import Motion, Segment
 from pydy._names import numbers_of, some
-from pydy._problem import Problem, evaluate_specifieds
+from pydy._problem import Problem, Settings, evaluate_specifieds, with_settings
 from pydy._rank import ROUNDED, ROUNDING
 from pydy.contact.complementarity import (
     BACKWARD,
@@ -445,15 +445,13 @@ class ContactRun:
         problem = Problem(
             model.definition,
             replace(model, already_warned=self.problem.model.already_warned),
-            {
-                "constants": {**self._numbers_of, **self.references(p, state, solution)},
-                "specifieds": self.problem.settings.specifieds,
-                "initial_conditions": dict(
-                    zip(self.problem.definition.states, state.x.tolist(), strict=True)
-                ),
-            },
-            np.concatenate([[state.t], self.times[later]]),
-            contradicted=None,  # assumptions are checked along the complete motion
+            # Assumptions are checked along the complete motion.
+            Settings(
+                {**self._numbers_of, **self.references(p, state, solution)},
+                self.problem.settings.specifieds,
+                dict(zip(self.problem.definition.states, state.x.tolist(), strict=True)),
+                np.concatenate([[state.t], self.times[later]]),
+            ),
         )
         options = {**self.options, "events": events}
         # At the first time of the motion only user events may occur.
@@ -751,8 +749,8 @@ class ContactRun:
         """Return the trajectory that continues the motion from its end, at some times."""
         assert self.state is not None
         start = dict(zip(self.problem.definition.states, self.state.x.tolist(), strict=True))
-        user = {**self.problem.user, "initial_conditions": start}
-        problem, options = replace(self.problem, times=times, user=user), dict(self.options)
+        problem = with_settings(self.problem, times=times, initial_conditions=start)
+        options = dict(self.options)
         run = ContactRun(self.compiled, self.solver, problem, times, self.user_events, options)
         run.state, run.resumed = deepcopy(self.state), True
         run.counted = {record.name for record in self.records if record.time == self.state.t}

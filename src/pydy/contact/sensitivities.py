@@ -284,7 +284,9 @@ class HybridSensitivities(Transitions):
         self._columns[self.problem.settings.times == problem.settings.times[0]] = start
         controlled = self._controlled or mode.turns
         request = SensitivityRequest([*self._counts], controlled, start, mode.untimed)
-        return simulate(problem, problem.settings.times, solver=solver, sensitivities=request, **options)
+        return simulate(
+            problem, problem.settings.times, solver=solver, sensitivities=request, **options
+        )
 
     def store_instant(self, start: float, values: np.ndarray, records: list[EventRecord]) -> None:
         """Keep S⁺ of a mode that lasts no time, as it begins at the last."""

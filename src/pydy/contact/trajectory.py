@@ -11,6 +11,7 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._interpolation import between
 from pydy._motion import Motion, Segment
+from pydy._problem import AssumptionChecks, TrajectoryModel
 from pydy.trajectory import Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -198,7 +199,7 @@ def contact_trajectory(
     problem, times, states = motion.problem, motion.times, motion.states
     if problem.definition.assumes_motions:
         AssumptionChecks(problem).motion(times, states)
-    model = SegmentedModel(motion.segments, problem)
+    model = SegmentedModel(motion.segments, TrajectoryModel(problem))
     sensitivity_arguments = {}
     if sensitivities is not None:
         sensitivity_arguments = sensitivities.labels(motion.sensitivities, motion.segments)
