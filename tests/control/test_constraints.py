@@ -279,8 +279,8 @@ def guessed(system, problem, given=None):
     made = Transcription(problem._problem, problem._scheme, problem._mesh)
     states = made.split(problem._joined([problem._mesh], [given])[1])[0]
     rows = {s.name: row for s, row in zip(system.states, states, strict=True)}
-    there = ~made.places[1]
-    return rows["x"][there], rows["y"][there], made.places[0][there]
+    there = ~made.state_slots[1]
+    return rows["x"][there], rows["y"][there], made.state_slots[0][there]
 
 
 @pytest.mark.parametrize("method", ["radau", "midpoint", "hermite-simpson"])
@@ -317,7 +317,8 @@ def test_dependent_coordinates_of_a_guess_follow_and_free_ones_keep_their_lines(
     transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
     states = transcription.split(problem._joined([problem._mesh], [None])[1])[0]
     rows = {
-        s.name: row[~transcription.places[1]] for s, row in zip(system.states, states, strict=True)
+        s.name: row[~transcription.state_slots[1]]
+        for s, row in zip(system.states, states, strict=True)
     }
     assert (rows["z"] == 0.0).all()
     np.testing.assert_allclose(rows["y"], np.sin(rows["x"]), atol=1e-5)

@@ -56,7 +56,7 @@ class Reference:
     def __call__(self, z):
         """Return the objective and the rows in the order of the program."""
         made, p = self.made, self.made.problem
-        slots, own, n = len(made.places[0]), len(made.control_places), p.states
+        slots, own, n = len(made.state_slots[0]), len(made.control_times), p.states
         x = [z[k * slots : (k + 1) * slots] for k in range(n)]
         first = n * slots
         u = [z[first + k * own : first + (k + 1) * own] for k in range(len(p.controls))]
@@ -284,7 +284,7 @@ def test_known_signals_at_times_that_move_with_the_duration(method, order):
         compare(nlp, z, reference)
     np.testing.assert_array_equal(
         nlp.native("rows", z)[0],
-        np.concatenate([p.evaluate("rows", z).ravel() for p in nlp.pieces]),
+        np.concatenate([p.evaluate("rows", z).ravel() for p in nlp.groups]),
     )
 
 
@@ -391,7 +391,7 @@ def test_derivatives_of_two_disturbed_experiments():
     slope = np.array([0.0, 0.3, 0.0, 0.0, -0.2])
     nlp, _, _ = joined.program(np.ones(5), [None, None], slope)
     ones = np.ones(joined.size)
-    nlp = type(nlp)(nlp.pieces, -np.inf * ones, np.inf * ones, ones)
+    nlp = type(nlp)(nlp.groups, -np.inf * ones, np.inf * ones, ones)
     assert fit.problems[0]._compiled is fit.problems[1]._compiled
     force = F * v - k * x**3 + wind * x + sm.sin(T) * v
     disturbance = me.dynamicsymbols("disturbance")
@@ -416,7 +416,7 @@ def test_derivatives_of_two_disturbed_experiments():
             more, found = one(local)
             cost, rows = cost + more, rows + found
             duration = made.problem.duration
-            slots, width = len(made.places[0]), len(made.control_places)
+            slots, width = len(made.state_slots[0]), len(made.control_times)
             c = local[-2:]
             for j, time in enumerate(e.times):
                 state = {}
@@ -455,7 +455,7 @@ def test_the_hessian_of_gauss_and_newton():
         exact.append(dense((nlp.size, nlp.size), nlp.hessian_at, own))
     # (x − v)⁴ = r² with r = (x − v)²: its exact Hessian is 12 (x − v)², that of r² 8 (x − v)².
     states, _controls, _, _ = made.split(z)
-    slots = len(made.places[0])
+    slots = len(made.state_slots[0])
     weights = 0.7 * 1.3 * 2.0 * made.scheme.points(made.mesh)[0].weights
     missing = np.zeros_like(exact[0])
     for w, slot in zip(weights, made.scheme.points(made.mesh)[0].slots[0], strict=True):

@@ -11,22 +11,22 @@ import optima
 from optima import TF, T
 from pydy.control import OptimalControl
 from pydy.control.ipopt import library, solve
-from pydy.control.nlp import SIGNATURES, Nlp, Piece, runs_of
+from pydy.control.nlp import SIGNATURES, Nlp, PointGroup, runs_of
 
 
 def points(nlp, k, y):
-    piece = nlp.pieces[k]
-    return y[piece.at] * nlp.sizes[piece.at]
+    group = nlp.groups[k]
+    return y[group.at] * nlp.sizes[group.at]
 
 
 def evaluated(nlp, name, y, data=None):
-    """Return the results of each piece, as the kernels give them."""
+    """Return the results of each group, as the kernels give them."""
     found = []
-    for k, piece in enumerate(nlp.pieces):
-        f = piece.functions
+    for k, group in enumerate(nlp.groups):
+        f = group.functions
         if name in f.programs:
-            own = piece.data if data is None else data[k]
-            found.append((piece, f(name, points(nlp, k, y), own, piece.constants)))
+            own = group.data if data is None else data[k]
+            found.append((group, f(name, points(nlp, k, y), own, group.constants)))
     return found
 
 
@@ -55,8 +55,8 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
     cost = sum(float(out.sum()) for _, out in evaluated(nlp, "cost", y)) / nlp.cost_size
     assert nlp.native("cost", y)[0][0] == cost
     slopes = np.zeros(nlp.size)
-    for piece, out in evaluated(nlp, "gradient", y):
-        at = piece.at[piece.functions.gradient_at].ravel()
+    for group, out in evaluated(nlp, "gradient", y):
+        at = group.at[group.functions.gradient_at].ravel()
         slopes += np.bincount(at, out.ravel(), minlength=nlp.size)
     gradient, fine = nlp.native("gradient", y)
     assert fine
@@ -70,12 +70,12 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
     plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "jacobian", y)])
     np.testing.assert_array_equal(J, plain * nlp.derivative_units[0])
     weighted, first = [], 0
-    for piece in nlp.pieces:
-        m, costs = piece.functions.outputs
-        own = (multipliers / nlp.row_sizes)[first : first + m * piece.points]
-        first += m * piece.points
-        last = np.full((costs, piece.points), weight / nlp.cost_size)
-        weighted.append(np.concatenate([piece.data, own.reshape(m, piece.points), last]))
+    for group in nlp.groups:
+        m, costs = group.functions.outputs
+        own = (multipliers / nlp.row_sizes)[first : first + m * group.points]
+        first += m * group.points
+        last = np.full((costs, group.points), weight / nlp.cost_size)
+        weighted.append(np.concatenate([group.data, own.reshape(m, group.points), last]))
     H, fine = nlp.native("hessian", y, weight, multipliers)
     assert fine
     plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "hessian", y, weighted)])
@@ -141,8 +141,8 @@ def test_a_second_search_makes_no_pieces_and_units_no_tables(monkeypatch):
     problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0})
     problem.check()
     made = []
-    own, start = Piece.__post_init__, Nlp.__post_init__
-    monkeypatch.setattr(Piece, "__post_init__", lambda self: made.append("piece") or own(self))
+    own, start = PointGroup.__post_init__, Nlp.__post_init__
+    monkeypatch.setattr(PointGroup, "__post_init__", lambda self: made.append("group") or own(self))
     monkeypatch.setattr(Nlp, "__post_init__", lambda self: made.append("program") or start(self))
     assert problem.solve().objective == pytest.approx(12.0)
     assert made == ["program"]

@@ -84,13 +84,13 @@ def test_a_random_mechanism(seed):
     problem = problem_of(seed)
     made = Transcription(problem._problem, problem._scheme, problem._mesh)
     (points,) = made.scheme.points(made.mesh)
-    piece = made.pieces[0]
-    functions, rng = piece.functions, np.random.default_rng(seed)
+    group = made.groups[0]
+    functions, rng = group.functions, np.random.default_rng(seed)
     x = np.repeat(np.array(problem._now.x)[None], len(points.slots), axis=0)
     x = x + np.max(np.abs(x), initial=1e-3, axis=0) * 0.1 * rng.normal(size=x.shape)
     rest = rng.uniform(0.2, 1.2, functions.sizes[0] - x.size)
     X = np.concatenate([x.ravel(), rest])[:, None]
-    R, P = piece.data[:, :1].copy(), piece.constants
+    R, P = group.data[:, :1].copy(), group.constants
     m = functions.outputs[0]
     weights = rng.normal(size=m + 1)
     J, g, H = (np.empty((len(at), 1)) for at in (

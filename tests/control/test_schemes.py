@@ -33,7 +33,7 @@ def test_derivatives_of_polynomials_are_exact():
 
 
 def slots_of(scheme, function, slope, duration):
-    times, slopes = scheme.states.places(MESH)
+    times, slopes = scheme.states.times_on(MESH)
     return np.where(slopes, slope(times * duration), function(times * duration))
 
 
@@ -65,7 +65,7 @@ def test_weights_integrate_over_the_mesh(scheme):
 @pytest.mark.parametrize("scheme", SCHEMES, ids=str)
 def test_interpolants_pass_through_their_slots(scheme):
     slots = scheme.states.of_intervals(len(MESH) - 1)
-    times, slopes = scheme.states.places(MESH)
+    times, slopes = scheme.states.times_on(MESH)
     for k in range(len(MESH) - 1):
         own = slots[:, k][~slopes[slots[:, k]]]
         s = (times[own] - MESH[k]) / (MESH[k + 1] - MESH[k])
@@ -74,7 +74,7 @@ def test_interpolants_pass_through_their_slots(scheme):
         np.testing.assert_allclose(basis[: len(own)], unit, atol=1e-13)
         assert not powers[: len(own)].any()
     controls = scheme.controls.of_intervals(len(MESH) - 1)
-    assert sorted(set(controls.ravel())) == list(range(len(scheme.controls.places(MESH)[0])))
+    assert sorted(set(controls.ravel())) == list(range(len(scheme.controls.times_on(MESH)[0])))
 
 
 def test_the_cubic_of_hermite_simpson_has_the_given_slopes():
@@ -94,7 +94,7 @@ def test_constraints_hold_at_every_node_but_the_first(scheme):
     assert 0.0 not in held
     # As many multipliers as rows that determine them.
     start = sum(p.rows == "start" for p in points)
-    assert len(held) + start == len(scheme.controls.places(MESH)[0])
+    assert len(held) + start == len(scheme.controls.times_on(MESH)[0])
     # Motion and objective are those of motions without constraints.
     motion = [p for p in points if p.rows != "constraints"]
     for name in ("fractions", "weights"):

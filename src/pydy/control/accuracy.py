@@ -201,10 +201,10 @@ def _quadrature(made: Transcription, nlp: Nlp, z: np.ndarray, absolute: bool = F
     """Return each interval's part of the integrals of the objective, or of their absolute value."""
     M, found = made.intervals, np.zeros(made.intervals)
     h = np.diff(made.mesh)
-    for piece, points in zip(nlp.pieces, made.points, strict=False):
-        if not piece.functions.outputs[1]:
+    for group, points in zip(nlp.groups, made.points, strict=False):
+        if not group.functions.outputs[1]:
             continue
-        cost = piece.evaluate("cost", z)[0]
+        cost = group.evaluate("cost", z)[0]
         cost = np.abs(cost) if absolute else cost
         if len(cost) == M + 1:  # nodes, which belong to the intervals on both sides
             cost = cost / points.weights
@@ -240,7 +240,7 @@ class _Between:
             slots, given = [x, dx / h], []
         u = controls[:, scheme.controls.of_intervals(M)[:, k]] * scheme.controls.basis(s)[0]
         u = u.sum(axis=1)
-        self.made, self.piece, self.first = made, nlp.pieces[0], sum(map(len, slots))
+        self.made, self.group, self.first = made, nlp.groups[0], sum(map(len, slots))
         self.X = np.ascontiguousarray([*np.concatenate(slots), *u, *z[made._numbers_at(len(s))]])
         signals = p.signals_at(p.begin + self.fractions * T)
         self.R = np.ascontiguousarray([self.fractions, length, one, *given, *signals])
@@ -256,7 +256,7 @@ class _Between:
     ) -> np.ndarray:
         """Return the multipliers of rows that are integrated, shape (rows, points)."""
         made = self.made
-        parts = zip(nlp.by_piece(solution.multipliers), made.points, strict=False)
+        parts = zip(nlp.by_group(solution.multipliers), made.points, strict=False)
         values = [rows / points.weights for (_, rows), points in parts]
         first, M, K = values[0], made.intervals, made.scheme.order
         if made.scheme.name == "hermite-simpson":
@@ -272,8 +272,8 @@ class _Between:
             nodes, at = np.zeros(1), [first[:, k]]
         found: np.ndarray = np.einsum("jm,jrm->rm", lagrange(nodes, s), np.array(at))
         # Those of inequalities have a sign, which a polynomial need not keep.
-        found[self.piece.high == np.inf] = np.minimum(found[self.piece.high == np.inf], 0.0)
-        found[self.piece.low == -np.inf] = np.maximum(found[self.piece.low == -np.inf], 0.0)
+        found[self.group.high == np.inf] = np.minimum(found[self.group.high == np.inf], 0.0)
+        found[self.group.low == -np.inf] = np.maximum(found[self.group.low == -np.inf], 0.0)
         return found
 
     def given(self) -> np.ndarray:
@@ -286,8 +286,8 @@ class _Between:
 
     def by_states(self) -> tuple[np.ndarray, np.ndarray]:
         """Return derivatives of rows, the last one the objective, by states and by their rates."""
-        f, n, P = self.piece.functions, self.made.problem.states, self.piece.constants
-        found = np.zeros((self.piece.rows + 1, len(self.X), self.X.shape[1]))
+        f, n, P = self.group.functions, self.made.problem.states, self.group.constants
+        found = np.zeros((self.group.rows + 1, len(self.X), self.X.shape[1]))
         found[tuple(f.jacobian_at.T)] = f("jacobian", self.X, self.R, P)
         found[-1, f.gradient_at] = f("gradient", self.X, self.R, P)
         first, second = found[:, :n], found[:, n : 2 * n]
@@ -297,15 +297,15 @@ class _Between:
 
     def slack(self) -> np.ndarray:
         """Return by how much inequalities of the path differ from zero, times their multipliers."""
-        rows = self.piece.functions("rows", self.X, self.R, self.piece.constants)
-        open_ = self.piece.low < self.piece.high
+        rows = self.group.functions("rows", self.X, self.R, self.group.constants)
+        open_ = self.group.low < self.group.high
         found: np.ndarray = np.abs(self.multipliers * rows)[open_].sum(axis=0)
         return found
 
     def lagrangian(self) -> np.ndarray:
         """Return L + Λ · r."""
         rows, cost = (
-            self.piece.functions(name, self.X, self.R, self.piece.constants)
+            self.group.functions(name, self.X, self.R, self.group.constants)
             for name in ("rows", "cost")
         )
         total: np.ndarray = (self.multipliers * rows).sum(axis=0) + cost.sum(axis=0)
@@ -313,7 +313,7 @@ class _Between:
 
     def slope(self, i: int, values: np.ndarray) -> np.ndarray:
         """Return its derivative by a control, which takes some values."""
-        f, P, own = self.piece.functions, self.piece.constants, self.first + i
+        f, P, own = self.group.functions, self.group.constants, self.first + i
         self.X[own] = values
         found = np.zeros(len(values))
         for name, places in (("jacobian", f.jacobian_at), ("gradient", f.gradient_at)):
@@ -440,9 +440,9 @@ def warn_of_chatter(found: Any) -> None:
     refinement puts where a control jumps are no arc.
     """
     made, nlp, solution = found._transcription, found._nlp, found.solution
-    own, arcs = len(made.control_places), []
-    order = np.argsort(made.control_places, kind="stable")
-    times = made.control_places[order]
+    own, arcs = len(made.control_times), []
+    order = np.argsort(made.control_times, kind="stable")
+    times = made.control_times[order]
     widths = np.diff(made.mesh, prepend=0.0) * made.intervals
     for i in _linear_controls(made):
         at = made.sizes[0] + i * own + order
@@ -484,7 +484,7 @@ def _linear_controls(made: Transcription) -> list[int]:
     if p.hessian != "exact":
         return []
     curved: set[int] = set()
-    for functions, points in zip((x.functions for x in made.pieces), made.points, strict=False):
+    for functions, points in zip((x.functions for x in made.groups), made.points, strict=False):
         first = len(points.slots) * p.states
         pairs = functions.hessian_at - first
         inside = ((pairs >= 0) & (pairs < len(p.controls))).all(axis=1)

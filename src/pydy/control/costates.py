@@ -20,18 +20,18 @@ def costates_of(made: Transcription, nlp: Nlp, solution: Solution) -> tuple[np.n
     """
     if made.scheme.name == "hermite-simpson":
         return _of_simpson(made, nlp, solution)
-    slots, M, z = len(made.places[0]), made.intervals, solution.z
+    slots, M, z = len(made.state_slots[0]), made.intervals, solution.z
     first, last = np.zeros((2, made.problem.states, M))
-    for piece, weights in nlp.by_piece(solution.multipliers)[: len(made.points)]:
-        own = np.tile(np.arange(M), piece.points // M)  # the points' intervals
-        f = piece.functions
-        slopes = [*zip(f.gradient_at, piece.evaluate("gradient", z), strict=True)]
-        for (i, j), row in zip(f.jacobian_at, piece.evaluate("jacobian", z), strict=True):
+    for group, weights in nlp.by_group(solution.multipliers)[: len(made.points)]:
+        own = np.tile(np.arange(M), group.points // M)  # the points' intervals
+        f = group.functions
+        slopes = [*zip(f.gradient_at, group.evaluate("gradient", z), strict=True)]
+        for (i, j), row in zip(f.jacobian_at, group.evaluate("jacobian", z), strict=True):
             slopes.append((j, weights[i] * row))
         for variable, values in slopes:
-            state, slot = np.divmod(piece.at[variable], slots)
+            state, slot = np.divmod(group.at[variable], slots)
             for found, node, sign in ((first, own, 1.0), (last, own + 1, -1.0)):
-                there = (piece.at[variable] < made.sizes[0]) & (slot == node)
+                there = (group.at[variable] < made.sizes[0]) & (slot == node)
                 np.add.at(found, (state[there], own[there]), sign * values[there])
     return first, last
 
@@ -45,13 +45,13 @@ def _of_simpson(made: Transcription, nlp: Nlp, solution: Solution) -> tuple[np.n
     n, M = made.problem.states, made.intervals
     found = []
     # At nodes, and in the middle of intervals.
-    for piece, multipliers in nlp.by_piece(solution.multipliers)[:2]:
-        f = piece.functions
-        slopes = np.zeros((piece.rows + 1, len(piece.at), piece.points))
+    for group, multipliers in nlp.by_group(solution.multipliers)[:2]:
+        f = group.functions
+        slopes = np.zeros((group.rows + 1, len(group.at), group.points))
         # Rows with their derivatives by the variables, the last one that of the objective.
-        slopes[tuple(f.jacobian_at.T)] = piece.evaluate("jacobian", solution.z)
-        slopes[piece.rows, f.gradient_at] = piece.evaluate("gradient", solution.z)
-        found.append((np.vstack([multipliers, np.ones(piece.points)]), slopes))
+        slopes[tuple(f.jacobian_at.T)] = group.evaluate("jacobian", solution.z)
+        slopes[group.rows, f.gradient_at] = group.evaluate("gradient", solution.z)
+        found.append((np.vstack([multipliers, np.ones(group.points)]), slopes))
     (own, rows), (middle, inner) = found
     inside = np.einsum("rm,rvm->vm", middle, inner)[: 4 * n].reshape(2, 2, n, M)
     nodes = np.einsum("rm,rvm->vm", own[n:], rows[n:])[: 2 * n].reshape(2, n, M + 1)

@@ -144,19 +144,19 @@ def follow_constraints(
     Each place begins as far beside its guess as the one before ended, so that a mechanism does not
     change its branch. Where no configuration is found the guess stays.
     """
-    places, slopes = made.places
+    places, slopes = made.state_slots
     own = np.flatnonzero(~slopes)
     slots = own[np.argsort(places[own], kind="stable")]
-    piece, states = made.held_at(slots), list(moving)
-    f, shift = piece.functions, np.zeros(len(states))
-    J, every = np.zeros((piece.rows, f.sizes[0])), piece.data_at(z)
+    group, states = made.constraints_at(slots), list(moving)
+    f, shift = group.functions, np.zeros(len(states))
+    J, every = np.zeros((group.rows, f.sizes[0])), group.data_at(z)
     for k in range(len(slots)):
-        at, data = piece.at[:, [k]], np.ascontiguousarray(every[:, [k]])
+        at, data = group.at[:, [k]], np.ascontiguousarray(every[:, [k]])
         X = z[at]
         X[states, 0] += shift
         for _ in range(8):  # Newton's method doubles the digits; what is far stays as it is
-            J[tuple(f.jacobian_at.T)] = f("jacobian", X, data, piece.constants)[:, 0]
-            left, by = f("rows", X, data, piece.constants)[:count, 0], J[:count]
+            J[tuple(f.jacobian_at.T)] = f("jacobian", X, data, group.constants)[:, 0]
+            left, by = f("rows", X, data, group.constants)[:count, 0], J[:count]
             if not (np.isfinite(left).all() and np.isfinite(by).all()):
                 break
             if (np.abs(left) <= DIGITS * (np.abs(by) @ np.abs(X[:, 0]))).all():

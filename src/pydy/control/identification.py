@@ -54,7 +54,7 @@ from pydy._rank import HALF, or_one
 from pydy.control.guess import Limit
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Equations
-from pydy.control.nlp import Nlp, Piece
+from pydy.control.nlp import Nlp, PointGroup
 from pydy.control.problem import labels_of
 from pydy.control.refine import Moved, checked_mesh, interval_errors, knots, refined
 from pydy.control.schemes import Scheme, scheme_of
@@ -294,7 +294,7 @@ class _Joined:
         count = len(asked.shared)
         self.own, own_parameters = [], []
         for e, made in zip(self.experiments, self.made, strict=True):
-            slots, first = len(made.places[0]), sum(made.sizes[:2])
+            slots, first = len(made.state_slots[0]), sum(made.sizes[:2])
             places, numbers = [], 0
             for kind, k in asked.shared:
                 places.append(k * slots if kind == "states" else first + numbers)
@@ -326,23 +326,23 @@ class _Joined:
             self.experiments, self.made, self.own, motions, strict=True
         ):
             parts.append(part := _start(e, made, motion))
-            nodes = np.arange(made.problem.states) * len(made.places[0])
+            nodes = np.arange(made.problem.states) * len(made.state_slots[0])
             known = nodes[[k for k in range(len(nodes)) if k not in (*e.unknown, *e.tied)]]
-            lower[own[known]] = upper[own[known]] = e.now.x[known // len(made.places[0])]
+            lower[own[known]] = upper[own[known]] = e.now.x[known // len(made.state_slots[0])]
             start[own] = part
         start[self.parameters] = z
         for side, limit in zip((lower, upper), asked.limits, strict=True):
             side[self.parameters] = limit
-        pieces: list[Piece] = []
-        rows: list[Piece] = []
+        groups: list[PointGroup] = []
+        rows: list[PointGroup] = []
         for e, made, own in zip(self.experiments, self.made, self.own, strict=True):
             open_ = np.full(len(own), np.inf)
             np.maximum.at(sizes, own, sizes_of(made, start[own], -open_, open_)[0])
             samples = made.samples(e.times, np.nan_to_num(e.values), e.weights)
-            pieces += [replace(p, at=own[p.at]) for p in (*made.pieces, samples[0])]
+            groups += [replace(p, at=own[p.at]) for p in (*made.groups, samples[0])]
             rows.append(replace(samples[1], at=own[samples[1].at]))
-        pieces.append(self._known(slope, z, pull))
-        nlp = Nlp(pieces, lower, upper, sizes)
+        groups.append(self._known(slope, z, pull))
+        nlp = Nlp(groups, lower, upper, sizes)
         return nlp.in_own_units(start), Nlp(rows, lower, upper, sizes), start
 
     def collapses(self, nlp: Nlp, start: np.ndarray) -> bool:
@@ -358,7 +358,7 @@ class _Joined:
         left = rows[at] - B[at] @ np.linalg.lstsq(B[at], rows[at])[0]
         return bool(at.any() and np.linalg.norm(left) <= HALF * np.linalg.norm(rows[at]))
 
-    def _known(self, slope: np.ndarray, z: np.ndarray, pull: float) -> Piece:
+    def _known(self, slope: np.ndarray, z: np.ndarray, pull: float) -> PointGroup:
         """Return the priors of the parameters, a slope, and a pull as a share of the samples'."""
         problem = self.made[0].problem
         count = len(self.parameters)
@@ -368,7 +368,7 @@ class _Joined:
         for k, mean, deviation in self.asked.priors:
             data[:2, k] = mean, 1.0 / deviation
         at, none = self.parameters[None], np.empty(0)
-        return Piece(problem.of_parameters(), at, data, none, (), np.full(count, np.nan))
+        return PointGroup(problem.of_parameters(), at, data, none, (), np.full(count, np.nan))
 
     def check_constraints(self, solution: Solution) -> None:
         """Refuse motions whose velocities do not keep a holonomic constraint.
@@ -380,7 +380,7 @@ class _Joined:
             if not equations.constraints.unenforced_holonomic:
                 continue
             states, _, numbers, duration = made.split(solution.z[places])
-            times = np.minimum(e.begin + made.places[0] * duration, e.times[-1])
+            times = np.minimum(e.begin + made.state_slots[0] * duration, e.times[-1])
             order = np.argsort(times, kind="stable")
             times, states = times[order], states.T[order]
             at = e.now.at(times, states)
@@ -406,7 +406,7 @@ class _Joined:
         for made, own in zip(self.made, self.own, strict=True):
             (points,) = made.scheme.points(made.mesh)
             for k, intensity in enumerate(made.problem.noise):
-                first = made.sizes[0] + k * len(made.control_places)
+                first = made.sizes[0] + k * len(made.control_times)
                 places.append(own[first + points.controls])
                 assert made.problem.duration is not None
                 factors.append(np.sqrt(made.problem.duration * points.weights) / intensity)
@@ -502,19 +502,19 @@ def _start(e: Experiment, made: Transcription, motion: Any) -> np.ndarray:
     """Return an experiment's unknowns where the search begins."""
     duration = made.problem.duration
     assert duration is not None
-    controls = np.zeros((made.problem.algebraic, len(made.control_places)))
+    controls = np.zeros((made.problem.algebraic, len(made.control_times)))
     if motion is None:
-        times = e.begin + made.places[0] * duration
+        times = e.begin + made.state_slots[0] * duration
         states = np.array([np.interp(times, e.at, column) for column in e.states.T])
     else:
         before, z = motion
-        states = before.states_at(z, made.places[0] * duration).T
+        states = before.states_at(z, made.state_slots[0] * duration).T
         controls[: len(made.problem.controls)] = before.controls_at(
-            z, made.control_places * duration
+            z, made.control_times * duration
         ).T
     p = made.problem
     numbers = np.concatenate([p.constants, p.specifieds])[list(p.free)]
-    return made.joined(states, controls, numbers, duration)
+    return made.unknowns_of(states, controls, numbers, duration)
 
 
 def _places(signal: tuple[np.ndarray, Any]) -> list[int]:

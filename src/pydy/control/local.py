@@ -43,16 +43,16 @@ def least_between(made: Transcription, nlp: Nlp, z: np.ndarray, k: int) -> float
     mesh = np.concatenate([[0.0], halves, 1.0 - halves[-2::-1], [1.0]])
     local = Transcription(part, made.scheme, mesh)
     states, controls, numbers, _ = made.split(z)
-    places, slopes = local.places
+    places, slopes = local.state_slots
     times = (first + places * length) * T
     x = made.states_at(z, np.clip(times, first * T, last * T)).T
     ends = states[:, [k, k + 1]]
-    at = local.control_places
-    u = made._between(controls, made.scheme.controls, np.full(len(at), k), at, T).T
+    at = local.control_times
+    u = made._interpolated(controls, made.scheme.controls, np.full(len(at), k), at, T).T
     intervals = len(mesh) - 1
     x[:, [0, intervals]] = ends
     sizes = made.split(nlp.sizes)
-    of_states = np.repeat(sizes[0].max(axis=1, where=~made.places[1], initial=0.0)[:, None],
+    of_states = np.repeat(sizes[0].max(axis=1, where=~made.state_slots[1], initial=0.0)[:, None],
                           len(places), axis=1)  # fmt: skip
     for row in x if slopes.any() else ():
         row[slopes] = np.gradient(row[~slopes], mesh * length * T)
@@ -66,13 +66,13 @@ def least_between(made: Transcription, nlp: Nlp, z: np.ndarray, k: int) -> float
     limits = [np.concatenate([own.reshape(-1, len(at)), sign * open_])
               for own, sign in zip(limits, (-1.0, 1.0), strict=True)]  # fmt: skip
     duration = length * T
-    begin = local.joined(x, u, numbers, duration)
+    begin = local.unknowns_of(x, u, numbers, duration)
     lower, upper = (
-        local.joined(own, other, numbers, duration)
+        local.unknowns_of(own, other, numbers, duration)
         for own, other in ((low, limits[0]), (high, limits[1]))
     )
     widths = np.repeat(sizes[1].max(axis=1)[:, None], len(at), axis=1)
-    units = local.joined(of_states, widths, sizes[2], duration)
+    units = local.unknowns_of(of_states, widths, sizes[2], duration)
     begin = np.clip(begin, lower, upper)
     try:
         found = ipopt.solve(local.nlp(lower, upper, units).in_own_units(begin), begin)

@@ -2,7 +2,7 @@
 
     minimise  Σ cost(X, R, P)   such that   lower ≤ z ≤ upper,   low ≤ rows(X, R, P) ≤ high
 
-The variables X of a point are some of the unknowns z; the constants P are those of its piece.
+The variables X of a point are some of the unknowns z; the constants P are those of its group.
 Solvers see it in units of its own: with z = sizes · y, each row and the objective divided by their
 sizes, no tolerance depends on the units in which a model is written. No Python runs when a solver
 calls the functions: they are those of ``_backends/core/nlp.c``, with the signatures of IPOPT's C
@@ -41,7 +41,7 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class PointGroup:
     """Functions of points, with their unknowns, data and bounds."""
 
     functions: Functions
@@ -54,7 +54,7 @@ class Piece:
     low: Any = 0.0  # (rows,), bounds, by default those of equations
     high: Any = 0.0
     collocated: bool = False  # whether these are collocation points
-    # Places in r and SampledInputs whose `pieces_at` the points' times are the last rows of the
+    # Places in r and SampledInputs whose `cubics_at` the points' times are the last rows of the
     # data. The times move with the duration, which is the last variable.
     signals: Sequence[tuple[np.ndarray, Any]] = ()
 
@@ -80,7 +80,7 @@ class Piece:
         """Return the data at unknowns."""
         if not self.signals:
             return self.data
-        rows = pieces_at(self.signals, self.constants[-1] + z[self.at[-1]] * self.data[0])
+        rows = cubics_at(self.signals, self.constants[-1] + z[self.at[-1]] * self.data[0])
         return np.concatenate([self.data[: -len(rows)], rows])
 
     @property
@@ -89,7 +89,7 @@ class Piece:
         return self.data[1].min() / self.data[1] if self.collocated else np.ones(1)
 
 
-def pieces_at(signals: Sequence[tuple[np.ndarray, Any]], times: np.ndarray) -> list[np.ndarray]:
+def cubics_at(signals: Sequence[tuple[np.ndarray, Any]], times: np.ndarray) -> list[np.ndarray]:
     """Return five rows for each signal: the knot before each time, and the cubic from there on."""
     rows = []
     for _, samples in signals:
@@ -102,16 +102,16 @@ def pieces_at(signals: Sequence[tuple[np.ndarray, Any]], times: np.ndarray) -> l
 
 @dataclass(frozen=True, eq=False)
 class Nlp:
-    """A nonlinear program; rows are ordered by pieces, then rows, then points."""
+    """A nonlinear program; rows are ordered by groups, then rows, then points."""
 
-    pieces: Sequence[Piece]
+    groups: Sequence[PointGroup]
     # (n,), bounds of the unknowns z.
     lower: np.ndarray
     upper: np.ndarray
     sizes: np.ndarray  # (n,), the units of the unknowns
     row_sizes: np.ndarray = field(default_factory=lambda: np.empty(0))  # (m,), one by default
     cost_size: float = 1.0
-    estimated: bool = False  # whether the solver estimates the Hessian, as no piece has it
+    estimated: bool = False  # whether the solver estimates the Hessian, as no group has it
     # Rows and columns of the entries; those of the Hessian are of its lower triangle, and entries
     # of the same place are to be added.
     jacobian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
@@ -120,16 +120,16 @@ class Nlp:
     def __post_init__(self) -> None:
         rows, columns, lower, upper = [], [], [], []
         start = 0
-        for piece in self.pieces:
-            k, f = np.arange(piece.points), piece.functions
+        for group in self.groups:
+            k, f = np.arange(group.points), group.functions
             i, j = f.jacobian_at.T
-            rows.append((start + i[:, None] * piece.points + k).ravel())
-            columns.append(piece.at[j].ravel())
+            rows.append((start + i[:, None] * group.points + k).ravel())
+            columns.append(group.at[j].ravel())
             i, j = f.hessian_at.T
-            first, second = piece.at[i], piece.at[j]
+            first, second = group.at[i], group.at[j]
             lower.append(np.maximum(first, second).ravel())
             upper.append(np.minimum(first, second).ravel())
-            start += piece.rows * piece.points
+            start += group.rows * group.points
         self._set("jacobian_at", (_indices(rows), _indices(columns)))
         self._set("hessian_at", (_indices(lower), _indices(upper)))
         if not len(self.row_sizes):
@@ -152,10 +152,10 @@ class Nlp:
     def derivative_units(self) -> tuple[np.ndarray, np.ndarray]:
         """What the entries of the Jacobian and of the Hessian are multiplied with."""
         twice = [np.empty(0, dtype=bool)]
-        for piece in self.pieces:
-            i, j = piece.functions.hessian_at.T
+        for group in self.groups:
+            i, j = group.functions.hessian_at.T
             # Two variables of a point that are one unknown meet twice on the diagonal.
-            twice.append(((i != j)[:, None] & (piece.at[i] == piece.at[j])).ravel())
+            twice.append(((i != j)[:, None] & (group.at[i] == group.at[j])).ravel())
         (row, column), (i, j) = self.jacobian_at, self.hessian_at
         curvatures = self.sizes[i] * self.sizes[j] * np.where(np.concatenate(twice), 2.0, 1.0)
         return self.sizes[column] / self.row_sizes[row], curvatures
@@ -164,19 +164,19 @@ class Nlp:
     def row_bounds(self) -> tuple[np.ndarray, np.ndarray]:
         """Bounds of the rows, not divided by their sizes."""
         bounds = [
-            [np.repeat(own, piece.points) for own in (piece.low, piece.high)]
-            for piece in self.pieces
+            [np.repeat(own, group.points) for own in (group.low, group.high)]
+            for group in self.groups
         ]
         low, high = (np.concatenate([b[k] for b in bounds]) for k in (0, 1))
         return low, high
 
-    def by_piece(self, values: np.ndarray) -> list[tuple[Piece, np.ndarray]]:
-        """Return each piece's part of all rows, as views (rows, points)."""
-        ends = np.cumsum([piece.rows * piece.points for piece in self.pieces])
+    def by_group(self, values: np.ndarray) -> list[tuple[PointGroup, np.ndarray]]:
+        """Return each group's part of all rows, as views (rows, points)."""
+        ends = np.cumsum([group.rows * group.points for group in self.groups])
         parts = np.split(values, ends[:-1])
         return [
-            (piece, part.reshape(piece.rows, piece.points))
-            for piece, part in zip(self.pieces, parts, strict=True)
+            (group, part.reshape(group.rows, group.points))
+            for group, part in zip(self.groups, parts, strict=True)
         ]
 
     # -- functions of y, in units of their own ----------------------------------------------------
@@ -202,10 +202,12 @@ class Nlp:
         J = self.native("jacobian", y)[0]
         sizes = np.zeros(self.rows)
         np.maximum.at(sizes, self.jacobian_at[0], np.abs(np.nan_to_num(J)))
-        for piece, groups in self.by_piece(sizes):
-            largest = groups.max(axis=1, keepdims=True, initial=0.0)
-            uneven = piece.shortest < UNEVEN
-            groups[:] = np.where(uneven, np.maximum(groups, piece.shortest * largest), largest)
+        for group, row_sizes in self.by_group(sizes):
+            largest = row_sizes.max(axis=1, keepdims=True, initial=0.0)
+            uneven = group.shortest < UNEVEN
+            row_sizes[:] = np.where(
+                uneven, np.maximum(row_sizes, group.shortest * largest), largest
+            )
         slope = self.native("gradient", y)[0]
         curved = np.zeros(self.size)
         i, j = self.hessian_at
@@ -246,8 +248,8 @@ class Native:
         self._sizes = nlp.size, nlp.rows, len(nlp.jacobian_at[0]), len(nlp.hessian_at[0])
         self._kept: list[Any] = [code, like]
         self._tables: list[np.ndarray] = like._tables if like is not None else [
-            np.array([self._part(nlp, k, name) for k, piece in enumerate(nlp.pieces)
-                      if name in piece.functions.programs], np.int64)
+            np.array([self._part(nlp, k, name) for k, group in enumerate(nlp.groups)
+                      if name in group.functions.programs], np.int64)
             for name in SIGNATURES
         ]  # fmt: skip
         units = [nlp.row_sizes, nlp.sizes / nlp.cost_size, *nlp.derivative_units]
@@ -270,31 +272,31 @@ class Native:
         return int(array.ctypes.data)
 
     def _part(self, nlp: Any, k: int, name: str) -> list[int]:
-        """Return the words of one function of a piece."""
-        piece = nlp.pieces[k]
-        functions, points = piece.functions, piece.points
+        """Return the words of one function of a group."""
+        group = nlp.groups[k]
+        functions, points = group.functions, group.points
         words, scratch, code = functions.sweep(name)
         self._kept.append(code)
         rows, costs = functions.outputs if name == "hessian" else (0, 0)
-        data = np.concatenate([piece.data, np.zeros((rows + costs, points))])
+        data = np.concatenate([group.data, np.zeros((rows + costs, points))])
         words[9:11] = points, len(data) if points > 1 else 0
         results = len(functions.programs[name].outputs) * points
-        to = piece.at[functions.gradient_at] if name == "gradient" else np.empty(0)
+        to = group.at[functions.gradient_at] if name == "gradient" else np.empty(0)
         arrays = (
-            np.ascontiguousarray(piece.at, np.int64),
-            np.ascontiguousarray(nlp.sizes[piece.at]),
+            np.ascontiguousarray(group.at, np.int64),
+            np.ascontiguousarray(nlp.sizes[group.at]),
             data,
-            np.ascontiguousarray(piece.constants, float),
-            np.empty(piece.at.size),
+            np.ascontiguousarray(group.constants, float),
+            np.empty(group.at.size),
             np.empty(results if name in ("cost", "gradient") else 0),
             np.empty(scratch),
             np.empty(points, np.uint8),
             np.ascontiguousarray(to, np.int64),
         )
-        tables, (length, runs) = sampled_input_tables(piece.signals), runs_of(piece.at)
+        tables, (length, runs) = sampled_input_tables(group.signals), runs_of(group.at)
         return [
             *(*words.tolist(), *(self._kept_at(a) for a in arrays), rows, costs),
-            *(len(tables[0]), len(piece.data) - 5 * len(tables[0]), *map(self._kept_at, tables)),
+            *(len(tables[0]), len(group.data) - 5 * len(tables[0]), *map(self._kept_at, tables)),
             *(length, self._kept_at(runs)),
         ]
 

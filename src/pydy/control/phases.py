@@ -16,7 +16,7 @@ from pydy._optional import require
 from pydy.codegen import checked_expression
 from pydy.control.ipopt import Iteration, Solution
 from pydy.control.kernel import Point
-from pydy.control.nlp import Piece
+from pydy.control.nlp import PointGroup
 from pydy.control.result import OptimalTrajectory, why_in_vain
 from pydy.control.search import Search
 from pydy.control.transcription import Transcription
@@ -129,7 +129,7 @@ class Phases(Search[PhasedTrajectory]):
     def _whole(self, phases: Sequence[Any], solution: Solution) -> PhasedTrajectory:
         return PhasedTrajectory(phases, solution)
 
-    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> Piece:
+    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> PointGroup:
         before, after = (one.problem for one in made)
         definition, link = self._problems[k]._now.definition, self._links[k]
         next_states = self._problems[k + 1]._now.definition.states
@@ -147,13 +147,13 @@ class Phases(Search[PhasedTrajectory]):
             rows = [g.sub(at[s], node) for s, node in zip(link, nodes, strict=True)]
             return point.functions(rows, None, hessian=before.hessian)
 
-        ends = np.arange(before.states) * len(made[0].places[0]) + made[0].intervals
-        begins = np.arange(after.states) * len(made[1].places[0])
+        ends = np.arange(before.states) * len(made[0].state_slots[0]) + made[0].intervals
+        begins = np.arange(after.states) * len(made[1].state_slots[0])
         numbers = np.arange(sum(made[0].sizes[:2]), sum(made[0].sizes))
         at = np.concatenate([own[0][ends], own[1][begins], own[0][numbers]])
         labels = tuple(f"link {k} of {s}" for s in link)
         functions, none = before.once(key, compiled), np.empty((0, 1))
-        return Piece(functions, at[:, None], none, before.numbers, labels, np.full(1, np.nan))
+        return PointGroup(functions, at[:, None], none, before.numbers, labels, np.full(1, np.nan))
 
 
 def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:

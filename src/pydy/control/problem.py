@@ -548,13 +548,13 @@ class OptimalControl(Search[OptimalTrajectory]):
     def _bounds_of(self, made: Transcription) -> tuple[np.ndarray, np.ndarray]:
         """Return the bounds of the unknowns."""
         states, controls = self._now.definition.states, self._controls
-        (places, slopes), M = made.places, made.intervals
+        (places, slopes), M = made.state_slots, made.intervals
         x = np.empty((2, len(states), len(places)))
-        u = np.empty((2, self._problem.algebraic, len(made.control_places)))
+        u = np.empty((2, self._problem.algebraic, len(made.control_times)))
         u[0], u[1] = _OPEN
         for s, at, pair in (
             *((s, places, x[:, k]) for k, s in enumerate(states)),
-            *((s, made.control_places, u[:, k]) for k, s in enumerate(controls)),
+            *((s, made.control_times, u[:, k]) for k, s in enumerate(controls)),
         ):
             pair[:] = low, high = self._pair_at(s, at)
             if (low > high).any():
@@ -573,7 +573,7 @@ class OptimalControl(Search[OptimalTrajectory]):
             constants += [_OPEN[side]] * len(self._kinks)
             least = self._bounds_at(self._symbol)[side]
             last = least if side else max(least, 0.0)
-            sides.append(made.joined(x[side], u[side], constants, last))
+            sides.append(made.unknowns_of(x[side], u[side], constants, last))
         lower, upper = sides
         for k, s in enumerate(states):
             for place, end in ((0, "start"), (M, "end")):
@@ -591,7 +591,7 @@ class OptimalControl(Search[OptimalTrajectory]):
         """Return the user's guess, completed by straight lines between the ends."""
         guess = Guess(given, self._unknown, self._duration, self._symbol)
         duration = guess.duration(self._bounds_at(self._symbol))
-        places, slopes = made.places
+        places, slopes = made.state_slots
         inner = ~slopes
         inner[[0, made.intervals]] = False  # the ends are where `start` and `end` say
         x = np.empty((self._problem.states, len(places)))
@@ -606,11 +606,11 @@ class OptimalControl(Search[OptimalTrajectory]):
                 moving += [k] if s in equations.coordinates and s not in self._end else []
             guess.check_bounds(s, values[inner], self._pair_at(s, places[inner]))
             x[k] = values
-        u = np.zeros((self._problem.algebraic, len(made.control_places)))
+        u = np.zeros((self._problem.algebraic, len(made.control_times)))
         for k, s in enumerate(self._controls):
-            values = guess.values(s, made.control_places, duration)
+            values = guess.values(s, made.control_times, duration)
             u[k] = 0.0 if values is None else values
-            guess.check_bounds(s, u[k], self._pair_at(s, made.control_places))
+            guess.check_bounds(s, u[k], self._pair_at(s, made.control_times))
         constants = []
         for s, k in zip(self._free, self._problem.free, strict=True):
             known = self._problem.constants[k]
@@ -620,10 +620,10 @@ class OptimalControl(Search[OptimalTrajectory]):
             guess.check_bounds(s, np.array(constants[-1:]), self._bounds_at(s))
         guess.check_bounds(self._symbol, np.array([duration]), self._bounds_at(self._symbol))
         kinks = [0.0] * len(self._kinks)
-        begin = made.joined(x, u, [*constants, *kinks], duration)
+        begin = made.unknowns_of(x, u, [*constants, *kinks], duration)
         if kinks:
             kinks = self._at_guess(made, begin)
-            begin = made.joined(x, u, [*constants, *kinks], duration)
+            begin = made.unknowns_of(x, u, [*constants, *kinks], duration)
         states = self._now.definition.states
         dependent = [states.index(s) for s in equations.dependents.coordinates]
         if dependent and set(dependent) <= set(moving):

@@ -163,11 +163,11 @@ def refined(
         parts = np.ceil((error / tolerance) ** (1.0 / (order + 1)))
     counts = np.clip(parts, 1, MOST_PARTS).astype(int)
     counts[error > tolerance] = np.maximum(counts[error > tolerance], 2)
-    pieces: Sequence[np.ndarray] = [
+    subdivided: Sequence[np.ndarray] = [
         np.linspace(a, b, num=k, endpoint=False)
         for a, b, k in zip(mesh[:-1], mesh[1:], counts, strict=True)
     ]
-    nodes = np.concatenate([*pieces, mesh[-1:]])
+    nodes = np.concatenate([*subdivided, mesh[-1:]])
     for node in more:
         k = int(np.searchsorted(nodes, node))
         before, after = node - nodes[k - 1], nodes[k] - node

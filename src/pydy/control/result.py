@@ -77,7 +77,7 @@ class OptimalTrajectory(Trajectory):
     ) -> None:
         z = solution.z
         duration = transcription.split(z)[3]
-        places, slopes = transcription.places
+        places, slopes = transcription.state_slots
         times = np.unique(places[~slopes]) * duration
         self.duration = duration
         self.objective = solution.objective
@@ -120,7 +120,7 @@ class OptimalTrajectory(Trajectory):
         """Return whether a transcription has the same unknowns and equations."""
         own = self._transcription
         same = own.scheme == made.scheme and np.array_equal(own.mesh, made.mesh)
-        labels = [[piece.labels for piece in one.pieces] for one in (own, made)]
+        labels = [[group.labels for group in one.groups] for one in (own, made)]
         return same and own.sizes == made.sizes and labels[0] == labels[1]
 
     def active(self, label: str) -> np.ndarray:
@@ -135,12 +135,12 @@ class OptimalTrajectory(Trajectory):
         away = np.minimum(np.abs(rows - low), np.abs(high - rows)) / nlp.row_sizes
         deciding = np.abs(self.solution.multipliers) * nlp.row_sizes / nlp.cost_size > away
         found = np.zeros(len(self.times), dtype=bool)
-        for piece, values in nlp.by_piece(deciding):
-            if piece.collocated:
-                at = np.searchsorted(self.times, piece.fractions * self.duration)
+        for group, values in nlp.by_group(deciding):
+            if group.collocated:
+                at = np.searchsorted(self.times, group.fractions * self.duration)
                 at = np.clip(at, 0, len(found) - 1)
                 for row in [
-                    v for v, name in zip(values, piece.labels, strict=True) if name == label
+                    v for v, name in zip(values, group.labels, strict=True) if name == label
                 ]:
                     found[at] |= row
         return found
@@ -244,7 +244,7 @@ class OptimalTrajectory(Trajectory):
             One for each state.
         """
         made = self._transcription
-        places, slopes = made.places
+        places, slopes = made.state_slots
         inner = ~slopes & (places > 0.0) & (places < 1.0)  # `start` and `end` are no bounds
         slots = np.flatnonzero(inner)[np.argsort(places[inner], kind="stable")]
         sides = [made.split(side)[0][:, slots] for side in (self._nlp.lower, self._nlp.upper)]
@@ -354,16 +354,16 @@ def _multipliers(
     parts: dict[str, list[np.ndarray]] = {}
     when: dict[str, list[np.ndarray]] = {}
     fractions: list[np.ndarray] = []
-    for piece, values in nlp.by_piece(-solution.multipliers):
+    for group, values in nlp.by_group(-solution.multipliers):
         # The parts of a condition with kinks follow each other; the multiplier is their sum.
-        first = [k for k, s in enumerate(piece.labels) if not k or s != piece.labels[k - 1]]
+        first = [k for k, s in enumerate(group.labels) if not k or s != group.labels[k - 1]]
         values = np.add.reduceat(values, first) if first else values
-        names = unique_names([piece.labels[k] for k in first])
+        names = unique_names([group.labels[k] for k in first])
         for name, row in zip(names, values, strict=True):
             parts.setdefault(name, []).append(row)
-            when.setdefault(name, []).append(piece.fractions)
-        if piece.collocated:
-            fractions.append(piece.fractions)
+            when.setdefault(name, []).append(group.fractions)
+        if group.collocated:
+            fractions.append(group.fractions)
     found = {}
     for name, rows in parts.items():
         order = np.argsort(np.concatenate(when[name]), kind="stable")
@@ -393,7 +393,7 @@ def _stationary(
     made: Transcription, nlp: Nlp, start: np.ndarray, controls: Sequence[Any]
 ) -> list[Any]:
     J, columns = nlp.native("jacobian", start / nlp.sizes)[0], nlp.jacobian_at[1]
-    first, count, found = made.sizes[0], len(made.control_places), []
+    first, count, found = made.sizes[0], len(made.control_times), []
     for k, symbol in enumerate(controls):
         own = (columns >= first + k * count) & (columns < first + (k + 1) * count)
         if own.any() and not J[own].any():
@@ -413,10 +413,10 @@ def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
     low, high = (side / nlp.row_sizes for side in nlp.row_bounds)
     violated = np.nan_to_num(np.maximum(np.maximum(low - values, values - high), 0.0), nan=np.inf)
     found = []
-    for piece, parts in nlp.by_piece(violated):
-        for label, part in zip(piece.labels, parts, strict=True):
+    for group, parts in nlp.by_group(violated):
+        for label, part in zip(group.labels, parts, strict=True):
             at = int(part.argmax())
-            when = piece.fractions[at] * duration
+            when = group.fractions[at] * duration
             place = "" if np.isnan(when) else f" at t = {when:.6g}"
             found.append((float(part[at]), f"{label}{place}, by {part[at]:.2g}"))
     found.sort(key=lambda pair: -pair[0])

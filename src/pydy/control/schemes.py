@@ -91,7 +91,7 @@ class Slots:
     blocks: int
     inner: tuple[float, ...] = ()
 
-    def places(self, mesh: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def times_on(self, mesh: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the times of the slots and whether they are slopes.
 
         `mesh` holds the nodes as fractions of the duration, M + 1 of them.

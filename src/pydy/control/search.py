@@ -15,7 +15,7 @@ from pydy._errors import OptimizationError, finished_before
 from pydy._optional import progress_of
 from pydy.control.accuracy import relative_errors, warn_of_chatter, warn_where_coarse
 from pydy.control.ipopt import Iteration, Solution
-from pydy.control.nlp import Nlp, Piece
+from pydy.control.nlp import Nlp, PointGroup
 from pydy.control.refine import (
     jumps,
     most_intervals,
@@ -246,7 +246,7 @@ class Search(Generic[Found]):
         """Make the result from the motions of the problems."""
         return phases[0]
 
-    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> Piece:
+    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> PointGroup:
         """Return the conditions that link two problems."""
         raise NotImplementedError
 
@@ -305,14 +305,14 @@ class Search(Generic[Found]):
         own = [np.searchsorted(used, at) for at in own]
         lower, upper = np.full(len(used), -np.inf), np.full(len(used), np.inf)
         sizes = np.zeros(len(used))
-        pieces: list[Piece] = []
+        groups: list[PointGroup] = []
         for k, (program, at) in enumerate(zip(programs, own, strict=True)):
             np.maximum.at(lower, at, program.lower)
             np.minimum.at(upper, at, program.upper)
             np.maximum.at(sizes, at, program.sizes)
-            pieces += [
+            groups += [
                 replace(p, at=at[p.at], labels=tuple(f"phase {k}: {name}" for name in p.labels))
-                for p in program.pieces
+                for p in program.groups
             ]
         for symbol, place in known.items():
             low, high = (float(side[np.searchsorted(used, place)]) for side in (lower, upper))
@@ -322,9 +322,9 @@ class Search(Generic[Found]):
                     f"least {low:g} in one phase and at most {high:g} in another."
                 )
         for k in range(len(self._links)):
-            pieces.append(self._link(k, made[k : k + 2], own[k : k + 2]))
+            groups.append(self._link(k, made[k : k + 2], own[k : k + 2]))
         estimated = all(p.estimated for p in programs)
-        return Nlp(pieces, lower, upper, sizes, estimated=estimated), own
+        return Nlp(groups, lower, upper, sizes, estimated=estimated), own
 
     def _solved(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
@@ -401,7 +401,7 @@ def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[Part]) -> np.ndarray
     The equations of a point see an angle but for turns; between the points its polynomial does not.
     """
     for made, _, own, _ in parts:
-        order = np.argsort(made.control_places, kind="stable")
+        order = np.argsort(made.control_times, kind="stable")
         for i in range(len(made.problem.controls)):
             at = own[made.sizes[0] + i * len(order) + order]
             turns = np.append(0.0, np.cumsum(np.round(np.diff(z[at]) / (2 * np.pi))))

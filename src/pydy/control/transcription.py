@@ -16,7 +16,7 @@ from pydy._collector import collector_paused
 from pydy._forks import cached_property
 from pydy._rank import or_one
 from pydy.control.kernel import Equations, Functions, Point
-from pydy.control.nlp import Nlp, Piece, pieces_at
+from pydy.control.nlp import Nlp, PointGroup, cubics_at
 from pydy.control.schemes import Points, Scheme, Slots
 from pydy.control.tuning import JUMP, TOLERANCE, WIDE
 
@@ -223,7 +223,7 @@ class TranscribedProblem:
         With the `middles` of intervals, what jumps at a node has the value on their side.
         """
         if self.duration is None:
-            return pieces_at(self.signals, times)
+            return cubics_at(self.signals, times)
         within = times if middles is None else inside(times, middles)
         rows = [s.rows(within if s.interpolation == "previous" else times) for _, s in self.signals]
         return [column for row in rows for column in row.T]
@@ -342,14 +342,14 @@ class Transcription:
     # -- where the unknowns are -------------------------------------------------------------------
 
     @cached_property
-    def places(self) -> tuple[np.ndarray, np.ndarray]:
+    def state_slots(self) -> tuple[np.ndarray, np.ndarray]:
         """The times of the states' slots as fractions, and whether they are slopes."""
-        return self.scheme.states.places(self.mesh)
+        return self.scheme.states.times_on(self.mesh)
 
     @cached_property
-    def control_places(self) -> np.ndarray:
+    def control_times(self) -> np.ndarray:
         """The times of the controls' slots as fractions."""
-        return self.scheme.controls.places(self.mesh)[0]
+        return self.scheme.controls.times_on(self.mesh)[0]
 
     @property
     def intervals(self) -> int:
@@ -360,7 +360,7 @@ class Transcription:
     def sizes(self) -> tuple[int, int, int, int]:
         """Numbers of unknowns: of states, controls, constants and the duration."""
         p = self.problem
-        states, controls = len(self.places[0]), len(self.control_places)
+        states, controls = len(self.state_slots[0]), len(self.control_times)
         numbers = len(p.free) + len(p.lifted_numbers)
         return (p.states * states, p.algebraic * controls, numbers, p.duration is None)
 
@@ -372,13 +372,13 @@ class Transcription:
         """
         p, (states, controls, constants, _) = self.problem, self.sizes
         return (
-            z[:states].reshape(p.states, len(self.places[0])),
-            z[states : states + controls].reshape(p.algebraic, len(self.control_places)),
+            z[:states].reshape(p.states, len(self.state_slots[0])),
+            z[states : states + controls].reshape(p.algebraic, len(self.control_times)),
             z[states + controls : states + controls + constants],
             float(z[-1]) if p.duration is None else p.duration,
         )
 
-    def joined(
+    def unknowns_of(
         self, states: np.ndarray, controls: np.ndarray, constants: Any, duration: Any
     ) -> np.ndarray:
         """Join the parts that `split` returns into the unknowns."""
@@ -395,38 +395,38 @@ class Transcription:
 
     def nlp(self, lower: np.ndarray, upper: np.ndarray, sizes: np.ndarray) -> Nlp:
         """Return the nonlinear program, given bounds and sizes of the unknowns."""
-        return Nlp(self.pieces, lower, upper, sizes, estimated=self.problem.hessian is None)
+        return Nlp(self.groups, lower, upper, sizes, estimated=self.problem.hessian is None)
 
     @cached_property
-    def whole(self) -> Transcription:
+    def single_interval(self) -> Transcription:
         """The same of a single interval: its derivatives are changes in the whole duration."""
         return Transcription(self.problem, self.scheme, np.array([0.0, 1.0]))
 
     @cached_property
     def points(self) -> tuple[Points, ...]:
-        """The collocation points, of which `pieces` begin with the functions."""
+        """The collocation points, of which `groups` begin with the functions."""
         constrained = bool(self.problem.equations.constraints)
         return self.scheme.points(self.mesh, constrained=constrained)
 
     @cached_property
-    def pieces(self) -> tuple[Piece, ...]:
+    def groups(self) -> tuple[PointGroup, ...]:
         """The functions of the program with their unknowns."""
-        made = [self._piece(points) for points in self.points]
+        made = [self._point_group(points) for points in self.points]
         if self.problem.constraints:
             made.append(self.beginning())
         ends = self._ends()
         return tuple(made) if ends is None else (*made, ends)
 
-    def _piece(self, points: Points) -> Piece:
+    def _point_group(self, points: Points) -> PointGroup:
         p, n = self.problem, self.problem.states
-        slots, own = len(self.places[0]), len(self.control_places)
+        slots, own = len(self.state_slots[0]), len(self.control_times)
         count = len(points.fractions)
         states = [k * slots + row for row in points.slots for k in range(n)]
         first = self.sizes[0]
         controls = [first + k * own + points.controls for k in range(p.algebraic)]
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
         middles = None
-        # Radau's points at the ends belong to one interval; those of `held_at` are of none.
+        # Radau's points at the ends belong to one interval; those of `constraints_at` are of none.
         if self.scheme.name == "radau" and points.rows != "constraints":
             centre = (self.mesh[:-1] + self.mesh[1:]) / 2
             centre = np.tile(centre, self.scheme.order)
@@ -434,7 +434,7 @@ class Transcription:
         signals = p.signals_at(times, middles)
         data = [points.fractions, points.lengths, points.weights, *points.coefficients, *signals]
         labels, path = p.labels_at(points), () if points.rows == "constraints" else p.path
-        return Piece(
+        return PointGroup(
             p.at_points(points),
             np.concatenate([np.array([*states, *controls]), self._numbers_at(count)]),
             np.ascontiguousarray(data),
@@ -446,13 +446,13 @@ class Transcription:
             signals=p.signals if p.duration is None else (),
         )
 
-    def beginning(self) -> Piece:
+    def beginning(self) -> PointGroup:
         """Return the constraints at the start, all of them if it need not satisfy any."""
         p = self.problem
         count = len(p.constraints) or len(p.equations.constraints)
-        states = np.arange(p.states) * len(self.places[0])
+        states = np.arange(p.states) * len(self.state_slots[0])
         signals = p.signals_at(np.full(1, p.begin))
-        return Piece(
+        return PointGroup(
             p.at_start(count),
             np.concatenate([states, self._numbers_at(1)[:, 0]])[:, None],
             np.array(signals, dtype=float).reshape(-1, 1),
@@ -461,17 +461,17 @@ class Transcription:
             np.zeros(1),
         )
 
-    def held_at(self, slots: np.ndarray) -> Piece:
+    def constraints_at(self, slots: np.ndarray) -> PointGroup:
         """Return the constraints at some slots of states."""
         count = len(slots)
-        return self._piece(
+        return self._point_group(
             Points(
                 ((0, 1.0, 0),), (), slots[None], np.zeros(count, dtype=int), np.empty((0, count)),
-                self.places[0][slots], np.ones(count), np.zeros(count), "constraints",
+                self.state_slots[0][slots], np.ones(count), np.zeros(count), "constraints",
             )
         )  # fmt: skip
 
-    def _ends(self) -> Piece | None:
+    def _ends(self) -> PointGroup | None:
         p = self.problem
         functions = p.at_instants(self.scheme)
         if functions is None:
@@ -479,12 +479,12 @@ class Transcription:
         at, data = [self._numbers_at(1)[:, 0]], []
         for instant in p.instants:
             slots, values, h = self.located(instant.kind, instant.fraction)
-            first, own = (0, len(self.places[0])) if instant.kind == "state" else (
-                self.sizes[0], len(self.control_places))  # fmt: skip
+            first, own = (0, len(self.state_slots[0])) if instant.kind == "state" else (
+                self.sizes[0], len(self.control_times))  # fmt: skip
             at.append(first + instant.index * own + slots)
             data += [values, [h]]
         fractions = {i.fraction for i in p.instants}
-        return Piece(
+        return PointGroup(
             functions,
             np.concatenate(at)[:, None],
             np.concatenate([[], *data])[:, None],
@@ -496,7 +496,7 @@ class Transcription:
 
     def samples(
         self, times: np.ndarray, values: np.ndarray, weights: np.ndarray
-    ) -> tuple[Piece, Piece]:
+    ) -> tuple[PointGroup, PointGroup]:
         """Return the samples' terms of the objective, and their residuals as rows.
 
         The times (m,) are by the clock of `Problem.begin`; residuals are the `weights` times the
@@ -507,8 +507,8 @@ class Transcription:
         k, s = self._local((times - p.begin) / p.duration)
         at, bases, scheme = [], [], self.scheme
         for slots, count, first, width in (
-            (scheme.states, p.states, 0, len(self.places[0])),
-            (scheme.controls, len(p.controls), self.sizes[0], len(self.control_places)),
+            (scheme.states, p.states, 0, len(self.state_slots[0])),
+            (scheme.controls, len(p.controls), self.sizes[0], len(self.control_times)),
         ):
             own = slots.of_intervals(self.intervals)[:, k]
             at += [first + j * width + row for row in own for j in range(count)]
@@ -521,8 +521,8 @@ class Transcription:
         names = tuple(str(symbol) for symbol in p.measured)
         places = np.concatenate([np.array(at), self._numbers_at(len(times))])
         return (
-            Piece(cost, places, data, p.numbers, (), fractions),
-            Piece(residuals, places, data, p.numbers, names, fractions),
+            PointGroup(cost, places, data, p.numbers, (), fractions),
+            PointGroup(residuals, places, data, p.numbers, names, fractions),
         )
 
     def tightened(self, z: np.ndarray) -> np.ndarray:
@@ -531,17 +531,17 @@ class Transcription:
         A solver leaves them beside by its tolerance, with an objective that is wrong by as much.
         """
         p, found = self.problem, z.copy()
-        first = self.sizes[0] + (p.algebraic - len(p.lifted)) * len(self.control_places)
+        first = self.sizes[0] + (p.algebraic - len(p.lifted)) * len(self.control_times)
         sites = [
-            (p.lifted, piece, first, len(self.control_places), points.controls)
-            for piece, points in zip(self.pieces, self.points, strict=False)
-            if piece.collocated
+            (p.lifted, group, first, len(self.control_times), points.controls)
+            for group, points in zip(self.groups, self.points, strict=False)
+            if group.collocated
         ]
         numbers = sum(self.sizes[:2]) + len(p.free)
-        sites.append((p.lifted_numbers, self.pieces[-1], numbers, 1, np.zeros(1, dtype=int)))
-        for lifted, piece, begin, width, slots in sites:
+        sites.append((p.lifted_numbers, self.groups[-1], numbers, 1, np.zeros(1, dtype=int)))
+        for lifted, group, begin, width, slots in sites:
             if lifted:
-                rows = piece.evaluate("rows", z)
+                rows = group.evaluate("rows", z)
                 row = len(rows) - sum(one.parts for one in lifted)
             for k, one in enumerate(lifted):
                 beyond = rows[row : row + one.parts].min(axis=0)
@@ -569,9 +569,9 @@ class Transcription:
         """Return the states at m times by the collocation polynomials, shape (m, n)."""
         values, _, _, duration = self.split(z)
         k, s = self._local(times / duration)
-        return self._between(values, self.scheme.states, k, s, duration)
+        return self._interpolated(values, self.scheme.states, k, s, duration)
 
-    def _between(
+    def _interpolated(
         self, values: np.ndarray, slots: Slots, k: np.ndarray, s: np.ndarray, duration: float
     ) -> np.ndarray:
         """Return values (n, slots) at fractions s of intervals k, shape (m, n)."""
@@ -594,7 +594,7 @@ class Transcription:
             return np.empty((len(k), 0))
         _, controls, _, duration = self.split(z)
         values = controls[: len(self.problem.controls)]
-        found = self._between(values, self.scheme.controls, k, s, duration)
+        found = self._interpolated(values, self.scheme.controls, k, s, duration)
         fractions = self.mesh[k] + s * np.diff(self.mesh)[k]
         for column, (low, high) in zip(found.T, self.problem.control_bounds, strict=True):
             np.clip(column, low(fractions), high(fractions), out=column)
@@ -636,16 +636,16 @@ def sizes_of(
     tolerances relative to its distance from zero would let it stay.
     """
     states, first, finite = made.split(z)[0], np.zeros_like(z), np.isfinite
-    nodes = states[:, ~made.places[1]]
+    nodes = states[:, ~made.state_slots[1]]
     low, high, far = nodes.min(axis=1), nodes.max(axis=1), np.abs(nodes).max(axis=1)
     narrow = (low < high) & (high - low < 1e-3 * far)
     shift = np.where(narrow, 0.5 * (low + high), 0.0)
-    made.split(first)[0][:, ~made.places[1]] = shift[:, None]
+    made.split(first)[0][:, ~made.state_slots[1]] = shift[:, None]
     known = [np.where(finite(v), np.abs(v - first), 0.0) for v in (z, lower, upper)]
     parts = [made.split(value) for value in known]
     # The rounding of what is that far from zero must be below the tolerance.
     least = np.where(narrow, 8 * np.finfo(float).eps / TOLERANCE * far, 0.0)
-    x = np.array([p[0].max(axis=1, where=~made.places[1], initial=0.0) for p in parts])
+    x = np.array([p[0].max(axis=1, where=~made.state_slots[1], initial=0.0) for p in parts])
     u = np.array([p[1].max(axis=1, initial=0.0) for p in parts])
     c = np.array([p[2] for p in parts])
     x[0] = np.maximum(x[0], least)
@@ -659,9 +659,9 @@ def sizes_of(
         sizes = _spread(table, xu.max(axis=0))
     _leave_out_wide(c, c[0])
     x, u, c = or_one(sizes[:n]), or_one(sizes[n:]), c.max(axis=0)
-    slopes = np.where(made.places[1], 1.0 / duration, 1.0)
-    units = made.joined(
-        x[:, None] * slopes, np.repeat(u[:, None], len(made.control_places), 1), or_one(c),
+    slopes = np.where(made.state_slots[1], 1.0 / duration, 1.0)
+    units = made.unknowns_of(
+        x[:, None] * slopes, np.repeat(u[:, None], len(made.control_times), 1), or_one(c),
         duration,
     )  # fmt: skip
     return units, or_one(told[:n])
@@ -681,8 +681,8 @@ def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
 
 def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
     """Return how much each equation changes with each state and control, shape (rows, width)."""
-    whole, n = made.whole, made.problem.states
-    times = [whole.places[0], whole.control_places]
+    whole, n = made.single_interval, made.problem.states
+    times = [whole.state_slots[0], whole.control_times]
     _, _, constants, duration = made.split(z)
     # Along the motion, and as if it stayed where it begins or ends: in its middle alone an arm may
     # be level, where its weight has a torque that no turn changes, but for rounding.
@@ -692,24 +692,24 @@ def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
     u = np.zeros((made.problem.algebraic, len(controls)))
     u[: len(made.problem.controls)] = made.controls_at(z, controls * duration).T
     at = [
-        whole.joined(np.where(whole.places[1], 0.0, own), c, constants, duration)
+        whole.unknowns_of(np.where(whole.state_slots[1], 0.0, own), c, constants, duration)
         for own, c in zip(x, np.split(u, len(ways), axis=1), strict=True)
     ]
     owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),
                             n + np.repeat(np.arange(width - n), len(times[1]))])  # fmt: skip
     owner = np.append(owner, np.full(len(at[0]) - len(owner), width))
     weights = np.ones(len(owner))
-    weights[: n * len(times[0])][np.tile(whole.places[1], n)] = 1.0 / duration
+    weights[: n * len(times[0])][np.tile(whole.state_slots[1], n)] = 1.0 / duration
     tables = [np.empty((0, width + 1))]
-    for piece in whole.pieces:
-        f, points = piece.functions, piece.points
-        X = np.concatenate([one[piece.at] for one in at], axis=1)
-        data = np.tile(piece.data_at(at[0]), len(ways))  # whose durations are one
-        entries = np.abs(np.nan_to_num(f("jacobian", X, data, piece.constants)))
+    for group in whole.groups:
+        f, points = group.functions, group.points
+        X = np.concatenate([one[group.at] for one in at], axis=1)
+        data = np.tile(group.data_at(at[0]), len(ways))  # whose durations are one
+        entries = np.abs(np.nan_to_num(f("jacobian", X, data, group.constants)))
         rows, variables = f.jacobian_at.T
-        places = piece.at[variables]
+        places = group.at[variables]
         largest = entries.reshape(len(rows), len(ways), points).max(axis=1) * weights[places]
-        table = np.zeros((piece.rows * points, width + 1))
+        table = np.zeros((group.rows * points, width + 1))
         np.maximum.at(table, (rows[:, None] * points + np.arange(points), owner[places]), largest)
         tables.append(table)
     return np.concatenate(tables)[:, :width]
