@@ -152,7 +152,7 @@ done:
 
     def search(self, options: dict[str, Any]) -> Any:
         """Time IPOPT alone, as CasADi's solver does: no bounds, guess, errors or trajectory."""
-        nlp, z, _ = self.problem._joined([self.problem._mesh], [self.guess])
+        nlp, z, _ = self.problem._combined_program([self.problem._mesh], [self.guess])
         start = time.perf_counter()
         search(nlp, z, options=options)
         return {"seconds": time.perf_counter() - start}

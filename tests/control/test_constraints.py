@@ -277,7 +277,7 @@ def test_a_constraint_that_a_control_moves_is_refused():
 def guessed(system, problem, given=None):
     """Return the coordinates x and y of a guess at its nodes and points, and their times."""
     made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    states = made.split(problem._joined([problem._mesh], [given])[1])[0]
+    states = made.split(problem._combined_program([problem._mesh], [given])[1])[0]
     rows = {s.name: row for s, row in zip(system.states, states, strict=True)}
     there = ~made.state_slots[1]
     return rows["x"][there], rows["y"][there], made.state_slots[0][there]
@@ -315,7 +315,7 @@ def test_dependent_coordinates_of_a_guess_follow_and_free_ones_keep_their_lines(
     system = System(made)
     problem = OptimalControl(system, effort(system), 1.0, end={"x": 1.0}, mesh=6)
     transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
-    states = transcription.split(problem._joined([problem._mesh], [None])[1])[0]
+    states = transcription.split(problem._combined_program([problem._mesh], [None])[1])[0]
     rows = {
         s.name: row[~transcription.state_slots[1]]
         for s, row in zip(system.states, states, strict=True)

@@ -14,7 +14,7 @@ import optima
 from optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl
-from pydy.control.identification import Experiment, Identification, _Joined
+from pydy.control.identification import Experiment, Identification, _CombinedExperiments
 from pydy.control.transcription import Transcription
 from pydy.inputs import SampledInput
 
@@ -272,7 +272,7 @@ def test_known_signals_at_times_that_move_with_the_duration(method, order):
     nlp, z, made = nlp_of(problem, 4)
     force = F * v + wind * x + gust * sm.sin(v) + push * wind
     names = {"gust": gust, "wind": wind, "push": push}
-    order = [names[str(problem._now.plan.symbols[k].func)] for c, _ in made.problem.signals
+    order = [names[str(problem._snapshot.plan.symbols[k].func)] for c, _ in made.problem.signals
              for k in c]  # fmt: skip
     symbols = {"x": [x, v], "d": [x.diff(), v.diff()], "u": [F], "s": order, "c": []}
     reference = Reference(
@@ -377,7 +377,7 @@ def test_derivatives_of_two_disturbed_experiments():
                 np.ones((2, 2)), times[[0, -1]],
             )
         )  # fmt: skip
-    order = experiments[0].now.definition.specifieds
+    order = experiments[0].snapshot.definition.specifieds
     open_ = np.full(5, np.inf)
     shared = [
         ("specifieds", order.index(wind)),
@@ -387,7 +387,7 @@ def test_derivatives_of_two_disturbed_experiments():
     place = order.index(F)
     fit = Identification(experiments, shared, {place: 0.4}, (-open_, open_), [(0, 0.2, 0.5)])
     fit.scheme = type(fit.scheme)("radau", 2)
-    joined = _Joined(fit, [np.array([0.0, 0.4, 1.0])] * 2)
+    joined = _CombinedExperiments(fit, [np.array([0.0, 0.4, 1.0])] * 2)
     slope = np.array([0.0, 0.3, 0.0, 0.0, -0.2])
     nlp, _, _ = joined.program(np.ones(5), [None, None], slope)
     ones = np.ones(joined.size)
@@ -396,7 +396,7 @@ def test_derivatives_of_two_disturbed_experiments():
     force = F * v - k * x**3 + wind * x + sm.sin(T) * v
     disturbance = me.dynamicsymbols("disturbance")
     references = []
-    for made in joined.made:
+    for made in joined.transcriptions:
         symbols = {
             "x": [x, v], "d": [x.diff(), v.diff()], "u": [disturbance], "s": [F], "c": [wind, k],
         }  # fmt: skip
@@ -411,7 +411,9 @@ def test_derivatives_of_two_disturbed_experiments():
 
     def reference(z):
         cost, rows = mp.mpf(0), []
-        for e, made, own, one in zip(experiments, joined.made, joined.own, references, strict=True):
+        for e, made, own, one in zip(
+            experiments, joined.transcriptions, joined.positions, references, strict=True
+        ):
             local = [z[k] for k in own]
             more, found = one(local)
             cost, rows = cost + more, rows + found
@@ -425,7 +427,7 @@ def test_derivatives_of_two_disturbed_experiments():
                     first = index * slots if kind == "state" else 2 * slots + index * width
                     parts = zip(places, weights, strict=True)
                     state[kind, index] = sum(local[first + p] * mp.mpf(w) for p, w in parts)
-                signal = mp.mpf(float(e.now.inputs.sampled[0][1].rows(np.array([time]))[0, 0]))
+                signal = mp.mpf(float(e.snapshot.inputs.sampled[0][1].rows(np.array([time]))[0, 0]))
                 total = signal + state["control", 0]
                 model = [total * state["state", 1] + c[1] * state["state", 0], state["state", 0]]
                 for q in range(2):

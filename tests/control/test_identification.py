@@ -263,7 +263,7 @@ def test_a_fit_costs_few_integrations_and_no_factorisation_but_the_equations(mon
     counted("_system", identification, "general")
     found = system.fit(gains, trial, method="collocation")
     assert counts == {"integrations": 2, "general": 0}
-    monkeypatch.setattr(identification._Joined, "_states_follow", False)
+    monkeypatch.setattr(identification._CombinedExperiments, "_states_follow", False)
     general = system.fit(gains, trial, method="collocation")
     assert counts["general"] == 1
     np.testing.assert_allclose(general.covariance, found.covariance, rtol=1e-6)

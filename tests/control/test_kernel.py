@@ -16,13 +16,13 @@ from pydy.control.transcription import Transcription
 def derived(monkeypatch, tmp_path):
     """The numbers of rows of what has been derived, with an empty cache."""
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path))
-    found, original = [], kernel.Point._derived
+    found, original = [], kernel.PointBuilder._derived
 
     def noted(self, roots, outputs, hessian):
         found.append(outputs[0])
         return original(self, roots, outputs, hessian)
 
-    monkeypatch.setattr(kernel.Point, "_derived", noted)
+    monkeypatch.setattr(kernel.PointBuilder, "_derived", noted)
     return found
 
 
@@ -64,7 +64,7 @@ def test_a_later_process_reads_them_from_the_cache(derived):
 
 
 def test_a_model_keeps_the_latest_alone(derived, monkeypatch):
-    monkeypatch.setattr(kernel, "KEPT", 2)
+    monkeypatch.setattr(kernel, "STORED_FUNCTIONS", 2)
     system, (_, _, F) = optima.double_integrator()
     first = functions_of(system, F)
     for power in (4, 6):
@@ -72,5 +72,5 @@ def test_a_model_keeps_the_latest_alone(derived, monkeypatch):
     assert functions_of(system, F) is not first
     assert derived == [2] * 3  # it was read from the cache
     problem = OptimalControl(system, sm.Integral(F**2, T), 1.0)
-    assert len(problem._problem.equations.made) == 2
-    assert not pickle.loads(pickle.dumps(problem._problem.equations)).made
+    assert len(problem._problem.equations.compiled) == 2
+    assert not pickle.loads(pickle.dumps(problem._problem.equations)).compiled

@@ -47,7 +47,7 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
         method=method,
         order=order,
     )
-    nlp, z, _ = problem._joined([problem._mesh], [{TF: 2.0}])
+    nlp, z, _ = problem._combined_program([problem._mesh], [{TF: 2.0}])
     rng = np.random.default_rng(1)
     y = z / nlp.sizes + rng.normal(size=len(z)) / 10
     multipliers, weight = rng.normal(size=nlp.rows), 0.7
@@ -85,7 +85,7 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
 def test_what_is_not_finite_is_told():
     system, (x, _, F) = optima.double_integrator()
     problem = OptimalControl(system, sm.Integral(F**2 + sm.log(x), T), 1.0, end={x: 1.0}, mesh=9)
-    nlp, z, _ = problem._joined([problem._mesh], [{x: np.linspace(1.0, 2.0, num=5)}])
+    nlp, z, _ = problem._combined_program([problem._mesh], [{x: np.linspace(1.0, 2.0, num=5)}])
     z[:] = -1.0
     assert np.isnan(nlp.native("cost", z / nlp.sizes)[0][0])
     z[:] = np.inf
@@ -97,7 +97,7 @@ def test_a_search_calls_python_once_an_iteration_and_no_more():
     problem = OptimalControl(
         system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 10.0)}
     )
-    nlp, z, _ = problem._joined([problem._mesh], [None])
+    nlp, z, _ = problem._combined_program([problem._mesh], [None])
     library()  # which is tried with functions in Python
     assert nlp.native.handle
     calls = []
@@ -147,5 +147,5 @@ def test_a_second_search_makes_no_pieces_and_units_no_tables(monkeypatch):
     assert problem.solve().objective == pytest.approx(12.0)
     assert made == ["program"]
     assert problem._with([], [])._on(problem._mesh).problem is not problem._problem
-    nlp, z, _ = problem._joined([problem._mesh], [None])
+    nlp, z, _ = problem._combined_program([problem._mesh], [None])
     assert nlp.native._tables is nlp.in_own_units(z).native._tables

@@ -86,7 +86,7 @@ def test_a_random_mechanism(seed):
     (points,) = made.scheme.points(made.mesh)
     group = made.groups[0]
     functions, rng = group.functions, np.random.default_rng(seed)
-    x = np.repeat(np.array(problem._now.x)[None], len(points.slots), axis=0)
+    x = np.repeat(np.array(problem._snapshot.x)[None], len(points.slots), axis=0)
     x = x + np.max(np.abs(x), initial=1e-3, axis=0) * 0.1 * rng.normal(size=x.shape)
     rest = rng.uniform(0.2, 1.2, functions.sizes[0] - x.size)
     X = np.concatenate([x.ravel(), rest])[:, None]

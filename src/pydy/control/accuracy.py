@@ -43,7 +43,7 @@ import numpy as np
 from pydy._errors import warn_user
 from pydy._rank import or_one
 from pydy.control.costates import costates_of
-from pydy.control.ipopt import Solution
+from pydy.control.ipopt import NlpSolution
 from pydy.control.local import least_between
 from pydy.control.nlp import Nlp
 from pydy.control.schemes import Slots, derivatives, lagrange, radau_points
@@ -51,44 +51,46 @@ from pydy.control.transcription import Transcription
 from pydy.control.tuning import JUMPS, LAYERS, ONE_DIGIT, RESOLVED, SECANTS, STEP, TOLERANCE
 
 
-def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
+def objective_errors(transcription: Transcription, nlp: Nlp, solution: NlpSolution) -> np.ndarray:
     """Return each interval's part of the least objective minus that of the solution, shape (M,).
 
     Of what raises the least objective in an interval, and what lowers it, it is the larger one; see
     the module. It is not known (NaN) where constraints hold at other points than the equations of
     motion.
     """
-    if len({points.rows for points in made.points}) > 1:
-        return np.full(made.intervals, np.nan)
-    z, M, scheme = solution.z, made.intervals, made.scheme
+    if len({points.rows for points in transcription.points}) > 1:
+        return np.full(transcription.intervals, np.nan)
+    z, M, scheme = solution.z, transcription.intervals, transcription.scheme
     s, w = np.polynomial.legendre.leggauss(scheme.order + 3)
     s, w, k = np.repeat((1.0 + s) / 2, M), w / 2, np.tile(np.arange(M), len(s))
-    h = np.diff(made.mesh)
-    point = _Between(made, nlp, solution, k, s)
+    h = np.diff(transcription.mesh)
+    point = _InterpolatedPoints(transcription, nlp, solution, k, s)
     if scheme.name != "radau":
         with suppress(np.linalg.LinAlgError):  # a singular mass matrix
-            point.multipliers[: made.problem.states] = _by_costates(made, nlp, solution, point, s)
-    given = point.given()
+            point.multipliers[: transcription.problem.states] = _by_costates(
+                transcription, nlp, solution, point, s
+            )
+    lagrangian = point.lagrangian_of_polynomials()
 
     def integral(density: np.ndarray) -> np.ndarray:
-        found: np.ndarray = h * (w @ density.reshape(len(w), M))
-        return found
+        values: np.ndarray = h * (w @ density.reshape(len(w), M))
+        return values
 
-    beside = _beside_bounds(made, solution, k, s)
-    missed = integral(given + beside) - _quadrature(made, nlp, z)
-    change = point.least() - given
+    bound_terms = _bound_terms(transcription, solution, k, s)
+    missed = integral(lagrangian + bound_terms) - _quadrature(transcription, nlp, z)
+    change = point.least() - lagrangian
     raised = np.maximum(missed, 0.0) + integral(np.maximum(change, 0.0))
     lowered = np.minimum(missed, 0.0) + integral(np.minimum(change, 0.0))
     total = raised + lowered
     larger: np.ndarray = np.where(total > 0.0, raised, lowered)
     if scheme.name != "midpoint":
-        coarse = point.free & (_decrease(made, nlp, z) > RESOLVED)
-        return _resolved(made, nlp, solution, larger, coarse)
-    slack = integral(np.abs(beside) + point.slack())
+        coarse = point.free & (_decrease(transcription, nlp, z) > RESOLVED)
+        return _resolved(transcription, nlp, solution, larger, coarse)
+    slack = integral(np.abs(bound_terms) + point.slack())
     return np.where(point.steady & (slack <= ONE_DIGIT * np.abs(total)), total, larger)
 
 
-def _decrease(made: Transcription, nlp: Nlp, z: np.ndarray) -> np.ndarray:
+def _decrease(transcription: Transcription, nlp: Nlp, z: np.ndarray) -> np.ndarray:
     """Return how fast the motion's Legendre moments decrease from one degree to the next, (M,).
 
     That is between the highest two degrees. For exp(−z s) it is a ratio of two modified spherical
@@ -96,13 +98,13 @@ def _decrease(made: Transcription, nlp: Nlp, z: np.ndarray) -> np.ndarray:
     is many times longer than the layer.
     """
     # Of Hermite–Simpson, the degree of controls and multipliers.
-    degree = made.scheme.order if made.scheme.name == "radau" else 2
+    degree = transcription.scheme.order if transcription.scheme.name == "radau" else 2
     s, w = np.polynomial.legendre.leggauss(degree + 3)
-    basis, powers = made.scheme.states.basis((1.0 + s) / 2)
-    states, _, _, duration = made.split(z)
-    lengths = np.diff(made.mesh) * duration
-    values = states / made.split(nlp.sizes)[0].max(axis=1, keepdims=True)
-    slots = values[:, made.scheme.states.of_intervals(made.intervals)]
+    basis, powers = transcription.scheme.states.basis((1.0 + s) / 2)
+    states, _, _, duration = transcription.split(z)
+    lengths = np.diff(transcription.mesh) * duration
+    values = states / transcription.split(nlp.sizes)[0].max(axis=1, keepdims=True)
+    slots = values[:, transcription.scheme.states.of_intervals(transcription.intervals)]
     weights = basis[:, :, None] * lengths ** powers[:, None, None]
     x = np.einsum("nym,ysm->nms", slots, weights)
     moments = [
@@ -110,12 +112,16 @@ def _decrease(made: Transcription, nlp: Nlp, z: np.ndarray) -> np.ndarray:
         for k in (degree, degree - 1)
     ]
     with np.errstate(all="ignore"):
-        found: np.ndarray = np.nan_to_num(moments[0] / moments[1])
-    return found
+        ratios: np.ndarray = np.nan_to_num(moments[0] / moments[1])
+    return ratios
 
 
 def _resolved(
-    made: Transcription, nlp: Nlp, solution: Solution, parts: np.ndarray, coarse: np.ndarray
+    transcription: Transcription,
+    nlp: Nlp,
+    solution: NlpSolution,
+    parts: np.ndarray,
+    coarse: np.ndarray,
 ) -> np.ndarray:
     """Return the parts of the error, of the `coarse` intervals by an optimum on a finer mesh.
 
@@ -123,36 +129,36 @@ def _resolved(
     boundary layer, and the estimate with them may even have the wrong sign. The finer mesh keeps
     the states at both nodes, so that the larger of both estimates counts.
     """
-    integrals, found = _quadrature(made, nlp, solution.z), parts.copy()
-    size = np.abs(_quadrature(made, nlp, solution.z, True)).sum()
+    integrals, refined_parts = _quadrature(transcription, nlp, solution.z), parts.copy()
+    size = np.abs(_quadrature(transcription, nlp, solution.z, True)).sum()
     matters = coarse & (np.abs(parts) > ONE_DIGIT**3 * size)
     for k in np.flatnonzero(matters)[np.argsort(-np.abs(parts[matters]), kind="stable")][:LAYERS]:
-        least = least_between(made, nlp, solution.z, int(k))
+        least = least_between(transcription, nlp, solution.z, int(k))
         if abs(least - integrals[k]) > abs(parts[k]):  # NaN is not
-            found[k] = least - integrals[k]
-    return found
+            refined_parts[k] = least - integrals[k]
+    return refined_parts
 
 
-def relative_errors(found: Any, tolerance: float, objective: float) -> np.ndarray:
+def relative_errors(motion: Any, tolerance: float, objective: float) -> np.ndarray:
     """Return each interval's error of the solution, or of its objective if that is larger.
 
     The objective's are shares of its size, times the number of intervals; they do not count where
     their sum is within the tolerance, and that of the search. `objective` is that of all phases.
     """
-    error: np.ndarray = found.error
-    parts, size, known = _objective(found, tolerance, objective)
-    if known:
+    error: np.ndarray = motion.error
+    parts, size, negligible = _objective(motion, tolerance, objective)
+    if negligible:
         return error
     worst: np.ndarray = np.maximum(error, parts * len(parts) / size if size else np.inf)
     return worst
 
 
-def _objective(found: Any, tolerance: float, objective: float) -> tuple[np.ndarray, float, bool]:
+def _objective(motion: Any, tolerance: float, objective: float) -> tuple[np.ndarray, float, bool]:
     """Return the objective's errors by intervals, its size, and whether no error counts."""
-    made, nlp, solution = found._transcription, found._nlp, found.solution
-    if made.scheme.convergence == 1:
-        return found.error, 0.0, True
-    parts: np.ndarray = np.abs(found.objective_error)
+    transcription, nlp, solution = motion._transcription, motion._nlp, motion.solution
+    if transcription.scheme.convergence == 1:
+        return motion.error, 0.0, True
+    parts: np.ndarray = np.abs(motion.objective_error)
     if not np.isfinite(parts).all():
         return parts, 0.0, True
     z = solution.z
@@ -161,9 +167,17 @@ def _objective(found: Any, tolerance: float, objective: float) -> tuple[np.ndarr
     rows = nlp.native("rows", z / nlp.sizes)[0] * nlp.row_sizes
     (low, high), weights = nlp.row_bounds, solution.multipliers
     sides += [(np.minimum(weights, 0.0), rows - low), (np.maximum(weights, 0.0), high - rows)]
-    left = sum(float(np.abs(a[ok := np.isfinite(d)]) @ np.abs(d[ok])) for a, d in sides)
-    size = max(abs(found.objective), abs(objective), float(_quadrature(made, nlp, z, True).sum()))
-    return parts, size, parts.sum() <= tolerance * size + left + TOLERANCE * nlp.cost_size
+    barrier_remainder = sum(
+        float(np.abs(a[ok := np.isfinite(d)]) @ np.abs(d[ok])) for a, d in sides
+    )
+    size = max(
+        abs(motion.objective), abs(objective), float(_quadrature(transcription, nlp, z, True).sum())
+    )
+    return (
+        parts,
+        size,
+        parts.sum() <= tolerance * size + barrier_remainder + TOLERANCE * nlp.cost_size,
+    )
 
 
 def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
@@ -175,55 +189,62 @@ def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
     worst = max(float(phase.error.max()) for phase in phases)
     total = float(sum(phase.error.sum() for phase in phases))
     if not worst < 1.0:
-        what = (
+        defect = (
             f"a motion that begins at a node with these controls misses the next one by {worst:.2g}"
             " times the size of a state. The solution is none of the equations' motions"
         )
     elif not total < 1.0:
-        what = (
+        defect = (
             f"the errors of its intervals add up to {total:.2g} times the size of a state, which "
             "is how far a simulation with these controls may end from the solution"
         )
     elif uncertain := [p for p in phases if not _objective(p, ONE_DIGIT, objective)[2]]:
         off, ends = np.abs(uncertain[0].objective_error), uncertain[0].mesh
         k = int(off.argmax())
-        what = (
+        defect = (
             f"the objective of {objective:.3g} may be wrong by {off.sum():.1g}, {off[k]:.1g} of it "
             "by what happens between the collocation points "
             f"from t = {ends[k]:.4g} to {ends[k + 1]:.4g}"
         )
     else:
         return
-    warn_user(f"The mesh is too coarse: {what}. Use more intervals, or pass `mesh_tol`.")
+    warn_user(f"The mesh is too coarse: {defect}. Use more intervals, or pass `mesh_tol`.")
 
 
-def _quadrature(made: Transcription, nlp: Nlp, z: np.ndarray, absolute: bool = False) -> np.ndarray:
+def _quadrature(
+    transcription: Transcription, nlp: Nlp, z: np.ndarray, absolute: bool = False
+) -> np.ndarray:
     """Return each interval's part of the integrals of the objective, or of their absolute value."""
-    M, found = made.intervals, np.zeros(made.intervals)
-    h = np.diff(made.mesh)
-    for group, points in zip(nlp.groups, made.points, strict=False):
+    M, integrals = transcription.intervals, np.zeros(transcription.intervals)
+    h = np.diff(transcription.mesh)
+    for group, points in zip(nlp.groups, transcription.points, strict=False):
         if not group.functions.outputs[1]:
             continue
         cost = group.evaluate("cost", z)[0]
         cost = np.abs(cost) if absolute else cost
         if len(cost) == M + 1:  # nodes, which belong to the intervals on both sides
             cost = cost / points.weights
-            found += h / 6 * (cost[:-1] + cost[1:])
+            integrals += h / 6 * (cost[:-1] + cost[1:])
         else:
-            found += cost.reshape(-1, M).sum(axis=0)
-    return found
+            integrals += cost.reshape(-1, M).sum(axis=0)
+    return integrals
 
 
-class _Between:
+class _InterpolatedPoints:
     """Equations and objective at fractions s of intervals k, where no collocation point is."""
 
     def __init__(
-        self, made: Transcription, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
+        self,
+        transcription: Transcription,
+        nlp: Nlp,
+        solution: NlpSolution,
+        k: np.ndarray,
+        s: np.ndarray,
     ) -> None:
-        z, p, scheme = solution.z, made.problem, made.scheme
-        states, controls, _, T = made.split(z)
-        M, length = made.intervals, np.diff(made.mesh)[k]
-        self.fractions, self.h = made.mesh[k] + s * length, length * T
+        z, p, scheme = solution.z, transcription.problem, transcription.scheme
+        states, controls, _, T = transcription.split(z)
+        M, length = transcription.intervals, np.diff(transcription.mesh)[k]
+        self.fractions, self.h = transcription.mesh[k] + s * length, length * T
         h = self.h
         basis, powers = scheme.states.basis(s)
         # The derivatives of the basis, from its values at the nodes of polynomials of that degree.
@@ -231,67 +252,77 @@ class _Between:
         rates = scheme.states.basis(nodes)[0] @ derivatives(nodes).T @ lagrange(nodes, s)
         y = states[:, scheme.states.of_intervals(M)[:, k]] * h ** powers[:, None]
         x, dx = (y * basis).sum(axis=1), (y * rates).sum(axis=1)
-        none, one, K = np.zeros(len(s)), np.ones(len(s)), scheme.order
+        zeros, unit, K = np.zeros(len(s)), np.ones(len(s)), scheme.order
         if scheme.name == "radau":
-            slots, given = [x, dx, *[0.0 * x] * (K - 1)], [none, one, *[none] * (K - 1)]
+            slots, coefficients = [x, dx, *[0.0 * x] * (K - 1)], [zeros, unit, *[zeros] * (K - 1)]
         elif scheme.name == "midpoint":
-            slots, given = [x - dx / 2, x + dx / 2], []
+            slots, coefficients = [x - dx / 2, x + dx / 2], []
         else:
-            slots, given = [x, dx / h], []
+            slots, coefficients = [x, dx / h], []
         u = controls[:, scheme.controls.of_intervals(M)[:, k]] * scheme.controls.basis(s)[0]
         u = u.sum(axis=1)
-        self.made, self.group, self.first = made, nlp.groups[0], sum(map(len, slots))
-        self.X = np.ascontiguousarray([*np.concatenate(slots), *u, *z[made._numbers_at(len(s))]])
+        self.transcription, self.group, self.first = (
+            transcription,
+            nlp.groups[0],
+            sum(map(len, slots)),
+        )
+        self.X = np.ascontiguousarray(
+            [*np.concatenate(slots), *u, *z[transcription._numbers_at(len(s))]]
+        )
         signals = p.signals_at(p.begin + self.fractions * T)
-        self.R = np.ascontiguousarray([self.fractions, length, one, *given, *signals])
+        self.R = np.ascontiguousarray([self.fractions, length, unit, *coefficients, *signals])
         self.multipliers = self._multipliers(nlp, solution, k, s)
         self.sizes = or_one(np.abs(controls).max(axis=1, initial=0.0))
         # Whether all controls are either free or at their bounds, all along each interval; and
         # whether all are free.
         self.steady, self.free = np.ones((2, M), dtype=bool)
-        self.within = made.controls_in(z, k, s).T
+        self.bounded_controls = transcription.controls_in(z, k, s).T
 
     def _multipliers(
-        self, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
+        self, nlp: Nlp, solution: NlpSolution, k: np.ndarray, s: np.ndarray
     ) -> np.ndarray:
         """Return the multipliers of rows that are integrated, shape (rows, points)."""
-        made = self.made
-        parts = zip(nlp.by_group(solution.multipliers), made.points, strict=False)
+        transcription = self.transcription
+        parts = zip(nlp.by_group(solution.multipliers), transcription.points, strict=False)
         values = [rows / points.weights for (_, rows), points in parts]
-        first, M, K = values[0], made.intervals, made.scheme.order
-        if made.scheme.name == "hermite-simpson":
+        first, M, K = values[0], transcription.intervals, transcription.scheme.order
+        if transcription.scheme.name == "hermite-simpson":
             nodes, at = np.array([0.0, 0.5, 1.0]), [first[:, k], values[1][:, k], first[:, k + 1]]
         elif K > 1:
             nodes, at = radau_points(K), [first[:, j * M + k] for j in range(K)]
         elif M > 1:  # one point an interval: straight lines from each to the next
-            times = made.points[0].fractions
+            times = transcription.points[0].fractions
             j = np.clip(np.searchsorted(times, self.fractions) - 1, 0, M - 2)
             s = (self.fractions - times[j]) / (times[j + 1] - times[j])
             nodes, at = np.array([0.0, 1.0]), [first[:, j], first[:, j + 1]]
         else:
             nodes, at = np.zeros(1), [first[:, k]]
-        found: np.ndarray = np.einsum("jm,jrm->rm", lagrange(nodes, s), np.array(at))
+        multipliers: np.ndarray = np.einsum("jm,jrm->rm", lagrange(nodes, s), np.array(at))
         # Those of inequalities have a sign, which a polynomial need not keep.
-        found[self.group.high == np.inf] = np.minimum(found[self.group.high == np.inf], 0.0)
-        found[self.group.low == -np.inf] = np.maximum(found[self.group.low == -np.inf], 0.0)
-        return found
+        multipliers[self.group.high == np.inf] = np.minimum(
+            multipliers[self.group.high == np.inf], 0.0
+        )
+        multipliers[self.group.low == -np.inf] = np.maximum(
+            multipliers[self.group.low == -np.inf], 0.0
+        )
+        return multipliers
 
-    def given(self) -> np.ndarray:
+    def lagrangian_of_polynomials(self) -> np.ndarray:
         """Return L + Λ · r of the polynomials, which may leave the bounds; set controls within."""
         of_polynomials = self.lagrangian()
-        self.X[self.first : self.first + len(self.within)] = self.within
+        self.X[self.first : self.first + len(self.bounded_controls)] = self.bounded_controls
         finite = np.isfinite(of_polynomials)
-        found: np.ndarray = np.where(finite, of_polynomials, self.lagrangian())
-        return found
+        lagrangian: np.ndarray = np.where(finite, of_polynomials, self.lagrangian())
+        return lagrangian
 
     def by_states(self) -> tuple[np.ndarray, np.ndarray]:
         """Return derivatives of rows, the last one the objective, by states and by their rates."""
-        f, n, P = self.group.functions, self.made.problem.states, self.group.constants
-        found = np.zeros((self.group.rows + 1, len(self.X), self.X.shape[1]))
-        found[tuple(f.jacobian_at.T)] = f("jacobian", self.X, self.R, P)
-        found[-1, f.gradient_at] = f("gradient", self.X, self.R, P)
-        first, second = found[:, :n], found[:, n : 2 * n]
-        if self.made.scheme.name == "midpoint":  # whose slots are the nodes
+        f, n, P = self.group.functions, self.transcription.problem.states, self.group.constants
+        slopes = np.zeros((self.group.rows + 1, len(self.X), self.X.shape[1]))
+        slopes[tuple(f.jacobian_at.T)] = f("jacobian", self.X, self.R, P)
+        slopes[-1, f.gradient_at] = f("gradient", self.X, self.R, P)
+        first, second = slopes[:, :n], slopes[:, n : 2 * n]
+        if self.transcription.scheme.name == "midpoint":  # whose slots are the nodes
             return first + second, (second - first) * self.h / 2
         return first, second
 
@@ -299,8 +330,8 @@ class _Between:
         """Return by how much inequalities of the path differ from zero, times their multipliers."""
         rows = self.group.functions("rows", self.X, self.R, self.group.constants)
         open_ = self.group.low < self.group.high
-        found: np.ndarray = np.abs(self.multipliers * rows)[open_].sum(axis=0)
-        return found
+        total: np.ndarray = np.abs(self.multipliers * rows)[open_].sum(axis=0)
+        return total
 
     def lagrangian(self) -> np.ndarray:
         """Return L + Λ · r."""
@@ -313,23 +344,25 @@ class _Between:
 
     def slope(self, i: int, values: np.ndarray) -> np.ndarray:
         """Return its derivative by a control, which takes some values."""
-        f, P, own = self.group.functions, self.group.constants, self.first + i
-        self.X[own] = values
-        found = np.zeros(len(values))
-        for name, places in (("jacobian", f.jacobian_at), ("gradient", f.gradient_at)):
-            variables = places[:, 1] if name == "jacobian" else places
-            if not (variables == own).any():
+        f, P, variable = self.group.functions, self.group.constants, self.first + i
+        self.X[variable] = values
+        derivative = np.zeros(len(values))
+        for name, positions in (("jacobian", f.jacobian_at), ("gradient", f.gradient_at)):
+            variables = positions[:, 1] if name == "jacobian" else positions
+            if not (variables == variable).any():
                 continue
             entries = f(name, self.X, self.R, P)
-            for e in np.flatnonzero(variables == own):
-                found += entries[e] * (self.multipliers[places[e, 0]] if places.ndim == 2 else 1.0)
-        return found
+            for e in np.flatnonzero(variables == variable):
+                derivative += entries[e] * (
+                    self.multipliers[positions[e, 0]] if positions.ndim == 2 else 1.0
+                )
+        return derivative
 
     def least(self) -> np.ndarray:
         """Return the least L + Λ · r that controls within their bounds have."""
-        p, before = self.made.problem, self.lagrangian()
-        own = len(p.controls)
-        for i in list(range(own)) * min(own, 2):  # one after the other; the first ones again
+        p, before = self.transcription.problem, self.lagrangian()
+        count = len(p.controls)
+        for i in list(range(count)) * min(count, 2):  # one after the other; the first ones again
             low, high = (side(self.fractions) for side in p.control_bounds[i])
             a = self.X[self.first + i].copy()
             slope = self.slope(i, a)
@@ -340,96 +373,120 @@ class _Between:
             with np.errstate(all="ignore"):
                 step = np.where(bend > 0.0, np.clip(2.0 * slope / bend, -size, size), 0.0)
             b = np.where(bounded, far, a - step)
-            other = self.slope(i, b)
+            far_slope = self.slope(i, b)
             # It falls as far as the bound; or its slope changes sign on the way.
-            falls = slope * other > 0.0
+            falls = slope * far_slope > 0.0
             end = np.where(bounded, b, a)
             for _ in range(SECANTS):
                 with np.errstate(all="ignore"):
-                    m = a - slope * (b - a) / (other - slope)
+                    m = a - slope * (b - a) / (far_slope - slope)
                 m = np.where(np.isfinite(m), m, a)
-                between = self.slope(i, m)
-                left = between * slope > 0.0
-                a, slope = np.where(left, m, a), np.where(left, between, slope)
-                b, other = np.where(left, b, m), np.where(left, other, between)
-            flat = np.where(np.abs(slope) < np.abs(other), a, b)
+                mid_slope = self.slope(i, m)
+                before_root = mid_slope * slope > 0.0
+                a, slope = np.where(before_root, m, a), np.where(before_root, mid_slope, slope)
+                b, far_slope = (
+                    np.where(before_root, b, m),
+                    np.where(before_root, far_slope, mid_slope),
+                )
+            flat = np.where(np.abs(slope) < np.abs(far_slope), a, b)
             self.X[self.first + i] = np.where(falls, end, flat)
-            kinds = falls & (np.abs(end - self.within[i]) <= STEP * size), ~falls & (bend > 0.0)
-            always = [kind.reshape(-1, self.made.intervals).all(axis=0) for kind in kinds]
+            kinds = (
+                falls & (np.abs(end - self.bounded_controls[i]) <= STEP * size),
+                ~falls & (bend > 0.0),
+            )
+            always = [kind.reshape(-1, self.transcription.intervals).all(axis=0) for kind in kinds]
             self.steady &= np.any(always, axis=0)
             free = (bend > 0.0) & ~(falls & bounded)
-            self.free &= free.reshape(-1, self.made.intervals).all(axis=0)
-        found: np.ndarray = np.fmin(before, self.lagrangian())
-        return found
+            self.free &= free.reshape(-1, self.transcription.intervals).all(axis=0)
+        minimum: np.ndarray = np.fmin(before, self.lagrangian())
+        return minimum
 
 
 def _by_costates(
-    made: Transcription, nlp: Nlp, solution: Solution, point: _Between, s: np.ndarray
+    transcription: Transcription,
+    nlp: Nlp,
+    solution: NlpSolution,
+    point: _InterpolatedPoints,
+    s: np.ndarray,
 ) -> np.ndarray:
     """Return the multipliers of the equations by cubics through the costates at the nodes.
 
     With q = (∂r/∂x')ᵀ Λ / T, the negative costate, dq/dτ = ∂L/∂x + Λ · ∂r/∂x + ν. Of the multiplier
     of a bound at a node, the intervals on both sides have a share each.
     """
-    M, n, T = made.intervals, made.problem.states, made.split(solution.z)[3]
-    h, k = np.diff(made.mesh), np.arange(made.intervals)
-    jump = _of_bounds(made, solution)[:, :, : M + 1]
+    M, n, T = (
+        transcription.intervals,
+        transcription.problem.states,
+        transcription.split(solution.z)[3],
+    )
+    h, k = np.diff(transcription.mesh), np.arange(transcription.intervals)
+    jump = _of_bounds(transcription, solution)[:, :, : M + 1]
     share = (jump[1] - jump[0]) / (np.append(h, 0.0) + np.append(0.0, h))
-    first, last = costates_of(made, nlp, solution)
+    first, last = costates_of(transcription, nlp, solution)
     q = np.concatenate([-first - h * share[:, :M], h * share[:, 1:] - last], axis=1)
-    ends = _Between(made, nlp, solution, np.tile(k, 2), np.repeat([0.0, 1.0], M))
+    ends = _InterpolatedPoints(
+        transcription, nlp, solution, np.tile(k, 2), np.repeat([0.0, 1.0], M)
+    )
     x, rates = ends.by_states()
     ends.multipliers[:n] = _solved(rates[:n], T * q)
     slopes = x[-1] + np.einsum("rp,rvp->vp", ends.multipliers, x[:-1])
     slopes += np.concatenate([share[:, :M], share[:, 1:]], axis=1)
     basis, at = Slots(2).basis(s)[0], np.tile(k, len(s) // M)
-    both = (q[:, at], q[:, M + at], h[at] * slopes[:, at], h[at] * slopes[:, M + at])
-    own = sum(b * values for b, values in zip(basis, both, strict=True))
-    return _solved(point.by_states()[1][:n], T * own)
+    end_values = (q[:, at], q[:, M + at], h[at] * slopes[:, at], h[at] * slopes[:, M + at])
+    interpolated = sum(b * values for b, values in zip(basis, end_values, strict=True))
+    return _solved(point.by_states()[1][:n], T * interpolated)
 
 
 def _solved(rates: np.ndarray, q: np.ndarray) -> np.ndarray:
     """Return Λ of (∂r/∂x')ᵀ Λ = q at each point."""
-    found: np.ndarray = np.linalg.solve(rates.transpose(2, 1, 0), q.T[..., None])[..., 0].T
-    return found
+    multipliers: np.ndarray = np.linalg.solve(rates.transpose(2, 1, 0), q.T[..., None])[..., 0].T
+    return multipliers
 
 
-def _of_bounds(made: Transcription, solution: Solution) -> np.ndarray:
+def _of_bounds(transcription: Transcription, solution: NlpSolution) -> np.ndarray:
     """Return the multipliers of low and high bounds of the states' slots, shape (2, n, slots)."""
-    found = np.array([made.split(side)[0] for side in (solution.below, solution.above)])
-    found[:, :, [0, made.intervals]] = 0.0  # `start` and `end` are no bounds of the motion
-    return found
+    multipliers = np.array(
+        [transcription.split(side)[0] for side in (solution.below, solution.above)]
+    )
+    multipliers[:, :, [0, transcription.intervals]] = (
+        0.0  # `start` and `end` are no bounds of the motion
+    )
+    return multipliers
 
 
-def _beside_bounds(
-    made: Transcription, solution: Solution, k: np.ndarray, s: np.ndarray
+def _bound_terms(
+    transcription: Transcription, solution: NlpSolution, k: np.ndarray, s: np.ndarray
 ) -> np.ndarray:
     """Return ν · (x − b): states pass their bounds between the points, or are within."""
-    scheme, M, h = made.scheme, made.intervals, np.diff(made.mesh)
-    x = made.states_at(solution.z, (made.mesh[k] + s * h[k]) * made.split(solution.z)[3]).T
+    scheme, M, h = transcription.scheme, transcription.intervals, np.diff(transcription.mesh)
+    x = transcription.states_at(
+        solution.z, (transcription.mesh[k] + s * h[k]) * transcription.split(solution.z)[3]
+    ).T
     if scheme.name == "radau" and scheme.order > 1:
         nodes, slots = radau_points(scheme.order), scheme.states.of_intervals(M)[1:]
-        weights = made.points[0].weights.reshape(scheme.order, M)
+        weights = transcription.points[0].weights.reshape(scheme.order, M)
     else:
         nodes, slots = np.array([0.0, 1.0]), scheme.states.of_intervals(M)[:2]
         around = np.append(h, 0.0) + np.append(0.0, h)
         weights = np.array([around[:-1], around[1:]]) / 2
     basis = lagrange(nodes, s)
-    fractions, found = made.mesh[k] + s * h[k], np.zeros(len(k))
+    fractions, total = transcription.mesh[k] + s * h[k], np.zeros(len(k))
     for side, (sign, values) in enumerate(
-        zip((-1.0, 1.0), _of_bounds(made, solution), strict=True)
+        zip((-1.0, 1.0), _of_bounds(transcription, solution), strict=True)
     ):
-        for row, own, bounds in zip(x, values, made.problem.state_bounds, strict=True):
+        for row, multipliers, bounds in zip(
+            x, values, transcription.problem.state_bounds, strict=True
+        ):
             if np.isfinite(bound := bounds[side](fractions)).all():
-                nu = ((own[slots] / weights)[:, k] * basis).sum(axis=0)
-                beyond = sign * (row - bound)
+                nu = ((multipliers[slots] / weights)[:, k] * basis).sum(axis=0)
+                excess = sign * (row - bound)
                 if scheme.name == "radau":  # whose points inside of intervals are within
-                    beyond = np.maximum(beyond, 0.0)
-                found += np.maximum(nu, 0.0) * beyond
-    return found
+                    excess = np.maximum(excess, 0.0)
+                total += np.maximum(nu, 0.0) * excess
+    return total
 
 
-def warn_of_chatter(found: Any) -> None:
+def warn_of_chatter(motion: Any) -> None:
     """Say where controls that enter linearly go back and forth from point to point.
 
     Inside its bounds such a control makes its switching function zero; where that is so on a whole
@@ -439,13 +496,13 @@ def warn_of_chatter(found: Any) -> None:
     ends of an arc explain. Intervals narrower than the mean count for their width: the many that
     refinement puts where a control jumps are no arc.
     """
-    made, nlp, solution = found._transcription, found._nlp, found.solution
-    own, arcs = len(made.control_times), []
-    order = np.argsort(made.control_times, kind="stable")
-    times = made.control_times[order]
-    widths = np.diff(made.mesh, prepend=0.0) * made.intervals
-    for i in _linear_controls(made):
-        at = made.sizes[0] + i * own + order
+    transcription, nlp, solution = motion._transcription, motion._nlp, motion.solution
+    slots, arcs = len(transcription.control_times), []
+    order = np.argsort(transcription.control_times, kind="stable")
+    times = transcription.control_times[order]
+    widths = np.diff(transcription.mesh, prepend=0.0) * transcription.intervals
+    for i in _linear_controls(transcription):
+        at = transcription.sizes[0] + i * slots + order
         u, size = solution.z[at], nlp.sizes[at]
         free = np.ones(len(at), dtype=bool)
         for bound, side in ((nlp.lower, solution.below), (nlp.upper, solution.above)):
@@ -457,19 +514,20 @@ def warn_of_chatter(found: Any) -> None:
         for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):
             d = np.diff(u[first : last + 1])
             back = np.where(d[1:] * d[:-1] < 0.0, np.minimum(abs(d[1:]), abs(d[:-1])), 0.0)
-            k = np.searchsorted(made.mesh, times[first + 1 : last], "left")
+            k = np.searchsorted(transcription.mesh, times[first + 1 : last], "left")
             shares = np.bincount(k, back)
             total = float(back.sum())
             reach = total * min(total, float(shares @ widths[: len(shares)]))
             if total >= largest and reach > JUMPS * float(shares @ shares):
                 turns = f"{int((back > 0.0).sum())} of {len(back)}"
-                arcs.append((total / largest, i, times[[first, last]] * found.duration, turns))
+                arcs.append((total / largest, i, times[[first, last]] * motion.duration, turns))
     if arcs:
         worst, i, (begin, end), turns = max(arcs, key=lambda arc: arc[0])
-        more = len({arc[1] for arc in arcs}) - 1
-        change = "" if made.scheme.name == "radau" else ", or use the method 'radau'"
+        other_count = len({arc[1] for arc in arcs}) - 1
+        change = "" if transcription.scheme.name == "radau" else ", or use the method 'radau'"
         warn_user(
-            f"The control `{found.controls[i]}`{f' (as {more} more)' if more else ''} enters "
+            f"The control `{motion.controls[i]}`"
+            f"{f' (as {other_count} more)' if other_count else ''} enters "
             f"linearly and chatters from t = {begin:.4g} to {end:.4g}: it turns at {turns} points, "
             f"back and forth by {worst:.2g} times its size. There the objective hardly depends on "
             "it: the arc is singular, or another control decides alone. The objective may be right "
@@ -478,13 +536,15 @@ def warn_of_chatter(found: Any) -> None:
         )
 
 
-def _linear_controls(made: Transcription) -> list[int]:
+def _linear_controls(transcription: Transcription) -> list[int]:
     """Return the controls of which no second derivative by controls is there."""
-    p = made.problem
+    p = transcription.problem
     if p.hessian != "exact":
         return []
     curved: set[int] = set()
-    for functions, points in zip((x.functions for x in made.groups), made.points, strict=False):
+    for functions, points in zip(
+        (x.functions for x in transcription.groups), transcription.points, strict=False
+    ):
         first = len(points.slots) * p.states
         pairs = functions.hessian_at - first
         inside = ((pairs >= 0) & (pairs < len(p.controls))).all(axis=1)

@@ -20,17 +20,17 @@ from pydy.control.transcription import Condition, Instant
 
 
 @dataclass(eq=False)
-class Reader:
+class ExpressionReader:
     """Reads expressions of one problem; `instants` collects their instants.
 
-    States and controls are functions of time or derivatives of such, `known` are the constants and
-    the duration's symbol.
+    States and controls are functions of time or derivatives of such. `parameters` are the symbols
+    of the constants and of the duration.
     """
 
     time: Any
     states: Sequence[Any]
     controls: Sequence[Any]
-    known: set[Any]
+    parameters: set[Any]
     duration: Any
     instants: list[Instant] = field(default_factory=list)
 
@@ -38,12 +38,12 @@ class Reader:
         """Split the objective into its integrand and a term at instants; refuse other forms."""
         integrals = sorted(expression.atoms(sm.Integral), key=sm.default_sort_key)
         dummies = {integral: sm.Dummy(f"integral{k}") for k, integral in enumerate(integrals)}
-        rest = expression.xreplace(dummies)
+        remainder = expression.xreplace(dummies)
         running, none = sm.S.Zero, dict.fromkeys(dummies.values(), sm.S.Zero)
         for integral, dummy in dummies.items():
             self._check_limits(integral)
-            factor = rest.diff(dummy)
-            if factor.has(*dummies.values()) or not factor.free_symbols <= self.known:
+            factor = remainder.diff(dummy)
+            if factor.has(*dummies.values()) or not factor.free_symbols <= self.parameters:
                 raise ValueError(
                     f"`objective` must be a sum of integrals, each times constants, and values at "
                     f"instants, got {shown(expression)}."
@@ -54,15 +54,15 @@ class Reader:
                 f"`objective` has the integrand {running}, with a value at an instant: "
                 f"integrands are functions of {self.time}."
             )
-        return running, self.at_instants(rest.xreplace(none), "`objective`")
+        return running, self.at_instants(remainder.xreplace(none), "`objective`")
 
     def _check_limits(self, integral: Any) -> None:
         limits = integral.limits
         variable, *ends = limits[0]
-        whole = not ends or (
+        spans_motion = not ends or (
             len(ends) == 2 and ends[0] == 0 and sm.simplify(ends[1] - self.duration) == 0
         )
-        if len(limits) != 1 or variable != self.time or not whole:
+        if len(limits) != 1 or variable != self.time or not spans_motion:
             raise ValueError(
                 f"`objective` has {integral}, but integrals are over the whole motion: write "
                 f"Integral(expression, {self.time})."
@@ -73,14 +73,14 @@ class Reader:
 
         Terms of constants and the duration alone do not count.
         """
-        found = []
+        pairs = []
         for term in sm.Add.make_args(expression):
-            if term.free_symbols <= self.known and not term.atoms(AppliedUndef):
+            if term.free_symbols <= self.parameters and not term.atoms(AppliedUndef):
                 continue
             factor, residual, fine = sm.S.One, sm.S.One, True
             for part in sm.Mul.make_args(term):
                 base, exponent = part.as_base_exp()
-                if part.free_symbols <= self.known and not part.atoms(AppliedUndef):
+                if part.free_symbols <= self.parameters and not part.atoms(AppliedUndef):
                     factor *= part
                 elif exponent.is_Integer and exponent > 0 and exponent % 2 == 0:
                     residual *= base ** (exponent / 2)
@@ -91,19 +91,19 @@ class Reader:
                     f"`hessian` is 'gauss-newton', which needs an `objective` that is a sum of "
                     f"squares, but it has the term {term}. Use 'exact', or 'lbfgs'."
                 )
-            found.append((factor, residual))
-        return tuple(found)
+            pairs.append((factor, residual))
+        return tuple(pairs)
 
     def boundary(self, relations: Sequence[Any]) -> tuple[Condition, ...]:
         """Return relations between instants as conditions."""
-        found = self.path("boundary", relations)
+        conditions = self.path("boundary", relations)
         return tuple(
-            replace(c, expression=self.at_instants(c.expression, "`boundary`")) for c in found
+            replace(c, expression=self.at_instants(c.expression, "`boundary`")) for c in conditions
         )
 
     def path(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
         """Return relations as conditions with the same meaning."""
-        found = []
+        conditions = []
         for relation in relations:
             if not isinstance(relation, Relational) or isinstance(relation, sm.Ne):
                 raise ValueError(
@@ -118,40 +118,42 @@ class Reader:
                 )
             low = 0.0 if isinstance(relation, (sm.Eq, sm.Ge, sm.Gt)) else float("-inf")
             high = float("inf") if isinstance(relation, (sm.Ge, sm.Gt)) else 0.0
-            found.append(Condition(expression, low, high, str(relation)))
-        return tuple(found)
+            conditions.append(Condition(expression, low, high, str(relation)))
+        return tuple(conditions)
 
     @staticmethod
-    def check_functions(what: str, expressions: Iterable[Any], known: Iterable[Any]) -> None:
+    def check_functions(argument: str, expressions: Iterable[Any], allowed: Iterable[Any]) -> None:
         """Refuse functions of time that none of some symbols and derivatives is or holds."""
-        own = {f for symbol in known for f in symbol.atoms(AppliedUndef)}
-        strange = {f for e in expressions for f in sm.sympify(e).atoms(AppliedUndef)} - own
+        functions = {f for symbol in allowed for f in symbol.atoms(AppliedUndef)}
+        strange = {f for e in expressions for f in sm.sympify(e).atoms(AppliedUndef)} - functions
         if strange:
-            one = min(strange, key=sm.default_sort_key)
+            example = min(strange, key=sm.default_sort_key)
             raise ValueError(
-                f"{what} has `{one}`, which is in none of the system's equations. To have it as a "
-                "control all the same, give the system an output that holds it: "
-                f"system.outputs[sm.Symbol('name')] = {one}."
+                f"{argument} has `{example}`, which is in none of the system's equations. To have "
+                "it as a control all the same, give the system an output that holds it: "
+                f"system.outputs[sm.Symbol('name')] = {example}."
             )
 
     # -- values at instants ----------------------------------------------------------------------
 
-    def at_instants(self, expression: Any, what: str) -> Any:
+    def at_instants(self, expression: Any, argument: str) -> Any:
         """Return an expression with a symbol for each value at an instant; else nothing moves."""
-        found = self._instants_in(expression)
-        replaced = {old: self._symbol(*value, what) for old, value in found.items()}
+        values = self._instants_in(expression)
+        replaced = {old: self._symbol(*value, argument) for old, value in values.items()}
         result = expression.xreplace(replaced)
         instants = {i.symbol for i in self.instants}
         kinds = (sm.Subs, sm.Derivative, AppliedUndef)  # those that hold others first
-        left = [e for kind in kinds for e in sorted(result.atoms(kind), key=sm.default_sort_key)]
-        strange = sorted(result.free_symbols - instants - self.known, key=sm.default_sort_key)
-        if left or strange:
-            one = (left or strange)[0]
+        unresolved = [
+            e for kind in kinds for e in sorted(result.atoms(kind), key=sm.default_sort_key)
+        ]
+        strange = sorted(result.free_symbols - instants - self.parameters, key=sm.default_sort_key)
+        if unresolved or strange:
+            example = (unresolved or strange)[0]
             names = describe((*self.states, *self.controls))
             raise ValueError(
-                f"{what} has `{one}`, which is neither a constant of the system nor a state or "
-                f"control at an instant. Write `q.subs({self.time}, {self.duration})` for the "
-                f"value of q at the end; states and controls are {names}."
+                f"{argument} has `{example}`, which is neither a constant of the system nor a "
+                f"state or control at an instant. Write `q.subs({self.time}, {self.duration})` for "
+                f"the value of q at the end; states and controls are {names}."
             )
         return result
 
@@ -159,7 +161,7 @@ class Reader:
         """Return the quantities at instants in an expression: kind, index and time."""
         kinds = [("state", k, s) for k, s in enumerate(self.states)]
         kinds += [("control", k, s) for k, s in enumerate(self.controls)]
-        found: dict[Any, tuple[str, int, Any]] = {}
+        instants: dict[Any, tuple[str, int, Any]] = {}
         # A derivative at an instant is a Subs, or one by the instant where that is a symbol.
         for node in expression.atoms(sm.Subs, sm.Derivative):
             variable = node.variables[0]
@@ -169,22 +171,22 @@ class Reader:
                 inner, instant = node.xreplace({variable: self.time}), variable
             for kind, k, symbol in kinds:
                 if inner == symbol and instant != self.time and len({*node.variables}) == 1:
-                    found[node] = (kind, k, instant)
-        rest = expression.xreplace({node: sm.Dummy() for node in found})
-        for node in rest.atoms(AppliedUndef):
+                    instants[node] = (kind, k, instant)
+        remainder = expression.xreplace({node: sm.Dummy() for node in instants})
+        for node in remainder.atoms(AppliedUndef):
             if len(node.args) == 1 and node.args[0] != self.time:
                 for kind, k, symbol in kinds:
                     if isinstance(symbol, AppliedUndef) and node.func == symbol.func:
-                        found[node] = (kind, k, node.args[0])
-        return found
+                        instants[node] = (kind, k, node.args[0])
+        return instants
 
-    def _symbol(self, kind: str, index: int, time: Any, what: str) -> Any:
+    def _symbol(self, kind: str, index: int, time: Any, argument: str) -> Any:
         ratio = sm.simplify(sm.sympify(time) / self.duration)
         if ratio.is_number and is_zero(complex(ratio - 1).real, 1.0):
             ratio = sm.Integer(1)  # 2*pi is beyond its own float
         if not (ratio.is_number and ratio.is_real) or not 0 <= ratio <= 1:
             raise ValueError(
-                f"{what} has a value at the time {time}, but instants lie between 0 and "
+                f"{argument} has a value at the time {time}, but instants lie between 0 and "
                 f"{self.duration}"
                 + (
                     f" and are given as a part of it, such as {self.duration}/2."
@@ -193,12 +195,12 @@ class Reader:
                 )
             )
         fraction = float(ratio)
-        for known in self.instants:
-            if (known.kind, known.index, known.fraction) == (kind, index, fraction):
-                return known.symbol
-        made = Instant(sm.Dummy(f"{kind}{index}"), kind, index, fraction)
-        self.instants.append(made)
-        return made.symbol
+        for existing in self.instants:
+            if (existing.kind, existing.index, existing.fraction) == (kind, index, fraction):
+                return existing.symbol
+        instant = Instant(sm.Dummy(f"{kind}{index}"), kind, index, fraction)
+        self.instants.append(instant)
+        return instant.symbol
 
 
 def bends(objective: Any) -> str:

@@ -27,13 +27,13 @@ class Limit:
         """Return the values at fractions of the duration."""
         if isinstance(self.values, SampledInput):
             assert self.duration is not None
-            found: np.ndarray = self.values.rows(fractions * self.duration)[:, 0]
-            return found
+            sampled: np.ndarray = self.values.rows(fractions * self.duration)[:, 0]
+            return sampled
         if np.ndim(self.values) == 0:
             return np.full(len(fractions), float(self.values))
         even = np.linspace(0.0, 1.0, num=len(self.values))
-        between: np.ndarray = np.interp(fractions, even, self.values)
-        return between
+        interpolated: np.ndarray = np.interp(fractions, even, self.values)
+        return interpolated
 
     @property
     def extremes(self) -> tuple[float, float]:
@@ -46,29 +46,29 @@ class Limit:
         return float(np.min(values)), float(np.max(values))
 
 
-def limit(value: Any, what: str, duration: float | None, *, finite: bool = False) -> Limit:
+def limit(value: Any, argument: str, duration: float | None, *, finite: bool = False) -> Limit:
     """Return a guess, whose numbers are finite, or a side of bounds, that the user gave."""
     if isinstance(value, SampledInput):
         if duration is None:
             raise ValueError(
-                f"{what} has samples at times, and the duration is free. Give an array, whose "
+                f"{argument} has samples at times, and the duration is free. Give an array, whose "
                 "values lie at equal distances over the motion; or a condition in `path`, on a "
                 "specified that has these samples and stands in one of the outputs."
             )
         if value.size != 1:
-            raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
+            raise ValueError(f"{argument} must be samples of one value, got {value.size} a time.")
         if not finite and not value.covers(np.array([0.0, duration])):
             raise ValueError(
-                f"{what} must have samples for the whole motion, from 0 to {duration:g}, got those "
-                f"from {value.breaks[0]:g} to {value.breaks[-1]:g}. Add samples."
+                f"{argument} must have samples for the whole motion, from 0 to {duration:g}, got "
+                f"those from {value.breaks[0]:g} to {value.breaks[-1]:g}. Add samples."
             )
         return Limit(value, duration)
-    samples = real_array(value, what)
+    samples = real_array(value, argument)
     if samples.ndim == 0:
-        return Limit(number(value, what, finite=finite))
+        return Limit(number(value, argument, finite=finite))
     if samples.ndim != 1 or not len(samples) or not np.isfinite(samples).all():
         raise ValueError(
-            f"{what} must be a finite number, or rows of finite numbers, got {shown(value)}."
+            f"{argument} must be a finite number, or rows of finite numbers, got {shown(value)}."
         )
     return Limit(samples)
 
@@ -76,14 +76,14 @@ def limit(value: Any, what: str, duration: float | None, *, finite: bool = False
 class Guess:
     """Where a search begins, as the user gives it."""
 
-    def __init__(self, given: Any, unknown: Places, duration: float | None, symbol: Any) -> None:
+    def __init__(self, guess: Any, unknown: Places, duration: float | None, symbol: Any) -> None:
         self._duration, self._symbol = duration, symbol
         self._motion: Trajectory | None = None
         self._values: dict[Any, Any] = {}
-        if isinstance(given, Trajectory):
-            self._motion = given
+        if isinstance(guess, Trajectory):
+            self._motion = guess
         else:
-            values = check_mapping("guess", given)
+            values = check_mapping("guess", guess)
             self._values = unknown.by_symbol(values, "guess")
 
     def duration(self, bounds: tuple[float, float]) -> float:
@@ -110,19 +110,19 @@ class Guess:
             first, last = self._motion.times[[0, -1]]
             order = np.argsort(fractions, kind="stable")
             times = np.clip(first + fractions[order] * (last - first), first, last)
-            found = np.empty(len(fractions))
-            found[order] = self._motion.at(times)[symbol]
-            return found
+            samples = np.empty(len(fractions))
+            samples[order] = self._motion.at(times)[symbol]
+            return samples
         if symbol not in self._values:
             return None
-        given = limit(self._values[symbol], f"`guess[{symbol}]`", duration, finite=True)
-        return given(fractions)
+        function = limit(self._values[symbol], f"`guess[{symbol}]`", duration, finite=True)
+        return function(fractions)
 
-    def number(self, symbol: Any, known: float) -> float:
+    def number(self, symbol: Any, default: float) -> float:
         """Return a free constant to begin with."""
         if self._motion is not None:
-            return float(self._motion.constants.get(symbol, known))
-        return number(self._values.get(symbol, known), f"`guess[{symbol}]`", finite=True)
+            return float(self._motion.constants.get(symbol, default))
+        return number(self._values.get(symbol, default), f"`guess[{symbol}]`", finite=True)
 
     def check_bounds(self, symbol: Any, values: np.ndarray, bounds: Any) -> None:
         """Refuse values that the user gave and that lie outside of bounds, numbers or arrays."""
@@ -137,17 +137,17 @@ class Guess:
 
 
 def follow_constraints(
-    made: Transcription, z: np.ndarray, moving: Sequence[int], count: int
+    transcription: Transcription, z: np.ndarray, moving: Sequence[int], count: int
 ) -> None:
     """Let some coordinates follow from the first `count` constraints, in place, from the start on.
 
     Each place begins as far beside its guess as the one before ended, so that a mechanism does not
     change its branch. Where no configuration is found the guess stays.
     """
-    places, slopes = made.state_slots
-    own = np.flatnonzero(~slopes)
-    slots = own[np.argsort(places[own], kind="stable")]
-    group, states = made.constraints_at(slots), list(moving)
+    times, slopes = transcription.state_slots
+    value_slots = np.flatnonzero(~slopes)
+    slots = value_slots[np.argsort(times[value_slots], kind="stable")]
+    group, states = transcription.constraints_at(slots), list(moving)
     f, shift = group.functions, np.zeros(len(states))
     J, every = np.zeros((group.rows, f.sizes[0])), group.data_at(z)
     for k in range(len(slots)):
@@ -156,14 +156,14 @@ def follow_constraints(
         X[states, 0] += shift
         for _ in range(8):  # Newton's method doubles the digits; what is far stays as it is
             J[tuple(f.jacobian_at.T)] = f("jacobian", X, data, group.constants)[:, 0]
-            left, by = f("rows", X, data, group.constants)[:count, 0], J[:count]
-            if not (np.isfinite(left).all() and np.isfinite(by).all()):
+            residuals, jacobian = f("rows", X, data, group.constants)[:count, 0], J[:count]
+            if not (np.isfinite(residuals).all() and np.isfinite(jacobian).all()):
                 break
-            if (np.abs(left) <= DIGITS * (np.abs(by) @ np.abs(X[:, 0]))).all():
+            if (np.abs(residuals) <= DIGITS * (np.abs(jacobian) @ np.abs(X[:, 0]))).all():
                 shift = X[states, 0] - z[at[states, 0]]
                 z[at[states, 0]] = X[states, 0]
                 break
-            X[states, 0] -= least_step(by[:, states], left)
+            X[states, 0] -= least_step(jacobian[:, states], residuals)
 
 
 def shown_pair(limits: tuple[float, float]) -> str:

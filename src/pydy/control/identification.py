@@ -52,14 +52,15 @@ from pydy._errors import IntegrationError, warn_user
 from pydy._judges import contradiction, rates
 from pydy._rank import HALF, or_one
 from pydy.control.guess import Limit
-from pydy.control.ipopt import Iteration, Solution
-from pydy.control.kernel import Equations
+from pydy.control.ipopt import Iteration, NlpSolution
+from pydy.control.kernel import ImplicitEquations
 from pydy.control.nlp import Nlp, PointGroup
 from pydy.control.problem import labels_of
-from pydy.control.refine import Moved, checked_mesh, interval_errors, knots, refined
+from pydy.control.refine import RateFunction, checked_mesh, interval_errors, knots, refined
 from pydy.control.schemes import Scheme, scheme_of
 from pydy.control.transcription import TranscribedProblem, Transcription, metric_of, sizes_of
 from pydy.control.tuning import (
+    CONVERGED_SHARE,
     FIT_ORDER,
     LEAST_FIT_ERROR,
     MOST_CORRECTIONS,
@@ -67,7 +68,6 @@ from pydy.control.tuning import (
     PROXIMAL,
     PULLS,
     STEADY,
-    STILL,
 )
 from pydy.solvers import DriftReport, Outcome
 
@@ -76,7 +76,7 @@ from pydy.solvers import DriftReport, Outcome
 class Experiment:
     """A measured motion."""
 
-    now: Any  # the System's snapshot as it was in this experiment
+    snapshot: Any  # the System's snapshot as it was in this experiment
     begin: float  # the time of the initial conditions
     times: np.ndarray  # (m,)
     measured: tuple[Any, ...]  # states and outputs
@@ -100,7 +100,7 @@ class Identified:
     jacobian: np.ndarray
     followed: np.ndarray  # (n, k)
     largest: np.ndarray  # (n,), how large each state becomes
-    solution: Solution  # of the last search
+    solution: NlpSolution  # of the last search
 
 
 class Identification:
@@ -122,30 +122,32 @@ class Identification:
             self.problems.append(self._problem(experiment))
 
     def _problem(self, e: Experiment) -> TranscribedProblem:
-        now, definition, plan = e.now, e.now.definition, e.now.plan
+        snapshot, definition, plan = e.snapshot, e.snapshot.definition, e.snapshot.plan
         count = len(definition.constants)
         columns = [
             k + count * (kind == "specifieds") for kind, k in self.shared if kind != "states"
         ]
         numbers = {
-            "constants": now.p,
+            "constants": snapshot.p,
             "specifieds": plan.inputs.values,
             "signals": plan.inputs.sampled,
             "duration": float(e.times[-1]) - e.begin,
             "begin": e.begin,
             "metric": metric_of(np.abs(e.states).max(axis=0)),
         }
-        labels, held = labels_of(definition)
+        labels, constraint_labels = labels_of(definition)
         start = (*e.unknown, *e.tied, *(k for kind, k in self.shared if kind == "states"))
-        constraints = tuple(f"{label} at the start" for label in held) if start else ()
+        constraints = tuple(f"{label} at the start" for label in constraint_labels) if start else ()
         numbers["constraints"] = constraints
-        for other, made in zip(self.experiments, self.problems, strict=False):
+        for earlier, problem in zip(self.experiments, self.problems, strict=False):
             # Equal equations and kinds of inputs share their machine code.
-            same = other.now.code is now.code and made.measured == e.measured
-            if same and [*map(_places, made.signals)] == [*map(_places, plan.inputs.sampled)]:
-                return replace(made, **numbers)
+            same = earlier.snapshot.code is snapshot.code and problem.measured == e.measured
+            if same and [*map(_signal_columns, problem.signals)] == [
+                *map(_signal_columns, plan.inputs.sampled)
+            ]:
+                return replace(problem, **numbers)
         return TranscribedProblem(
-            equations=Equations.of(now, disturbed=self._disturbed(e)),
+            equations=ImplicitEquations.from_snapshot(snapshot, disturbed=self._disturbed(e)),
             states=len(definition.states),
             labels=labels,
             controls=tuple(self.noise),
@@ -158,17 +160,17 @@ class Identification:
 
     def _disturbed(self, e: Experiment) -> bool:
         """Return whether a specified that is an expression is disturbed."""
-        return any(e.now.plan.symbols[k] in e.now.plan.expressions for k in self.noise)
+        return any(e.snapshot.plan.symbols[k] in e.snapshot.plan.expressions for k in self.noise)
 
-    def _moved(self, k: int) -> Moved:
-        now, disturbed = self.experiments[k].now, self._disturbed(self.experiments[k])
-        code = now.model.with_compiled_inputs(now.plan, perturbed=disturbed)
-        return Moved(code.compiled("rates"), now.inputs)
+    def _rate_function(self, k: int) -> RateFunction:
+        snapshot, disturbed = self.experiments[k].snapshot, self._disturbed(self.experiments[k])
+        code = snapshot.model.with_compiled_inputs(snapshot.plan, perturbed=disturbed)
+        return RateFunction(code.compiled("rates"), snapshot.inputs)
 
-    def meshes(self, given: Any) -> list[np.ndarray]:
+    def meshes(self, mesh: Any) -> list[np.ndarray]:
         """Return the mesh of each experiment: a point a sample or two, if none is given."""
-        if given is not None:
-            return [checked_mesh(given)] * len(self.experiments)
+        if mesh is not None:
+            return [checked_mesh(mesh)] * len(self.experiments)
         points = 2 if self.noise else 1
         counts = [max(10, -(-points * len(e.times) // FIT_ORDER)) for e in self.experiments]
         return [np.linspace(0.0, 1.0, num=count + 1) for count in counts]
@@ -177,7 +179,7 @@ class Identification:
         self,
         z: np.ndarray,
         mesh: Any,
-        search: Callable[..., Solution],
+        search: Callable[..., NlpSolution],
         watch: Callable[[Iteration], None],
     ) -> Identified:
         """Find the parameters, from z on, by the solver that `solver_of` returns.
@@ -189,67 +191,81 @@ class Identification:
         motions: list[Any] = [None] * len(self.experiments)
         slope, earlier = np.zeros(len(z)), np.full(len(z), np.inf)
         for _ in range(MOST_REFINEMENTS):
-            joined = _Joined(self, meshes)
+            combined = _CombinedExperiments(self, meshes)
             for _ in range(MOST_CORRECTIONS if self.noise else 1):
-                nlp, residuals, start = joined.program(z, motions, slope)
-                first = motions[0] is None and joined.collapses(nlp, start)
+                nlp, residuals, start = combined.program(z, motions, slope)
+                first = motions[0] is None and combined.collapses(nlp, start)
                 for pull in (*PULLS, 0.0) if first else (0.0,):
-                    own = joined.program(z, motions, slope, pull)[0] if pull else nlp
-                    solution = search(own, start, watch=watch)
+                    program = combined.program(z, motions, slope, pull)[0] if pull else nlp
+                    solution = search(program, start, watch=watch)
                     if solution.interrupted:
                         break
                     start = solution.z if solution.solved else start
                 if solution.solved:
-                    joined.check_constraints(solution)
-                found = self._found(joined, nlp, residuals, solution)
+                    combined.check_constraints(solution)
+                result = self._result(combined, nlp, residuals, solution)
                 if not solution.solved or solution.interrupted:
-                    return found
-                z, parts = found.z, [solution.z[own] for own in joined.own]
-                motions = list(zip(joined.made, parts, strict=True))
+                    return result
+                z, parts = result.z, [solution.z[positions] for positions in combined.positions]
+                motions = list(zip(combined.transcriptions, parts, strict=True))
                 if not self.noise:
                     break
-                before, slope = slope, joined.slope(nlp, residuals, found)
+                before, slope = slope, combined.slope(nlp, residuals, result)
                 # How far the estimates will move, in standard errors.
-                change = np.linalg.lstsq(found.jacobian.T, slope - before)[0]
-                if np.linalg.norm(change) <= STILL:
+                change = np.linalg.lstsq(result.jacobian.T, slope - before)[0]
+                if np.linalg.norm(change) <= CONVERGED_SHARE:
                     break
-            moved = (
-                np.linalg.norm(found.jacobian @ (z - earlier)) if earlier[0] < np.inf else np.inf
+            shift = (
+                np.linalg.norm(result.jacobian @ (z - earlier)) if earlier[0] < np.inf else np.inf
             )
-            if mesh is not None or moved <= STILL * np.sqrt(np.mean(found.values**2)):
-                return found
+            if mesh is not None or shift <= CONVERGED_SHARE * np.sqrt(np.mean(result.values**2)):
+                return result
             earlier = z
-            allowed, errors, limits = self._allowed(found), [], []
-            for k, (made, part) in enumerate(zip(joined.made, parts, strict=True)):
-                sizes = made.split(nlp.sizes[joined.own[k]])[0][:, 0]
-                limits.append(max(allowed / made.intervals, LEAST_FIT_ERROR))
-                errors.append(interval_errors(self._moved(k), made, part, sizes, limits[-1]))
+            allowed, errors, limits = self._allowed(result), [], []
+            for k, (transcription, part) in enumerate(
+                zip(combined.transcriptions, parts, strict=True)
+            ):
+                sizes = transcription.split(nlp.sizes[combined.positions[k]])[0][:, 0]
+                limits.append(max(allowed / transcription.intervals, LEAST_FIT_ERROR))
+                errors.append(
+                    interval_errors(self._rate_function(k), transcription, part, sizes, limits[-1])
+                )
             if all(e.max() <= limit for e, limit in zip(errors, limits, strict=True)):
-                return found
+                return result
             meshes = [
-                refined(made.mesh, e, limit, self.scheme.convergence, knots(made, e, limit))
-                for made, e, limit in zip(joined.made, errors, limits, strict=True)
+                refined(
+                    transcription.mesh,
+                    e,
+                    limit,
+                    self.scheme.convergence,
+                    knots(transcription, e, limit),
+                )
+                for transcription, e, limit in zip(
+                    combined.transcriptions, errors, limits, strict=True
+                )
             ]
         worst = max(float(error.max()) for error in errors)
         warn_user(
             f"After {MOST_REFINEMENTS} refinements the mesh of the fit has an error of {worst:.2g} "
             "of the states' sizes. Where inputs jump, nodes of `mesh` at the jumps help."
         )
-        return found
+        return result
 
-    def _allowed(self, found: Identified) -> float:
+    def _allowed(self, result: Identified) -> float:
         """Return the error of the states that disappears in the noise, relative to their sizes."""
         rows = [
             (r, e.values * e.weights)
-            for r, e in zip(found.residuals, self.experiments, strict=True)
+            for r, e in zip(result.residuals, self.experiments, strict=True)
         ]
         noise = float(sum((r**2).sum() for r, _ in rows))
         size = float(sum((y**2).sum() for _, y in rows))
         # The mesh adds the square of a hundredth to the residuals.
         return 0.01 * np.sqrt(min(noise / size, 1.0)) if size > 0.0 else 0.01
 
-    def _found(self, joined: _Joined, nlp: Nlp, residuals: Nlp, solution: Solution) -> Identified:
-        z = joined.at_bounds(nlp, solution)
+    def _result(
+        self, combined: _CombinedExperiments, nlp: Nlp, residuals: Nlp, solution: NlpSolution
+    ) -> Identified:
+        z = combined.at_bounds(nlp, solution)
         k = len(self.limits[0])
         values = residuals.native("rows", z / residuals.sizes)[0]
         parts, start = [], 0
@@ -257,24 +273,26 @@ class Identification:
             size = e.values.size
             parts.append(values[start : start + size].reshape(-1, len(e.times)).T)
             start += size
-        there = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
-        columns, factors = joined.disturbances()
+        measured = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
+        columns, factors = combined.disturbances()
         J, W = (
             (np.empty((0, k)), np.empty((0, k)))
             if solution.interrupted
-            else joined.followed(nlp, residuals, z)
+            else combined.followed(nlp, residuals, z)
         )
         largest = np.max(
             [
-                np.abs(made.split(z[own])[0]).max(axis=1)
-                for made, own in zip(joined.made, joined.own, strict=True)
+                np.abs(transcription.split(z[positions])[0]).max(axis=1)
+                for transcription, positions in zip(
+                    combined.transcriptions, combined.positions, strict=True
+                )
             ],
             axis=0,
         )
         return Identified(
-            z[joined.parameters],
+            z[combined.parameters],
             parts,
-            np.concatenate([values[there], factors * z[columns]]),
+            np.concatenate([values[measured], factors * z[columns]]),
             J,
             W,
             largest,
@@ -282,34 +300,36 @@ class Identification:
         )
 
 
-class _Joined:
+class _CombinedExperiments:
     """Experiments on meshes, with their unknowns in one vector, at the positions `own`."""
 
-    def __init__(self, asked: Identification, meshes: Sequence[np.ndarray]) -> None:
-        self.asked, self.experiments = asked, asked.experiments
-        self.made = [
-            Transcription(problem, asked.scheme, mesh)
-            for problem, mesh in zip(asked.problems, meshes, strict=True)
+    def __init__(self, identification: Identification, meshes: Sequence[np.ndarray]) -> None:
+        self.identification, self.experiments = identification, identification.experiments
+        self.transcriptions = [
+            Transcription(problem, identification.scheme, mesh)
+            for problem, mesh in zip(identification.problems, meshes, strict=True)
         ]
-        count = len(asked.shared)
-        self.own, own_parameters = [], []
-        for e, made in zip(self.experiments, self.made, strict=True):
-            slots, first = len(made.state_slots[0]), sum(made.sizes[:2])
-            places, numbers = [], 0
-            for kind, k in asked.shared:
-                places.append(k * slots if kind == "states" else first + numbers)
+        count = len(identification.shared)
+        self.positions, start_parameters = [], []
+        for e, transcription in zip(self.experiments, self.transcriptions, strict=True):
+            slots, first = len(transcription.state_slots[0]), sum(transcription.sizes[:2])
+            shared_slots, numbers = [], 0
+            for kind, k in identification.shared:
+                shared_slots.append(k * slots if kind == "states" else first + numbers)
                 numbers += kind != "states"
-            size = sum(made.sizes)
+            size = sum(transcription.sizes)
             alone = np.ones(size, dtype=bool)
-            alone[places] = False
-            own = np.empty(size, dtype=int)
-            own[places] = np.arange(len(asked.shared))
-            own[alone] = count + np.arange(int(alone.sum()))
+            alone[shared_slots] = False
+            positions = np.empty(size, dtype=int)
+            positions[shared_slots] = np.arange(len(identification.shared))
+            positions[alone] = count + np.arange(int(alone.sum()))
             count += int(alone.sum())
-            self.own.append(own)
-            own_parameters += [own[k * slots] for k in e.unknown]
+            self.positions.append(positions)
+            start_parameters += [positions[k * slots] for k in e.unknown]
         self.size = count
-        self.parameters = np.array([*range(len(asked.shared)), *own_parameters], dtype=int)
+        self.parameters = np.array(
+            [*range(len(identification.shared)), *start_parameters], dtype=int
+        )
 
     def program(
         self, z: np.ndarray, motions: Sequence[Any], slope: np.ndarray, pull: float = 0.0
@@ -318,30 +338,36 @@ class _Joined:
 
         The objective has the `slope` by the parameters in addition, and a `pull` towards z.
         """
-        asked = self.asked
+        identification = self.identification
         lower, upper = np.full(self.size, -np.inf), np.full(self.size, np.inf)
         start, sizes = np.empty(self.size), np.zeros(self.size)
         parts = []
-        for e, made, own, motion in zip(
-            self.experiments, self.made, self.own, motions, strict=True
+        for e, transcription, positions, motion in zip(
+            self.experiments, self.transcriptions, self.positions, motions, strict=True
         ):
-            parts.append(part := _start(e, made, motion))
-            nodes = np.arange(made.problem.states) * len(made.state_slots[0])
-            known = nodes[[k for k in range(len(nodes)) if k not in (*e.unknown, *e.tied)]]
-            lower[own[known]] = upper[own[known]] = e.now.x[known // len(made.state_slots[0])]
-            start[own] = part
+            parts.append(part := _start(e, transcription, motion))
+            nodes = np.arange(transcription.problem.states) * len(transcription.state_slots[0])
+            fixed = nodes[[k for k in range(len(nodes)) if k not in (*e.unknown, *e.tied)]]
+            lower[positions[fixed]] = upper[positions[fixed]] = e.snapshot.x[
+                fixed // len(transcription.state_slots[0])
+            ]
+            start[positions] = part
         start[self.parameters] = z
-        for side, limit in zip((lower, upper), asked.limits, strict=True):
+        for side, limit in zip((lower, upper), identification.limits, strict=True):
             side[self.parameters] = limit
         groups: list[PointGroup] = []
         rows: list[PointGroup] = []
-        for e, made, own in zip(self.experiments, self.made, self.own, strict=True):
-            open_ = np.full(len(own), np.inf)
-            np.maximum.at(sizes, own, sizes_of(made, start[own], -open_, open_)[0])
-            samples = made.samples(e.times, np.nan_to_num(e.values), e.weights)
-            groups += [replace(p, at=own[p.at]) for p in (*made.groups, samples[0])]
-            rows.append(replace(samples[1], at=own[samples[1].at]))
-        groups.append(self._known(slope, z, pull))
+        for e, transcription, positions in zip(
+            self.experiments, self.transcriptions, self.positions, strict=True
+        ):
+            open_ = np.full(len(positions), np.inf)
+            np.maximum.at(
+                sizes, positions, sizes_of(transcription, start[positions], -open_, open_)[0]
+            )
+            samples = transcription.samples(e.times, np.nan_to_num(e.values), e.weights)
+            groups += [replace(p, at=positions[p.at]) for p in (*transcription.groups, samples[0])]
+            rows.append(replace(samples[1], at=positions[samples[1].at]))
+        groups.append(self._parameter_terms(slope, z, pull))
         nlp = Nlp(groups, lower, upper, sizes)
         return nlp.in_own_units(start), Nlp(rows, lower, upper, sizes), start
 
@@ -355,37 +381,39 @@ class _Joined:
         B = _matrix(nlp, y, nlp.rows, self.size)[:, self.parameters].toarray()
         rows = nlp.native("rows", y)[0]
         at = np.abs(B).max(axis=1, initial=0.0) > 0.0
-        left = rows[at] - B[at] @ np.linalg.lstsq(B[at], rows[at])[0]
-        return bool(at.any() and np.linalg.norm(left) <= HALF * np.linalg.norm(rows[at]))
+        remaining = rows[at] - B[at] @ np.linalg.lstsq(B[at], rows[at])[0]
+        return bool(at.any() and np.linalg.norm(remaining) <= HALF * np.linalg.norm(rows[at]))
 
-    def _known(self, slope: np.ndarray, z: np.ndarray, pull: float) -> PointGroup:
+    def _parameter_terms(self, slope: np.ndarray, z: np.ndarray, pull: float) -> PointGroup:
         """Return the priors of the parameters, a slope, and a pull as a share of the samples'."""
-        problem = self.made[0].problem
+        problem = self.transcriptions[0].problem
         count = len(self.parameters)
         samples = [(np.nan_to_num(e.values) * e.weights).ravel() for e in self.experiments]
         size = float(np.linalg.norm(np.concatenate(samples)))
         data = np.array([z, pull * size / or_one(np.abs(z)), slope])
-        for k, mean, deviation in self.asked.priors:
+        for k, mean, deviation in self.identification.priors:
             data[:2, k] = mean, 1.0 / deviation
         at, none = self.parameters[None], np.empty(0)
         return PointGroup(problem.of_parameters(), at, data, none, (), np.full(count, np.nan))
 
-    def check_constraints(self, solution: Solution) -> None:
+    def check_constraints(self, solution: NlpSolution) -> None:
         """Refuse motions whose velocities do not keep a holonomic constraint.
 
         Simulations leave that constraint. Collocation would return such a motion as the best one.
         """
-        for e, made, places in zip(self.experiments, self.made, self.own, strict=True):
-            equations = e.now.definition.equations
+        for e, transcription, positions in zip(
+            self.experiments, self.transcriptions, self.positions, strict=True
+        ):
+            equations = e.snapshot.definition.equations
             if not equations.constraints.unenforced_holonomic:
                 continue
-            states, _, numbers, duration = made.split(solution.z[places])
-            times = np.minimum(e.begin + made.state_slots[0] * duration, e.times[-1])
+            states, _, numbers, duration = transcription.split(solution.z[positions])
+            times = np.minimum(e.begin + transcription.state_slots[0] * duration, e.times[-1])
             order = np.argsort(times, kind="stable")
             times, states = times[order], states.T[order]
-            at = e.now.at(times, states)
+            at = e.snapshot.at(times, states)
             p, r = at.p.copy(), at.r.copy()
-            for k, value in zip(made.problem.free, numbers.tolist(), strict=True):
+            for k, value in zip(transcription.problem.free, numbers.tolist(), strict=True):
                 if k < len(p):
                     p[k] = value
                 else:
@@ -402,17 +430,17 @@ class _Joined:
 
     def disturbances(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the disturbances' unknowns, and the function of their residuals."""
-        places, factors = [np.empty(0, dtype=int)], [np.empty(0)]
-        for made, own in zip(self.made, self.own, strict=True):
-            (points,) = made.scheme.points(made.mesh)
-            for k, intensity in enumerate(made.problem.noise):
-                first = made.sizes[0] + k * len(made.control_times)
-                places.append(own[first + points.controls])
-                assert made.problem.duration is not None
-                factors.append(np.sqrt(made.problem.duration * points.weights) / intensity)
-        return np.concatenate(places), np.concatenate(factors)
+        unknowns, factors = [np.empty(0, dtype=int)], [np.empty(0)]
+        for transcription, positions in zip(self.transcriptions, self.positions, strict=True):
+            (points,) = transcription.scheme.points(transcription.mesh)
+            for k, intensity in enumerate(transcription.problem.noise):
+                first = transcription.sizes[0] + k * len(transcription.control_times)
+                unknowns.append(positions[first + points.controls])
+                assert transcription.problem.duration is not None
+                factors.append(np.sqrt(transcription.problem.duration * points.weights) / intensity)
+        return np.concatenate(unknowns), np.concatenate(factors)
 
-    def at_bounds(self, nlp: Nlp, solution: Solution) -> np.ndarray:
+    def at_bounds(self, nlp: Nlp, solution: NlpSolution) -> np.ndarray:
         """Return the unknowns, parameters at a bound exactly there.
 
         An interior-point method leaves the distance and the multiplier of an active bound with a
@@ -421,9 +449,9 @@ class _Joined:
         z = solution.z.copy()
         for side, multipliers in ((nlp.lower, solution.below), (nlp.upper, solution.above)):
             distance = np.abs(z - side) / nlp.sizes
-            held = multipliers * nlp.sizes / nlp.cost_size > distance
-            held &= np.isin(np.arange(self.size), self.parameters)
-            z[held] = side[held]
+            active = multipliers * nlp.sizes / nlp.cost_size > distance
+            active &= np.isin(np.arange(self.size), self.parameters)
+            z[active] = side[active]
         return z
 
     def followed(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -446,78 +474,83 @@ class _Joined:
         )
         K, shift = _system(R[:, free], A[:, free])
         factors = scipy.sparse.linalg.splu((K + shift).tocsc())
-        found = factors.solve(right)
+        solution = factors.solve(right)
         for _ in range(STEADY):
-            found = found + factors.solve(right - K @ found)
+            solution = solution + factors.solve(right - K @ solution)
         count = R.shape[0]
-        W[free] = found[count : count + int(free.sum())]
-        return found[:count] * unit / nlp.sizes[p], W * nlp.sizes[:, None] / nlp.sizes[p]
+        W[free] = solution[count : count + int(free.sum())]
+        return solution[:count] * unit / nlp.sizes[p], W * nlp.sizes[:, None] / nlp.sizes[p]
 
     @property
     def _states_follow(self) -> bool:
         """Whether the equations alone give all states, without choice or redundance."""
-        return not any(p.controls or p.equations.constraints for p in self.asked.problems)
+        return not any(p.controls or p.equations.constraints for p in self.identification.problems)
 
-    def slope(self, nlp: Nlp, residuals: Nlp, found: Identified) -> np.ndarray:
+    def slope(self, nlp: Nlp, residuals: Nlp, result: Identified) -> np.ndarray:
         """Return the derivatives of ½ log det H_v by the parameters, all else following them."""
-        z, sizes = found.solution.z, nlp.sizes[self.parameters]
-        steps = np.linalg.norm(np.linalg.pinv(found.jacobian * sizes), axis=1) * sizes
+        z, sizes = result.solution.z, nlp.sizes[self.parameters]
+        steps = np.linalg.norm(np.linalg.pinv(result.jacobian * sizes), axis=1) * sizes
         slopes = np.zeros(len(steps))
-        for k, (direction, step) in enumerate(zip(found.followed.T, STILL * steps, strict=True)):
+        for k, (direction, step) in enumerate(
+            zip(result.followed.T, CONVERGED_SHARE * steps, strict=True)
+        ):
             if step > 0.0:
                 sides = [
-                    self._spread(nlp, residuals, z + s * step * direction) for s in (1.0, -1.0)
+                    self._half_log_determinant(nlp, residuals, z + s * step * direction)
+                    for s in (1.0, -1.0)
                 ]
                 slopes[k] = (sides[0] - sides[1]) / (2.0 * step)
         return slopes
 
-    def _spread(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> float:
+    def _half_log_determinant(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> float:
         """Return ½ log det H_v up to a constant."""
         R, A = self._linear(nlp, residuals, z)
         free = self._free(nlp)
         states = free.copy()
         states[self.disturbances()[0]] = False
         none = scipy.sparse.csr_array((0, int(states.sum())))
-        both = [_system(R[:, free], A[:, free]), _system(none, A[:, states])]
-        return 0.5 * (_log_determinant(*both[0]) - _log_determinant(*both[1]))
+        systems = [_system(R[:, free], A[:, free]), _system(none, A[:, states])]
+        return 0.5 * (_log_determinant(*systems[0]) - _log_determinant(*systems[1]))
 
     def _free(self, nlp: Nlp) -> np.ndarray:
         """Return which unknowns follow the parameters."""
-        found: np.ndarray = nlp.lower < nlp.upper
-        found[self.parameters] = False
-        return found
+        free: np.ndarray = nlp.lower < nlp.upper
+        free[self.parameters] = False
+        return free
 
     def _linear(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[Any, Any]:
         """Return the derivatives of residuals and equations, in units of the program."""
         y = z / nlp.sizes
-        there = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
-        R = _matrix(residuals, y, residuals.rows, self.size)[there]
+        measured = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
+        R = _matrix(residuals, y, residuals.rows, self.size)[measured]
         columns, factors = self.disturbances()
         entries = (factors * nlp.sizes[columns], (np.arange(len(columns)), columns))
-        own = scipy.sparse.csr_array(entries, (len(columns), self.size))
-        return scipy.sparse.vstack([R, own], "csr"), _matrix(nlp, y, nlp.rows, self.size)
+        disturbance_rows = scipy.sparse.csr_array(entries, (len(columns), self.size))
+        return scipy.sparse.vstack([R, disturbance_rows], "csr"), _matrix(
+            nlp, y, nlp.rows, self.size
+        )
 
 
-def _start(e: Experiment, made: Transcription, motion: Any) -> np.ndarray:
+def _start(e: Experiment, transcription: Transcription, motion: Any) -> np.ndarray:
     """Return an experiment's unknowns where the search begins."""
-    duration = made.problem.duration
+    duration = transcription.problem.duration
     assert duration is not None
-    controls = np.zeros((made.problem.algebraic, len(made.control_times)))
+    controls = np.zeros((transcription.problem.algebraic, len(transcription.control_times)))
     if motion is None:
-        times = e.begin + made.state_slots[0] * duration
+        times = e.begin + transcription.state_slots[0] * duration
         states = np.array([np.interp(times, e.at, column) for column in e.states.T])
     else:
         before, z = motion
-        states = before.states_at(z, made.state_slots[0] * duration).T
-        controls[: len(made.problem.controls)] = before.controls_at(
-            z, made.control_times * duration
+        states = before.states_at(z, transcription.state_slots[0] * duration).T
+        controls[: len(transcription.problem.controls)] = before.controls_at(
+            z, transcription.control_times * duration
         ).T
-    p = made.problem
+    p = transcription.problem
     numbers = np.concatenate([p.constants, p.specifieds])[list(p.free)]
-    return made.unknowns_of(states, controls, numbers, duration)
+    return transcription.unknowns_of(states, controls, numbers, duration)
 
 
-def _places(signal: tuple[np.ndarray, Any]) -> list[int]:
+def _signal_columns(signal: tuple[np.ndarray, Any]) -> list[int]:
     return signal[0].tolist()  # type: ignore[no-any-return]
 
 

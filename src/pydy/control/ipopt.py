@@ -64,7 +64,7 @@ _WARM = {
 }  # fmt: skip
 
 # Options of IPOPT 3.14 that are integers, beside most of those of linear solvers.
-_WHOLE = """
+_INTEGER_OPTIONS = """
     max_iter acceptable_iter print_level file_print_level print_frequency_iter num_linear_variables
     adaptive_mu_kkterror_red_iters quality_function_max_section_steps accept_after_max_steps
     watchdog_shortened_iter_trigger watchdog_trial_iter_max max_soc max_filter_resets
@@ -73,7 +73,7 @@ _WHOLE = """
 """
 _LINEAR = ("ma27_", "ma57_", "ma77_", "ma86_", "ma97_", "mumps_", "pardiso_", "spral_", "wsmp_")
 
-_EACH = ctypes.CFUNCTYPE(c_bool, c_int, c_int, *[c_double] * 8, c_int, c_void_p)
+_ITERATION_CALLBACK = ctypes.CFUNCTYPE(c_bool, c_int, c_int, *[c_double] * 8, c_int, c_void_p)
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ class Iteration:
 
 
 @dataclass(frozen=True, eq=False)
-class Solution:
+class NlpSolution:
     """Where IPOPT ended."""
 
     z: np.ndarray  # (n,)
@@ -131,9 +131,9 @@ _locked = False  # in a child that was forked while another thread was inside
 
 def _after_fork() -> None:
     global _locked
-    here = {threading.get_ident()}
-    _locked = _locked or bool(_running - here)
-    _running.intersection_update(here)
+    current = {threading.get_ident()}
+    _locked = _locked or bool(_running - current)
+    _running.intersection_update(current)
 
 
 in_child(_after_fork)
@@ -154,14 +154,14 @@ def solving() -> Iterator[None]:
             "multiprocessing.get_context('spawn') or 'forkserver'.",
             None,
         )
-    here = threading.get_ident()
-    outer = here in _running
-    _running.add(here)
+    current = threading.get_ident()
+    outer = current in _running
+    _running.add(current)
     try:
         yield
     finally:
         if not outer:
-            _running.discard(here)
+            _running.discard(current)
 
 
 @cache
@@ -177,9 +177,9 @@ def library() -> Any:
     pattern = {"win32": "*ipopt*.dll", "darwin": "libipopt*.dylib"}.get(
         sys.platform, "libipopt.so*"
     )
-    found = [p for p in sorted(folder.glob(pattern)) if "casadi" not in p.name]
+    candidates = [p for p in sorted(folder.glob(pattern)) if "casadi" not in p.name]
     reason = ""
-    for path in found:
+    for path in candidates:
         try:
             lib = ctypes.CDLL(str(path))
             lib.CreateIpoptProblem, lib.SetIntermediateCallback  # noqa: B018
@@ -218,17 +218,17 @@ def _probe(lib: Any) -> bool:
     The problem min (x − 3)² with 1 ≤ x ≤ 2 has the solution 2.
     """
 
-    def put(address: int, value: float, kind: Any = c_double) -> bool:
+    def write(address: int, value: float, kind: Any = c_double) -> bool:
         _view(address, kind)[0] = value
         return True
 
-    def bend(*given: Any) -> bool:
-        weight, (i, j, out) = given[3], given[-4:-1]
-        return put(out, 2.0 * weight) if out else put(i, 0, c_int) and put(j, 0, c_int)
+    def bend(*arguments: Any) -> bool:
+        weight, (i, j, out) = arguments[3], arguments[-4:-1]
+        return write(out, 2.0 * weight) if out else write(i, 0, c_int) and write(j, 0, c_int)
 
     functions = {
-        "cost": lambda _n, y, _new, out, _: put(out, (_view(y)[0] - 3.0) ** 2),
-        "gradient": lambda _n, y, _new, out, _: put(out, 2.0 * (_view(y)[0] - 3.0)),
+        "cost": lambda _n, y, _new, out, _: write(out, (_view(y)[0] - 3.0) ** 2),
+        "gradient": lambda _n, y, _new, out, _: write(out, 2.0 * (_view(y)[0] - 3.0)),
         "hessian": bend,
     }
     calls = {
@@ -236,17 +236,17 @@ def _probe(lib: Any) -> bool:
         for name, kinds in SIGNATURES.items()
     }
     pointers = {name: ctypes.cast(call, c_void_p).value for name, call in calls.items()}
-    none, one, at = np.empty(0), np.ones(1), np.zeros(1, np.int32)
+    empty, unit, at = np.empty(0), np.ones(1), np.zeros(1, np.int32)
     square = SimpleNamespace(
-        size=1, rows=0, cost_size=1.0, estimated=False, lower=one, upper=2.0 * one, sizes=one,
-        row_sizes=none, row_bounds=(none, none), jacobian_at=(none, none), hessian_at=(at, at),
+        size=1, rows=0, cost_size=1.0, estimated=False, lower=unit, upper=2.0 * unit, sizes=unit,
+        row_sizes=empty, row_bounds=(empty, empty), jacobian_at=(empty, empty), hessian_at=(at, at),
         native=SimpleNamespace(addresses=pointers, handle=None),
     )  # fmt: skip
-    found = solve(square, np.array([1.5]), lib=lib)
-    return found.status == 0 and abs(found.z[0] - 2.0) < 0.001
+    solution = solve(square, np.array([1.5]), lib=lib)
+    return solution.status == 0 and abs(solution.z[0] - 2.0) < 0.001
 
 
-class Watched:
+class IterationRecorder:
     """The iterations of a search, and the exception that ended it, if any."""
 
     def __init__(
@@ -259,10 +259,10 @@ class Watched:
 
     def solution(
         self, y: Any, multipliers: Any, below: Any, above: Any, objective: float, status: int
-    ) -> Solution:
+    ) -> NlpSolution:
         """Return a solver's result, which is in scaled units, as a Solution."""
         nlp = self.nlp
-        return Solution(
+        return NlpSolution(
             # IPOPT widens bounds by 1e-8, without which some searches come to no end.
             z=np.clip(y * nlp.sizes, nlp.lower, nlp.upper),
             multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
@@ -291,7 +291,7 @@ class Watched:
 
 
 @contextmanager
-def _kept(raised: list[BaseException], guard: Any) -> Iterator[None]:
+def _capture_handler_errors(raised: list[BaseException], guard: Any) -> Iterator[None]:
     """Keep an exception that a signal handler raises at the entrance of a callback.
 
     ctypes reports it as unraisable, and answers with whatever lies in the result, often true: the
@@ -302,10 +302,10 @@ def _kept(raised: list[BaseException], guard: Any) -> Iterator[None]:
         return
     before = sys.unraisablehook
 
-    def note(what: Any) -> None:
-        error, trace = what.exc_value, what.exc_traceback
+    def note(report: Any) -> None:
+        error, trace = report.exc_value, report.exc_traceback
         if trace is None or trace.tb_frame.f_code is not guard.__code__:
-            before(what)
+            before(report)
             return
         raised.append(error)
 
@@ -331,13 +331,13 @@ def program_bounds(nlp: Any) -> list[np.ndarray]:
     ]  # fmt: skip
 
 
-def solver_options(nlp: Any, warm: Solution | None) -> dict[str, Any]:
+def solver_options(nlp: Any, warm: NlpSolution | None) -> dict[str, Any]:
     """Return the options that the user's own come on top of."""
     # The program comes in units of its own.
-    own = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
+    defaults = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
     if nlp.estimated:
-        own["hessian_approximation"] = "limited-memory"
-    return own if warm is None else own | _WARM
+        defaults["hessian_approximation"] = "limited-memory"
+    return defaults if warm is None else defaults | _WARM
 
 
 def solve(
@@ -346,9 +346,9 @@ def solve(
     *,
     options: Mapping[str, Any] | None = None,
     watch: Callable[[Iteration], None] = lambda iteration: None,
-    warm: Solution | None = None,
+    warm: NlpSolution | None = None,
     lib: Any = None,
-) -> Solution:
+) -> NlpSolution:
     """Solve a nonlinear program from z on, and `watch` each iteration.
 
     `warm` is the Solution of a program with the same unknowns and rows: the search begins with its
@@ -357,8 +357,8 @@ def solve(
     lib = library() if lib is None else lib
     n, m = nlp.size, nlp.rows
     interrupts = Interrupts()
-    watched = Watched(nlp, watch, interrupts)
-    called = _EACH(watched.guarded)
+    recorder = IterationRecorder(nlp, watch, interrupts)
+    callback = _ITERATION_CALLBACK(recorder.guarded)
     bounds, native = program_bounds(nlp), nlp.native
     addresses = [native.addresses[k] for k in SIGNATURES]
     problem = c_void_p(
@@ -370,32 +370,32 @@ def solve(
     )
     if not problem:
         none = np.zeros(n)
-        return Solution(z, np.zeros(m), none, none, np.nan, -11, (), None)
+        return NlpSolution(z, np.zeros(m), none, none, np.nan, -11, (), None)
     try:
         for name, value in {**solver_options(nlp, warm), **(options or {})}.items():
             _set_option(lib, problem, name, value)
-        lib.SetIntermediateCallback(problem, ctypes.cast(called, c_void_p))
+        lib.SetIntermediateCallback(problem, ctypes.cast(callback, c_void_p))
         y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
         if warm is not None:
             multipliers[:], below[:], above[:] = warm.seeds(nlp)
         status = None
         try:
-            with solving(), interrupts, _kept(watched.raised, watched.guarded):
+            with solving(), interrupts, _capture_handler_errors(recorder.raised, recorder.guarded):
                 status = lib.IpoptSolve(
                     problem,
                     *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),
                     native.handle,
                 )
-                if watched.raised:
-                    raise watched.raised[0]
+                if recorder.raised:
+                    raise recorder.raised[0]
         except (KeyboardInterrupt, MemoryError) as stop:
             if status is None:
                 raise
-            watched.stopped = stop
+            recorder.stopped = stop
     finally:
         lib.FreeIpoptProblem(problem)
-    return watched.solution(y, multipliers, below, above, float(objective[0]), status)
+    return recorder.solution(y, multipliers, below, above, float(objective[0]), status)
 
 
 def option_values(name: Any, value: Any) -> list[Any]:
@@ -403,9 +403,9 @@ def option_values(name: Any, value: Any) -> list[Any]:
 
     IPOPT tells whoever sets an integer for a number, or the reverse, on the terminal.
     """
-    known = isinstance(value, (str, bool, np.bool_, int, np.integer, float, np.floating))
-    known = known and not isinstance(value, np.timedelta64)  # for NumPy an integer
-    if not isinstance(name, str) or not known or value != value:
+    supported = isinstance(value, (str, bool, np.bool_, int, np.integer, float, np.floating))
+    supported = supported and not isinstance(value, np.timedelta64)  # for NumPy an integer
+    if not isinstance(name, str) or not supported or value != value:
         raise TypeError(
             "`options` must hold numbers, strings, True or False by names of options of IPOPT, got "
             f"{shown(name)}: {shown(value)}."
@@ -418,16 +418,16 @@ def option_values(name: Any, value: Any) -> list[Any]:
     with suppress(OverflowError):  # no float is as large, and no option
         forms.append(float(value))
     if -(2**31) <= value < 2**31 and value == int(value):  # C's has 32 bits
-        whole = name in _WHOLE.split() or name.startswith(_LINEAR)
-        forms.insert(0 if whole else 1, int(value))
+        is_integer = name in _INTEGER_OPTIONS.split() or name.startswith(_LINEAR)
+        forms.insert(0 if is_integer else 1, int(value))
     return forms
 
 
 def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
     add = {str: lib.AddIpoptStrOption, int: lib.AddIpoptIntOption, float: lib.AddIpoptNumOption}
     for form in option_values(name, value):
-        given = form.encode(errors="replace") if isinstance(form, str) else form
-        if add[type(form)](problem, name.encode(errors="replace"), given):
+        encoded = form.encode(errors="replace") if isinstance(form, str) else form
+        if add[type(form)](problem, name.encode(errors="replace"), encoded):
             return
     raise ValueError(
         f"`options` has {name!r}: {value!r}, which IPOPT does not know as an option, or not as "

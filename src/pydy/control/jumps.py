@@ -40,16 +40,16 @@ class Range(NamedTuple):
     high: float
 
 
-class Jump(NamedTuple):
+class Discontinuity(NamedTuple):
     """A place where an expression jumps."""
 
     node: int  # the switch, which is zero there
-    place: str
+    position: str
     step: float  # by how much
 
     def text(self, part: str) -> str:
         """Return what to say of it; `part` is what jumps."""
-        return f"`{part}`, which jumps by {self.step:.3g} at {self.place}"
+        return f"`{part}`, which jumps by {self.step:.3g} at {self.position}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,13 +58,13 @@ class _Surfaces:
 
     graph: Graph
     ranges: Sequence[Range]
-    known: Mapping[int, np.ndarray]  # inputs, each with values for all points
+    fixed: Mapping[int, np.ndarray]  # inputs, each with values for all points
 
     def values(self, nodes: Sequence[int], X: np.ndarray) -> np.ndarray:
         """Return values of nodes at points X (m, n), shape (m, nodes)."""
         m = len(X)
         inputs = {self.graph.input("x", k): column for k, column in enumerate(X.T)}
-        inputs |= {node: np.resize(row, m) for node, row in self.known.items()}
+        inputs |= {node: np.resize(row, m) for node, row in self.fixed.items()}
         return self.graph.evaluator(nodes)(inputs, m)
 
     def starts(self) -> tuple[np.ndarray, np.ndarray]:
@@ -92,27 +92,33 @@ class _Surfaces:
         """Move points onto a surface; return those that arrived, their sizes and the slopes."""
         graph, n = self.graph, len(self.ranges)
         low, high = (np.array([getattr(r, side) for r in self.ranges]) for side in ("low", "high"))
-        by = [graph.input("x", k) for k in range(n)]
-        nodes = [switch, *rounding_bounds(graph, [switch]), *jacobian(graph, [switch], by).flat()]
+        unknowns = [graph.input("x", k) for k in range(n)]
+        nodes = [
+            switch,
+            *rounding_bounds(graph, [switch]),
+            *jacobian(graph, [switch], unknowns).flat(),
+        ]
         weights = sizes**2
         with np.errstate(all="ignore"):  # points that do not arrive may go anywhere
             for _ in range(SURFACE_STEPS):
-                found = self.values(nodes, X)
-                value, slopes = found[:, 0], found[:, 2:]
-                along = weights * slopes
-                move = -value[:, None] * along / (along * slopes).sum(axis=1, keepdims=True)
-                to = X + np.where(np.isfinite(move), move, 0.0)
-                moved = np.clip(to, low, high)
-                weights = np.where(moved == to, weights, 0.0)  # what meets its bound stays there
+                values = self.values(nodes, X)
+                value, slopes = values[:, 0], values[:, 2:]
+                direction = weights * slopes
+                move = -value[:, None] * direction / (direction * slopes).sum(axis=1, keepdims=True)
+                target = X + np.where(np.isfinite(move), move, 0.0)
+                moved = np.clip(target, low, high)
+                weights = np.where(
+                    moved == target, weights, 0.0
+                )  # what meets its bound stays there
                 if (moved == X).all():
                     break
                 X = moved
-            found = self.values(nodes, X)
-            there = np.abs(found[:, 0]) <= ON_SURFACE * ROUNDING * found[:, 1]
-            there &= np.isfinite(found).all(axis=1) & (found[:, 2:] != 0.0).any(axis=1)
-        return X[there], sizes[there], found[there, 2:]
+            values = self.values(nodes, X)
+            arrived = np.abs(values[:, 0]) <= ON_SURFACE * ROUNDING * values[:, 1]
+            arrived &= np.isfinite(values).all(axis=1) & (values[:, 2:] != 0.0).any(axis=1)
+        return X[arrived], sizes[arrived], values[arrived, 2:]
 
-    def beside(
+    def both_sides(
         self, switch: int, X: np.ndarray, sizes: np.ndarray, slopes: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return points above and below a surface, as far as the bounds allow."""
@@ -122,50 +128,56 @@ class _Surfaces:
 
 
 def jumps_of(
-    graph: Graph, node: int, ranges: Sequence[Range], known: Mapping[int, np.ndarray]
-) -> Iterator[Jump]:
+    graph: Graph, node: int, ranges: Sequence[Range], fixed: Mapping[int, np.ndarray]
+) -> Iterator[Discontinuity]:
     """Yield where a node jumps as inputs ``('x', k)`` move within their ranges."""
-    found = [s for s in Branches(graph, [node]).switches(whole=True) if "x" in graph.inputs_of([s])]
-    surfaces = _Surfaces(graph, ranges, known)
-    for switch in found:
+    switches = [
+        s for s in Branches(graph, [node]).switches(whole=True) if "x" in graph.inputs_of([s])
+    ]
+    surfaces = _Surfaces(graph, ranges, fixed)
+    for switch in switches:
         (above,), (below,) = Branches(graph, [node]).sides(switch)
         if above == below:
             continue
         starts = [surfaces.starts()]
-        for other in found:
-            if other != switch:
-                X, sizes, slopes = surfaces.onto(other, *starts[0])
-                starts += [(x, sizes) for x in surfaces.beside(other, X, sizes, slopes)]
+        for other_switch in switches:
+            if other_switch != switch:
+                X, sizes, slopes = surfaces.onto(other_switch, *starts[0])
+                starts += [(x, sizes) for x in surfaces.both_sides(other_switch, X, sizes, slopes)]
         X, sizes = (np.concatenate(parts) for parts in zip(*starts, strict=True))
         X, sizes, slopes = surfaces.onto(switch, X, sizes)
         if not len(X):
             continue  # nowhere within the bounds
         step = graph.sub(above, below)
         nodes = [node, above, below, step, *rounding_bounds(graph, [step])]
-        own, high, low, steps, bounds = surfaces.values(nodes, X).T
-        upper, lower = surfaces.beside(switch, X, sizes, slopes)
+        node_values, high, low, steps, bounds = surfaces.values(nodes, X).T
+        upper, lower = surfaces.both_sides(switch, X, sizes, slopes)
         with np.errstate(all="ignore"):
             # Where bounds leave one side alone, it is left for the surface itself at most.
             reached = [surfaces.values([switch], x)[:, 0] for x in (upper, lower)]
-            steps = np.where(reached[1] >= 0.0, high - own, steps)
-            steps = np.where(reached[0] <= 0.0, low - own, steps)
+            steps = np.where(reached[1] >= 0.0, high - node_values, steps)
+            steps = np.where(reached[0] <= 0.0, low - node_values, steps)
             jumping = np.abs(steps) > ON_SURFACE**2 * ROUNDING * bounds
         if jumping.any():
             k = int(np.flatnonzero(jumping)[0])
-            yield Jump(switch, _place(graph, switch, ranges, X[k], sizes[k]), float(abs(steps[k])))
+            yield Discontinuity(
+                switch,
+                _describe_position(graph, switch, ranges, X[k], sizes[k]),
+                float(abs(steps[k])),
+            )
 
 
-def _place(
+def _describe_position(
     graph: Graph, switch: int, ranges: Sequence[Range], x: np.ndarray, sizes: np.ndarray
 ) -> str:
     """Return the unknowns that a switch depends on, with their values."""
-    own = set(graph.inputs([switch]))
-    found = []
+    inputs = set(graph.inputs([switch]))
+    texts = []
     for k, (name, *_) in enumerate(ranges):
-        if graph.input("x", k) in own:
+        if graph.input("x", k) in inputs:
             value = 0.0 if abs(x[k]) <= ROUNDING * sizes[k] else float(x[k])
-            found.append(f"{name} = {value:.6g}")
-    return ", ".join(found)
+            texts.append(f"{name} = {value:.6g}")
+    return ", ".join(texts)
 
 
 def _switches_at(graph: Graph, node: int, switch: int) -> bool:
@@ -178,17 +190,17 @@ def _switches_at(graph: Graph, node: int, switch: int) -> bool:
 
 def branching(definition: Any) -> dict[Any, Any]:
     """Return outputs with branches, such as an absolute value, by their expressions."""
-    known = {*definition.states, *definition.specifieds, *definition.constants}
+    symbols = {*definition.states, *definition.specifieds, *definition.constants}
     kinds = (sm.Abs, sm.Max, sm.Min, *_JUMPING)
-    found = {}
+    branching_outputs = {}
     for group in definition.groups:
         for name, expression in zip(group.names, group.expressions, strict=True):
             if isinstance(expression, sm.Expr) and expression.has(*kinds):
-                rest = expression.xreplace(dict.fromkeys(known, sm.S.One))
-                strange = rest.has(AppliedUndef, sm.Derivative)
-                if rest.free_symbols <= {definition.equations.time} and not strange:
-                    found[name] = expression
-    return found
+                remainder = expression.xreplace(dict.fromkeys(symbols, sm.S.One))
+                strange = remainder.has(AppliedUndef, sm.Derivative)
+                if remainder.free_symbols <= {definition.equations.time} and not strange:
+                    branching_outputs[name] = expression
+    return branching_outputs
 
 
 # -- the expressions of a problem ------------------------------------------------------------------
@@ -203,26 +215,26 @@ class Expressions:
     ranges: Mapping[tuple[str, int], Range]
     at_instants: Sequence[Range]  # of values at instants
 
-    def jump(self, expression: Any, what: str, *, instants: bool = False) -> str:
+    def jump(self, expression: Any, argument: str, *, instants: bool = False) -> str:
         """Return what to say of the first place where an expression jumps, or ''.
 
         The cut of an angle, `atan2`, does not count: a motion on either side of it is smooth.
         """
         graph = self.problem.equations.graph.copy()
-        put, ranges, known = self._inputs(graph, instants)
+        substitutions, ranges, fixed = self._inputs(graph, instants)
 
-        def read(one: Any) -> int:
-            return substitute(graph, self._read(graph, one, what, instants), put)[0]
+        def read(part: Any) -> int:
+            return substitute(graph, self._read(graph, part, argument, instants), substitutions)[0]
 
         node = read(expression)
-        own = {part: read(part) for part in expression.atoms(*_JUMPING)}
+        nodes = {part: read(part) for part in expression.atoms(*_JUMPING)}
         names = dict(zip((i.symbol for i in self.problem.instants), self.at_instants, strict=True))
-        for found in jumps_of(graph, node, ranges, known):
-            switching = [e for e, n in own.items() if _switches_at(graph, n, found.node)]
+        for discontinuity in jumps_of(graph, node, ranges, fixed):
+            switching = [e for e, n in nodes.items() if _switches_at(graph, n, discontinuity.node)]
             part = min(switching or [expression], key=lambda e: (e.count_ops(), str(e)))
             if not isinstance(part, sm.atan2):
-                named = {symbol: sm.Symbol(one.name) for symbol, one in names.items()}
-                return found.text(str(part.xreplace(named)))
+                named = {symbol: sm.Symbol(unknown.name) for symbol, unknown in names.items()}
+                return discontinuity.text(str(part.xreplace(named)))
         return ""
 
     @property
@@ -230,31 +242,33 @@ class Expressions:
         """Whether the integrand or a condition of the path has branches at all."""
         p, graph = self.problem, self.problem.equations.graph.copy()
         every = [(p.running, "`objective`"), *((c.expression, "`path`") for c in p.path)]
-        nodes = [n for e, what in every for n in self._read(graph, e, what, False)]
+        nodes = [n for e, argument in every for n in self._read(graph, e, argument, False)]
         return bool(Branches(graph, nodes).switches(whole=True))
 
-    def crossing(self, expression: Any, what: str, found: Any, active: np.ndarray) -> str:
+    def crossing(self, expression: Any, argument: str, motion: Any, active: np.ndarray) -> str:
         """Return what to say of the first jump of an expression of the path along a motion, or ''.
 
         Those count that are next to times, (m,), at which it is `active`.
         """
-        graph, times = self.problem.equations.graph.copy(), found.times
-        put, ranges, known = self._inputs(graph, False, times / found.duration, found.duration)
-        node = substitute(graph, self._read(graph, expression, what, False), put)[0]
+        graph, times = self.problem.equations.graph.copy(), motion.times
+        substitutions, ranges, fixed = self._inputs(
+            graph, False, times / motion.duration, motion.duration
+        )
+        node = substitute(graph, self._read(graph, expression, argument, False), substitutions)[0]
         X = None
-        for jump in jumps_of(graph, node, ranges, known):
+        for jump in jumps_of(graph, node, ranges, fixed):
             if X is None:
-                X = self._along(found)
-            surfaces = _Surfaces(graph, ranges, known)
+                X = self._unknowns_along(motion)
+            surfaces = _Surfaces(graph, ranges, fixed)
             value = surfaces.values([jump.node], X)[:, 0]
             (above,), (below,) = Branches(graph, [node]).sides(jump.node)
             step = graph.sub(above, below)
             steps, bounds = surfaces.values([step, *rounding_bounds(graph, [step])], X).T
-            apart = np.abs(steps) > ON_SURFACE**2 * ROUNDING * bounds
+            differs = np.abs(steps) > ON_SURFACE**2 * ROUNDING * bounds
             # A point that lies on the surface belongs to the side before it.
             last = np.maximum.accumulate(np.where(value != 0.0, np.arange(len(value)), 0))
             side = np.sign(value[last])
-            crossed = (side[1:] * side[:-1] < 0.0) & apart[1:] & apart[:-1]
+            crossed = (side[1:] * side[:-1] < 0.0) & differs[1:] & differs[:-1]
             crossed &= active[1:] | active[:-1]
             if crossed.any():
                 k = int(np.flatnonzero(crossed)[0])
@@ -264,29 +278,29 @@ class Expressions:
                 )
         return ""
 
-    def _along(self, found: Any) -> np.ndarray:
+    def _unknowns_along(self, motion: Any) -> np.ndarray:
         """Return the unknowns along a motion, (m, n)."""
-        rates = found._model.derivatives(found.times, found.states)
-        _, _, constants, duration = found._transcription.split(found.solution.z)
-        moves = found._transcription.controls_at(found.solution.z, found.times)
+        rates = motion._model.derivatives(motion.times, motion.states)
+        _, _, constants, duration = motion._transcription.split(motion.solution.z)
+        controls = motion._transcription.controls_at(motion.solution.z, motion.times)
         free = dict(zip(self.problem.free, constants, strict=False))
         columns: dict[str, Callable[[int], np.ndarray]] = {
-            "x": lambda k: found.states[:, k],
+            "x": lambda k: motion.states[:, k],
             "d": lambda k: rates[:, k],
-            "r": lambda k: moves[:, self.problem.controls.index(k)],
-            "p": lambda k: np.full(len(found.times), free[k]),
-            "T": lambda k: np.full(len(found.times), duration),
+            "r": lambda k: controls[:, self.problem.controls.index(k)],
+            "p": lambda k: np.full(len(motion.times), free[k]),
+            "T": lambda k: np.full(len(motion.times), duration),
         }
         return np.array([columns[group](k) for group, k in self.ranges]).T
 
-    def _read(self, graph: Graph, expression: Any, what: str, instants: bool) -> list[int]:
+    def _read(self, graph: Graph, expression: Any, argument: str, instants: bool) -> list[int]:
         p = self.problem
         if not instants:
-            return p.equations.read(graph, [expression], what, p.named)
+            return p.equations.read(graph, [expression], argument, p.named)
         atoms = {s: graph.input("p", k) for s, k in p.symbols.items()}
         atoms[p.duration_symbol] = graph.input("T", 0)
         atoms |= {i.symbol: graph.input("i", k) for k, i in enumerate(p.instants)}
-        return SymPyReader(graph, atoms, what).all([expression])
+        return SymPyReader(graph, atoms, argument).all([expression])
 
     def _inputs(
         self, graph: Graph, instants: bool, fractions: Any = None, duration: Any = None
@@ -296,66 +310,70 @@ class Expressions:
         Values that a search does not change are those at `fractions` of the motion, or at random.
         """
         p = self.problem
-        put: dict[int, int] = {}
+        substitutions: dict[int, int] = {}
         for group, values in (("p", p.constants), ("r", p.specifieds)):
-            put |= {graph.input(group, k): graph.const(float(v)) for k, v in enumerate(values)}
+            substitutions |= {
+                graph.input(group, k): graph.const(float(v)) for k, v in enumerate(values)
+            }
         ranges: list[Range] = []
-        own = {("i", k): one for k, one in enumerate(self.at_instants)} if instants else {}
-        for key, one in {**self.ranges, **own}.items():
-            put[graph.input(*key)] = graph.input("x", len(ranges))
-            ranges.append(one)
+        instant_ranges = (
+            {("i", k): unknown for k, unknown in enumerate(self.at_instants)} if instants else {}
+        )
+        for key, unknown in {**self.ranges, **instant_ranges}.items():
+            substitutions[graph.input(*key)] = graph.input("x", len(ranges))
+            ranges.append(unknown)
         if fractions is None:
             fractions = np.random.default_rng(1).uniform(0.0, 1.0, SURFACE_POINTS)
-        known: dict[int, np.ndarray] = {}
+        fixed: dict[int, np.ndarray] = {}
         time = graph.input("t", 0)
         if p.duration is None:
             # Each point keeps its fraction of a duration that is found.
             (low, high), at = self.ranges["T", 0][1:], graph.input("r", 0)
             duration = duration or (high if np.isfinite(high) else max(low, 1.0))
-            put[time] = graph.mul(put[graph.input("T", 0)], at)
-            known[at] = fractions
+            substitutions[time] = graph.mul(substitutions[graph.input("T", 0)], at)
+            fixed[at] = fractions
         else:
             duration = p.duration
-            put[time] = graph.input("r", 0)
-            put[graph.input("T", 0)] = graph.const(duration)
-            known[put[time]] = duration * fractions
+            substitutions[time] = graph.input("r", 0)
+            substitutions[graph.input("T", 0)] = graph.const(duration)
+            fixed[substitutions[time]] = duration * fractions
         for columns, samples in p.signals:
             for k, row in zip(columns.tolist(), samples.rows(duration * fractions).T, strict=True):
-                put[graph.input("r", k)] = node = graph.input("r", len(known))
-                known[node] = row
-        return put, ranges, known
+                substitutions[graph.input("r", k)] = node = graph.input("r", len(fixed))
+                fixed[node] = row
+        return substitutions, ranges, fixed
 
 
 def refuse_jumps(expressions: Expressions) -> None:
     """Refuse an objective that jumps."""
     p = expressions.problem
     for term, instants in ((p.running, False), (p.terminal, True)):
-        told = expressions.jump(sm.sympify(term), "`objective`", instants=instants)
-        if told:
+        message = expressions.jump(sm.sympify(term), "`objective`", instants=instants)
+        if message:
             raise ValueError(
-                f"`objective` has {told}. A search follows derivatives, which do not contain "
+                f"`objective` has {message}. A search follows derivatives, which do not contain "
                 "the jump: it would end anywhere. Use a smooth expression, such as "
                 "(1 + tanh(a/w))/2 for Heaviside(a) with a small width w, keep away from the jump "
                 "with `bounds`, or solve `phases` of which each lies on one side."
             )
 
 
-def warn_of_crossings(expressions: Expressions, found: Any) -> None:
+def warn_of_crossings(expressions: Expressions, motion: Any) -> None:
     """Warn where a condition that decides a solution, or the objective, jumps along it."""
     p = expressions.problem
-    told = expressions.crossing(
-        sm.sympify(p.running), "`objective`", found, np.ones(len(found.times), dtype=bool)
+    message = expressions.crossing(
+        sm.sympify(p.running), "`objective`", motion, np.ones(len(motion.times), dtype=bool)
     )
     part = "`objective`"
-    for condition in () if told else p.path:
-        active = found.active(condition.label)
-        told = expressions.crossing(condition.expression, "`path`", found, active)
-        if told:
+    for condition in () if message else p.path:
+        active = motion.active(condition.label)
+        message = expressions.crossing(condition.expression, "`path`", motion, active)
+        if message:
             part = "a condition of `path`"
             break
-    if told:
+    if message:
         warn_user(
-            f"The solution crosses a jump: {part} holds {told}. Derivatives do not contain the "
+            f"The solution crosses a jump: {part} holds {message}. Derivatives do not contain the "
             "jump: this motion is the best of those that cross it near the same times; others may "
             "be better. Compare other guesses, or solve `phases` that end at the jump."
         )
@@ -366,12 +384,12 @@ def jumping_conditions(expressions: Expressions) -> str:
     p = expressions.problem
     for argument, conditions in (("path", p.path), ("boundary", p.boundary)):
         for condition in conditions:
-            told = expressions.jump(
+            message = expressions.jump(
                 condition.expression, f"`{argument}`", instants=argument == "boundary"
             )
-            if told:
+            if message:
                 return (
-                    f" The condition `{condition.label}` of `{argument}` has {told}: its "
+                    f" The condition `{condition.label}` of `{argument}` has {message}: its "
                     "derivatives do not contain the jump, so that a search that has to stay on "
                     "one side of it finds no way. Give a condition on what it depends on, such as "
                     "a <= 0 for Heaviside(a) <= 1/2."

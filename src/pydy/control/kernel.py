@@ -46,7 +46,7 @@ from pydy._graph import (
 from pydy._kernel import Kernel
 from pydy._program import OPERATIONS, Program
 from pydy._rank import DIGITS
-from pydy.control.tuning import KEPT
+from pydy.control.tuning import STORED_FUNCTIONS
 
 _LANES = 8  # points that one call of the machine code takes
 # Now: the package may be replaced while this process runs.
@@ -54,7 +54,7 @@ _SOURCE = hashlib.sha256(Path(__file__).read_bytes()).digest()
 
 
 @dataclass(frozen=True, eq=False)
-class Equations:
+class ImplicitEquations:
     """``f(x', x, r, p, t) = 0`` as nodes of a graph.
 
     The inputs are of the groups 'd' (x'), 'x', 'r', 'p', 't', 's' (γ, η, λ) and 'w' (D).
@@ -67,23 +67,23 @@ class Equations:
     # Nodes of their rates where they hold: γ, z' − G, then those of the constraints of velocities.
     rates: list[int]
     atoms: Mapping[Any, int]  # symbols to nodes: what further expressions may hold
-    given: Mapping[int, int]  # takes the place of specifieds that are expressions
-    # The latest Functions of the model, by what decides them.
-    made: dict[bytes, Functions] = field(default_factory=dict, repr=False)
+    substitutions: Mapping[int, int]  # nodes of the specifieds that are given as expressions
+    # The functions compiled last for this model, by a digest of their content.
+    compiled: dict[bytes, PointFunctions] = field(default_factory=dict, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "made": {}}
+        return {**self.__dict__, "compiled": {}}
 
     @classmethod
-    def of(cls, now: Any, *, disturbed: bool = False) -> Equations:
+    def from_snapshot(cls, snapshot: Any, *, disturbed: bool = False) -> ImplicitEquations:
         """Return the equations of a System's snapshot.
 
         Specifieds that are expressions may be `disturbed`: what stands in their places in r is
         added to them.
         """
-        definition, code = now.definition, now.code
+        definition, code = snapshot.definition, snapshot.code
         if disturbed:
-            code = now.model.with_compiled_inputs(now.plan, perturbed=True)
+            code = snapshot.model.with_compiled_inputs(snapshot.plan, perturbed=True)
         assembly, equations = code.assembly.fork(), definition.equations
         graph, rates = assembly.graph, assembly.rates
         nq, nu = len(equations.coordinates), len(equations.speeds)
@@ -94,15 +94,15 @@ class Equations:
             **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
             **dict(zip(equations.kinematics.speed_rates, slopes[nq:], strict=False)),
         }
-        made = code.latest.setdefault("points", {})
-        own = cls(graph, [], [], [], atoms, assembly.given, made)
+        compiled = code.latest.setdefault("points", {})
+        implicit = cls(graph, [], [], [], atoms, assembly.given, compiled)
         x = [graph.input("x", k) for k in range(nq + nu)]
         constraints = equations.constraints
-        places = [assembly.holonomic[k] for k in constraints.enforced_holonomic]
+        holonomic = [assembly.holonomic[k] for k in constraints.enforced_holonomic]
         motion = assembly.velocity
         if motion:
             forces = equations.constraint_forces.unbalanced(definition.forces)
-            unbalanced = own.read(graph, forces, "the equations of motion")
+            unbalanced = implicit.read(graph, forces, "the equations of motion")
         else:
             unbalanced = []
             for i in range(nu):
@@ -113,10 +113,10 @@ class Equations:
         terms += [[(node, -1.0)] for node in unbalanced]
         terms += [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq + nu, len(rates))]
         enforced, solved = len(constraints.implied_holonomic), constraints.residuals.columns
-        held = [graph.input("s", k) for k in range(enforced)]
-        held += [graph.sum(terms[k]) for k in solved]
+        start_rows = [graph.input("s", k) for k in range(enforced)]
+        start_rows += [graph.sum(terms[k]) for k in solved]
         terms = [[] if k in solved else parts for k, parts in enumerate(terms)]
-        by_places, by_speeds = jacobian(graph, places, x[:nq]), jacobian(graph, motion, x[nq:])
+        by_places, by_speeds = jacobian(graph, holonomic, x[:nq]), jacobian(graph, motion, x[nq:])
         for j, row in enumerate(by_places):
             for k, node in row.items():
                 slack = graph.mul(node, graph.input("s", j))
@@ -124,16 +124,16 @@ class Equations:
                     terms[k].append((slack, 1.0))
                 elif enforced:  # otherwise these slack velocities are zero
                     terms[k].append((graph.mul(slack, graph.input("w", k)), -1.0))
-        for j, row in enumerate(by_speeds, start=len(places)):
+        for j, row in enumerate(by_speeds, start=len(holonomic)):
             for k, node in row.items():
                 terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
-        constraints = [*places, *motion]
+        constraints = [*holonomic, *motion]
         residuals = [*(graph.sum(parts) for parts in terms), *constraints]
         for i in equations.dependents.speed_columns:  # these rows of M u' = F are the constraints
             row = assembly.mass_matrix[i * nu : (i + 1) * nu]
             parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
-            held.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))
-        return replace(own, residuals=residuals, constraints=constraints, rates=held)
+            start_rows.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))
+        return replace(implicit, residuals=residuals, constraints=constraints, rates=start_rows)
 
     def rows(self, kind: str) -> list[int]:
         """Return the equations of points; see `Points.rows`."""
@@ -145,28 +145,30 @@ class Equations:
             "start": [*motion, *self.rates],
         }[kind]
 
-    def are_of(self, nodes: Iterable[int], places: Iterable[int], *, time: bool = False) -> bool:
+    def depend_on(
+        self, nodes: Iterable[int], columns: Iterable[int], *, time: bool = False
+    ) -> bool:
         """Return whether nodes depend on some of the specifieds, or on the `time`."""
-        found = set(self.graph.reachable(nodes))
-        if time and self.graph.input("t", 0) in found:
+        inputs = set(self.graph.reachable(nodes))
+        if time and self.graph.input("t", 0) in inputs:
             return True
-        return any(self.graph.input("r", k) in found for k in places)
+        return any(self.graph.input("r", k) in inputs for k in columns)
 
     def read(
         self,
         graph: Graph,
         expressions: Iterable[Any],
-        what: str,
+        description: str,
         named: Mapping[Any, tuple[str, int]] | None = None,
     ) -> list[int]:
-        """Read expressions into a copy of the graph; `what` names them in messages.
+        """Read expressions into a copy of the graph; `description` names them in messages.
 
         They may hold further symbols, which are `named` with the inputs that they stand for.
         """
         further = {s: graph.input(*key) for s, key in (named or {}).items()}
         atoms = {**self.atoms, **further}
-        nodes = SymPyReader(graph, atoms, what).all(list(expressions))
-        return substitute(graph, nodes, self.given)
+        nodes = SymPyReader(graph, atoms, description).all(list(expressions))
+        return substitute(graph, nodes, self.substitutions)
 
 
 def violated(at: Any) -> dict[int, float]:
@@ -174,9 +176,9 @@ def violated(at: Any) -> dict[int, float]:
 
     `at` is a start; the residuals of these holonomic constraints come by their places.
     """
-    places = at.definition.equations.constraints.unenforced_holonomic
-    found = at.interpret(_holonomic) if places else {}
-    rows = {k: [float(found[name][0, k]) for name in ("rows", "bounds")] for k in places}
+    indices = at.definition.equations.constraints.unenforced_holonomic
+    values = at.interpret(_holonomic) if indices else {}
+    rows = {k: [float(values[name][0, k]) for name in ("rows", "bounds")] for k in indices}
     return {k: value for k, (value, bound) in rows.items() if abs(value) > DIGITS * bound}
 
 
@@ -185,13 +187,13 @@ def _holonomic(assembly: Any) -> dict[str, list[int]]:
     return {"rows": rows, "bounds": rounding_bounds(assembly.graph, rows)}
 
 
-class Point:
+class PointBuilder:
     """The making of the functions of points: variables, data and constants become nodes.
 
     So many numbers P are `constants`; see `constant`.
     """
 
-    def __init__(self, equations: Equations, constants: int) -> None:
+    def __init__(self, equations: ImplicitEquations, constants: int) -> None:
         self.equations = equations
         self.graph = equations.graph.copy()
         self.constants = constants
@@ -200,15 +202,15 @@ class Point:
 
     def variables(self, count: int) -> list[int]:
         """Return the nodes of further variables, in the order of X."""
-        return self._more(self._variables, "V", count)
+        return self._extend(self._variables, "V", count)
 
     def data(self, count: int) -> list[int]:
         """Return the nodes of further data, in the order of R."""
-        return self._more(self._data, "R", count)
+        return self._extend(self._data, "R", count)
 
-    def _more(self, known: list[int], group: str, count: int) -> list[int]:
-        new = [self.graph.input(group, len(known) + k) for k in range(count)]
-        known += new
+    def _extend(self, nodes: list[int], group: str, count: int) -> list[int]:
+        new = [self.graph.input(group, len(nodes) + k) for k in range(count)]
+        nodes += new
         return new
 
     def constant(self, k: int) -> int:
@@ -234,18 +236,18 @@ class Point:
     def read(
         self,
         expressions: Sequence[Any],
-        what: str,
+        description: str,
         at: Mapping[tuple[str, int], int],
         named: Mapping[Any, tuple[str, int]] | None = None,
     ) -> list[int]:
         """Return expressions of the system's quantities as nodes; `at` as in `residuals`."""
-        return self._placed(self.equations.read(self.graph, expressions, what, named), at)
+        return self._placed(self.equations.read(self.graph, expressions, description, named), at)
 
     def read_with(
-        self, expressions: Sequence[Any], what: str, atoms: Mapping[Any, int]
+        self, expressions: Sequence[Any], description: str, atoms: Mapping[Any, int]
     ) -> list[int]:
         """Return expressions of some symbols alone as nodes."""
-        return SymPyReader(self.graph, dict(atoms), what).all(list(expressions))
+        return SymPyReader(self.graph, dict(atoms), description).all(list(expressions))
 
     def _placed(self, nodes: Sequence[int], at: Mapping[tuple[str, int], int]) -> list[int]:
         return substitute(self.graph, nodes, {self.graph.input(*k): n for k, n in at.items()})
@@ -257,7 +259,7 @@ class Point:
         *,
         hessian: str | None,
         squares: Sequence[tuple[int, int]] = (),
-    ) -> Functions:
+    ) -> PointFunctions:
         """Compile the rows, a part of the objective, and their derivatives by the variables.
 
         The `hessian` is 'exact', that of rows and cost, 'gauss-newton', what first derivatives tell
@@ -267,16 +269,18 @@ class Point:
         costs = [] if cost is None else [cost]
         roots = [*rows, *costs, *(node for pair in squares for node in pair)]
         outputs = len(rows), len(costs)
-        key, known = self._content(roots, outputs, hessian), self.equations.made
-        made = known.pop(key, None)
-        if made is None:
-            made = stored(
-                (_SOURCE, key), lambda: self._derived(roots, outputs, hessian), Functions.from_bytes
+        key, cache = self._content(roots, outputs, hessian), self.equations.compiled
+        compiled = cache.pop(key, None)
+        if compiled is None:
+            compiled = stored(
+                (_SOURCE, key),
+                lambda: self._derived(roots, outputs, hessian),
+                PointFunctions.from_bytes,
             )
-        known[key] = made
-        while len(known) > KEPT:
-            del known[next(iter(known))]
-        return made
+        cache[key] = compiled
+        while len(cache) > STORED_FUNCTIONS:
+            del cache[next(iter(cache))]
+        return compiled
 
     def _content(self, roots: list[int], outputs: tuple[int, int], hessian: str | None) -> bytes:
         """Return a digest of everything that determines the derivatives."""
@@ -291,18 +295,18 @@ class Point:
 
     def _derived(
         self, roots: list[int], outputs: tuple[int, int], hessian: str | None
-    ) -> Functions:
+    ) -> PointFunctions:
         g = self.graph
-        put = {n: g.input("x", k) for k, n in enumerate(self._variables)}
-        put |= {n: g.input("r", k) for k, n in enumerate(self._data)}
-        put |= {g.input("P", k): g.input("p", k) for k in range(self.constants)}
-        by, data, m = [*put.values()][: len(self._variables)], len(self._data), outputs[0]
-        roots = simplify(g, substitute(g, roots, put))
+        inputs = {n: g.input("x", k) for k, n in enumerate(self._variables)}
+        inputs |= {n: g.input("r", k) for k, n in enumerate(self._data)}
+        inputs |= {g.input("P", k): g.input("p", k) for k in range(self.constants)}
+        variables, data, m = [*inputs.values()][: len(self._variables)], len(self._data), outputs[0]
+        roots = simplify(g, substitute(g, roots, inputs))
         pairs, roots = roots[sum(outputs) :], roots[: sum(outputs)]
         rows, costs = roots[:m], roots[m:]
         weights = [g.input("r", data + k) for k in range(len(roots))]
-        slopes = jacobian(g, rows, by)
-        gradient = adjoints(g, costs, [g.one], by) if costs else []
+        slopes = jacobian(g, rows, variables)
+        gradient = adjoints(g, costs, [g.one], variables) if costs else []
         gradient_at = [k for k, n in enumerate(gradient) if n != g.zero]
         jacobian_at = [(i, j) for i, row in enumerate(slopes) for j in row]
         cells = {
@@ -313,29 +317,37 @@ class Point:
         }
         hessian_at: list[tuple[int, int]] = []
         if hessian == "gauss-newton" and pairs:
-            hessian_at, cells["hessian"] = _normal(g, pairs[::2], pairs[1::2], by, weights[m])
+            hessian_at, cells["hessian"] = _normal(
+                g, pairs[::2], pairs[1::2], variables, weights[m]
+            )
         elif hessian == "exact":
-            lagrangian = factor_sums(g, adjoints(g, roots, weights, by))
-            second = jacobian(g, lagrangian, by)
+            lagrangian = factor_sums(g, adjoints(g, roots, weights, variables))
+            second = jacobian(g, lagrangian, variables)
             hessian_at = [(i, j) for i, row in enumerate(second) for j in row if j <= i]
             cells["hessian"] = [second[i][j] for i, j in hessian_at]
-        sizes = (len(by), data, self.constants)
-        weighted = (len(by), data + len(weights), self.constants)
+        sizes = (len(variables), data, self.constants)
+        weighted = (len(variables), data + len(weights), self.constants)
         programs = {}
         for name, nodes in cells.items():
             if nodes:
                 shared = nodes if name in ("cost", "rows") else factor_sums(g, nodes)
-                own = weighted if name == "hessian" else sizes
-                programs[name] = lower(g, own, [(name, (len(nodes),), shared)])
-        return Functions.of(programs, sizes, outputs, gradient_at, jacobian_at, hessian_at)
+                input_sizes = weighted if name == "hessian" else sizes
+                programs[name] = lower(g, input_sizes, [(name, (len(nodes),), shared)])
+        return PointFunctions.from_programs(
+            programs, sizes, outputs, gradient_at, jacobian_at, hessian_at
+        )
 
 
 def _normal(
-    g: Graph, factors: Sequence[int], residuals: Sequence[int], by: Sequence[int], weight: int
+    g: Graph,
+    factors: Sequence[int],
+    residuals: Sequence[int],
+    variables: Sequence[int],
+    weight: int,
 ) -> tuple[list[tuple[int, int]], list[int]]:
     """Return the lower triangle of ``2 weight Σ factor · slope slopeᵀ``: places and nodes."""
     terms: dict[tuple[int, int], list[tuple[int, float]]] = {}
-    for factor, row in zip(factors, jacobian(g, residuals, by), strict=True):
+    for factor, row in zip(factors, jacobian(g, residuals, variables), strict=True):
         for i, a in row.items():
             for j, b in row.items():
                 if j <= i:
@@ -344,7 +356,7 @@ def _normal(
 
 
 @dataclass(frozen=True, eq=False)
-class Functions:
+class PointFunctions:
     """Machine code for rows and a cost at points, and for their derivatives by the variables."""
 
     # 'cost', 'gradient', 'rows', 'jacobian' and 'hessian', as far as they are not empty.
@@ -359,25 +371,25 @@ class Functions:
     _sweeps: dict[str, tuple[np.ndarray, int, Any]] = field(default_factory=dict, repr=False)
 
     @classmethod
-    def of(
+    def from_programs(
         cls, programs: Any, sizes: Any, outputs: Any, gradient_at: Any, *pairs: Any
-    ) -> Functions:
+    ) -> PointFunctions:
         """Return the functions of Programs, with lists of places."""
-        first, second = (np.array(places, dtype=int).reshape(-1, 2) for places in pairs)
+        first, second = (np.array(pair, dtype=int).reshape(-1, 2) for pair in pairs)
         return cls(programs, sizes, outputs, np.array(gradient_at, dtype=int), first, second)
 
     def to_bytes(self) -> bytes:
         """Return the bytes that `from_bytes` reads."""
         programs = {name: program.to_bytes() for name, program in self.programs.items()}
-        places = [at.tolist() for at in (self.gradient_at, self.jacobian_at, self.hessian_at)]
-        return marshal.dumps((programs, self.sizes, self.outputs, *places))
+        positions = [at.tolist() for at in (self.gradient_at, self.jacobian_at, self.hessian_at)]
+        return marshal.dumps((programs, self.sizes, self.outputs, *positions))
 
     @classmethod
-    def from_bytes(cls, data: bytes) -> Functions:
+    def from_bytes(cls, data: bytes) -> PointFunctions:
         """Read the bytes of `to_bytes`."""
-        programs, sizes, outputs, *places = marshal.loads(data)
-        own = {name: Program.from_bytes(one) for name, one in programs.items()}
-        return cls.of(own, sizes, outputs, *places)
+        programs, sizes, outputs, *positions = marshal.loads(data)
+        decoded = {name: Program.from_bytes(data) for name, data in programs.items()}
+        return cls.from_programs(decoded, sizes, outputs, *positions)
 
     @cached_property
     def _kernels(self) -> dict[str, Kernel]:

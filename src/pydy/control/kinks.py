@@ -33,26 +33,30 @@ class Epigraph:
 
 
 def epigraph(
-    expression: Any, moves: Callable[[Any], bool], values: Mapping[Any, float]
+    expression: Any, depends_on_unknowns: Callable[[Any], bool], values: Mapping[Any, float]
 ) -> Epigraph:
     """Replace the kinks of an objective where that changes no minimum.
 
-    `moves` tells whether an expression depends on unknowns; `values` are numbers of constants that
-    are known, of which the signs count.
+    `depends_on_unknowns` is a test of an expression. `values` are the numbers of the constants that
+    are not free; only their signs matter.
     """
     unchanged = Epigraph(sm.sympify(expression))
-    found = list(dict.fromkeys(_outermost(unchanged.expression)))
-    kinks = [(kink, form) for kink in found if moves(kink) and (form := _extremum(kink))]
+    candidates = list(dict.fromkeys(_outermost(unchanged.expression)))
+    kinks = [
+        (kink, form)
+        for kink in candidates
+        if depends_on_unknowns(kink) and (form := _extremum(kink))
+    ]
     if not kinks:
         return unchanged
     dummies = {kink: sm.Dummy(f"kink{k}", real=True) for k, (kink, _) in enumerate(kinks)}
-    rest = unchanged.expression.xreplace(dummies)
-    unknown, conditions, kept = [], [], {}
+    remainder = unchanged.expression.xreplace(dummies)
+    unknown, conditions, unlifted = [], [], {}
     for kink, (sign, parts) in kinks:
         dummy = dummies[kink]
-        factor = rest.diff(dummy)
+        factor = remainder.diff(dummy)
         if factor.has(*dummies.values()) or not _has_sign(factor, sign, values):
-            kept[dummy] = kink
+            unlifted[dummy] = kink
             continue
         unknown.append(Lifted(dummy, sign, len(parts)))
         for part in parts:
@@ -61,12 +65,12 @@ def epigraph(
             conditions.append(Condition(sign * (dummy - part), 0.0, float("inf"), relation))
     if not unknown:
         return unchanged
-    lifted = tuple(kink for kink, dummy in dummies.items() if dummy not in kept)
-    return Epigraph(rest.xreplace(kept), tuple(unknown), lifted, tuple(conditions))
+    lifted = tuple(kink for kink, dummy in dummies.items() if dummy not in unlifted)
+    return Epigraph(remainder.xreplace(unlifted), tuple(unknown), lifted, tuple(conditions))
 
 
 def split(
-    condition: Condition, moves: Callable[[Any], bool], values: Mapping[Any, float]
+    condition: Condition, depends_on_unknowns: Callable[[Any], bool], values: Mapping[Any, float]
 ) -> list[Condition]:
     """Return smooth conditions that hold together if and only if a condition with kinks holds.
 
@@ -79,14 +83,14 @@ def split(
     while side and done < len(conditions) <= _MOST_PARTS:
         expression = conditions[done].expression
         for kink in dict.fromkeys(_outermost(expression)):
-            form = _extremum(kink) if moves(kink) else None
+            form = _extremum(kink) if depends_on_unknowns(kink) else None
             dummy = sm.Dummy("kink", real=True)
-            rest = expression.xreplace({kink: dummy})
-            factor = rest.diff(dummy)
+            remainder = expression.xreplace({kink: dummy})
+            factor = remainder.diff(dummy)
             if form is None or factor.has(dummy) or not _has_sign(factor, side * form[0], values):
                 continue
             conditions[done : done + 1] = [
-                replace(condition, expression=rest.xreplace({dummy: part})) for part in form[1]
+                replace(condition, expression=remainder.xreplace({dummy: part})) for part in form[1]
             ]
             break
         else:

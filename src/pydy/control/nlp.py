@@ -24,7 +24,7 @@ import numpy as np
 from pydy._backends import nlp_functions
 from pydy._forks import cached_property
 from pydy._rank import or_one
-from pydy.control.kernel import Functions
+from pydy.control.kernel import PointFunctions
 from pydy.control.tuning import UNEVEN
 from pydy.solvers import sampled_input_tables
 
@@ -42,9 +42,9 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
 
 @dataclass(frozen=True, eq=False)
 class PointGroup:
-    """Functions of points, with their unknowns, data and bounds."""
+    """PointFunctions of points, with their unknowns, data and bounds."""
 
-    functions: Functions
+    functions: PointFunctions
     at: np.ndarray  # (variables, points), which unknowns the points' variables are
     data: np.ndarray  # (data, points)
     constants: np.ndarray  # the numbers P
@@ -164,7 +164,7 @@ class Nlp:
     def row_bounds(self) -> tuple[np.ndarray, np.ndarray]:
         """Bounds of the rows, not divided by their sizes."""
         bounds = [
-            [np.repeat(own, group.points) for own in (group.low, group.high)]
+            [np.repeat(bound, group.points) for bound in (group.low, group.high)]
             for group in self.groups
         ]
         low, high = (np.concatenate([b[k] for b in bounds]) for k in (0, 1))
@@ -219,16 +219,16 @@ class Nlp:
             curved = self.native("gradient", y + 1.0)[0]  # by their sizes farther, all at once
             curved = np.abs(curved - slope) / 2
         size = float(np.max(np.nan_to_num(np.abs(slope) + curved), initial=0.0))
-        other = self.of_cost_size(size if size > 0.0 else 1.0)
-        other._set("row_sizes", or_one(sizes))
-        other._set("native", Native(other, self.native))
-        return other
+        scaled = self.of_cost_size(size if size > 0.0 else 1.0)
+        scaled._set("row_sizes", or_one(sizes))
+        scaled._set("native", Native(scaled, self.native))
+        return scaled
 
     def of_cost_size(self, size: float) -> Nlp:
         """Return the same with the objective divided by another size."""
-        other = copy(self)
-        other._set("cost_size", size)
-        return other
+        scaled = copy(self)
+        scaled._set("cost_size", size)
+        return scaled
 
 
 class Native:
@@ -246,7 +246,7 @@ class Native:
             for name, kinds in SIGNATURES.items()
         }
         self._sizes = nlp.size, nlp.rows, len(nlp.jacobian_at[0]), len(nlp.hessian_at[0])
-        self._kept: list[Any] = [code, like]
+        self._references: list[Any] = [code, like]
         self._tables: list[np.ndarray] = like._tables if like is not None else [
             np.array([self._part(nlp, k, name) for k, group in enumerate(nlp.groups)
                       if name in group.functions.programs], np.int64)
@@ -257,18 +257,18 @@ class Native:
         words[:17] = [
             *(nlp.size, nlp.rows),
             *map(len, self._tables),
-            *map(self._kept_at, self._tables),
-            *(self._kept_at(np.ascontiguousarray(unit)) for unit in units),
-            self._kept_at(np.empty(nlp.size)),
+            *map(self._address_of, self._tables),
+            *(self._address_of(np.ascontiguousarray(unit)) for unit in units),
+            self._address_of(np.empty(nlp.size)),
         ]
         words[17:18].view(float)[0] = nlp.cost_size
-        words[18:22] = [self._kept_at(a) for a in (*nlp.jacobian_at, *nlp.hessian_at)]
+        words[18:22] = [self._address_of(a) for a in (*nlp.jacobian_at, *nlp.hessian_at)]
         words[22:] = self._sizes[2:]
-        self.handle = self._kept_at(words)
+        self.handle = self._address_of(words)
 
-    def _kept_at(self, array: np.ndarray) -> int:
+    def _address_of(self, array: np.ndarray) -> int:
         """Keep an array, and return where its numbers are."""
-        self._kept.append(array)
+        self._references.append(array)
         return int(array.ctypes.data)
 
     def _part(self, nlp: Any, k: int, name: str) -> list[int]:
@@ -276,12 +276,12 @@ class Native:
         group = nlp.groups[k]
         functions, points = group.functions, group.points
         words, scratch, code = functions.sweep(name)
-        self._kept.append(code)
+        self._references.append(code)
         rows, costs = functions.outputs if name == "hessian" else (0, 0)
         data = np.concatenate([group.data, np.zeros((rows + costs, points))])
         words[9:11] = points, len(data) if points > 1 else 0
         results = len(functions.programs[name].outputs) * points
-        to = group.at[functions.gradient_at] if name == "gradient" else np.empty(0)
+        gradient_slots = group.at[functions.gradient_at] if name == "gradient" else np.empty(0)
         arrays = (
             np.ascontiguousarray(group.at, np.int64),
             np.ascontiguousarray(nlp.sizes[group.at]),
@@ -291,13 +291,13 @@ class Native:
             np.empty(results if name in ("cost", "gradient") else 0),
             np.empty(scratch),
             np.empty(points, np.uint8),
-            np.ascontiguousarray(to, np.int64),
+            np.ascontiguousarray(gradient_slots, np.int64),
         )
         tables, (length, runs) = sampled_input_tables(group.signals), runs_of(group.at)
         return [
-            *(*words.tolist(), *(self._kept_at(a) for a in arrays), rows, costs),
-            *(len(tables[0]), len(group.data) - 5 * len(tables[0]), *map(self._kept_at, tables)),
-            *(length, self._kept_at(runs)),
+            *(*words.tolist(), *(self._address_of(a) for a in arrays), rows, costs),
+            *(len(tables[0]), len(group.data) - 5 * len(tables[0]), *map(self._address_of, tables)),
+            *(length, self._address_of(runs)),
         ]
 
     def __call__(
@@ -306,16 +306,16 @@ class Native:
         """Evaluate a function at y; return its values and whether all are finite."""
         n, m, slopes, curvatures = self._sizes
         y = np.ascontiguousarray(y, float)
-        given = np.ascontiguousarray(np.empty(0) if multipliers is None else multipliers, float)
-        count, more = {
+        weights = np.ascontiguousarray(np.empty(0) if multipliers is None else multipliers, float)
+        count, extra = {
             "cost": (1, ()),
             "rows": (m, (m,)),
             "gradient": (n, ()),
             "jacobian": (slopes, (m, slopes, None, None)),
-            "hessian": (curvatures, (weight, m, _at(given), True, curvatures, None, None)),
+            "hessian": (curvatures, (weight, m, _at(weights), True, curvatures, None, None)),
         }[name]
         out = np.empty(count)
-        fine = self._call[name](n, _at(y), True, *more, _at(out), self.handle)
+        fine = self._call[name](n, _at(y), True, *extra, _at(out), self.handle)
         return out, bool(fine)
 
 

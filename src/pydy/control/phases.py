@@ -14,11 +14,11 @@ import sympy as sm
 from pydy._checks import check_mapping, listed, shown
 from pydy._optional import require
 from pydy.codegen import checked_expression
-from pydy.control.ipopt import Iteration, Solution
-from pydy.control.kernel import Point
+from pydy.control.ipopt import Iteration, NlpSolution
+from pydy.control.kernel import PointBuilder
 from pydy.control.nlp import PointGroup
 from pydy.control.result import OptimalTrajectory, why_in_vain
-from pydy.control.search import Search
+from pydy.control.search import TrajectorySearch
 from pydy.control.transcription import Transcription
 
 _OPEN = (-np.inf, np.inf)
@@ -37,7 +37,7 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
     history : tuple of Iteration
     """
 
-    def __init__(self, phases: Sequence[OptimalTrajectory], solution: Solution) -> None:
+    def __init__(self, phases: Sequence[OptimalTrajectory], solution: NlpSolution) -> None:
         self._phases = tuple(phases)
         self.objective = solution.objective
         self.duration = sum(phase.duration for phase in phases)
@@ -75,37 +75,41 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
         )
 
 
-class Phases(Search[PhasedTrajectory]):
+class Phases(TrajectorySearch[PhasedTrajectory]):
     """Optimal control problems one after the other, solved as one; see `OptimalControl.phases`."""
 
     def __init__(self, problems: Sequence[Any], links: Any) -> None:
-        given = listed("links", links, "a dictionary for each junction")
-        if len(given) != len(problems) - 1:
+        junctions = listed("links", links, "a dictionary for each junction")
+        if len(junctions) != len(problems) - 1:
             raise ValueError(
                 f"`links` must have a dictionary for each of the {len(problems) - 1} junctions "
-                f"between {len(problems)} phases, got {len(given)}. An empty one links all states "
-                "that both phases have."
+                f"between {len(problems)} phases, got {len(junctions)}. An empty one links all "
+                "states that both phases have."
             )
         self._links = [
-            _checked(f"links[{k}]", link, before, after)
-            for k, (link, (before, after)) in enumerate(zip(given, pairwise(problems), strict=True))
+            _checked_link(f"links[{k}]", link, before, after)
+            for k, (link, (before, after)) in enumerate(
+                zip(junctions, pairwise(problems), strict=True)
+            )
         ]
         self._problems = [problems[0]]
         for k, problem in enumerate(problems[1:]):
-            other, link = copy(problem), self._links[k]
+            phase, link = copy(problem), self._links[k]
             # The end of a phase satisfies the constraints, which need not hold after a link.
             follow = _followers(self._problems[-1], problem, link)
-            equations, solved = problem._now.definition.equations, set[Any]()
+            equations, solved = problem._snapshot.definition.equations, set[Any]()
             constraints = equations.constraints
             if follow < len(constraints.enforced_holonomic):  # residuals give other unknowns then
                 solved = {equations.coordinates[z] for z in constraints.residuals.columns}
-            other._start = {
+            phase._start = {
                 s: _OPEN if s in {*link, *solved} and s not in problem._begins else limits
                 for s, limits in problem._start.items()
             }
             self._links[k] = {s: e for s, e in link.items() if s not in solved or e != s}
-            other._problem = replace(problem._problem, constraints=problem._held[follow:])
-            self._problems.append(other)
+            phase._problem = replace(
+                problem._problem, constraints=problem._start_constraints[follow:]
+            )
+            self._problems.append(phase)
 
     def _guesses(self, guess: Any) -> Sequence[Any]:
         if guess is None:
@@ -118,25 +122,27 @@ class Phases(Search[PhasedTrajectory]):
             )
         return guesses
 
-    def _of(self, problems: Sequence[Any]) -> Phases:
-        other = copy(self)
-        other._problems = list(problems)
-        return other
+    def _with_problems(self, problems: Sequence[Any]) -> Phases:
+        combined = copy(self)
+        combined._problems = list(problems)
+        return combined
 
-    def _phases(self, found: PhasedTrajectory) -> Sequence[Any]:
-        return list(found)
+    def _phases(self, motion: PhasedTrajectory) -> Sequence[Any]:
+        return list(motion)
 
-    def _whole(self, phases: Sequence[Any], solution: Solution) -> PhasedTrajectory:
+    def _combined_result(self, phases: Sequence[Any], solution: NlpSolution) -> PhasedTrajectory:
         return PhasedTrajectory(phases, solution)
 
-    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> PointGroup:
-        before, after = (one.problem for one in made)
-        definition, link = self._problems[k]._now.definition, self._links[k]
-        next_states = self._problems[k + 1]._now.definition.states
+    def _link(
+        self, k: int, transcriptions: Sequence[Transcription], positions: Sequence[np.ndarray]
+    ) -> PointGroup:
+        before, after = (transcription.problem for transcription in transcriptions)
+        definition, link = self._problems[k]._snapshot.definition, self._links[k]
+        next_states = self._problems[k + 1]._snapshot.definition.states
         key = ("link", k, *map(str, link.items()))
 
         def compiled() -> Any:
-            point = Point(before.equations, len(before.numbers))
+            point = PointBuilder(before.equations, len(before.numbers))
             x, y = point.variables(before.states), point.variables(after.states)
             numbers, _ = before.unknown_numbers(point)
             atoms = dict(zip(definition.states, x, strict=True))
@@ -147,10 +153,13 @@ class Phases(Search[PhasedTrajectory]):
             rows = [g.sub(at[s], node) for s, node in zip(link, nodes, strict=True)]
             return point.functions(rows, None, hessian=before.hessian)
 
-        ends = np.arange(before.states) * len(made[0].state_slots[0]) + made[0].intervals
-        begins = np.arange(after.states) * len(made[1].state_slots[0])
-        numbers = np.arange(sum(made[0].sizes[:2]), sum(made[0].sizes))
-        at = np.concatenate([own[0][ends], own[1][begins], own[0][numbers]])
+        ends = (
+            np.arange(before.states) * len(transcriptions[0].state_slots[0])
+            + transcriptions[0].intervals
+        )
+        begins = np.arange(after.states) * len(transcriptions[1].state_slots[0])
+        numbers = np.arange(sum(transcriptions[0].sizes[:2]), sum(transcriptions[0].sizes))
+        at = np.concatenate([positions[0][ends], positions[1][begins], positions[0][numbers]])
         labels = tuple(f"link {k} of {s}" for s in link)
         functions, none = before.once(key, compiled), np.empty((0, 1))
         return PointGroup(functions, at[:, None], none, before.numbers, labels, np.full(1, np.nan))
@@ -158,44 +167,44 @@ class Phases(Search[PhasedTrajectory]):
 
 def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:
     """Return how many of the constraints, the first ones, hold after a link as they did before."""
-    definition, equations = after._now.definition, after._problem.equations
+    definition, equations = after._snapshot.definition, after._problem.equations
     signals = [k for columns, _ in after._problem.signals for k in columns.tolist()]
     if not (
-        before._now.definition is definition
-        and np.array_equal(before._now.p, after._now.p)
+        before._snapshot.definition is definition
+        and np.array_equal(before._snapshot.p, after._snapshot.p)
         and np.array_equal(before._problem.specifieds, after._problem.specifieds, equal_nan=True)
-        and not equations.are_of(equations.constraints, signals, time=True)
+        and not equations.depend_on(equations.constraints, signals, time=True)
     ):
         return 0
     q, u = definition.equations.coordinates, definition.equations.speeds
     if any(link.get(s) != s for s in q):
         return 0
-    places = len(definition.equations.constraints.implied_holonomic)
-    return places if any(link.get(s) != s for s in u) else len(equations.constraints)
+    position_count = len(definition.equations.constraints.implied_holonomic)
+    return position_count if any(link.get(s) != s for s in u) else len(equations.constraints)
 
 
-def _checked(what: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:
+def _checked_link(argument: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:
     """Return an expression for each state that is linked."""
-    states = after._now.definition.states
-    definition = before._now.definition
-    known = {*definition.states, *definition.constants}
-    found: dict[Any, Any] = {s: s for s in states if s in definition.states}
-    given = check_mapping(what, link)
-    symbols = after._now.definition.places["states"].chosen(given, what)
-    for s, (key, value) in zip(symbols, given.items(), strict=True):
+    states = after._snapshot.definition.states
+    definition = before._snapshot.definition
+    allowed = {*definition.states, *definition.constants}
+    expressions: dict[Any, Any] = {s: s for s in states if s in definition.states}
+    entries = check_mapping(argument, link)
+    symbols = after._snapshot.definition.places["states"].chosen(entries, argument)
+    for s, (key, value) in zip(symbols, entries.items(), strict=True):
         if value is None:
-            found.pop(s, None)
+            expressions.pop(s, None)
             continue
-        expression = checked_expression(value, f"`{what}[{key}]`")
+        expression = checked_expression(value, f"`{argument}[{key}]`")
         strange = [
             a for a in (*expression.atoms(sm.Function, sm.Derivative), *expression.free_symbols)
-            if a not in known and (a.is_Symbol or a.is_Derivative or isinstance(
+            if a not in allowed and (a.is_Symbol or a.is_Derivative or isinstance(
                 a, sm.core.function.AppliedUndef)) and a != definition.equations.time
         ]  # fmt: skip
         if strange or expression.has(sm.Derivative) or not isinstance(expression, sm.Expr):
             raise ValueError(
-                f"`{what}[{key}]` is {shown(value)}, but a link is an expression of the states of "
-                "the phase before, at its end, and of constants."
+                f"`{argument}[{key}]` is {shown(value)}, but a link is an expression of the states "
+                "of the phase before, at its end, and of constants."
             )
-        found[s] = expression
-    return {s: found[s] for s in states if s in found}
+        expressions[s] = expression
+    return {s: expressions[s] for s in states if s in expressions}

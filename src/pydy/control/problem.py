@@ -29,9 +29,9 @@ from pydy._names import some, unique_names
 from pydy._problem import with_settings
 from pydy._rank import DIGITS, rank
 from pydy.codegen import checked_expression
-from pydy.control.expressions import Reader, bends
+from pydy.control.expressions import ExpressionReader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
-from pydy.control.ipopt import Solution
+from pydy.control.ipopt import NlpSolution
 from pydy.control.jumps import (
     Expressions,
     Range,
@@ -40,23 +40,23 @@ from pydy.control.jumps import (
     refuse_jumps,
     warn_of_crossings,
 )
-from pydy.control.kernel import Equations, violated
+from pydy.control.kernel import ImplicitEquations, violated
 from pydy.control.kinks import epigraph, split
 from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
 from pydy.control.refine import (
-    Moved,
-    carried_errors,
+    RateFunction,
     checked_mesh,
     interval_errors,
     knots,
+    propagated_errors,
     refined,
     refuse_singular,
     refuse_unsolvable,
 )
 from pydy.control.result import OptimalTrajectory
 from pydy.control.schemes import METHODS, scheme_of
-from pydy.control.search import Search
+from pydy.control.search import TrajectorySearch
 from pydy.control.transcription import TranscribedProblem, Transcription
 from pydy.control.tuning import LARGEST_ORDER
 from pydy.inputs import SampledInput
@@ -65,7 +65,7 @@ _OPEN = (-np.inf, np.inf)
 _FREE = (Limit(-np.inf), Limit(np.inf))
 
 
-class OptimalControl(Search[OptimalTrajectory]):
+class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     """The motion of a system that minimises an objective, by direct collocation.
 
     Specifieds of the system without a value are the controls: they are found, with the states.
@@ -166,12 +166,15 @@ class OptimalControl(Search[OptimalTrajectory]):
             raise TypeError(f"`system` must be a pydy.system.System, got {shown(system)}.")
         free, boundary = listed("free", free), listed("boundary", boundary, "relations")
         path = listed("path", () if path is None else path, "relations")
-        own = _own_constants(
+        extra_constants = _extra_constants(
             system._now().definition, free, (objective, *boundary, *path), duration
         )
-        self._own, self._now = own, (now := system._now(further=own))
-        warn_of_missing_derivatives(now)
-        definition, plan = now.definition, now.plan
+        self._extra_constants, self._snapshot = (
+            extra_constants,
+            (snapshot := system._now(further=extra_constants)),
+        )
+        warn_of_missing_derivatives(snapshot)
+        definition, plan = snapshot.definition, snapshot.plan
         self._method = choice(method, METHODS, "`method`")
         points = whole(order, "`order`")
         if points > LARGEST_ORDER:
@@ -201,12 +204,14 @@ class OptimalControl(Search[OptimalTrajectory]):
         # Those that follow from the constraints, where `start` changes others.
         equations = definition.equations
         dependent = {*equations.dependents.coordinates, *equations.dependents.speeds}
-        left = dependent - {*self._start} if self._start else ()
-        self._following = tuple(s for s in definition.states if s in left)
-        for s, value in zip(definition.states, now.x.tolist(), strict=True):
+        unspecified = dependent - {*self._start} if self._start else ()
+        self._following = tuple(s for s in definition.states if s in unspecified)
+        for s, value in zip(definition.states, snapshot.x.tolist(), strict=True):
             self._start.setdefault(s, _OPEN if s in self._following else (value, value))
-        known = {*definition.constants, *last}
-        reader = Reader(equations.time, definition.states, self._controls, known, duration)
+        numbers = {*definition.constants, *last}
+        reader = ExpressionReader(
+            equations.time, definition.states, self._controls, numbers, duration
+        )
         self._problem = self._read(reader, objective, boundary, path, hessian)
         self._as_written = self._problem
         refuse_jumps(expressions := self._expressions())
@@ -214,18 +219,20 @@ class OptimalControl(Search[OptimalTrajectory]):
         self._lift_kinks()
         # Costates jump at instants inside the motion, and slopes where known inputs do: no
         # polynomial follows.
-        within = [i.fraction for i in self._problem.instants if 0.0 < i.fraction < 1.0]
+        breaks = [i.fraction for i in self._problem.instants if 0.0 < i.fraction < 1.0]
         jumping = tuple(s for s in self._problem.signals if s[1].interpolation == "previous")
-        made = Transcription(replace(self._problem, signals=jumping), self._scheme, self._mesh)
-        within += knots(made, np.full(made.intervals, np.inf), 0.0).tolist()
-        self._mesh = refined(self._mesh, np.zeros(made.intervals), 1.0, 1, within)
+        transcription = Transcription(
+            replace(self._problem, signals=jumping), self._scheme, self._mesh
+        )
+        breaks += knots(transcription, np.full(transcription.intervals, np.inf), 0.0).tolist()
+        self._mesh = refined(self._mesh, np.zeros(transcription.intervals), 1.0, 1, breaks)
 
     def _read(
-        self, reader: Reader, objective: Any, boundary: Any, path: Any, hessian: Any
+        self, reader: ExpressionReader, objective: Any, boundary: Any, path: Any, hessian: Any
     ) -> TranscribedProblem:
         """Return the problem as data."""
-        now, definition, plan = self._now, self._now.definition, self._now.plan
-        equations, places = definition.equations, definition.specifieds.index
+        snapshot, definition, plan = self._snapshot, self._snapshot.definition, self._snapshot.plan
+        equations, position = definition.equations, definition.specifieds.index
         objective = checked_expression(objective, "`objective`").xreplace(branching(definition))
         instance(objective, sm.Expr, "`objective`", "an expression or a number")
         running, terminal = reader.objective(objective)
@@ -243,28 +250,31 @@ class OptimalControl(Search[OptimalTrajectory]):
                 "constrained systems needs the bodies and loads: give them to the method, and "
                 "leave out `equations='method'`."
             )
-        made, inequalities = Equations.of(now), reader.path("path", path)
-        reader.check_functions("`path`", [c.expression for c in inequalities], made.atoms)
-        reader.check_functions("`objective`", [running], made.atoms)
-        if made.are_of(made.constraints, map(places, self._controls)):
+        implicit, inequalities = (
+            ImplicitEquations.from_snapshot(snapshot),
+            reader.path("path", path),
+        )
+        reader.check_functions("`path`", [c.expression for c in inequalities], implicit.atoms)
+        reader.check_functions("`objective`", [running], implicit.atoms)
+        if implicit.depend_on(implicit.constraints, map(position, self._controls)):
             raise NotImplementedError(
                 "The constraints hold a control, which has no value at the start. Give that "
                 "specified a value, or make it a state whose derivative is the control."
             )
-        labels, held = labels_of(definition)
+        labels, constraint_labels = labels_of(definition)
         self._fixed = all(low == high for low, high in self._start.values())
-        self._held = tuple(f"{label} at the start" for label in held)
+        self._start_constraints = tuple(f"{label} at the start" for label in constraint_labels)
         return TranscribedProblem(
-            equations=made,
+            equations=implicit,
             states=len(definition.states),
             labels=labels,
-            constraints=() if self._fixed else self._held,
-            controls=tuple(map(places, self._controls)),
+            constraints=() if self._fixed else self._start_constraints,
+            controls=tuple(map(position, self._controls)),
             control_bounds=tuple(self._bounds.get(s, _FREE) for s in self._controls),
             state_bounds=tuple(self._bounds.get(s, _FREE) for s in definition.states),
             signals=plan.inputs.sampled,
             free=tuple(map(definition.constants.index, self._free)),
-            constants=now.p,
+            constants=snapshot.p,
             specifieds=plan.inputs.values,
             duration=self._duration,
             duration_symbol=self._symbol,
@@ -292,7 +302,7 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     def _expressions(self) -> Expressions:
         """Return the problem's expressions with the bounds of what they depend on."""
-        definition, p = self._now.definition, self._as_written
+        definition, p = self._snapshot.definition, self._as_written
         numbers = len(definition.constants)
         ranges = {}
         for k, s in enumerate(definition.states):
@@ -319,21 +329,25 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     def _lift_kinks(self) -> None:
         """Replace kinks of objective and conditions by smooth conditions, where these are equal."""
-        p, definition = self._as_written, self._now.definition
+        p, definition = self._as_written, self._snapshot.definition
         moving = {*self._controls, *self._free, self._symbol, *(i.symbol for i in p.instants)}
         moving |= {*definition.states, *definition.equations.kinematics.speed_rates}
         moving |= {*definition.outputs_symbols}
 
-        def moves(kink: Any) -> bool:
+        def depends_on_unknowns(kink: Any) -> bool:
             return not kink.atoms(sm.Symbol, AppliedUndef, sm.Derivative).isdisjoint(moving)
 
-        constants = zip(definition.constants, self._now.p.tolist(), strict=True)
+        constants = zip(definition.constants, self._snapshot.p.tolist(), strict=True)
         values = {s: v for s, v in constants if s not in self._free}
-        running, terminal = (epigraph(e, moves, values) for e in (p.running, p.terminal))
+        running, terminal = (
+            epigraph(e, depends_on_unknowns, values) for e in (p.running, p.terminal)
+        )
         self._bends = bends(running.expression + terminal.expression) or self._bends
         self._kinks = terminal.kinks
         path, boundary = (
-            tuple(c for one in conditions for c in split(one, moves, values))
+            tuple(
+                c for condition in conditions for c in split(condition, depends_on_unknowns, values)
+            )
             for conditions in (p.path, p.boundary)
         )
         self._problem = p
@@ -349,22 +363,26 @@ class OptimalControl(Search[OptimalTrajectory]):
                 _compiled={},
             )
 
-    def _at_guess(self, made: Transcription, z: np.ndarray) -> list[float]:
+    def _at_guess(self, transcription: Transcription, z: np.ndarray) -> list[float]:
         """Return what the kinks at instants are at a guess."""
         if not self._kinks:
             return []
-        values: dict[Any, Any] = dict(zip(self._free, made.split(z)[2], strict=False))
-        known = dict(zip(self._now.definition.constants, self._now.p.tolist(), strict=True))
+        values: dict[Any, Any] = dict(zip(self._free, transcription.split(z)[2], strict=False))
+        constants = dict(
+            zip(self._snapshot.definition.constants, self._snapshot.p.tolist(), strict=True)
+        )
         if self._symbol is not None:
-            values[self._symbol] = made.split(z)[3]
+            values[self._symbol] = transcription.split(z)[3]
         for i in self._problem.instants:
-            slots, weights, h = made.located(i.kind, i.fraction)
-            kind = made.scheme.states if i.kind == "state" else made.scheme.controls
+            slots, weights, h = transcription.located(i.kind, i.fraction)
+            kind = (
+                transcription.scheme.states if i.kind == "state" else transcription.scheme.controls
+            )
             powers = kind.basis(np.zeros(1))[1]
-            states, controls, _, duration = made.split(z)
-            own = (states if i.kind == "state" else controls)[i.index, slots]
-            values[i.symbol] = float(own @ (weights * (h * duration) ** powers))
-        return [float(kink.subs({**known, **values})) for kink in self._kinks]
+            states, controls, _, duration = transcription.split(z)
+            slot_values = (states if i.kind == "state" else controls)[i.index, slots]
+            values[i.symbol] = float(slot_values @ (weights * (h * duration) ** powers))
+        return [float(kink.subs({**constants, **values})) for kink in self._kinks]
 
     def _reach(self, symbol: Any) -> tuple[float, float]:
         """Return the widest bounds that an unknown has along the motion."""
@@ -387,7 +405,9 @@ class OptimalControl(Search[OptimalTrajectory]):
         longest = self._bounds_at(self._symbol)[1]
         plan.check_times(np.array([0.0, longest]), f"bounds[{self._symbol}]")
         kinds = {samples.interpolation: columns for columns, samples in plan.inputs.sampled}
-        names = {kind: describe([plan.symbols[k] for k in own]) for kind, own in kinds.items()}
+        names = {
+            kind: describe([plan.symbols[k] for k in indices]) for kind, indices in kinds.items()
+        }
         if "previous" in names:
             raise ValueError(
                 f"`specifieds` has samples with interpolation='previous' for {names['previous']}, "
@@ -402,41 +422,41 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     def _read_bounds(self, bounds: Any) -> dict[Any, tuple[Limit, Limit]]:
         """Return the bounds by symbol."""
-        given, found = check_mapping("bounds", bounds), {}
-        symbols = self._unknown.chosen(given, "bounds")
-        moving = (*self._now.definition.states, *self._controls)
-        for symbol, (key, pair) in zip(symbols, given.items(), strict=True):
-            what = f"`bounds[{key}]`"
+        entries, limits = check_mapping("bounds", bounds), {}
+        symbols = self._unknown.chosen(entries, "bounds")
+        moving = (*self._snapshot.definition.states, *self._controls)
+        for symbol, (key, pair) in zip(symbols, entries.items(), strict=True):
+            argument = f"`bounds[{key}]`"
             sides = pair if isinstance(pair, (tuple, list)) and len(pair) == 2 else ()
             if all(map(_constant, sides)):
-                low, high = map(Limit, _pair(pair, what, False))
+                low, high = map(Limit, _pair(pair, argument, False))
             elif symbol not in moving:
-                raise ValueError(f"{what} must be a pair of numbers, got {shown(pair)}.")
+                raise ValueError(f"{argument} must be a pair of numbers, got {shown(pair)}.")
             else:
                 low, high = (
-                    end if side is None else limit(side, what, self._duration)
+                    end if side is None else limit(side, argument, self._duration)
                     for side, end in zip(sides, _FREE, strict=True)
                 )
-            found[symbol] = low, high
-        return found
+            limits[symbol] = low, high
+        return limits
 
-    def _bounds_at(self, symbol: Any, place: float = 0.0) -> tuple[float, float]:
+    def _bounds_at(self, symbol: Any, fraction: float = 0.0) -> tuple[float, float]:
         """Return the bounds of an unknown after some fraction of the motion."""
-        low, high = (float(side[0]) for side in self._pair_at(symbol, np.array([place])))
+        low, high = (float(side[0]) for side in self._pair_at(symbol, np.array([fraction])))
         return low, high
 
     def _pair_at(self, symbol: Any, fractions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         low, high = self._bounds.get(symbol, _FREE)
         return low(fractions), high(fractions)
 
-    def _limits(self, argument: str, given: Any, symbols: Any) -> dict[Any, tuple[float, float]]:
+    def _limits(self, argument: str, entries: Any, symbols: Any) -> dict[Any, tuple[float, float]]:
         """Return pairs of numbers by symbol."""
-        places = Places(tuple(symbols), "unknowns of the problem")
-        values = check_mapping(argument, given)
+        symbol_index = Places(tuple(symbols), "unknowns of the problem")
+        values = check_mapping(argument, entries)
         return {
             symbol: _pair(value, f"`{argument}[{key}]`", True)
             for symbol, (key, value) in zip(
-                places.chosen(values, argument), values.items(), strict=True
+                symbol_index.chosen(values, argument), values.items(), strict=True
             )
         }
 
@@ -489,30 +509,34 @@ class OptimalControl(Search[OptimalTrajectory]):
         >>> round(found.objective, 6), (found[1][v][0] / found[0][v][-1]).round(6)
         (7.8, np.float64(-0.5))
         """
-        given = listed("problems", problems, "OptimalControl")
-        for k, problem in enumerate(given):
+        checked = listed("problems", problems, "OptimalControl")
+        for k, problem in enumerate(checked):
             if not isinstance(problem, OptimalControl):
                 raise TypeError(
                     f"`problems` must hold OptimalControl objects, got {shown(problem)} at {k}."
                 )
-        if len(given) < 2:
-            raise ValueError(f"`problems` must hold at least two phases, got {len(given)}.")
-        return Phases(given, [{}] * (len(given) - 1) if links is None else links)
+        if len(checked) < 2:
+            raise ValueError(f"`problems` must hold at least two phases, got {len(checked)}.")
+        return Phases(checked, [{}] * (len(checked) - 1) if links is None else links)
 
     # -- before the search ------------------------------------------------------------------------
 
     def _on(self, mesh: np.ndarray) -> Transcription:
         """Return the transcription on a mesh; the latest is kept for the next search."""
-        made = self._latest
-        if made is None or made.problem is not self._problem or made.mesh is not mesh:
-            made = self._latest = Transcription(self._problem, self._scheme, mesh)
-        return made
+        transcription = self._latest
+        if (
+            transcription is None
+            or transcription.problem is not self._problem
+            or transcription.mesh is not mesh
+        ):
+            transcription = self._latest = Transcription(self._problem, self._scheme, mesh)
+        return transcription
 
-    def _check_start(self, made: Transcription, z: np.ndarray, sizes: np.ndarray) -> None:
+    def _check_start(self, transcription: Transcription, z: np.ndarray, sizes: np.ndarray) -> None:
         """Refuse a start that violates the constraints, or that they do not determine."""
-        states = self._now.definition.states
+        states = self._snapshot.definition.states
         if self._fixed and not self._free:
-            at = self._now.at(np.zeros(1), np.array([[self._start[s][0] for s in states]]))
+            at = self._snapshot.at(np.zeros(1), np.array([[self._start[s][0] for s in states]]))
             for k, value in violated(at).items():
                 raise ValueError(
                     f"The start does not satisfy the constraints: constraint {k} of positions is "
@@ -525,7 +549,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                     "kept by the motion alone. Give all states in `start`."
                 )
             return
-        begin = made.beginning()
+        begin = transcription.beginning()
         rows, J = begin.evaluate("rows", z)[:, 0], np.zeros((begin.rows, len(begin.at)))
         J[tuple(begin.functions.jacobian_at.T)] = begin.evaluate("jacobian", z)[:, 0]
         sizes = sizes[begin.at[:, 0]]
@@ -545,16 +569,16 @@ class OptimalControl(Search[OptimalTrajectory]):
                 "configuration is singular for them. Give all states in `start`."
             )
 
-    def _bounds_of(self, made: Transcription) -> tuple[np.ndarray, np.ndarray]:
+    def _bounds_of(self, transcription: Transcription) -> tuple[np.ndarray, np.ndarray]:
         """Return the bounds of the unknowns."""
-        states, controls = self._now.definition.states, self._controls
-        (places, slopes), M = made.state_slots, made.intervals
-        x = np.empty((2, len(states), len(places)))
-        u = np.empty((2, self._problem.algebraic, len(made.control_times)))
+        states, controls = self._snapshot.definition.states, self._controls
+        (slot_times, slopes), M = transcription.state_slots, transcription.intervals
+        x = np.empty((2, len(states), len(slot_times)))
+        u = np.empty((2, self._problem.algebraic, len(transcription.control_times)))
         u[0], u[1] = _OPEN
         for s, at, pair in (
-            *((s, places, x[:, k]) for k, s in enumerate(states)),
-            *((s, made.control_times, u[:, k]) for k, s in enumerate(controls)),
+            *((s, slot_times, x[:, k]) for k, s in enumerate(states)),
+            *((s, transcription.control_times, u[:, k]) for k, s in enumerate(controls)),
         ):
             pair[:] = low, high = self._pair_at(s, at)
             if (low > high).any():
@@ -573,89 +597,95 @@ class OptimalControl(Search[OptimalTrajectory]):
             constants += [_OPEN[side]] * len(self._kinks)
             least = self._bounds_at(self._symbol)[side]
             last = least if side else max(least, 0.0)
-            sides.append(made.unknowns_of(x[side], u[side], constants, last))
+            sides.append(transcription.unknowns_of(x[side], u[side], constants, last))
         lower, upper = sides
         for k, s in enumerate(states):
-            for place, end in ((0, "start"), (M, "end")):
-                if x[0, k, place] > x[1, k, place]:
-                    given = (self._start if end == "start" else self._end)[s]
+            for slot, end in ((0, "start"), (M, "end")):
+                if x[0, k, slot] > x[1, k, slot]:
+                    limits = (self._start if end == "start" else self._end)[s]
                     raise ValueError(
-                        f"`{end}[{s}]` is {shown_pair(given)}, which the `bounds` "
-                        f"{shown_pair(self._bounds_at(s, places[place]))} exclude."
+                        f"`{end}[{s}]` is {shown_pair(limits)}, which the `bounds` "
+                        f"{shown_pair(self._bounds_at(s, slot_times[slot]))} exclude."
                     )
         return lower, upper
 
     def _guess(
-        self, made: Transcription, given: Any, lower: np.ndarray, upper: np.ndarray
+        self, transcription: Transcription, user_guess: Any, lower: np.ndarray, upper: np.ndarray
     ) -> np.ndarray:
         """Return the user's guess, completed by straight lines between the ends."""
-        guess = Guess(given, self._unknown, self._duration, self._symbol)
+        guess = Guess(user_guess, self._unknown, self._duration, self._symbol)
         duration = guess.duration(self._bounds_at(self._symbol))
-        places, slopes = made.state_slots
+        slot_times, slopes = transcription.state_slots
         inner = ~slopes
-        inner[[0, made.intervals]] = False  # the ends are where `start` and `end` say
-        x = np.empty((self._problem.states, len(places)))
-        equations = self._now.definition.equations
+        inner[[0, transcription.intervals]] = False  # the ends are where `start` and `end` say
+        x = np.empty((self._problem.states, len(slot_times)))
+        equations = self._snapshot.definition.equations
         moving = []  # coordinates of which nothing is given but the start
-        for k, s in enumerate(self._now.definition.states):
-            values = guess.values(s, places, duration)
+        for k, s in enumerate(self._snapshot.definition.states):
+            values = guess.values(s, slot_times, duration)
             if values is None:
-                first = _middle(self._start[s], float(self._now.x[k]))
+                first = _middle(self._start[s], float(self._snapshot.x[k]))
                 last = _middle(self._end.get(s, _OPEN), first)
-                values = np.interp(places, [0.0, 1.0], [first, last])
+                values = np.interp(slot_times, [0.0, 1.0], [first, last])
                 moving += [k] if s in equations.coordinates and s not in self._end else []
-            guess.check_bounds(s, values[inner], self._pair_at(s, places[inner]))
+            guess.check_bounds(s, values[inner], self._pair_at(s, slot_times[inner]))
             x[k] = values
-        u = np.zeros((self._problem.algebraic, len(made.control_times)))
+        u = np.zeros((self._problem.algebraic, len(transcription.control_times)))
         for k, s in enumerate(self._controls):
-            values = guess.values(s, made.control_times, duration)
+            values = guess.values(s, transcription.control_times, duration)
             u[k] = 0.0 if values is None else values
-            guess.check_bounds(s, u[k], self._pair_at(s, made.control_times))
+            guess.check_bounds(s, u[k], self._pair_at(s, transcription.control_times))
         constants = []
         for s, k in zip(self._free, self._problem.free, strict=True):
-            known = self._problem.constants[k]
-            if s in self._own:
-                known = _middle(self._bounds_at(s), known)
-            constants.append(guess.number(s, known))
+            default = self._problem.constants[k]
+            if s in self._extra_constants:
+                default = _middle(self._bounds_at(s), default)
+            constants.append(guess.number(s, default))
             guess.check_bounds(s, np.array(constants[-1:]), self._bounds_at(s))
         guess.check_bounds(self._symbol, np.array([duration]), self._bounds_at(self._symbol))
         kinks = [0.0] * len(self._kinks)
-        begin = made.unknowns_of(x, u, [*constants, *kinks], duration)
+        begin = transcription.unknowns_of(x, u, [*constants, *kinks], duration)
         if kinks:
-            kinks = self._at_guess(made, begin)
-            begin = made.unknowns_of(x, u, [*constants, *kinks], duration)
-        states = self._now.definition.states
+            kinks = self._at_guess(transcription, begin)
+            begin = transcription.unknowns_of(x, u, [*constants, *kinks], duration)
+        states = self._snapshot.definition.states
         dependent = [states.index(s) for s in equations.dependents.coordinates]
         if dependent and set(dependent) <= set(moving):
             moving = dependent  # the others keep their straight lines
         if equations.constraints.enforced_holonomic and moving:
-            follow_constraints(made, begin, moving, len(equations.constraints.enforced_holonomic))
-        x = made.split(begin)[0]  # which is a view
+            follow_constraints(
+                transcription, begin, moving, len(equations.constraints.enforced_holonomic)
+            )
+        x = transcription.split(begin)[0]  # which is a view
         for row in x if slopes.any() else ():
-            row[slopes] = np.gradient(row[~slopes], made.mesh * duration)
+            row[slopes] = np.gradient(row[~slopes], transcription.mesh * duration)
         begun: np.ndarray = np.clip(begin, lower, upper)
         return begun
 
     def _with(self, columns: Sequence[int], numbers: Sequence[float]) -> OptimalControl:
         """Return the same problem with other values of constants, and the same machine code."""
-        other = copy(self)
-        p = self._now.p.copy()
+        copied = copy(self)
+        p = self._snapshot.p.copy()
         p[list(columns)] = numbers
-        known = dict(zip(self._now.definition.constants, p.tolist(), strict=True))
-        other._now = with_settings(self._now, constants=known)
-        other._problem = replace(self._problem, constants=p)
-        other._as_written = replace(self._as_written, constants=p)
+        constants = dict(zip(self._snapshot.definition.constants, p.tolist(), strict=True))
+        copied._snapshot = replace(
+            self._snapshot, user={**self._snapshot.user, "constants": constants}
+        )
+        copied._problem = replace(self._problem, constants=p)
+        copied._as_written = replace(self._as_written, constants=p)
         if self._switches:
-            refuse_jumps(other._expressions())
-        if (np.sign(p) != np.sign(self._now.p)).any():  # which kinks are convex may depend on that
-            other._lift_kinks()
-        return other
+            refuse_jumps(copied._expressions())
+        if (
+            np.sign(p) != np.sign(self._snapshot.p)
+        ).any():  # which kinks are convex may depend on that
+            copied._lift_kinks()
+        return copied
 
     def _trajectory(
-        self, made: Transcription, nlp: Nlp, told: np.ndarray, solution: Solution
+        self, transcription: Transcription, nlp: Nlp, state_sizes: np.ndarray, solution: NlpSolution
     ) -> OptimalTrajectory:
-        """Return what is found; `told` is how large each state is by the guess."""
-        now, duration = self._now, made.split(solution.z)[3]
+        """Return what is found; `state_sizes` is how large each state is by the guess."""
+        snapshot, duration = self._snapshot, transcription.split(solution.z)[3]
         if not duration > 0.0:  # solvers let unknowns pass their bounds by a tolerance
             raise OptimizationError(
                 f"The search ended at a duration of zero after {solution.iterations} "
@@ -663,26 +693,30 @@ class OptimalControl(Search[OptimalTrajectory]):
                 f"`bounds[{self._symbol}]` a positive lower limit.",
                 None,
             )
-        moved = Moved(now.code.compiled("rates"), now.inputs)
+        rate_function = RateFunction(snapshot.code.compiled("rates"), snapshot.inputs)
         limits = {s: self._bounds_at(s) for s in self._free}
-        refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
+        refuse_singular(rate_function, transcription, snapshot.x, solution.z, nlp.sizes, limits)
         if solution.solved:
-            refuse_unsolvable(moved, made, solution.z, now.definition.constants)
-        error = interval_errors(moved, made, solution.z, told)
-        found = OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
-        found._sizes = told
-        return found
+            refuse_unsolvable(
+                rate_function, transcription, solution.z, snapshot.definition.constants
+            )
+        error = interval_errors(rate_function, transcription, solution.z, state_sizes)
+        trajectory = OptimalTrajectory(
+            snapshot, transcription, self._controls, self._free, nlp, solution, error
+        )
+        trajectory._sizes = state_sizes
+        return trajectory
 
-    def _warn_of_crossings(self, found: OptimalTrajectory) -> None:
+    def _warn_of_crossings(self, motion: OptimalTrajectory) -> None:
         """Warn where the objective or a condition of the path jumps along a solution."""
         if self._switches:
-            warn_of_crossings(self._expressions(), found)
+            warn_of_crossings(self._expressions(), motion)
 
-    def _carried(self, found: OptimalTrajectory, tolerance: float) -> np.ndarray:
-        """Return by which intervals a simulation misses the nodes; see `carried_errors`."""
-        moved = Moved(self._now.code.compiled("rates"), self._now.inputs)
-        made, z = found._transcription, found.solution.z
-        return carried_errors(moved, made, z, found._sizes, tolerance)
+    def _propagated_errors(self, motion: OptimalTrajectory, tolerance: float) -> np.ndarray:
+        """Return by which intervals a simulation misses the nodes; see `propagated_errors`."""
+        rate_function = RateFunction(self._snapshot.code.compiled("rates"), self._snapshot.inputs)
+        transcription, z = motion._transcription, motion.solution.z
+        return propagated_errors(rate_function, transcription, z, motion._sizes, tolerance)
 
 
 def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
@@ -693,9 +727,9 @@ def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
             "has no derivatives. Give an expression of time and states, or a SampledInput; a "
             "specified without a value is a control."
         )
-    given = plan.given | followed(definition, plan)
-    found = tuple(s for s in definition.specifieds if s not in given)
-    for s in found:
+    assigned = plan.given | followed(definition, plan)
+    controls = tuple(s for s in definition.specifieds if s not in assigned)
+    for s in controls:
         lower = [d for d in definition.lower_derivatives.get(s, ()) if d in definition.specifieds]
         if lower:
             raise NotImplementedError(
@@ -703,18 +737,18 @@ def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
                 "control it would not be the derivative of the second. Make the second a "
                 "state, or give the first a value."
             )
-    return found
+    return controls
 
 
-def _own_constants(
+def _extra_constants(
     definition: Any, free: Sequence[Any], expressions: Iterable[Any], duration: Any
 ) -> set[Any]:
     """Return the symbols that are free and stand in the objective or in conditions alone."""
-    taken = {*definition.states, *definition.specifieds, *definition.constants}
-    taken |= {duration} if isinstance(duration, sm.Symbol) else set()
-    taken |= {*definition.outputs_symbols, definition.equations.time}
-    found = {s for e in expressions for s in getattr(e, "free_symbols", ()) if s.is_Symbol}
-    return {s for s in found - taken if s in free or s.name in free}
+    reserved = {*definition.states, *definition.specifieds, *definition.constants}
+    reserved |= {duration} if isinstance(duration, sm.Symbol) else set()
+    reserved |= {*definition.outputs_symbols, definition.equations.time}
+    symbols = {s for e in expressions for s in getattr(e, "free_symbols", ()) if s.is_Symbol}
+    return {s for s in symbols - reserved if s in free or s.name in free}
 
 
 def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
@@ -749,7 +783,7 @@ def _constant(side: Any) -> bool:
         return False
 
 
-def _pair(value: Any, what: str, single: bool) -> tuple[float, float]:
+def _pair(value: Any, argument: str, single: bool) -> tuple[float, float]:
     """Return bounds, of which None is none; a single number is both where that is allowed."""
     if value is None:
         return _OPEN
@@ -757,17 +791,17 @@ def _pair(value: Any, what: str, single: bool) -> tuple[float, float]:
         isinstance(value, np.ndarray) and value.ndim == 1
     ):
         if not single:
-            raise ValueError(f"{what} must be a pair (low, high), got {shown(value)}.")
-        both = number(value, what, finite=True)
-        return both, both
+            raise ValueError(f"{argument} must be a pair (low, high), got {shown(value)}.")
+        exact = number(value, argument, finite=True)
+        return exact, exact
     if len(value) != 2:
-        raise ValueError(f"{what} must be a pair (low, high), got {shown(value)}.")
+        raise ValueError(f"{argument} must be a pair (low, high), got {shown(value)}.")
     low, high = (
-        end if entry is None else number(entry, what)
+        end if entry is None else number(entry, argument)
         for entry, end in zip(value, _OPEN, strict=True)
     )
     if not low <= high or low == np.inf or high == -np.inf:
-        raise ValueError(f"{what} must be a pair with low <= high, got {shown(value)}.")
+        raise ValueError(f"{argument} must be a pair with low <= high, got {shown(value)}.")
     return low, high
 
 
@@ -782,7 +816,7 @@ def _middle(limits: tuple[float, float], otherwise: float) -> float:
 def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the names of all equations, and of the constraints among them."""
     equations = definition.equations
-    coordinates, speeds, others = (
+    coordinates, speeds, auxiliaries = (
         unique_names(part)
         for part in (equations.coordinates, equations.speeds, definition.auxiliaries)
     )
@@ -793,7 +827,7 @@ def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
     labels = (
         *(f"kinematics of {name}" for name in coordinates),
         *(f"motion of {name}" for name in speeds),
-        *(f"integral {name}" for name in others),
+        *(f"integral {name}" for name in auxiliaries),
         *constraints,
     )
     return labels, constraints

@@ -19,10 +19,10 @@ from pydy._kernel import Inputs, Kernel
 from pydy._rank import ROUNDING, or_one
 from pydy.control.transcription import Transcription, inside
 from pydy.control.tuning import (
-    CARRIED,
     LARGEST_ORDER,
     MOST_PARTS,
     MOST_STEPS,
+    NODE_DEVIATION,
     ONE_DIGIT,
     STEP,
     TOLERANCE,
@@ -32,7 +32,7 @@ from pydy.solvers import tableau_of
 
 
 @dataclass(frozen=True, eq=False)
-class Moved:
+class RateFunction:
     """The function of the states' derivatives."""
 
     kernel: Kernel  # x' of t, x, r and p
@@ -40,27 +40,35 @@ class Moved:
 
 
 def interval_errors(
-    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray, enough: float = 0.0
+    rate_function: RateFunction,
+    transcription: Transcription,
+    z: np.ndarray,
+    sizes: np.ndarray,
+    enough: float = 0.0,
 ) -> np.ndarray:
     """Return the error of each interval, shape (M,).
 
     `sizes` (n,) are how large each state is at least; errors below `enough` need not be known
     better.
     """
-    return _largest(_missed(moved, made, z, sizes, enough)[0])
+    return _largest(_missed(rate_function, transcription, z, sizes, enough)[0])
 
 
 def _missed(
-    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray, enough: float = 0.0
+    rate_function: RateFunction,
+    transcription: Transcription,
+    z: np.ndarray,
+    sizes: np.ndarray,
+    enough: float = 0.0,
 ) -> tuple[np.ndarray, np.ndarray, int]:
     """Return by how much motions miss the next node (M, n), in which sizes, and in which steps."""
-    states, _, _, duration = made.split(z)
-    M = made.intervals
+    states, _, _, duration = transcription.split(z)
+    M = transcription.intervals
     first, last = states[:, :M].T, states[:, 1 : M + 1].T
     scale = or_one(np.maximum(np.abs(states[:, : M + 1]).max(axis=1), sizes))
     missed, before, steps = np.zeros((M, len(states))), None, 1
     while True:
-        ends = _integrated(moved, made, z, first, duration, steps)
+        ends = _integrated(rate_function, transcription, z, first, duration, steps)
         missed = (ends - last) / scale
         if before is not None:
             error, change = _largest(missed), _largest((ends - before) / scale)
@@ -72,92 +80,115 @@ def _missed(
     return missed, scale, steps
 
 
-def carried_errors(
-    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray, tolerance: float
+def propagated_errors(
+    rate_function: RateFunction,
+    transcription: Transcription,
+    z: np.ndarray,
+    sizes: np.ndarray,
+    tolerance: float,
 ) -> np.ndarray:
-    """Return intervals' errors, of which `CARRIED` tolerances are allowed on the way, shape (M,).
+    """Return each interval's share in the largest deviation of a simulation from the nodes, (M,).
 
-    Where a simulation from the start on misses a node by more than that, they are the intervals'
-    shares in it, times their number. Errors go on along the motion as its flow takes them, which is
-    found by differences. They are zero where errors would have to be below what the search leaves
-    of the equations, as along a motion that is unstable for long.
+    The flow of the motion carries the errors of intervals on to later nodes; its derivatives are
+    estimated by finite differences. A simulation from the start may miss a node by `NODE_DEVIATION`
+    tolerances; the shares are scaled such that a share above the tolerance asks for a finer
+    interval. They are zero where no deviation is too large, and where the intervals' errors would
+    have to be smaller than the residuals that the search leaves, as along a motion that is unstable
+    for long.
     """
-    states, _, _, duration = made.split(z)
-    M, n = made.intervals, made.problem.states
-    missed, scale, steps = _missed(moved, made, z, sizes, tolerance / M)
+    states, _, _, duration = transcription.split(z)
+    M, n = transcription.intervals, transcription.problem.states
+    missed, scale, steps = _missed(rate_function, transcription, z, sizes, tolerance / M)
     ends = states[:, 1 : M + 1].T / scale + missed
     flow, far = np.empty((M, n, n)), np.zeros((M + 1, n))
     for i, change in enumerate(np.diag(STEP * scale)):
-        beside = _integrated(moved, made, z, states[:, :M].T + change, duration, steps)
-        flow[:, :, i] = (beside / scale - ends) / STEP
+        perturbed = _integrated(
+            rate_function, transcription, z, states[:, :M].T + change, duration, steps
+        )
+        flow[:, :, i] = (perturbed / scale - ends) / STEP
     with np.errstate(all="ignore"):
         for k in range(M):
             far[k + 1] = flow[k] @ far[k] + missed[k]
         k, i = divmod(int(np.abs(far[1:]).argmax()), n)
-        share = CARRIED * tolerance / np.abs(far[k + 1, i])
+        share = NODE_DEVIATION * tolerance / np.abs(far[k + 1, i])
         if not TOLERANCE / tolerance < share < 1.0:  # or not a number
             return np.zeros(M)
-    found, row = np.zeros(M), np.eye(n)[i]
+    errors, row = np.zeros(M), np.eye(n)[i]
     for j in range(k, -1, -1):
-        found[j], row = abs(row @ missed[j]), row @ flow[j]
-    order = np.argsort(-found)  # what is left without the largest ones may be enough
-    enough = found.sum() - np.cumsum(found[order]) <= CARRIED * tolerance
-    found[order[enough.argmax() + 1 :]] = 0.0
-    return found * M / CARRIED
+        errors[j], row = abs(row @ missed[j]), row @ flow[j]
+    order = np.argsort(-errors)  # what is left without the largest ones may be enough
+    enough = errors.sum() - np.cumsum(errors[order]) <= NODE_DEVIATION * tolerance
+    errors[order[enough.argmax() + 1 :]] = 0.0
+    return errors * M / NODE_DEVIATION
 
 
 def _largest(difference: np.ndarray) -> np.ndarray:
-    found: np.ndarray = np.abs(difference).max(axis=1, initial=0.0)
-    return np.where(np.isfinite(found), found, np.inf)
+    largest: np.ndarray = np.abs(difference).max(axis=1, initial=0.0)
+    return np.where(np.isfinite(largest), largest, np.inf)
 
 
 def _integrated(
-    moved: Moved, made: Transcription, z: np.ndarray, x: np.ndarray, duration: float, steps: int
+    rate_function: RateFunction,
+    transcription: Transcription,
+    z: np.ndarray,
+    x: np.ndarray,
+    duration: float,
+    steps: int,
 ) -> np.ndarray:
     """Return the states at the ends of the intervals, by as many equal steps in each."""
     tableau = tableau_of("dop853")
-    problem, (p, found), M = made.problem, made.numbers(z), made.intervals
-    left, lengths = problem.begin + made.mesh[:-1] * duration, np.diff(made.mesh) * duration
+    problem, (p, specifieds), M = (
+        transcription.problem,
+        transcription.numbers(z),
+        transcription.intervals,
+    )
+    starts, lengths = (
+        problem.begin + transcription.mesh[:-1] * duration,
+        np.diff(transcription.mesh) * duration,
+    )
     # Known and chosen inputs do not depend on states: they are found for all stages at once.
     nodes = np.array(tableau.nodes[: len(tableau.stages)])
     s = ((np.arange(steps)[:, None] + nodes) / steps).ravel()
-    times = left + s[:, None] * lengths
-    known = moved.inputs.rows(np.empty((times.size, x.shape[1])), times.ravel())
-    r = np.array(np.broadcast_to(known, (times.size, known.shape[1])))
-    middles = np.broadcast_to(left + lengths / 2, times.shape).ravel()
+    times = starts + s[:, None] * lengths
+    sampled = rate_function.inputs.rows(np.empty((times.size, x.shape[1])), times.ravel())
+    r = np.array(np.broadcast_to(sampled, (times.size, sampled.shape[1])))
+    middles = np.broadcast_to(starts + lengths / 2, times.shape).ravel()
     for columns, samples in problem.signals:
         if samples.interpolation == "previous":  # which may jump at nodes
             r[:, columns] = samples.rows(inside(times.ravel(), middles))
     numbers = [k - len(p) for k in problem.free if k >= len(p)]
-    r[:, numbers] = found[numbers]
+    r[:, numbers] = specifieds[numbers]
     controls = list(problem.controls)
-    moves = made.controls_in(z, np.tile(np.arange(M), len(s)), np.repeat(s, M))
-    r[:, controls] = moves + (r[:, controls] if problem.noise else 0.0)
+    control_values = transcription.controls_in(z, np.tile(np.arange(M), len(s)), np.repeat(s, M))
+    r[:, controls] = control_values + (r[:, controls] if problem.noise else 0.0)
     instants, inputs = iter(times), iter(r.reshape(len(s), M, -1))
     x, h, stages = x.copy(), (lengths / steps)[:, None], np.empty((len(tableau.stages), x.size))
 
     def moved_by(row: Mapping[int, float]) -> np.ndarray:
         slope = np.array([*row.values()]) @ stages[[*row]]
-        found: np.ndarray = x + h * slope.reshape(x.shape)
-        return found
+        states: np.ndarray = x + h * slope.reshape(x.shape)
+        return states
 
     with np.errstate(all="ignore"):  # a motion that runs away has an infinite error
         for _ in range(steps):
             for stage, row in zip(stages, tableau.stages, strict=True):
                 at = moved_by(row) if row else x
-                stage[:] = moved.kernel.evaluate(next(instants), at, next(inputs), p)[0].ravel()
+                stage[:] = rate_function.kernel.evaluate(next(instants), at, next(inputs), p)[
+                    0
+                ].ravel()
             x = moved_by(tableau.weights)
     return x
 
 
 def refined(
-    mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int, more: Any = ()
+    mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int, extra_nodes: Any = ()
 ) -> np.ndarray:
     """Return a mesh on which the errors should be within the tolerance.
 
     An interval is divided into as many equal parts as reduce its error enough, if it is
     proportional to the length to the power `order` + 1; but no more than a few at a time, as
-    that holds for smooth controls only. There are `more` nodes unless others are as good as there.
+    that holds for smooth controls only. `extra_nodes` are added, except those that nearly coincide
+    with a node.
     """
     with np.errstate(divide="ignore"):
         parts = np.ceil((error / tolerance) ** (1.0 / (order + 1)))
@@ -168,7 +199,7 @@ def refined(
         for a, b, k in zip(mesh[:-1], mesh[1:], counts, strict=True)
     ]
     nodes = np.concatenate([*subdivided, mesh[-1:]])
-    for node in more:
+    for node in extra_nodes:
         k = int(np.searchsorted(nodes, node))
         before, after = node - nodes[k - 1], nodes[k] - node
         if min(before, after) > UNEVEN * (before + after):
@@ -176,45 +207,47 @@ def refined(
     return nodes
 
 
-def jumps(made: Transcription, z: np.ndarray, error: np.ndarray, tolerance: float) -> np.ndarray:
+def jumps(
+    transcription: Transcription, z: np.ndarray, error: np.ndarray, tolerance: float
+) -> np.ndarray:
     """Return where controls seem to jump, and known inputs do, as fractions of the motion.
 
     In intervals that follow each other and have too large an error, the integral of a control tells
     where it jumps from its value before them to that after them.
     """
-    M, t, slots = made.intervals, made.mesh, made.scheme.controls
+    M, t, slots = transcription.intervals, transcription.mesh, transcription.scheme.controls
     s, w = np.polynomial.legendre.leggauss(LARGEST_ORDER // 2)
-    values = made.split(z)[1][: len(made.problem.controls), slots.of_intervals(M)]
+    values = transcription.split(z)[1][: len(transcription.problem.controls), slots.of_intervals(M)]
     basis = slots.basis(np.concatenate([[0.0, 1.0], (1.0 + s) / 2]))[0]
-    first, last, *between = np.einsum("cym,ys->scm", values, basis)
-    integrals = np.tensordot(w / 2, between, 1) * np.diff(t)
+    first, last, *inner = np.einsum("cym,ys->scm", values, basis)
+    integrals = np.tensordot(w / 2, inner, 1) * np.diff(t)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], error > tolerance, [0]])))
-    found = [knots(made, error, tolerance)]
+    nodes = [knots(transcription, error, tolerance)]
     for a, b in zip(edges[::2], edges[1::2], strict=True):
         if a > 0 and b < M:
             before, after, length = last[:, a - 1], first[:, b], t[b] - t[a]
             with np.errstate(all="ignore"):
                 part = (integrals[:, a:b].sum(axis=1) - after * length) / (before - after)
-            found.append(t[a] + part[(part > 0.0) & (part < length)])
-    return np.concatenate(found)
+            nodes.append(t[a] + part[(part > 0.0) & (part < length)])
+    return np.concatenate(nodes)
 
 
-def knots(made: Transcription, error: np.ndarray, tolerance: float) -> np.ndarray:
+def knots(transcription: Transcription, error: np.ndarray, tolerance: float) -> np.ndarray:
     """Return where known inputs have knots, at which they jump or bend, as fractions of the motion.
 
     They are those in intervals that have too large an error, and few knots: others are divided
     first. If the duration is unknown there are none, as knots move with it.
     """
-    p, M = made.problem, made.intervals
+    p, M = transcription.problem, transcription.intervals
     times = np.concatenate([np.empty(0), *(samples.breaks for _, samples in p.signals)])
     if p.duration is None or not len(times):
         return np.empty(0)
     fractions = np.unique((times - p.begin) / p.duration)
     fractions = fractions[(fractions > 0.0) & (fractions < 1.0)]
-    k = np.searchsorted(made.mesh, fractions) - 1
-    few = np.bincount(k, minlength=M) <= MOST_PARTS
-    found: np.ndarray = fractions[(few & (error > tolerance))[k]]
-    return found
+    k = np.searchsorted(transcription.mesh, fractions) - 1
+    divisible = np.bincount(k, minlength=M) <= MOST_PARTS
+    selected: np.ndarray = fractions[(divisible & (error > tolerance))[k]]
+    return selected
 
 
 def most_intervals(mesh: np.ndarray, order: int, tolerance: float) -> float:
@@ -229,22 +262,22 @@ def most_intervals(mesh: np.ndarray, order: int, tolerance: float) -> float:
 
 
 def refuse_singular(
-    moved: Moved,
-    made: Transcription,
+    rate_function: RateFunction,
+    transcription: Transcription,
     x: np.ndarray,
     z: np.ndarray,
     sizes: np.ndarray,
     limits: Mapping[Any, tuple[float, float]],
 ) -> None:
     """Refuse constants at bounds where the equations have no solution, such as no mass."""
-    problem, first = made.problem, sum(made.sizes[:2])
+    problem, first = transcription.problem, sum(transcription.sizes[:2])
     for k, (symbol, ends) in enumerate(limits.items()):
         for bound in ends:
             # The barrier keeps it from its bound by the root of the tolerance.
             if abs(z[first + k] - bound) < TOLERANCE ** (1 / 3) * sizes[first + k]:
                 p, r = problem.constants.copy(), np.ones((1, len(problem.specifieds)))
                 p[problem.free[k]] = bound
-                rates, failed = moved.kernel.evaluate(np.zeros(1), x[None], r, p)
+                rates, failed = rate_function.kernel.evaluate(np.zeros(1), x[None], r, p)
                 if failed.any() or not np.isfinite(rates).all():
                     raise OptimizationError(
                         f"The search brought `{symbol}` to its bound of {bound:g}, at which the "
@@ -255,13 +288,19 @@ def refuse_singular(
 
 
 def refuse_unsolvable(
-    moved: Moved, made: Transcription, z: np.ndarray, names: Sequence[Any]
+    rate_function: RateFunction, transcription: Transcription, z: np.ndarray, names: Sequence[Any]
 ) -> None:
     """Refuse constants, whose `names` are given, with which no node has accelerations."""
-    states, _, _, duration = made.split(z)
-    x, (p, _) = np.ascontiguousarray(states[:, : made.intervals + 1].T), made.numbers(z)
-    times, r = made.problem.begin + made.mesh * duration, np.ones((1, len(made.problem.specifieds)))
-    rates, failed = moved.kernel.evaluate(times, x, r, p)
+    states, _, _, duration = transcription.split(z)
+    x, (p, _) = (
+        np.ascontiguousarray(states[:, : transcription.intervals + 1].T),
+        transcription.numbers(z),
+    )
+    times, r = (
+        transcription.problem.begin + transcription.mesh * duration,
+        np.ones((1, len(transcription.problem.specifieds))),
+    )
+    rates, failed = rate_function.kernel.evaluate(times, x, r, p)
     if (failed | ~np.isfinite(rates).all(axis=1)).all():
         zeros = [str(name) for name, value in zip(names, p, strict=True) if value == 0.0]
         raise OptimizationError(
@@ -300,36 +339,36 @@ def warn_of_refinements(
     errors = np.concatenate([phase.error for phase in phases])
     total = sum(phase.objective for phase in phases)
     if (errors > tolerance).any():
-        what = (
+        status = (
             f"an error of {errors.max():.2g}, and {int((errors > tolerance).sum())} above "
             f"`mesh_tol` = {tolerance:g}"
         )
     else:
         off = sum(float(np.abs(phase.objective_error).sum()) for phase in phases)
-        what = (
+        status = (
             f"an objective of {total:.3g} ± {off:.1g}, which is not as accurate as "
             f"`mesh_tol` = {tolerance:g} of it"
         )
     if failed:
-        what += f". On the next one, of {failed}, the search found no solution"
+        status += f". On the next one, of {failed}, the search found no solution"
     advice = (
         "Where controls jump, nodes of `mesh` near the jumps help; where they decide nothing, as "
         "on singular arcs, a small multiple of the integral of their squares in the objective; so "
         "does a larger `mesh_tol`"
     )
-    left = sum(_left_by_search(phase) for phase in phases)
-    if left > tolerance * abs(total):
+    search_error = sum(_error_of_search(phase) for phase in phases)
+    if search_error > tolerance * abs(total):
         advice = (
-            f"What the search leaves of the equations changes the objective by {left:.1g}: its "
-            "slope by the ends is so large, as at the edge of what can be reached, that finer "
+            f"What the search leaves of the equations changes the objective by {search_error:.1g}: "
+            "its slope by the ends is so large, as at the edge of what can be reached, that finer "
             "meshes are in vain. Move `start` or `end`, or pass a larger `mesh_tol`"
         )
     warn_user(
-        f"After {count} refinements the mesh of {len(errors)} intervals has {what}. {advice}."
+        f"After {count} refinements the mesh of {len(errors)} intervals has {status}. {advice}."
     )
 
 
-def _left_by_search(phase: Any) -> float:
+def _error_of_search(phase: Any) -> float:
     """Return how much the equations that a solution does not satisfy change its objective."""
     nlp, solution = phase._nlp, phase.solution
     values = nlp.native("rows", solution.z / nlp.sizes)[0]

@@ -15,7 +15,7 @@ from pydy._problem import Problem, TrajectoryModel, with_settings
 from pydy.codegen import OfTime, one_format
 from pydy.control.accuracy import objective_errors
 from pydy.control.costates import costates_of
-from pydy.control.ipopt import INFEASIBLE, Iteration, Solution
+from pydy.control.ipopt import INFEASIBLE, Iteration, NlpSolution
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES, JUMP, PLOTTED
@@ -67,22 +67,22 @@ class OptimalTrajectory(Trajectory):
 
     def __init__(
         self,
-        now: Problem,
+        snapshot: Any,
         transcription: Transcription,
         controls: Sequence[Any],
         free: Sequence[Any],
         nlp: Nlp,
-        solution: Solution,
+        solution: NlpSolution,
         error: np.ndarray,
     ) -> None:
         z = solution.z
         duration = transcription.split(z)[3]
-        places, slopes = transcription.state_slots
-        times = np.unique(places[~slopes]) * duration
+        slot_times, slopes = transcription.state_slots
+        times = np.unique(slot_times[~slopes]) * duration
         self.duration = duration
         self.objective = solution.objective
         self.controls, self._free = tuple(controls), tuple(free)
-        self._states = tuple(now.definition.states)
+        self._states = tuple(snapshot.definition.states)
         self.mesh = transcription.mesh * duration
         self.error = error
         self.status = solution.status
@@ -91,18 +91,17 @@ class OptimalTrajectory(Trajectory):
         self.solution = solution
         self._nlp, self._transcription = nlp, transcription
         self.multipliers, self.collocation_times = _multipliers(nlp, solution, duration)
-        moved = moving(now, transcription, z, controls, free)
-        model = TrajectoryModel(moved)
+        snapshot_with_solution = moving(snapshot, transcription, z, controls, free)
         states = transcription.states_at(z, times)
         super().__init__(
             times,
             states,
-            Columns(moved.definition.symbols_by_kind),
-            outputs=model.outputs(times, states),
-            specifieds=model.specifieds(times, states),
-            constants=moved.constants,
+            Columns(snapshot_with_solution.definition.symbols_by_kind),
+            outputs=snapshot_with_solution.outputs(times, states),
+            specifieds=snapshot_with_solution.specifieds(times, states),
+            constants=snapshot_with_solution.constants,
             statistics={"iterations": solution.iterations},
-            model=model,
+            model=snapshot_with_solution,
             dense=partial(transcription.states_at, z),
         )
 
@@ -116,12 +115,16 @@ class OptimalTrajectory(Trajectory):
         """The nodes as fractions of the duration."""
         return self._transcription.mesh
 
-    def is_on(self, made: Transcription) -> bool:
+    def is_on(self, transcription: Transcription) -> bool:
         """Return whether a transcription has the same unknowns and equations."""
-        own = self._transcription
-        same = own.scheme == made.scheme and np.array_equal(own.mesh, made.mesh)
-        labels = [[group.labels for group in one.groups] for one in (own, made)]
-        return same and own.sizes == made.sizes and labels[0] == labels[1]
+        current = self._transcription
+        same = current.scheme == transcription.scheme and np.array_equal(
+            current.mesh, transcription.mesh
+        )
+        labels = [
+            [group.labels for group in candidate.groups] for candidate in (current, transcription)
+        ]
+        return same and current.sizes == transcription.sizes and labels[0] == labels[1]
 
     def active(self, label: str) -> np.ndarray:
         """Return whether a condition of the path decides the motion, at each of the times.
@@ -134,16 +137,16 @@ class OptimalTrajectory(Trajectory):
         low, high = nlp.row_bounds
         away = np.minimum(np.abs(rows - low), np.abs(high - rows)) / nlp.row_sizes
         deciding = np.abs(self.solution.multipliers) * nlp.row_sizes / nlp.cost_size > away
-        found = np.zeros(len(self.times), dtype=bool)
+        active = np.zeros(len(self.times), dtype=bool)
         for group, values in nlp.by_group(deciding):
             if group.collocated:
                 at = np.searchsorted(self.times, group.fractions * self.duration)
-                at = np.clip(at, 0, len(found) - 1)
+                at = np.clip(at, 0, len(active) - 1)
                 for row in [
                     v for v, name in zip(values, group.labels, strict=True) if name == label
                 ]:
-                    found[at] |= row
-        return found
+                    active[at] |= row
+        return active
 
     @cached_property
     def objective_error(self) -> np.ndarray:
@@ -173,13 +176,16 @@ class OptimalTrajectory(Trajectory):
             The system has constraints and the method is 'hermite-simpson', whose constraints at
             nodes belong to two intervals.
         """
-        made = self._transcription
-        if made.scheme.name == "hermite-simpson" and made.problem.equations.constraints:
+        transcription = self._transcription
+        if (
+            transcription.scheme.name == "hermite-simpson"
+            and transcription.problem.equations.constraints
+        ):
             raise NotImplementedError(
                 "The method 'hermite-simpson' has no costates of systems with constraints: "
                 "these belong, at nodes, to the intervals on both sides. Use 'radau'."
             )
-        first, last = costates_of(made, self._nlp, self.solution)
+        first, last = costates_of(transcription, self._nlp, self.solution)
         return dict(zip(self._states, np.append(first, last[:, -1:], axis=1), strict=True))
 
     def summary(self) -> str:
@@ -193,9 +199,11 @@ class OptimalTrajectory(Trajectory):
             mesh.
         """
         off = float(np.abs(self.objective_error).sum())
-        z, made = self.solution.z, self._transcription
-        values = np.column_stack([self.states, made.controls_at(z, self.times)])
-        values[0, self.states.shape[1] :] = made.controls_in(z, np.zeros(1, int), np.zeros(1))
+        z, transcription = self.solution.z, self._transcription
+        values = np.column_stack([self.states, transcription.controls_at(z, self.times)])
+        values[0, self.states.shape[1] :] = transcription.controls_in(
+            z, np.zeros(1, int), np.zeros(1)
+        )
         names = unique_names([*self._states, *self.controls])
         rows = [
             (name, *(f"{v:.6g}" for v in (column[0], column[-1], column.min(), column.max())))
@@ -204,7 +212,7 @@ class OptimalTrajectory(Trajectory):
         constants = [(str(s), f"{self.constants[s]:.8g}") for s in self._free]
         return "\n".join([
             f"Optimal trajectory: {self.message} after {self.solution.iterations} iterations, "
-            f"{made.scheme.name} on {made.intervals} intervals",
+            f"{transcription.scheme.name} on {transcription.intervals} intervals",
             "",
             f"objective  {self.objective:.9g}" + (f" ± {off:.1g}" if np.isfinite(off) else ""),
             f"duration   {self.duration:.9g} s",
@@ -243,14 +251,16 @@ class OptimalTrajectory(Trajectory):
         axes : Axes or sequence of Axes, optional
             One for each state.
         """
-        made = self._transcription
-        places, slopes = made.state_slots
-        inner = ~slopes & (places > 0.0) & (places < 1.0)  # `start` and `end` are no bounds
-        slots = np.flatnonzero(inner)[np.argsort(places[inner], kind="stable")]
-        sides = [made.split(side)[0][:, slots] for side in (self._nlp.lower, self._nlp.upper)]
-        times = np.linspace(0.0, self.duration, num=PLOTTED * made.intervals + 1)
-        at = places[slots] * self.duration
-        values = made.states_at(self.solution.z, times).T
+        transcription = self._transcription
+        slot_times, slopes = transcription.state_slots
+        inner = ~slopes & (slot_times > 0.0) & (slot_times < 1.0)  # `start` and `end` are no bounds
+        slots = np.flatnonzero(inner)[np.argsort(slot_times[inner], kind="stable")]
+        sides = [
+            transcription.split(side)[0][:, slots] for side in (self._nlp.lower, self._nlp.upper)
+        ]
+        times = np.linspace(0.0, self.duration, num=PLOTTED * transcription.intervals + 1)
+        at = slot_times[slots] * self.duration
+        values = transcription.states_at(self.solution.z, times).T
         rows = zip(values, *sides, strict=True)
         curves = [(times, row, [(at, low), (at, high)]) for row, low, high in rows]
         return self._plotted(axes, self._states, curves)
@@ -331,7 +341,7 @@ class _Controls(OfTime):
 
 
 def moving(
-    now: Problem,
+    snapshot: Any,
     transcription: Transcription,
     z: np.ndarray,
     controls: Sequence[Any],
@@ -339,16 +349,17 @@ def moving(
 ) -> Problem:
     """Return a System's Problem with the controls and constants that were found."""
     constants = transcription.split(z)[2][: len(free)]
-    specifieds, _ = one_format(now.settings.specifieds, "specifieds")
+    user: Mapping[str, dict[Any, Any]] = snapshot.user
+    specifieds, _ = one_format(user["specifieds"], "specifieds")
     if controls:
         specifieds = {**specifieds, tuple(controls): _Controls(transcription, z)}
-    known = dict(zip(now.definition.constants, now.p.tolist(), strict=True))
-    known |= dict(zip(free, constants.tolist(), strict=True))
-    return with_settings(now, specifieds=specifieds, constants=known)
+    values = dict(zip(snapshot.definition.constants, snapshot.p.tolist(), strict=True))
+    values |= dict(zip(free, constants.tolist(), strict=True))
+    return replace(snapshot, user={**user, "specifieds": specifieds, "constants": values})
 
 
 def _multipliers(
-    nlp: Nlp, solution: Solution, duration: float
+    nlp: Nlp, solution: NlpSolution, duration: float
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
     """Return the multipliers by label, in the order of time, and the times."""
     parts: dict[str, list[np.ndarray]] = {}
@@ -364,44 +375,44 @@ def _multipliers(
             when.setdefault(name, []).append(group.fractions)
         if group.collocated:
             fractions.append(group.fractions)
-    found = {}
+    multipliers = {}
     for name, rows in parts.items():
         order = np.argsort(np.concatenate(when[name]), kind="stable")
-        found[name] = np.concatenate(rows)[order]
-    return found, np.sort(np.concatenate(fractions)) * duration
+        multipliers[name] = np.concatenate(rows)[order]
+    return multipliers, np.sort(np.concatenate(fractions)) * duration
 
 
 def why_in_vain(
-    solution: Solution, parts: Sequence[tuple[Transcription, Nlp, np.ndarray, Sequence[Any]]]
+    solution: NlpSolution, parts: Sequence[tuple[Transcription, Nlp, np.ndarray, Sequence[Any]]]
 ) -> str:
     """Explain why a search failed: IPOPT's message, and controls without effect.
 
     To first order it cannot tell where to move those that change no equation where it begins, but
     would elsewhere, as from u = 0 where u² is a force. That is no contradiction.
     """
-    found = [f"`{symbol}`" for part in parts for symbol in _stationary(*part)]
-    if not found or solution.status not in _STUCK:
+    names = [f"`{symbol}`" for part in parts for symbol in _stationary(*part)]
+    if not names or solution.status not in _STUCK:
         return solution.message
     reason = (
-        f"at the guess all derivatives of the equations by {', '.join(found)} are zero, so that "
+        f"at the guess all derivatives of the equations by {', '.join(names)} are zero, so that "
         "the search cannot tell which way to change it. Give a `guess` where they are not"
     )
     return reason if solution.status == INFEASIBLE else f"{solution.message}; {reason}"
 
 
 def _stationary(
-    made: Transcription, nlp: Nlp, start: np.ndarray, controls: Sequence[Any]
+    transcription: Transcription, nlp: Nlp, start: np.ndarray, controls: Sequence[Any]
 ) -> list[Any]:
     J, columns = nlp.native("jacobian", start / nlp.sizes)[0], nlp.jacobian_at[1]
-    first, count, found = made.sizes[0], len(made.control_times), []
+    first, count, stationary = transcription.sizes[0], len(transcription.control_times), []
     for k, symbol in enumerate(controls):
-        own = (columns >= first + k * count) & (columns < first + (k + 1) * count)
-        if own.any() and not J[own].any():
-            found.append(symbol)
-    return found
+        entries = (columns >= first + k * count) & (columns < first + (k + 1) * count)
+        if entries.any() and not J[entries].any():
+            stationary.append(symbol)
+    return stationary
 
 
-def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
+def worst_rows(nlp: Nlp, solution: NlpSolution, duration: float) -> str:
     """Name the equations that are violated most, in units of their sizes."""
     y = solution.z / nlp.sizes
     values = nlp.native("rows", y)[0]
@@ -412,16 +423,16 @@ def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
         )
     low, high = (side / nlp.row_sizes for side in nlp.row_bounds)
     violated = np.nan_to_num(np.maximum(np.maximum(low - values, values - high), 0.0), nan=np.inf)
-    found = []
+    violations = []
     for group, parts in nlp.by_group(violated):
         for label, part in zip(group.labels, parts, strict=True):
             at = int(part.argmax())
             when = group.fractions[at] * duration
-            place = "" if np.isnan(when) else f" at t = {when:.6g}"
-            found.append((float(part[at]), f"{label}{place}, by {part[at]:.2g}"))
-    found.sort(key=lambda pair: -pair[0])
+            time_text = "" if np.isnan(when) else f" at t = {when:.6g}"
+            violations.append((float(part[at]), f"{label}{time_text}, by {part[at]:.2g}"))
+    violations.sort(key=lambda pair: -pair[0])
     return (
         "Violated most, in units of each equation's size: "
-        + "; ".join(text for _, text in found[:3])
+        + "; ".join(text for _, text in violations[:3])
         + ". Another `guess`, wider `bounds` or a finer `mesh` may help."
     )

@@ -67,16 +67,16 @@ class Points:
     # alone, the constraints alone, or those of motion with the rates of the constraints.
     rows: str = "all"
 
-    def part(self, which: slice, rows: str = "all") -> Points:
+    def part(self, points: slice, rows: str = "all") -> Points:
         """Return some of the points."""
         return replace(
             self,
-            slots=self.slots[:, which],
-            controls=self.controls[which],
-            coefficients=self.coefficients[:, which],
-            fractions=self.fractions[which],
-            lengths=self.lengths[which],
-            weights=self.weights[which],
+            slots=self.slots[:, points],
+            controls=self.controls[points],
+            coefficients=self.coefficients[:, points],
+            fractions=self.fractions[points],
+            lengths=self.lengths[points],
+            weights=self.weights[points],
             rows=rows,
         )
 
@@ -96,8 +96,8 @@ class Slots:
 
         `mesh` holds the nodes as fractions of the duration, M + 1 of them.
         """
-        h, left = np.diff(mesh), mesh[:-1]
-        times = np.concatenate([*[mesh] * self.blocks, *(left + c * h for c in self.inner)])
+        h, starts = np.diff(mesh), mesh[:-1]
+        times = np.concatenate([*[mesh] * self.blocks, *(starts + c * h for c in self.inner)])
         slopes = np.zeros(len(times), dtype=bool)
         slopes[len(mesh) : self.blocks * len(mesh)] = True
         return times, slopes
@@ -156,7 +156,7 @@ class Scheme:
         The first ones of 'radau' and 'midpoint' have their intervals in order, all K times. Where
         motions are `constrained`, further points of 'midpoint' hold the constraints.
         """
-        h, M, left = np.diff(mesh), len(mesh) - 1, mesh[:-1]
+        h, M, starts = np.diff(mesh), len(mesh) - 1, mesh[:-1]
         k = np.arange(M)
         slots = self.states.of_intervals(M)
         if self.name == "radau":
@@ -173,7 +173,7 @@ class Scheme:
                     coefficients=np.repeat(
                         np.array([D[row[0], row] for row in order]).T, M, axis=1
                     ),
-                    fractions=np.concatenate([left + cj * h for cj in c]),
+                    fractions=np.concatenate([starts + cj * h for cj in c]),
                     lengths=np.tile(h, K),
                     weights=np.concatenate([wj * h for wj in w]),
                 ),
@@ -181,7 +181,7 @@ class Scheme:
         none = np.empty((0, M))
         if self.name == "midpoint":
             state, rate = ((0, 0.5, 0), (1, 0.5, 0)), ((0, -1.0, -1), (1, 1.0, -1))
-            middles = Points(state, rate, slots, k, none, left + 0.5 * h, h, h)
+            middles = Points(state, rate, slots, k, none, starts + 0.5 * h, h, h)
             if not constrained:
                 return (middles,)
             ends = Points(
@@ -198,7 +198,7 @@ class Scheme:
             ((0, 1.0, 0),), ((1, 1.0, 0),), np.array([nodes, M + 1 + nodes]), nodes,
             np.empty((0, M + 1)), mesh, np.append(h, h[-1]), simpson,
         )  # fmt: skip
-        middles = Points(x, v, slots, M + 1 + k, none, left + 0.5 * h, h, h * (2 / 3))
+        middles = Points(x, v, slots, M + 1 + k, none, starts + 0.5 * h, h, h * (2 / 3))
         if not constrained:
             return ends, middles
         return ends.part(slice(0, 1), "start"), ends.part(slice(1, None)), middles
@@ -229,9 +229,9 @@ def radau_points(K: int) -> np.ndarray:
 def lagrange(nodes: np.ndarray, s: np.ndarray) -> np.ndarray:
     """Return the Lagrange polynomials of some nodes at s, shape (nodes, len(s))."""
     rows = []
-    for i, own in enumerate(nodes):
-        others = np.delete(nodes, i)
-        rows.append(np.prod((s[:, None] - others) / (own - others), axis=1))
+    for i, node in enumerate(nodes):
+        remaining = np.delete(nodes, i)
+        rows.append(np.prod((s[:, None] - remaining) / (node - remaining), axis=1))
     return np.array(rows)
 
 

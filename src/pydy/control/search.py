@@ -14,7 +14,7 @@ from pydy._checks import check_mapping, flag, positive, real_array, refuse_twice
 from pydy._errors import OptimizationError, finished_before
 from pydy._optional import progress_of
 from pydy.control.accuracy import relative_errors, warn_of_chatter, warn_where_coarse
-from pydy.control.ipopt import Iteration, Solution
+from pydy.control.ipopt import Iteration, NlpSolution
 from pydy.control.nlp import Nlp, PointGroup
 from pydy.control.refine import (
     jumps,
@@ -27,20 +27,20 @@ from pydy.control.solvers import solver_of
 from pydy.control.transcription import Transcription, metric_of, sizes_of
 from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS, TOLERANCE
 
-Found = TypeVar("Found")
+Result = TypeVar("Result")
 
 
-class Part(NamedTuple):
+class PhaseProgram(NamedTuple):
     """A problem on its mesh."""
 
-    made: Transcription
+    transcription: Transcription
     program: Nlp
-    own: np.ndarray  # where its unknowns are in the whole program
-    told: np.ndarray  # how large each state is by the guess
+    positions: np.ndarray  # where its unknowns are in the whole program
+    state_sizes: np.ndarray  # how large each state is by the guess
 
 
-class Search(Generic[Found]):
-    """Optimal control problems that are solved together, with a result of type `Found`."""
+class TrajectorySearch(Generic[Result]):
+    """Optimal control problems that are solved together, with a result of type `Result`."""
 
     _problems: Sequence[Any]  # of OptimalControl
 
@@ -58,7 +58,7 @@ class Search(Generic[Found]):
             Ends that contradict bounds, a guess outside of bounds, a free duration without bounds
             and guess, or fewer unknowns than equations.
         """
-        self._joined([problem._mesh for problem in self._problems], self._guesses(guess))
+        self._combined_program([problem._mesh for problem in self._problems], self._guesses(guess))
 
     def solve(
         self,
@@ -68,7 +68,7 @@ class Search(Generic[Found]):
         options: Mapping[str, Any] | None = None,
         progress: bool = False,
         solver: str = "ipopt",
-    ) -> Found:
+    ) -> Result:
         """Find the motion.
 
         Parameters
@@ -115,15 +115,17 @@ class Search(Generic[Found]):
         tolerance = _mesh_tolerance(mesh_tol)
         guesses = self._guesses(guess)
         meshes = [problem._mesh for problem in self._problems]
-        with progress_of(flag(progress, "`progress`"), " iterations") as told:
+        with progress_of(flag(progress, "`progress`"), " iterations") as show_iteration:
 
             def watch(iteration: Iteration) -> None:
-                told(1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}")
+                show_iteration(
+                    1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}"
+                )
 
             most, met = np.inf, None  # the latest solution with errors within the tolerance
             for count in range(1, MOST_REFINEMENTS + 1):
                 try:
-                    found, phases = self._solved(meshes, guesses, search, watch)
+                    motion, phases = self._solved(meshes, guesses, search, watch)
                 except OptimizationError:
                     if count == 1 or tolerance is None:
                         raise
@@ -131,24 +133,28 @@ class Search(Generic[Found]):
                         intervals = sum(len(mesh) - 1 for mesh in meshes)
                         warn_of_refinements(count - 2, phases, tolerance, intervals)
                     else:
-                        found, phases = met
+                        motion, phases = met
                     break
                 if tolerance is None:
-                    warn_where_coarse(phases, found.objective)
+                    warn_where_coarse(phases, motion.objective)
                     break
-                errors = [relative_errors(phase, tolerance, found.objective) for phase in phases]
-                own = max(float(error.max()) for error in errors) <= tolerance
-                if own:
-                    met = found, phases
+                errors = [relative_errors(phase, tolerance, motion.objective) for phase in phases]
+                mesh_suffices = max(float(error.max()) for error in errors) <= tolerance
+                if mesh_suffices:
+                    met = motion, phases
                     pairs = zip(self._problems, phases, strict=True)
-                    errors = [problem._carried(phase, tolerance) for problem, phase in pairs]
+                    errors = [
+                        problem._propagated_errors(phase, tolerance) for problem, phase in pairs
+                    ]
                     if max(float(error.max()) for error in errors) <= tolerance:
                         break
                 orders = [problem._scheme.convergence for problem in self._problems]
                 if most == np.inf and all(np.median(phase.error) < 1.0 for phase in phases):
                     most = sum(map(most_intervals, meshes, orders, repeat(tolerance)))
                 nodes = [
-                    () if own else jumps(phase._transcription, phase.solution.z, error, tolerance)
+                    ()
+                    if mesh_suffices
+                    else jumps(phase._transcription, phase.solution.z, error, tolerance)
                     for phase, error in zip(phases, errors, strict=True)
                 ]
                 finer = [*map(refined, meshes, errors, repeat(tolerance), orders, nodes)]
@@ -156,13 +162,13 @@ class Search(Generic[Found]):
                     if met is None:
                         warn_of_refinements(count - 1, phases, tolerance)
                     else:
-                        found, phases = met
+                        motion, phases = met
                     break
                 guesses, meshes = phases, finer
         for problem, phase in zip(self._problems, phases, strict=True):
             warn_of_chatter(phase)
             problem._warn_of_crossings(phase)
-        result: Found = found
+        result: Result = motion
         return result
 
     def sweep(
@@ -174,7 +180,7 @@ class Search(Generic[Found]):
         options: Mapping[str, Any] | None = None,
         progress: bool = False,
         solver: str = "ipopt",
-    ) -> list[Found]:
+    ) -> list[Result]:
         """Find the motions for several values of constants; each search begins at the last motion.
 
         Parameters
@@ -196,35 +202,35 @@ class Search(Generic[Found]):
         keys, rows = _checked_sweep(values)
         owners: list[dict[int, int]] = []  # of each problem, from places in p to those of `keys`
         for problem in self._problems:
-            constants = problem._now.definition.places["constants"]
-            known = [(at, k) for k, key in enumerate(keys)
+            constants = problem._snapshot.definition.places["constants"]
+            swept = [(at, k) for k, key in enumerate(keys)
                      if (at := constants.get(key, "values")) is not None]  # fmt: skip
-            refuse_twice([constants.symbols[at] for at, _ in known], "values")
-            for at, k in known:
+            refuse_twice([constants.symbols[at] for at, _ in swept], "values")
+            for at, k in swept:
                 if constants.symbols[at] in problem._free:
                     raise ValueError(f"`values` has `{keys[k]}`, which is `free`: it is found.")
-            owners.append(dict(known))
+            owners.append(dict(swept))
         for k, key in enumerate(keys):
-            if not any(k in own.values() for own in owners):
-                self._problems[0]._now.definition.places["constants"].find(key, "values")
-        found: list[Found] = []
+            if not any(k in indices.values() for indices in owners):
+                self._problems[0]._snapshot.definition.places["constants"].find(key, "values")
+        motions: list[Result] = []
         search = {"mesh_tol": mesh_tol, "options": options, "progress": progress, "solver": solver}
         for numbers in zip(*rows, strict=True):
             problems = [
-                problem._with([*own], [numbers[k] for k in own.values()])
-                for problem, own in zip(self._problems, owners, strict=True)
+                problem._with([*indices], [numbers[k] for k in indices.values()])
+                for problem, indices in zip(self._problems, owners, strict=True)
             ]
-            if found:
-                there = [copy(problem) for problem in problems]
-                for problem, phase in zip(there, self._phases(found[-1]), strict=True):
+            if motions:
+                warm_started = [copy(problem) for problem in problems]
+                for problem, phase in zip(warm_started, self._phases(motions[-1]), strict=True):
                     problem._mesh = phase.fractions
                 try:
-                    found.append(self._of(there).solve(found[-1], **search))
+                    motions.append(self._with_problems(warm_started).solve(motions[-1], **search))
                     continue
                 except OptimizationError:  # then from the guess
                     pass
-            found.append(self._of(problems).solve(guess, **search))
-        return found
+            motions.append(self._with_problems(problems).solve(guess, **search))
+        return motions
 
     # -- what differs where problems are several: see `Phases` -------------------------------------
 
@@ -234,60 +240,68 @@ class Search(Generic[Found]):
         """Return a guess for each problem."""
         return [guess]
 
-    def _of(self, problems: Sequence[Any]) -> Any:
+    def _with_problems(self, problems: Sequence[Any]) -> Any:
         """Return the same search with other problems."""
         return problems[0]
 
-    def _phases(self, found: Any) -> Sequence[Any]:
+    def _phases(self, motion: Any) -> Sequence[Any]:
         """Return the motions of the problems."""
-        return [found]
+        return [motion]
 
-    def _whole(self, phases: Sequence[Any], solution: Solution) -> Any:
+    def _combined_result(self, phases: Sequence[Any], solution: NlpSolution) -> Any:
         """Make the result from the motions of the problems."""
         return phases[0]
 
-    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> PointGroup:
+    def _link(
+        self, k: int, transcriptions: Sequence[Transcription], positions: Sequence[np.ndarray]
+    ) -> PointGroup:
         """Return the conditions that link two problems."""
         raise NotImplementedError
 
     # -- the program of all ------------------------------------------------------------------------
 
-    def _joined(
+    def _combined_program(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any]
-    ) -> tuple[Nlp, np.ndarray, list[Part]]:
+    ) -> tuple[Nlp, np.ndarray, list[PhaseProgram]]:
         """Return the program, where to start, and the problems on their meshes."""
-        made, programs, starts, told = [], [], [], []
+        transcriptions, programs, starts, state_sizes = [], [], [], []
         for problem, mesh, guess in zip(self._problems, meshes, guesses, strict=True):
-            one = problem._on(mesh)
-            lower, upper = problem._bounds_of(one)
-            z = problem._guess(one, guess, lower, upper)
-            sizes, states = sizes_of(one, z, lower, upper)
-            if one.problem.equations.constraints:
+            transcription = problem._on(mesh)
+            lower, upper = problem._bounds_of(transcription)
+            z = problem._guess(transcription, guess, lower, upper)
+            sizes, states = sizes_of(transcription, z, lower, upper)
+            if transcription.problem.equations.constraints:
                 metric = _metric(guess, states)
-                one = replace(one, problem=replace(one.problem, metric=metric))
-                sizes = sizes_of(one, z, lower, upper)[0]
-            made.append(one)
+                transcription = replace(
+                    transcription, problem=replace(transcription.problem, metric=metric)
+                )
+                sizes = sizes_of(transcription, z, lower, upper)[0]
+            transcriptions.append(transcription)
             starts.append(z)
-            programs.append(one.nlp(lower, upper, sizes))
-            told.append(states)
+            programs.append(transcription.nlp(lower, upper, sizes))
+            state_sizes.append(states)
         # Later phases begin where links say.
-        self._problems[0]._check_start(made[0], starts[0], programs[0].sizes)
-        nlp, own = programs[0], [np.arange(len(starts[0]))]
-        if len(made) > 1:
-            nlp, own = self._together(made, programs)
+        self._problems[0]._check_start(transcriptions[0], starts[0], programs[0].sizes)
+        nlp, positions = programs[0], [np.arange(len(starts[0]))]
+        if len(transcriptions) > 1:
+            nlp, positions = self._together(transcriptions, programs)
         _check_freedom(nlp)
         start = np.empty(nlp.size)
-        for z, at in zip(starts, own, strict=True):
+        for z, at in zip(starts, positions, strict=True):
             start[at] = z
         begin = np.clip(start, nlp.lower, nlp.upper)
-        return nlp.in_own_units(begin), begin, [*map(Part, made, programs, own, told)]
+        return (
+            nlp.in_own_units(begin),
+            begin,
+            [*map(PhaseProgram, transcriptions, programs, positions, state_sizes)],
+        )
 
     def _together(
-        self, made: Sequence[Transcription], programs: Sequence[Nlp]
+        self, transcriptions: Sequence[Transcription], programs: Sequence[Nlp]
     ) -> tuple[Nlp, list[np.ndarray]]:
         """Return the program of several, and where the unknowns of each are in it."""
-        own = []
-        known: dict[Any, int] = {}
+        positions = []
+        shared_positions: dict[Any, int] = {}
         size = 0
         for problem, program in zip(self._problems, programs, strict=True):
             last = () if problem._symbol is None else (problem._symbol,)
@@ -297,16 +311,16 @@ class Search(Generic[Found]):
             for k, symbol in enumerate(shared, start=program.size - len(shared)):
                 # Constants and durations of the same symbol are one unknown.
                 if symbol is not None:
-                    at[k] = known.setdefault(symbol, at[k])
-            own.append(at)
+                    at[k] = shared_positions.setdefault(symbol, at[k])
+            positions.append(at)
             size += program.size
         # Unknowns of which others took the place are left out.
-        used = np.unique(np.concatenate(own))
-        own = [np.searchsorted(used, at) for at in own]
+        used = np.unique(np.concatenate(positions))
+        positions = [np.searchsorted(used, at) for at in positions]
         lower, upper = np.full(len(used), -np.inf), np.full(len(used), np.inf)
         sizes = np.zeros(len(used))
         groups: list[PointGroup] = []
-        for k, (program, at) in enumerate(zip(programs, own, strict=True)):
+        for k, (program, at) in enumerate(zip(programs, positions, strict=True)):
             np.maximum.at(lower, at, program.lower)
             np.minimum.at(upper, at, program.upper)
             np.maximum.at(sizes, at, program.sizes)
@@ -314,33 +328,35 @@ class Search(Generic[Found]):
                 replace(p, at=at[p.at], labels=tuple(f"phase {k}: {name}" for name in p.labels))
                 for p in program.groups
             ]
-        for symbol, place in known.items():
-            low, high = (float(side[np.searchsorted(used, place)]) for side in (lower, upper))
+        for symbol, position in shared_positions.items():
+            low, high = (float(side[np.searchsorted(used, position)]) for side in (lower, upper))
             if low > high:
                 raise ValueError(
                     f"The `bounds` of `{symbol}`, which phases share, exclude each other: it is at "
                     f"least {low:g} in one phase and at most {high:g} in another."
                 )
         for k in range(len(self._links)):
-            groups.append(self._link(k, made[k : k + 2], own[k : k + 2]))
+            groups.append(self._link(k, transcriptions[k : k + 2], positions[k : k + 2]))
         estimated = all(p.estimated for p in programs)
-        return Nlp(groups, lower, upper, sizes, estimated=estimated), own
+        return Nlp(groups, lower, upper, sizes, estimated=estimated), positions
 
     def _solved(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
     ) -> tuple[Any, Sequence[Any]]:
         """Return the solution on meshes, and the motions of the problems."""
-        nlp, start, parts = self._joined(meshes, guesses)
+        nlp, start, parts = self._combined_program(meshes, guesses)
         several, warm = len(parts) > 1, None
         last = None if several else guesses[0]
-        if isinstance(last, OptimalTrajectory) and last.is_on(parts[0].made):
+        if isinstance(last, OptimalTrajectory) and last.is_on(parts[0].transcription):
             warm, start = last.solution, np.clip(last.solution.z, nlp.lower, nlp.upper)
-        solution: Solution = search(nlp, start, watch=watch, warm=warm)
+        solution: NlpSolution = search(nlp, start, watch=watch, warm=warm)
         if solution.solved:
             solution = replace(solution, z=_without_turns(nlp, solution.z, parts))
             solution = _at_kinks(nlp, solution, parts)
         phases, first = [], 0
-        for problem, (one, program, at, told) in zip(self._problems, parts, strict=True):
+        for problem, (transcription, program, at, state_sizes) in zip(
+            self._problems, parts, strict=True
+        ):
             part = solution
             if several:
                 z, rows = solution.z[at], slice(first, first + program.rows)
@@ -351,30 +367,32 @@ class Search(Generic[Found]):
                     above=solution.above[at], objective=cost,
                 )  # fmt: skip
             program = program.of_cost_size(nlp.cost_size)
-            phases.append(problem._trajectory(one, program, told, part))
-        found = self._whole(phases, solution)
+            phases.append(problem._trajectory(transcription, program, state_sizes, part))
+        motion = self._combined_result(phases, solution)
         if solution.interrupted is not None:
             raise finished_before(
                 solution.interrupted,
                 "The latest iteration of the search for an optimal trajectory is",
                 "The search for an optimal trajectory was interrupted. Its latest iteration is in "
                 "the attribute `results` of this error.",
-                found,
+                motion,
             ) from None
         if not solution.solved:
             begun = [
-                (one, program, start[at], problem._controls)
-                for problem, (one, program, at, _) in zip(self._problems, parts, strict=True)
+                (transcription, program, start[at], problem._controls)
+                for problem, (transcription, program, at, _) in zip(
+                    self._problems, parts, strict=True
+                )
             ]
             raise OptimizationError(
                 "The search for an optimal trajectory"
                 f"{f' in {len(parts)} phases' if several else ''} ended after "
                 f"{solution.iterations} iterations: {why_in_vain(solution, begun)}. "
-                f"{worst_rows(nlp, solution, np.nan if several else found.duration)}"
-                + next((hint for one in self._problems if (hint := one._hint)), ""),
-                found,
+                f"{worst_rows(nlp, solution, np.nan if several else motion.duration)}"
+                + next((hint for problem in self._problems if (hint := problem._hint)), ""),
+                motion,
             )
-        return found, phases
+        return motion, phases
 
 
 def _metric(guess: Any, sizes: np.ndarray) -> Any:
@@ -383,39 +401,39 @@ def _metric(guess: Any, sizes: np.ndarray) -> Any:
     return last if np.shape(last) == sizes.shape else metric_of(sizes)
 
 
-def _at_kinks(nlp: Nlp, solution: Solution, parts: Sequence[Part]) -> Solution:
+def _at_kinks(nlp: Nlp, solution: NlpSolution, parts: Sequence[PhaseProgram]) -> NlpSolution:
     """Return the solution with unknowns that stand for kinks as large as these, and its cost."""
     z = solution.z.copy()
-    for made, _, own, _ in parts:
-        if made.problem.lifted or made.problem.lifted_numbers:
-            z[own] = made.tightened(z[own])
+    for transcription, _, positions, _ in parts:
+        if transcription.problem.lifted or transcription.problem.lifted_numbers:
+            z[positions] = transcription.tightened(z[positions])
     if (z == solution.z).all():
         return solution
     cost = float(nlp.native("cost", z / nlp.sizes)[0][0]) * nlp.cost_size
     return replace(solution, z=z, objective=cost)
 
 
-def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[Part]) -> np.ndarray:
+def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[PhaseProgram]) -> np.ndarray:
     """Remove jumps of controls by whole turns, if nothing depends on them.
 
     The equations of a point see an angle but for turns; between the points its polynomial does not.
     """
-    for made, _, own, _ in parts:
-        order = np.argsort(made.control_times, kind="stable")
-        for i in range(len(made.problem.controls)):
-            at = own[made.sizes[0] + i * len(order) + order]
+    for transcription, _, positions, _ in parts:
+        order = np.argsort(transcription.control_times, kind="stable")
+        for i in range(len(transcription.problem.controls)):
+            at = positions[transcription.sizes[0] + i * len(order) + order]
             turns = np.append(0.0, np.cumsum(np.round(np.diff(z[at]) / (2 * np.pi))))
             if not turns.any():
                 continue
-            other = z.copy()
-            other[at] -= 2 * np.pi * (turns - np.median(turns).round())
-            both = [
+            unturned = z.copy()
+            unturned[at] -= 2 * np.pi * (turns - np.median(turns).round())
+            evaluations = [
                 np.append(nlp.native("rows", y)[0], nlp.native("cost", y)[0])
-                for y in (z / nlp.sizes, other / nlp.sizes)
+                for y in (z / nlp.sizes, unturned / nlp.sizes)
             ]
-            allowed = (nlp.lower <= other) & (other <= nlp.upper)
-            if allowed.all() and (np.abs(both[1] - both[0]) <= TOLERANCE).all():
-                z = other
+            allowed = (nlp.lower <= unturned) & (unturned <= nlp.upper)
+            if allowed.all() and (np.abs(evaluations[1] - evaluations[0]) <= TOLERANCE).all():
+                z = unturned
     return z
 
 
@@ -446,9 +464,9 @@ def _mesh_tolerance(value: Any) -> float | None:
 
 def _checked_sweep(values: Any) -> tuple[list[Any], list[np.ndarray]]:
     """Return the swept quantities, with equally many values for each."""
-    given = check_mapping("values", values)
-    rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in given.items()]
-    for key, row in zip(given, rows, strict=True):
+    entries = check_mapping("values", values)
+    rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in entries.items()]
+    for key, row in zip(entries, rows, strict=True):
         if row.ndim != 1 or row.shape != rows[0].shape or not np.isfinite(row).all():
             raise ValueError(
                 f"`values[{key}]` must be finite numbers, as many as for the others, got the "
@@ -456,4 +474,4 @@ def _checked_sweep(values: Any) -> tuple[list[Any], list[np.ndarray]]:
             )
     if not rows:
         raise ValueError("`values` must map at least one constant to numbers.")
-    return [*given], rows
+    return [*entries], rows

@@ -25,8 +25,8 @@ from pydy._optional import require
 from pydy.control import ipopt
 from pydy.control.ipopt import (
     Iteration,
-    Solution,
-    Watched,
+    IterationRecorder,
+    NlpSolution,
     option_values,
     program_bounds,
     solver_options,
@@ -35,37 +35,37 @@ from pydy.control.ipopt import (
 from pydy.control.nlp import Nlp
 
 
-def solver_of(name: Any, options: Any) -> Callable[..., Solution]:
+def solver_of(name: Any, options: Any) -> Callable[..., NlpSolution]:
     """Return the function ``solve(nlp, z, *, watch, warm)`` of a solver with its options."""
     chosen = SOLVERS[choice(name, tuple(SOLVERS), "`solver`")]
     return partial(chosen, options=check_mapping("options", options))
 
 
-def fitting_solver_of(name: Any, options: Any) -> Callable[..., Solution]:
+def fitting_solver_of(name: Any, options: Any) -> Callable[..., NlpSolution]:
     """Return the same with options that suit a fit.
 
     Few unknowns, the parameters, are in many equations. The order in which MUMPS eliminates depends
     on that: 6 is AMD with dense rows apart.
     """
     chosen = choice(name, tuple(SOLVERS), "`solver`")
-    own = {"mumps_pivot_order": 6} if chosen == "ipopt" else {}  # others may have no MUMPS
-    return solver_of(chosen, {**own, **check_mapping("options", options)})
+    defaults = {"mumps_pivot_order": 6} if chosen == "ipopt" else {}  # others may have no MUMPS
+    return solver_of(chosen, {**defaults, **check_mapping("options", options)})
 
 
-class _Program(Watched):
+class _CyipoptProblem(IterationRecorder):
     """A program in the form that cyipopt and POUNCE expect; failed evaluations are NaN."""
 
-    def _filled(self, name: str, *given: Any) -> np.ndarray:
+    def _filled(self, name: str, *arguments: Any) -> np.ndarray:
         try:
-            found, fine = self.nlp.native(name, *given)
+            values, fine = self.nlp.native(name, *arguments)
         except BaseException as error:  # noqa: BLE001  raised after the solver has returned
             self.raised.append(error)
         else:
             if fine and not self.raised:
-                return found  # type: ignore[no-any-return]
+                return values  # type: ignore[no-any-return]
         size = {"cost": 1, "gradient": self.nlp.size, "rows": self.nlp.rows}
-        places = {"jacobian": self.nlp.jacobian_at, "hessian": self.nlp.hessian_at}
-        return np.full(size[name] if name in size else len(places[name][0]), np.nan)
+        entries = {"jacobian": self.nlp.jacobian_at, "hessian": self.nlp.hessian_at}
+        return np.full(size[name] if name in size else len(entries[name][0]), np.nan)
 
     def objective(self, y: np.ndarray) -> float:
         return float(self._filled("cost", y)[0])
@@ -90,7 +90,7 @@ class _Program(Watched):
 
     def intermediate(
         self, alg_mod: int, iter_count: int, obj_value: float, inf_pr: float, inf_du: float,
-        mu: float, *_: Any, **_more: Any,
+        mu: float, *_: Any, **_options: Any,
     ) -> bool:  # fmt: skip
         return self.guarded(alg_mod, iter_count, obj_value, inf_pr, inf_du, mu)
 
@@ -103,14 +103,14 @@ def _by_package(
     *,
     options: Mapping[str, Any],
     watch: Callable[[Iteration], None] = lambda iteration: None,
-    warm: Solution | None = None,
-) -> Solution:
+    warm: NlpSolution | None = None,
+) -> NlpSolution:
     try:
         package = require(module, extra, f"`solver={extra!r}`")
     except ImportError as error:
         raise MissingDependencyError(str(error)) from error
     interrupts = Interrupts()
-    program = _Program(nlp, watch, interrupts)
+    program = _CyipoptProblem(nlp, watch, interrupts)
     lower, upper, low, high = program_bounds(nlp)
     problem = package.Problem(
         n=nlp.size, m=nlp.rows, problem_obj=program, lb=lower, ub=upper, cl=low, cu=high
@@ -120,23 +120,23 @@ def _by_package(
     start = (
         {} if warm is None else dict(zip(("lagrange", "zl", "zu"), warm.seeds(nlp), strict=True))
     )
-    told: Any = None
+    info: Any = None
     try:
         with solving(), interrupts:
-            y, told = problem.solve(np.array(z / nlp.sizes), **start)
+            y, info = problem.solve(np.array(z / nlp.sizes), **start)
             if program.raised:
                 raise program.raised[0]
     except (KeyboardInterrupt, MemoryError) as stop:
-        if told is None:  # the second in the solver's own code
+        if info is None:  # the second in the solver's own code
             raise
         program.stopped = stop
     except RuntimeError as error:  # POUNCE reads options as late as this
         if "OPTION" not in str(error):
             raise
         raise ValueError(f"`options` has what {module} does not take: {error}") from error
-    of_bounds = told["mult_x_L"], told["mult_x_U"]
+    of_bounds = info["mult_x_L"], info["mult_x_U"]
     return program.solution(
-        y, told["mult_g"], *of_bounds, float(told["obj_val"]), int(told["status"])
+        y, info["mult_g"], *of_bounds, float(info["obj_val"]), int(info["status"])
     )
 
 
@@ -151,7 +151,7 @@ def _add_option(problem: Any, module: str, name: Any, value: Any) -> None:
     )
 
 
-SOLVERS: dict[str, Callable[..., Solution]] = {
+SOLVERS: dict[str, Callable[..., NlpSolution]] = {
     "ipopt": lambda *args, **named: ipopt.solve(*args, **named),
     "cyipopt": partial(_by_package, "cyipopt", "cyipopt"),
     "pounce": partial(_by_package, "pounce", "pounce"),

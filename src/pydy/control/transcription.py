@@ -15,7 +15,7 @@ import numpy as np
 from pydy._collector import collector_paused
 from pydy._forks import cached_property
 from pydy._rank import or_one
-from pydy.control.kernel import Equations, Functions, Point
+from pydy.control.kernel import ImplicitEquations, PointBuilder, PointFunctions
 from pydy.control.nlp import Nlp, PointGroup, cubics_at
 from pydy.control.schemes import Points, Scheme, Slots
 from pydy.control.tuning import JUMP, TOLERANCE, WIDE
@@ -59,7 +59,7 @@ class Lifted:
 class TranscribedProblem:
     """An optimal control problem as ordered data."""
 
-    equations: Equations
+    equations: ImplicitEquations
     states: int
     labels: tuple[str, ...]  # of the equations
     # Labels of those of the constraints, the last ones, that the start has to satisfy.
@@ -109,8 +109,10 @@ class TranscribedProblem:
     @property
     def named(self) -> dict[Any, tuple[str, int]]:
         """The inputs that stand for further symbols in the objective and path conditions."""
-        found = {one.symbol: ("e", k) for k, one in enumerate(self.lifted)}
-        return found if self.duration_symbol is None else {**found, self.duration_symbol: ("T", 0)}
+        inputs = {lifted.symbol: ("e", k) for k, lifted in enumerate(self.lifted)}
+        return (
+            inputs if self.duration_symbol is None else {**inputs, self.duration_symbol: ("T", 0)}
+        )
 
     @property
     def numbers(self) -> np.ndarray:
@@ -121,15 +123,15 @@ class TranscribedProblem:
 
     # -- machine code, for any mesh ----------------------------------------------------------------
 
-    def at_points(self, points: Points) -> Functions:
+    def at_points(self, points: Points) -> PointFunctions:
         """Return the equations, path conditions and the objective's part of collocation points."""
         key = (points.state, points.rate, points.rows)
         return self.once(key, lambda: self._at_points(points))
 
     def labels_at(self, points: Points) -> tuple[str, ...]:
         """Return the names of the collocation points' rows, without path conditions."""
-        held = len(self.equations.constraints)
-        first = len(self.labels) - held
+        constraint_count = len(self.equations.constraints)
+        first = len(self.labels) - constraint_count
         if points.rows == "constraints":
             return self.labels[first:]
         rates = tuple(f"rate of {name} at the start" for name in self.labels[first:])
@@ -141,10 +143,10 @@ class TranscribedProblem:
         if key not in self._compiled:
             with collector_paused():  # until the graph is gone, which is no old object
                 self._compiled[key] = make()
-        found: Compiled = self._compiled[key]
-        return found
+        compiled: Compiled = self._compiled[key]
+        return compiled
 
-    def _at_points(self, points: Points) -> Functions:
+    def _at_points(self, points: Points) -> PointFunctions:
         point, n = self._point(), self.states
         values = [point.variables(n) for _ in range(len(points.slots))]
         controls = point.variables(self.algebraic)
@@ -164,9 +166,14 @@ class TranscribedProblem:
         time = self._time(point, T, fraction)
         at = {("T", 0): T, **self._inputs(point, time, x, numbers, controls)}
         at |= {("d", k): node for k, node in enumerate(slopes)}
-        own, held = len(self.controls), len(self.equations.constraints)
-        at |= {("s", k): node for k, node in enumerate(controls[own : own + held])}
-        at |= {("e", k): node for k, node in enumerate(controls[own + held :])}
+        control_count, constraint_count = len(self.controls), len(self.equations.constraints)
+        at |= {
+            ("s", k): node
+            for k, node in enumerate(controls[control_count : control_count + constraint_count])
+        }
+        at |= {
+            ("e", k): node for k, node in enumerate(controls[control_count + constraint_count :])
+        }
         rows = point.residuals(at, points.rows)
         if points.rows == "constraints":
             return point.functions(rows, None, hessian=self.hessian)
@@ -175,31 +182,31 @@ class TranscribedProblem:
             rows += point.read(path, "`path`", at, self.named)
         cost, squares = None, []
         if self.running != 0:
-            wanted = [self.running, *(e for pair in self.squares for e in pair)]
-            nodes = point.read(wanted, "`objective`", at, self.named)
+            expressions = [self.running, *(e for pair in self.squares for e in pair)]
+            nodes = point.read(expressions, "`objective`", at, self.named)
             cost = g.mul(T, weight, nodes[0])
             factors = [g.mul(T, weight, factor) for factor in nodes[1::2]]
             squares = [*zip(factors, nodes[2::2], strict=True)]
         if self.noise:
-            pairs = zip(controls[:own], self.noise, strict=True)
+            pairs = zip(controls[:control_count], self.noise, strict=True)
             cost = g.mul(T, weight, g.sum([(g.powi(c, 2), 0.5 / s**2) for c, s in pairs]))
         return point.functions(rows, cost, hessian=self.hessian, squares=squares)
 
-    def _time(self, point: Point, T: int, fraction: int) -> int:
+    def _time(self, point: PointBuilder, T: int, fraction: int) -> int:
         """Return the node of the time."""
         begin = point.constant(point.constants - 1)
         return point.graph.add(begin, point.graph.mul(T, fraction))
 
     def _inputs(
-        self, point: Point, time: int, x: Sequence[int], numbers: Sequence[int],
+        self, point: PointBuilder, time: int, x: Sequence[int], numbers: Sequence[int],
         controls: Sequence[int] = (),
     ) -> dict[tuple[str, int], int]:  # fmt: skip
         """Return the nodes of time, states, constants and specifieds."""
-        known = len(self.constants)
+        constant_count = len(self.constants)
         at = {("t", 0): time}
         at |= {("x", k): node for k, node in enumerate(x)}
-        at |= {("p", k): node for k, node in enumerate(numbers[:known])}
-        at |= {("r", k): node for k, node in enumerate(numbers[known:])}
+        at |= {("p", k): node for k, node in enumerate(numbers[:constant_count])}
+        at |= {("r", k): node for k, node in enumerate(numbers[constant_count:])}
         at |= {("w", k): point.constant(len(numbers) + k) for k in range(self.states)}
         for columns, _ in self.signals:
             at |= {("r", k): self._signal(point, time) for k in columns.tolist()}
@@ -207,7 +214,7 @@ class TranscribedProblem:
             at["r", k] = point.graph.add(at["r", k], node) if self.noise else node
         return at
 
-    def _signal(self, point: Point, time: int) -> int:
+    def _signal(self, point: PointBuilder, time: int) -> int:
         """Return the node of a known signal, of the rows of `signals_at`."""
         if self.duration is not None:
             return point.data(1)[0]
@@ -224,15 +231,17 @@ class TranscribedProblem:
         """
         if self.duration is None:
             return cubics_at(self.signals, times)
-        within = times if middles is None else inside(times, middles)
-        rows = [s.rows(within if s.interpolation == "previous" else times) for _, s in self.signals]
+        side_times = times if middles is None else inside(times, middles)
+        rows = [
+            s.rows(side_times if s.interpolation == "previous" else times) for _, s in self.signals
+        ]
         return [column for row in rows for column in row.T]
 
-    def at_start(self, count: int) -> Functions:
+    def at_start(self, count: int) -> PointFunctions:
         """Return the last `count` of the constraints at the start."""
         return self.once(("start", count), lambda: self._at_start(count))
 
-    def _at_start(self, count: int) -> Functions:
+    def _at_start(self, count: int) -> PointFunctions:
         point = self._point()
         x = point.variables(self.states)
         numbers, T = self.unknown_numbers(point)
@@ -241,10 +250,10 @@ class TranscribedProblem:
         rows = point.residuals(at, "constraints")
         return point.functions(rows[len(rows) - count :], None, hessian=self.hessian)
 
-    def _point(self) -> Point:
-        return Point(self.equations, len(self.numbers))
+    def _point(self) -> PointBuilder:
+        return PointBuilder(self.equations, len(self.numbers))
 
-    def unknown_numbers(self, point: Point) -> tuple[list[int], int]:
+    def unknown_numbers(self, point: PointBuilder) -> tuple[list[int], int]:
         """Return the nodes of (p, r), those of `lifted_numbers` after them, and the duration."""
         count = len(self.constants) + len(self.specifieds)
         nodes = [point.constant(k) for k in range(count)]
@@ -255,39 +264,42 @@ class TranscribedProblem:
             return nodes, point.variables(1)[0]
         return nodes, point.constant(point.constants - 2)
 
-    def of_parameters(self) -> Functions:
+    def of_parameters(self) -> PointFunctions:
         """Return ½ (factor · (parameter − mean))² + slope · parameter, of these three data."""
         return self.once("parameters", self._of_parameters)
 
-    def _of_parameters(self) -> Functions:
-        point = Point(self.equations, 0)
+    def _of_parameters(self) -> PointFunctions:
+        point = PointBuilder(self.equations, 0)
         (parameter,), (mean, factor, slope), g = point.variables(1), point.data(3), point.graph
-        known = g.powi(g.mul(factor, g.sub(parameter, mean)), 2)
-        cost = g.sum([(known, 0.5), (g.mul(slope, parameter), 1.0)])
+        deviation = g.powi(g.mul(factor, g.sub(parameter, mean)), 2)
+        cost = g.sum([(deviation, 0.5), (g.mul(slope, parameter), 1.0)])
         return point.functions([], cost, hessian=self.hessian)
 
-    def at_samples(self, scheme: Scheme) -> tuple[Functions, Functions]:
+    def at_samples(self, scheme: Scheme) -> tuple[PointFunctions, PointFunctions]:
         """Return half the sum of squares of the residuals of a sample, and these as rows."""
         return self.once("samples", lambda: self._at_samples(scheme))
 
-    def _at_samples(self, scheme: Scheme) -> tuple[Functions, Functions]:
+    def _at_samples(self, scheme: Scheme) -> tuple[PointFunctions, PointFunctions]:
         point = self._point()
         g = point.graph
         counts = self.states, len(self.controls)
         powers = [kind.basis(np.zeros(1))[1].tolist() for kind in (scheme.states, scheme.controls)]
-        slots = [[point.variables(n) for _ in own] for n, own in zip(counts, powers, strict=True)]
+        slots = [
+            [point.variables(n) for _ in exponents]
+            for n, exponents in zip(counts, powers, strict=True)
+        ]
         numbers, T = self.unknown_numbers(point)
         fraction, length = point.data(2)
-        bases = [point.data(len(own)) for own in powers]
+        bases = [point.data(len(exponents)) for exponents in powers]
         h = g.mul(T, length)
         x, c = (
             [
                 point.combined(
-                    [(row[k], [b], p) for row, b, p in zip(rows, basis, own, strict=True)], h
+                    [(row[k], [b], p) for row, b, p in zip(rows, basis, exponents, strict=True)], h
                 )
                 for k in range(n)
             ]
-            for n, rows, basis, own in zip(counts, slots, bases, powers, strict=True)
+            for n, rows, basis, exponents in zip(counts, slots, bases, powers, strict=True)
         )
         time = self._time(point, T, fraction)
         at = {("T", 0): T, **self._inputs(point, time, x, numbers, c)}
@@ -300,25 +312,27 @@ class TranscribedProblem:
             point.functions(rows, None, hessian=None),
         )
 
-    def at_instants(self, scheme: Scheme) -> Functions | None:
+    def at_instants(self, scheme: Scheme) -> PointFunctions | None:
         """Return the boundary conditions and the objective's other part."""
         if not self.boundary and self.terminal == 0:
             return None
         return self.once("boundary", lambda: self._at_instants(scheme))
 
-    def _at_instants(self, scheme: Scheme) -> Functions:
+    def _at_instants(self, scheme: Scheme) -> PointFunctions:
         point = self._point()
         constants, T = self.unknown_numbers(point)
         atoms = {s: constants[k] for s, k in self.symbols.items()}
         first = len(constants) - len(self.lifted_numbers)
-        atoms |= {one.symbol: constants[first + k] for k, one in enumerate(self.lifted_numbers)}
+        atoms |= {
+            lifted.symbol: constants[first + k] for k, lifted in enumerate(self.lifted_numbers)
+        }
         if self.duration_symbol is not None:
             atoms[self.duration_symbol] = T
         for instant in self.instants:
             kind = scheme.states if instant.kind == "state" else scheme.controls
-            own = kind.basis(np.zeros(1))[1].tolist()
-            nodes, data = point.variables(len(own)), point.data(len(own))
-            terms = [(v, [c], p) for v, c, p in zip(nodes, data, own, strict=True)]
+            powers = kind.basis(np.zeros(1))[1].tolist()
+            nodes, data = point.variables(len(powers)), point.data(len(powers))
+            terms = [(v, [c], p) for v, c, p in zip(nodes, data, powers, strict=True)]
             # Each instant has an interval of its own.
             h = point.graph.mul(T, point.data(1)[0])
             atoms[instant.symbol] = point.combined(terms, h)
@@ -411,19 +425,19 @@ class Transcription:
     @cached_property
     def groups(self) -> tuple[PointGroup, ...]:
         """The functions of the program with their unknowns."""
-        made = [self._point_group(points) for points in self.points]
+        groups = [self._point_group(points) for points in self.points]
         if self.problem.constraints:
-            made.append(self.beginning())
+            groups.append(self.beginning())
         ends = self._ends()
-        return tuple(made) if ends is None else (*made, ends)
+        return tuple(groups) if ends is None else (*groups, ends)
 
     def _point_group(self, points: Points) -> PointGroup:
         p, n = self.problem, self.problem.states
-        slots, own = len(self.state_slots[0]), len(self.control_times)
+        slots, control_slots = len(self.state_slots[0]), len(self.control_times)
         count = len(points.fractions)
         states = [k * slots + row for row in points.slots for k in range(n)]
         first = self.sizes[0]
-        controls = [first + k * own + points.controls for k in range(p.algebraic)]
+        controls = [first + k * control_slots + points.controls for k in range(p.algebraic)]
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
         middles = None
         # Radau's points at the ends belong to one interval; those of `constraints_at` are of none.
@@ -479,9 +493,9 @@ class Transcription:
         at, data = [self._numbers_at(1)[:, 0]], []
         for instant in p.instants:
             slots, values, h = self.located(instant.kind, instant.fraction)
-            first, own = (0, len(self.state_slots[0])) if instant.kind == "state" else (
+            first, width = (0, len(self.state_slots[0])) if instant.kind == "state" else (
                 self.sizes[0], len(self.control_times))  # fmt: skip
-            at.append(first + instant.index * own + slots)
+            at.append(first + instant.index * width + slots)
             data += [values, [h]]
         fractions = {i.fraction for i in p.instants}
         return PointGroup(
@@ -510,8 +524,8 @@ class Transcription:
             (scheme.states, p.states, 0, len(self.state_slots[0])),
             (scheme.controls, len(p.controls), self.sizes[0], len(self.control_times)),
         ):
-            own = slots.of_intervals(self.intervals)[:, k]
-            at += [first + j * width + row for row in own for j in range(count)]
+            interval_slots = slots.of_intervals(self.intervals)[:, k]
+            at += [first + j * width + row for row in interval_slots for j in range(count)]
             bases += [*slots.basis(s)[0]]
         signals = p.signals_at(times)
         lengths = np.diff(self.mesh)[k]
@@ -519,10 +533,10 @@ class Transcription:
         rows = [fractions, lengths, *bases, *signals, *values.T, *weights.T]
         data, (cost, residuals) = np.ascontiguousarray(rows), p.at_samples(self.scheme)
         names = tuple(str(symbol) for symbol in p.measured)
-        places = np.concatenate([np.array(at), self._numbers_at(len(times))])
+        unknowns = np.concatenate([np.array(at), self._numbers_at(len(times))])
         return (
-            PointGroup(cost, places, data, p.numbers, (), fractions),
-            PointGroup(residuals, places, data, p.numbers, names, fractions),
+            PointGroup(cost, unknowns, data, p.numbers, (), fractions),
+            PointGroup(residuals, unknowns, data, p.numbers, names, fractions),
         )
 
     def tightened(self, z: np.ndarray) -> np.ndarray:
@@ -530,7 +544,7 @@ class Transcription:
 
         A solver leaves them beside by its tolerance, with an objective that is wrong by as much.
         """
-        p, found = self.problem, z.copy()
+        p, tightened = self.problem, z.copy()
         first = self.sizes[0] + (p.algebraic - len(p.lifted)) * len(self.control_times)
         sites = [
             (p.lifted, group, first, len(self.control_times), points.controls)
@@ -542,12 +556,12 @@ class Transcription:
         for lifted, group, begin, width, slots in sites:
             if lifted:
                 rows = group.evaluate("rows", z)
-                row = len(rows) - sum(one.parts for one in lifted)
-            for k, one in enumerate(lifted):
-                beyond = rows[row : row + one.parts].min(axis=0)
-                found[begin + k * width + slots] -= one.sign * beyond
-                row += one.parts
-        return found
+                row = len(rows) - sum(unknown.parts for unknown in lifted)
+            for k, unknown in enumerate(lifted):
+                excess = rows[row : row + unknown.parts].min(axis=0)
+                tightened[begin + k * width + slots] -= unknown.sign * excess
+                row += unknown.parts
+        return tightened
 
     def numbers(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the constants p and the specifieds r, including the ones found."""
@@ -577,9 +591,9 @@ class Transcription:
         """Return values (n, slots) at fractions s of intervals k, shape (m, n)."""
         basis, powers = slots.basis(s)
         weights = basis * (np.diff(self.mesh)[k] * duration) ** powers[:, None]
-        own = values[:, slots.of_intervals(self.intervals)[:, k]]
-        found: np.ndarray = np.einsum("nym,ym->mn", own, weights)
-        return found
+        slot_values = values[:, slots.of_intervals(self.intervals)[:, k]]
+        interpolated: np.ndarray = np.einsum("nym,ym->mn", slot_values, weights)
+        return interpolated
 
     def controls_at(self, z: np.ndarray, times: np.ndarray) -> np.ndarray:
         """Return the controls at m times, shape (m, c); at a node, those of the interval before."""
@@ -594,11 +608,11 @@ class Transcription:
             return np.empty((len(k), 0))
         _, controls, _, duration = self.split(z)
         values = controls[: len(self.problem.controls)]
-        found = self._interpolated(values, self.scheme.controls, k, s, duration)
+        sampled = self._interpolated(values, self.scheme.controls, k, s, duration)
         fractions = self.mesh[k] + s * np.diff(self.mesh)[k]
-        for column, (low, high) in zip(found.T, self.problem.control_bounds, strict=True):
+        for column, (low, high) in zip(sampled.T, self.problem.control_bounds, strict=True):
             np.clip(column, low(fractions), high(fractions), out=column)
-        return found
+        return sampled
 
     def _local(
         self, fractions: np.ndarray, side: Literal["left", "right"] = "right"
@@ -610,8 +624,8 @@ class Transcription:
 def inside(times: np.ndarray, middles: np.ndarray) -> np.ndarray:
     """Return times moved towards the middles of their intervals, by more than rounding."""
     shift = np.maximum(JUMP * np.abs(middles - times), 4 * np.spacing(np.abs(times)))
-    found: np.ndarray = times + np.sign(middles - times) * shift
-    return found
+    shifted: np.ndarray = times + np.sign(middles - times) * shift
+    return shifted
 
 
 def _limits(equations: int, conditions: Sequence[Condition]) -> tuple[np.ndarray, np.ndarray]:
@@ -625,7 +639,7 @@ def _limits(equations: int, conditions: Sequence[Condition]) -> tuple[np.ndarray
 
 
 def sizes_of(
-    made: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray
+    transcription: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return how large each unknown becomes, by what is known of it, and each state by its guess.
 
@@ -635,95 +649,99 @@ def sizes_of(
     all else tells are no sizes. A state that moves little, far from zero, is as large as it moves:
     tolerances relative to its distance from zero would let it stay.
     """
-    states, first, finite = made.split(z)[0], np.zeros_like(z), np.isfinite
-    nodes = states[:, ~made.state_slots[1]]
+    states, first, finite = transcription.split(z)[0], np.zeros_like(z), np.isfinite
+    nodes = states[:, ~transcription.state_slots[1]]
     low, high, far = nodes.min(axis=1), nodes.max(axis=1), np.abs(nodes).max(axis=1)
     narrow = (low < high) & (high - low < 1e-3 * far)
     shift = np.where(narrow, 0.5 * (low + high), 0.0)
-    made.split(first)[0][:, ~made.state_slots[1]] = shift[:, None]
-    known = [np.where(finite(v), np.abs(v - first), 0.0) for v in (z, lower, upper)]
-    parts = [made.split(value) for value in known]
+    transcription.split(first)[0][:, ~transcription.state_slots[1]] = shift[:, None]
+    distances = [np.where(finite(v), np.abs(v - first), 0.0) for v in (z, lower, upper)]
+    parts = [transcription.split(value) for value in distances]
     # The rounding of what is that far from zero must be below the tolerance.
     least = np.where(narrow, 8 * np.finfo(float).eps / TOLERANCE * far, 0.0)
-    x = np.array([p[0].max(axis=1, where=~made.state_slots[1], initial=0.0) for p in parts])
+    x = np.array(
+        [p[0].max(axis=1, where=~transcription.state_slots[1], initial=0.0) for p in parts]
+    )
     u = np.array([p[1].max(axis=1, initial=0.0) for p in parts])
     c = np.array([p[2] for p in parts])
     x[0] = np.maximum(x[0], least)
-    duration = made.split(z)[3]
+    duration = transcription.split(z)[3]
     xu, n = np.concatenate([x, u], axis=1), x.shape[1]
-    sizes, told = xu.max(axis=0), xu[0]
-    if (xu[1:] > WIDE * told).any() or not told.all():
-        table = _slopes(made, z, xu.shape[1])
-        told = _spread(table, told)
-        _leave_out_wide(xu, told)
-        sizes = _spread(table, xu.max(axis=0))
+    sizes, guessed = xu.max(axis=0), xu[0]
+    if (xu[1:] > WIDE * guessed).any() or not guessed.all():
+        table = _slopes(transcription, z, xu.shape[1])
+        guessed = _propagated_sizes(table, guessed)
+        _leave_out_wide(xu, guessed)
+        sizes = _propagated_sizes(table, xu.max(axis=0))
     _leave_out_wide(c, c[0])
     x, u, c = or_one(sizes[:n]), or_one(sizes[n:]), c.max(axis=0)
-    slopes = np.where(made.state_slots[1], 1.0 / duration, 1.0)
-    units = made.unknowns_of(
-        x[:, None] * slopes, np.repeat(u[:, None], len(made.control_times), 1), or_one(c),
+    slopes = np.where(transcription.state_slots[1], 1.0 / duration, 1.0)
+    units = transcription.unknowns_of(
+        x[:, None] * slopes, np.repeat(u[:, None], len(transcription.control_times), 1), or_one(c),
         duration,
     )  # fmt: skip
-    return units, or_one(told[:n])
+    return units, or_one(guessed[:n])
 
 
 def metric_of(sizes: np.ndarray) -> np.ndarray:
     """Return in which shares slack velocities move states of some sizes."""
-    known = or_one(sizes)
-    found: np.ndarray = (known / known.max(initial=0.0)) ** 2
-    return found
+    units = or_one(sizes)
+    metric: np.ndarray = (units / units.max(initial=0.0)) ** 2
+    return metric
 
 
-def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
+def _leave_out_wide(sizes: np.ndarray, guessed: np.ndarray) -> None:
     """Drop bounds, the second and third row, that are far wider than the known sizes."""
-    sizes[1:][(sizes[1:] > WIDE * told) & (told > 0.0)] = 0.0
+    sizes[1:][(sizes[1:] > WIDE * guessed) & (guessed > 0.0)] = 0.0
 
 
-def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
+def _slopes(transcription: Transcription, z: np.ndarray, width: int) -> np.ndarray:
     """Return how much each equation changes with each state and control, shape (rows, width)."""
-    whole, n = made.single_interval, made.problem.states
-    times = [whole.state_slots[0], whole.control_times]
-    _, _, constants, duration = made.split(z)
+    interval, n = transcription.single_interval, transcription.problem.states
+    times = [interval.state_slots[0], interval.control_times]
+    _, _, constants, duration = transcription.split(z)
     # Along the motion, and as if it stayed where it begins or ends: in its middle alone an arm may
     # be level, where its weight has a torque that no turn changes, but for rounding.
-    ways = (times, *([0 * t + end for t in times] for end in (0.0, 1.0)))
-    states, controls = (np.concatenate(parts) for parts in zip(*ways, strict=True))
-    x = np.split(made.states_at(z, states * duration).T, len(ways), axis=1)
-    u = np.zeros((made.problem.algebraic, len(controls)))
-    u[: len(made.problem.controls)] = made.controls_at(z, controls * duration).T
+    variants = (times, *([0 * t + end for t in times] for end in (0.0, 1.0)))
+    states, controls = (np.concatenate(parts) for parts in zip(*variants, strict=True))
+    x = np.split(transcription.states_at(z, states * duration).T, len(variants), axis=1)
+    u = np.zeros((transcription.problem.algebraic, len(controls)))
+    u[: len(transcription.problem.controls)] = transcription.controls_at(z, controls * duration).T
     at = [
-        whole.unknowns_of(np.where(whole.state_slots[1], 0.0, own), c, constants, duration)
-        for own, c in zip(x, np.split(u, len(ways), axis=1), strict=True)
+        interval.unknowns_of(
+            np.where(interval.state_slots[1], 0.0, x_variant), c, constants, duration
+        )
+        for x_variant, c in zip(x, np.split(u, len(variants), axis=1), strict=True)
     ]
     owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),
                             n + np.repeat(np.arange(width - n), len(times[1]))])  # fmt: skip
     owner = np.append(owner, np.full(len(at[0]) - len(owner), width))
     weights = np.ones(len(owner))
-    weights[: n * len(times[0])][np.tile(whole.state_slots[1], n)] = 1.0 / duration
+    weights[: n * len(times[0])][np.tile(interval.state_slots[1], n)] = 1.0 / duration
     tables = [np.empty((0, width + 1))]
-    for group in whole.groups:
+    for group in interval.groups:
         f, points = group.functions, group.points
-        X = np.concatenate([one[group.at] for one in at], axis=1)
-        data = np.tile(group.data_at(at[0]), len(ways))  # whose durations are one
+        X = np.concatenate([unknown_vector[group.at] for unknown_vector in at], axis=1)
+        data = np.tile(group.data_at(at[0]), len(variants))  # whose durations are one
         entries = np.abs(np.nan_to_num(f("jacobian", X, data, group.constants)))
         rows, variables = f.jacobian_at.T
-        places = group.at[variables]
-        largest = entries.reshape(len(rows), len(ways), points).max(axis=1) * weights[places]
+        unknowns = group.at[variables]
+        largest = entries.reshape(len(rows), len(variants), points).max(axis=1) * weights[unknowns]
         table = np.zeros((group.rows * points, width + 1))
-        np.maximum.at(table, (rows[:, None] * points + np.arange(points), owner[places]), largest)
+        np.maximum.at(table, (rows[:, None] * points + np.arange(points), owner[unknowns]), largest)
         tables.append(table)
     return np.concatenate(tables)[:, :width]
 
 
-def _spread(table: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+def _propagated_sizes(table: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     """Return sizes of states and controls where zeros are found from the equations, or stay."""
     for _ in range(len(sizes)):
         reach = (table * sizes).max(axis=1, initial=0.0)
         need = np.where((table > 0.0) & (reach[:, None] > 0.0),
                         reach[:, None] / np.where(table > 0.0, table, 1.0), np.inf)  # fmt: skip
-        found = need.min(axis=0, initial=np.inf)
-        new = (sizes == 0.0) & np.isfinite(found)
+        implied = need.min(axis=0, initial=np.inf)
+        new = (sizes == 0.0) & np.isfinite(implied)
         if not new.any():
             break
-        sizes = np.where(new, found, sizes)
+        sizes = np.where(new, implied, sizes)
     return sizes

@@ -31,7 +31,7 @@ JUMPS = 4
 """Intervals in which a control may go back and forth for another reason than a singular arc: it
 jumps at both ends of an arc, where its polynomials overshoot in an interval and the next one."""
 
-CARRIED = 10
+NODE_DEVIATION = 10
 """How many tolerances of a mesh a simulation from the start on may be beside a node: errors of ten
 intervals that all count in full, of the hundreds that stable motions have."""
 
@@ -64,7 +64,7 @@ PROXIMAL, STEADY = 1e-9, 3
 corrected for that: each time reduces the effect by this share of the smallest eigenvalue that is
 not zero."""
 
-MOST_CORRECTIONS, STILL = 10, 0.03
+MOST_CORRECTIONS, CONVERGED_SHARE = 10, 0.03
 """How often the likelihood's slope is computed anew, at most, and the share of a standard error
 by which the estimates then still move: a thirtieth adds a thousandth to the variance."""
 
@@ -88,7 +88,7 @@ LEAST_MESH_TOL = 1.5e-14
 """The least `mesh_tol`: 64 units of rounding. The integration of an interval with up to 64 steps
 leaves as much, on any mesh, which would be divided for ever."""
 
-KEPT = 16
+STORED_FUNCTIONS = 16
 """Functions of points that a model keeps for further problems: a problem has at most five, of its
 points, start, ends, samples and parameters, so that three in turn derive nothing anew."""
 

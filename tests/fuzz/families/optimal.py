@@ -82,7 +82,7 @@ def _optimal(guess: Any = None, **changes: Any) -> Any:
     }
     system = driven(o, specifieds={o.g: given.pop("known", 0.125)})
     problem = OptimalControl(system, given.pop("objective"), given.pop("duration"), **given)
-    program, z, _ = problem._joined([problem._mesh], [guess])
+    program, z, _ = problem._combined_program([problem._mesh], [guess])
     return z, program.lower, program.upper
 
 
