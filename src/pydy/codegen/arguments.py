@@ -44,14 +44,14 @@ _UNCHANGING = frozenset((float, int, FunctionType, SampledInput))
 class _Argument:
     """How an argument of the generated functions is read; without `arg_type`, as each value is."""
 
-    def __init__(self, places: Places, arg_type: str | None) -> None:
-        self.places, self.arg_type = places, arg_type
+    def __init__(self, symbol_index: Places, arg_type: str | None) -> None:
+        self.symbol_index, self.arg_type = symbol_index, arg_type
 
-    def plain(self, values: dict[Any, Any]) -> Any:
+    def numeric_array(self, values: dict[Any, Any]) -> Any:
         """Return a dictionary that gives all symbols plain numbers as an array, or itself."""
         if self.arg_type not in (None, "dictionary"):
             return values
-        numbers = self.places.plain(values)
+        numbers = self.symbol_index.plain(values)
         return values if numbers is None else numbers
 
 
@@ -69,8 +69,8 @@ class ConstantsArgument(_Argument):
                 f"`p` must be a dictionary, as `constants_arg_type` says, got {type(p).__name__}."
             )
         if self.arg_type == "array" or not isinstance(p, Mapping):
-            return vector(p, len(self.places), "`p`, the constants,")
-        return self.places.read("p", p)
+            return vector(p, len(self.symbol_index), "`p`, the constants,")
+        return self.symbol_index.read("p", p)
 
 
 class SpecifiedsArgument(_Argument):
@@ -86,7 +86,7 @@ class SpecifiedsArgument(_Argument):
     def __call__(self, r: Any, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at one state and time as an array of shape (s,)."""
         kind = self.arg_type
-        symbols = self.places.symbols
+        symbols = self.symbol_index.symbols
         if isinstance(r, SampledInput):
             r = {symbols: r}
         if kind is None:
@@ -108,15 +108,15 @@ class SpecifiedsArgument(_Argument):
             )
         if {*map(type, r.values())} <= _USUAL:
             try:
-                groups = self.places.groups(r, "r")
+                groups = self.symbol_index.groups(r, "r")
             except ValueError:
                 if (later := merged(r)) is r:
-                    groups = _groups(self.places, r, "r")  # which raises with more words
+                    groups = _groups(self.symbol_index, r, "r")  # which raises with more words
                 else:
                     return self(later, x, t)
             if sum(len(names) for names, *_ in groups) == len(symbols):
-                return self._called(groups, r.values(), x, t)
-        plan = SpecifiedsPlan(r, self.places, time_first=self.time_first, complete=True)
+                return self._evaluated(groups, r.values(), x, t)
+        plan = SpecifiedsPlan(r, self.symbol_index, time_first=self.time_first, complete=True)
         if plan.expressions:
             raise ValueError(
                 f"`r` gives a SymPy expression for {describe(list(plan.expressions))}, but this "
@@ -125,11 +125,11 @@ class SpecifiedsArgument(_Argument):
             )
         return plan.inputs(x, t)
 
-    def _called(
+    def _evaluated(
         self, groups: Iterable[Any], values: Iterable[Any], x: np.ndarray, t: float
     ) -> np.ndarray:
         """Return r from floats and functions alone, as a plan would, without making one."""
-        result = np.empty(len(self.places))
+        result = np.empty(len(self.symbol_index))
         for (names, columns, _), value in zip(groups, values, strict=True):
             if type(value) is not float:
                 value = evaluate_function(value, names, x, t, self.time_first)
@@ -137,15 +137,17 @@ class SpecifiedsArgument(_Argument):
         return result
 
 
-def _groups(places: Places, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
+def _groups(
+    symbol_index: Places, values: Mapping[Any, Any], argument: str
+) -> list[tuple[Any, ...]]:
     """Return what `Places.groups` does, and say of the time that it is known."""
     try:
-        return places.groups(values, argument)
+        return symbol_index.groups(values, argument)
     except ValueError as error:
         time = dynamicsymbols._t
         keys = [k for key in values for k in (key if isinstance(key, (tuple, list)) else (key,))]
-        given = [k for k in keys if isinstance(k, (str, sm.Symbol)) and k in (time, str(time))]
-        if not given or places.get(given[0], argument) is not None:
+        time_keys = [k for k in keys if isinstance(k, (str, sm.Symbol)) and k in (time, str(time))]
+        if not time_keys or symbol_index.get(time_keys[0], argument) is not None:
             raise
         raise ValueError(
             f"{error} `{time}` is the time, which is known wherever it occurs: leave it out."
@@ -165,15 +167,15 @@ def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, A
     return {tuple(symbols): values["values"]}, True
 
 
-def checked_expression(value: Any, what: str) -> Any:
+def checked_expression(value: Any, label: str) -> Any:
     """Return a number or an expression as SymPy's; no text, which SymPy would read."""
     none = isinstance(value, sm.Expr) and value in (sm.oo, -sm.oo, sm.zoo, sm.nan)
     if isinstance(value, (sm.Expr, Boolean)) and not (none or getattr(value, "is_Matrix", False)):
         return value
     if none or isinstance(value, (Number, np.generic)):
-        number(value, what, finite=True)
+        number(value, label, finite=True)
         return sm.sympify(value)
-    raise ValueError(f"{what} must be SymPy expressions or numbers, got {shown(value)}.")
+    raise ValueError(f"{label} must be SymPy expressions or numbers, got {shown(value)}.")
 
 
 def symbolic_entries(value: Any) -> list[Any] | None:
@@ -201,8 +203,8 @@ class OfTime(ABC):
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return the values at a time."""
-        found: np.ndarray = self.along(np.array([t]))[0]
-        return found
+        values: np.ndarray = self.along(np.array([t]))[0]
+        return values
 
     @abstractmethod
     def along(self, times: np.ndarray) -> np.ndarray:
@@ -216,7 +218,7 @@ class _Checked:
     function: Callable[..., Any]
     names: tuple[Any, ...]
     time_first: bool
-    kept: tuple[int, ...]
+    retained: tuple[int, ...]
 
     @property
     def label(self) -> str:
@@ -226,7 +228,7 @@ class _Checked:
     @property
     def identity(self) -> tuple[Any, ...]:
         """The data that determine the values beside the function, without their positions."""
-        return self.time_first, self.kept
+        return self.time_first, self.retained
 
     @property
     def along(self) -> Callable[[np.ndarray], np.ndarray] | None:
@@ -234,15 +236,15 @@ class _Checked:
         function = self.function
         if not isinstance(function, OfTime):
             return None
-        return lambda times: function.along(times)[:, list(self.kept)]
+        return lambda times: function.along(times)[:, list(self.retained)]
 
-    def of(self, places: Iterable[int]) -> _Checked:
+    def of(self, positions: Iterable[int]) -> _Checked:
         """Return the same for some of the specifieds that it is kept for."""
-        return replace(self, kept=tuple(self.kept[j] for j in places))
+        return replace(self, retained=tuple(self.retained[j] for j in positions))
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         value = evaluate_function(self.function, self.names, x, t, self.time_first)
-        return value if len(self.kept) == len(self.names) else value[list(self.kept)]
+        return value if len(self.retained) == len(self.names) else value[list(self.retained)]
 
 
 class SpecifiedsPlan:
@@ -270,19 +272,19 @@ class SpecifiedsPlan:
         complete: bool = False,
         argument: str = "r",
     ) -> None:
-        places = symbols if isinstance(symbols, Places) else Places(symbols, _SPECIFIEDS)
-        self.places = places
-        self.symbols = places.symbols
+        symbol_index = symbols if isinstance(symbols, Places) else Places(symbols, _SPECIFIEDS)
+        self.symbol_index = symbol_index
+        self.symbols = symbol_index.symbols
         numbers = np.zeros(len(self.symbols))
         self.expressions: dict[Any, Any] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
         functions: list[tuple[np.ndarray, _Checked]] = []
-        self._given = [*values], [*values.values()]
+        self._entries = [*values], [*values.values()]
         values, together = one_format(values, argument)
         if len(values) > 1 and (later := merged(values)) is not values:
             values = later
-            self._given = [*values], [*values.values()]
-        groups = _groups(places, values, argument) if values else []
+            self._entries = [*values], [*values.values()]
+        groups = _groups(symbol_index, values, argument) if values else []
         self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:
@@ -290,11 +292,11 @@ class SpecifiedsPlan:
             elif isinstance(value, SampledInput) and value.size == len(names):
                 sampled.append((columns, value))
             elif callable(value) and not isinstance(value, (SampledInput, sm.Basic)):
-                whole = tuple(range(len(names)))
-                if _is_swapped(value, time_first) and value.__code__ not in _TOLD:
-                    _TOLD.add(value.__code__)
+                all_positions = tuple(range(len(names)))
+                if _is_swapped(value, time_first) and value.__code__ not in _WARNED:
+                    _WARNED.add(value.__code__)
                     warn_user(_swapped(value, names, time_first))
-                functions.append((columns, _Checked(value, names, time_first, whole)))
+                functions.append((columns, _Checked(value, names, time_first, all_positions)))
             else:
                 label = f"`{argument}['values']`" if together else f"`{argument}` for "
                 label += "" if together else describe(names)
@@ -335,14 +337,14 @@ class SpecifiedsPlan:
                     "For values over time pass pydy.inputs.SampledInput(times, values)."
                 )
             try:  # one number for several symbols holds for each
-                given = real_array(value, label) if several else number(value, label)
+                checked = real_array(value, label) if several else number(value, label)
             except ValueError as error:
                 raise ValueError(
                     f"{error} Other than numbers, values may be functions g(x, t), SymPy "
                     "expressions and SampledInputs."
                 ) from None
-            one = not several or np.ndim(given) == 0
-            numbers[columns] = given if one else vector(given, len(names), label)
+            is_scalar = not several or np.ndim(checked) == 0
+            numbers[columns] = checked if is_scalar else vector(checked, len(names), label)
             return
         if len(entries) != len(names):
             raise ValueError(
@@ -368,11 +370,11 @@ class SpecifiedsPlan:
 
     def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
         """Return the plan of a dictionary that surely differs in floats alone, or None."""
-        keys, before = self._given
-        given, moved = [*values.values()], []
+        keys, before = self._entries
+        entries, moved = [*values.values()], []
         if [*values] != keys:
             return None
-        for k, (value, old) in enumerate(zip(given, before, strict=True)):
+        for k, (value, old) in enumerate(zip(entries, before, strict=True)):
             if value is old and _is_unchanging(value):
                 continue
             if type(value) is not float or type(old) is not float or not isfinite(value):
@@ -383,28 +385,28 @@ class SpecifiedsPlan:
             result = copy(self)
             numbers = self.inputs.values.copy()
             for k in moved:
-                numbers[self._columns[k]] = given[k]
-            result._given, result.inputs = (keys, given), replace(self.inputs, values=numbers)
+                numbers[self._columns[k]] = entries[k]
+            result._entries, result.inputs = (keys, entries), replace(self.inputs, values=numbers)
         return result
 
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
         """Return this plan with another's values in place of its own, where the other has any."""
-        result = SpecifiedsPlan({}, self.places)
-        kept = [s not in other.given for s in self.symbols]
-        mine, others = self.inputs, other.inputs
+        result = SpecifiedsPlan({}, self.symbol_index)
+        unchanged = [s not in other.given for s in self.symbols]
+        mine, other_inputs = self.inputs, other.inputs
         expressions = {s: e for s, e in self.expressions.items() if s not in other.given}
         result.expressions = {**expressions, **other.expressions}
         result.given = self.given | other.given
 
         def left_of(parts: Iterable[tuple[np.ndarray, Any]]) -> Iterator[tuple[np.ndarray, Any]]:
             for columns, part in parts:
-                if left := [j for j, c in enumerate(columns) if kept[c]]:
-                    yield columns[left], part.of(left)
+                if unchanged_positions := [j for j, c in enumerate(columns) if unchanged[c]]:
+                    yield columns[unchanged_positions], part.of(unchanged_positions)
 
         result.inputs = Inputs(
-            np.where(kept, mine.values, others.values),
-            (*left_of(mine.sampled), *others.sampled),
-            (*left_of(mine.functions), *others.functions),
+            np.where(unchanged, mine.values, other_inputs.values),
+            (*left_of(mine.sampled), *other_inputs.sampled),
+            (*left_of(mine.functions), *other_inputs.functions),
         )
         return result
 
@@ -459,9 +461,9 @@ def evaluate_function(
     time_first: bool = False,
 ) -> np.ndarray:
     """Call a user's function for some specifieds; an exception in it keeps its own type."""
-    own = np.array(x)  # what the function writes into it must not reach the solver's state
+    state_copy = np.array(x)  # what the function writes into it must not reach the solver's state
     try:
-        value = function(t, own) if time_first else function(own, t)
+        value = function(t, state_copy) if time_first else function(state_copy, t)
     except Exception as error:
         if isinstance(error, TypeError):
             _check_arity(function, symbols, "t, x" if time_first else "x, t")
@@ -484,13 +486,13 @@ def evaluate_function(
         return value  # the usual cases, without the cost of a label
     if type(value) is float and size == 1:
         return np.array([value])
-    what = f"The function given for the specifieds {describe(symbols)}, called at t = {t!r},"
-    array = real_array(value, what)
+    label = f"The function given for the specifieds {describe(symbols)}, called at t = {t!r},"
+    array = real_array(value, label)
     if array.shape == (size,) or (size == 1 and array.shape == ()):
         return np.ascontiguousarray(array.reshape(size))
     shapes = "a float or the shape (1,)" if size == 1 else f"the shape ({size},)"
     hint = f" {_swapped(function, symbols, time_first)}" * _is_swapped(function, time_first)
-    raise ValueError(f"{what} must return {shapes}, got the shape {array.shape}.{hint}")
+    raise ValueError(f"{label} must return {shapes}, got the shape {array.shape}.{hint}")
 
 
 def _reenters(error: BaseException, function: Callable[..., Any]) -> bool:
@@ -510,7 +512,7 @@ def _argument_names(function: Callable[..., Any]) -> tuple[str, ...]:
     return names[1:] if hasattr(function, "__self__") else names
 
 
-_TOLD: WeakSet[Any] = WeakSet()  # code of functions whose users have been warned
+_WARNED: WeakSet[Any] = WeakSet()  # code of functions whose users have been warned
 
 
 def _is_swapped(function: Callable[..., Any], time_first: bool) -> bool:
@@ -531,13 +533,13 @@ def _swapped(function: Callable[..., Any], symbols: Sequence[Any], time_first: b
 def _check_arity(function: Callable[..., Any], symbols: Sequence[Any], arguments: str) -> None:
     """Raise a TypeError where a user's function does not take two arguments."""
     try:
-        taken = signature(function)
+        parameters = signature(function)
     except (TypeError, ValueError):  # what is not written in Python may have none
         return
     try:
-        taken.bind(0.0, 0.0)
+        parameters.bind(0.0, 0.0)
     except TypeError:
         raise TypeError(
             f"The function given for the specifieds {describe(symbols)} must take the state and "
-            f"the time, g({arguments}), got a function of {taken}."
+            f"the time, g({arguments}), got a function of {parameters}."
         ) from None

@@ -151,7 +151,7 @@ def generate_ode_function(
     backend = resolve(generator)
     if hasattr(backend, "generate") and not hasattr(backend, "compile"):
         # A class in the manner of PyDy 0.9 gets the symbolic arguments as they came.
-        made: Callable[..., Any] = backend(
+        function: Callable[..., Any] = backend(
             right_hand_side,
             coordinates,
             speeds,
@@ -164,7 +164,7 @@ def generate_ode_function(
             specifieds_arg_type=specifieds_arg_type,
             **generator_options,
         ).generate()
-        return made
+        return function
     off = frozenset() if flag(generator_options.get("cse", True), "`cse`") else rewriting()
     external = callable(solver)
     form = Form(force, q, u, p, r, time, matrix, first, values)
@@ -188,9 +188,9 @@ def _symbols(argument: str, value: Any, parts: Sequence[Any], time: Any) -> list
     """Return a user's list of symbols, with names replaced by the symbols of the equations."""
     symbols = listed(argument, value, hashable=True)
     if any(isinstance(s, str) for s in symbols):
-        found = find_symbols([e for part in parts for e in sm.Matrix(part)])
-        found.pop(time, None)
-        symbols = resolved(argument, symbols, found, "symbols of the equations")
+        equation_symbols = find_symbols([e for part in parts for e in sm.Matrix(part)])
+        equation_symbols.pop(time, None)
+        symbols = resolved(argument, symbols, equation_symbols, "symbols of the equations")
     if time in symbols:
         raise ValueError(
             f"`{argument}` has `{time}`, which is time in the equations: its value would be "
@@ -271,10 +271,10 @@ def _matrix(value: Any) -> Any:
     return sm.Matrix([[checked_expression(e, "`mass_matrix`") for e in row] for row in rows])
 
 
-def _check_length(argument: str, value: list[Any], size: int, what: str) -> None:
+def _check_length(argument: str, value: list[Any], size: int, rows: str) -> None:
     if len(value) != size:
         raise ValueError(
-            f"`{argument}` must have {size} entries, one for each of the {what}, got {len(value)}."
+            f"`{argument}` must have {size} entries, one for each of the {rows}, got {len(value)}."
         )
 
 
@@ -297,7 +297,7 @@ def _refuse_repeated(symbols: list[Any]) -> None:
 _COUNTER = itertools.count(1)
 
 
-class _Generated:
+class _FunctionRegistry:
     """The generated functions that are alive, by name."""
 
     def __init__(self) -> None:
@@ -336,7 +336,7 @@ def _handle(implementation: RightHandSide) -> _Handle:
     return _Handle(make_function(implementation))
 
 
-generated = _Generated()
+generated = _FunctionRegistry()
 
 
 class _Name(str):

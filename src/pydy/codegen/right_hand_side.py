@@ -131,8 +131,8 @@ y : ndarray, shape({o},)
 
 
 def _items(names: Sequence[Any]) -> str:
-    told = told_apart(names, [_name(name) for name in names])
-    return "\n".join(f"        - {name}" for name in told)
+    labels = told_apart(names, [_name(name) for name in names])
+    return "\n".join(f"        - {name}" for name in labels)
 
 
 def _name(symbol: Any) -> str:
@@ -209,7 +209,7 @@ class RightHandSide:
         call = kernel.gate  # compiled by `slow`, if ever: solvers may want the best code only
         n, total = len(self.layout.states), len(self.layout.states) + self.num_outputs
         empty, nothing, swapped = np.empty, _NOTHING, self.time_first
-        plain_p, plain_r = self.constants.plain, self.specifieds.plain
+        plain_p, plain_r = self.constants.numeric_array, self.specifieds.numeric_array
         if self.layout.specifieds:
 
             def evaluate(args: tuple[Any, ...]) -> np.ndarray:
@@ -367,18 +367,18 @@ def make_backend(generator: Any, options: dict[str, Any]) -> Any:
     """Return a back end with its options, or say which options it has."""
     backend = resolve(generator)
     try:
-        taken = list(signature(backend).parameters.values())
+        parameters = list(signature(backend).parameters.values())
     except ValueError:  # a class that is not written in Python may have none
-        taken = [Parameter("options", Parameter.VAR_KEYWORD)]
-    known = [p.name for p in taken]
-    open_ended = any(p.kind is Parameter.VAR_KEYWORD for p in taken)
-    unknown = [] if open_ended else [name for name in options if name not in known]
+        parameters = [Parameter("options", Parameter.VAR_KEYWORD)]
+    option_names = [p.name for p in parameters]
+    open_ended = any(p.kind is Parameter.VAR_KEYWORD for p in parameters)
+    unknown = [] if open_ended else [name for name in options if name not in option_names]
     if unknown:
         raise TypeError(
             f"generate_ode_function() has no option `{unknown[0]}` for the generator "
-            f"{generator!r}. {nearest(unknown[0], known)}"
+            f"{generator!r}. {nearest(unknown[0], option_names)}"
         )
-    made = backend(**options)
-    if not hasattr(made, "compile"):
+    configured = backend(**options)
+    if not hasattr(configured, "compile"):
         raise refusal(backend)
-    return made
+    return configured

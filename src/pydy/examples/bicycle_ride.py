@@ -45,7 +45,7 @@ TIMES = np.linspace(0.0, 5.0, num=501)
 SOLVER = {"rtol": 1e-10, "atol": 1e-10, "hmax": 0.02}
 TITLE = f"Carvallo–Whipple bicycle at {SPEED:g} m/s, hands off: it recovers from a push"
 LIVE_TITLE = "Carvallo–Whipple bicycle, hands off: slower than 4.29 m/s it sways, and falls"
-FALLEN, TURNED = 0.8, 1.2  # rad of roll and of steer, where the ride ends
+FALLEN, STEERED = 0.8, 1.2  # rad of roll and of steer, where the ride ends
 MODES = ("weave", "weave", "capsize", "castering")  # in the order they were published
 
 
@@ -176,9 +176,9 @@ def ride() -> Ride:
         static = system.evaluate_outputs()[-2:]
         A = system.evaluate_jacobian()
         C = np.vstack([system.evaluate_jacobian(of=kind) for kind in ("holonomic", "velocity")])
-        found = constrained_eigenvalues(A, C)
+        eigenvalues = constrained_eigenvalues(A, C)
     published = np.array(whipple_bicycle.PUBLISHED_EIGENVALUES[SPEED])
-    nearest = [int(np.abs(found - value).argmin()) for value in published]
+    nearest = [int(np.abs(eigenvalues - value).argmin()) for value in published]
 
     with stage("initial conditions"):
         # Only what is free: where it is, how it leans, rolls and steers, and how fast it goes.
@@ -222,9 +222,9 @@ def ride() -> Ride:
         energy=float(energy[0]),
         energy_drift=float(np.abs(energy / energy[0] - 1).max()),
         drift_off_ground=float(off_ground / constants[bicycle["w"]]),
-        eigenvalues=found[nearest],
+        eigenvalues=eigenvalues[nearest],
         published=published,
-        other_eigenvalues=np.delete(found, nearest),
+        other_eigenvalues=np.delete(eigenvalues, nearest),
         seconds=seconds,
         trajectory=pushed,
         scene=scene,
@@ -282,7 +282,7 @@ def simulate(ride: Ride, path: Path) -> None:
     }
     falls = [
         Event(phi**2 - FALLEN**2, direction=1, terminal=True, name="fall"),
-        Event(delta**2 - TURNED**2, direction=1, terminal=True, name="fork across"),
+        Event(delta**2 - STEERED**2, direction=1, terminal=True, name="fork across"),
     ]
     scene.to_html(path, live=Live(sliders, events=falls, max_step=0.02))
 
@@ -315,9 +315,9 @@ def draw(ride: Ride, path: Path) -> None:
     angles.set_ylabel("angle [deg]")
 
     for k, (name, colour) in enumerate((("rear", "tab:red"), ("front", "tab:green"))):
-        still = float(ride.static_forces[k])
-        label = f"{name} wheel (riding straight: {still:.1f} N)"
-        forces.plot(ride.times, ride.contact_forces[:, k] - still, color=colour, label=label)
+        static_force = float(ride.static_forces[k])
+        label = f"{name} wheel (riding straight: {static_force:.1f} N)"
+        forces.plot(ride.times, ride.contact_forces[:, k] - static_force, color=colour, label=label)
     forces.axhline(0, color="0.6", linewidth=0.8, zorder=0)
     forces.set_ylabel("change of vertical contact force [N]")
 
@@ -326,8 +326,8 @@ def draw(ride: Ride, path: Path) -> None:
         (ride.holonomic, "holonomic [m]", "tab:purple"),
         (ride.velocity, "velocity [m/s]", "tab:brown"),
     ):
-        shown = np.where(values > 0, values, np.nan)
-        residuals.semilogy(ride.times, shown, color=colour, label=label)
+        positive = np.where(values > 0, values, np.nan)
+        residuals.semilogy(ride.times, positive, color=colour, label=label)
     residuals.set_ylabel("largest constraint residual")
     residuals.set_xlabel("time [s]")
     residuals.set_xlim(ride.times[0], ride.times[-1])
@@ -340,5 +340,5 @@ def draw(ride: Ride, path: Path) -> None:
         axes.axvspan(PUSH_START, PUSH_END, color="0.88", zorder=0, label=f"push, up to {PUSH:g} N")
         axes.grid(alpha=0.3)
         axes.legend(loc=corner, fontsize=9)
-    with replacing(path) as (place,):
-        figure.savefig(place, dpi=150)
+    with replacing(path) as (temporary_path,):
+        figure.savefig(temporary_path, dpi=150)

@@ -44,7 +44,7 @@ def visuals(bicycle: Bicycle) -> list[Visual]:
     list of Visual
         Parts of one body have one name, so that they share a row of the legend.
     """
-    parts = _Parts(bicycle)
+    parts = _BicycleVisuals(bicycle)
     rear, front = parts.rear, parts.front
     points = bicycle.points
 
@@ -71,7 +71,7 @@ def visuals(bicycle: Bicycle) -> list[Visual]:
     bar = [(0.72, -0.99, -0.27), (0.86, -1.0, -0.2), (0.87, -0.99, 0.0)]
     bar += [(x, z, -y) for x, z, y in bar[1::-1]]
     parts.rod("front fork", [crown, stem, front(0.87, -0.99)], 0.015, STEEL)
-    parts.rod("front fork", [front(*place) for place in bar], 0.012, DARK)
+    parts.rod("front fork", [front(*coordinates) for coordinates in bar], 0.012, DARK)
     for side in (-1, 1):
         shoulder, drop = front(*axis(0.72), 0.05 * side), front(1.02, -0.35, 0.055 * side)
         parts.rod("front fork", [crown, shoulder, drop], 0.012, STEEL)
@@ -111,7 +111,7 @@ def scene(system: System, bicycle: Bicycle, title: str) -> Scene:
     )
 
 
-class _Parts:
+class _BicycleVisuals:
     """Collects visuals; places are given in the upright bicycle's x, z and y."""
 
     def __init__(self, bicycle: Bicycle) -> None:

@@ -201,12 +201,17 @@ class Bicycle:
     @cached_property
     def kane(self) -> Any:
         """The same as SymPy's KanesMethod, constructed when it is first used."""
-        made = self.definition
+        definition = self.definition
         return me.KanesMethod(
-            *(made.frame, self.coordinates[:7], self.speeds[:3], made.kinematic_equations),
-            *(self.coordinates[7:], made.holonomic_constraints),
-            *(self.speeds[3:], made.velocity_constraints, None),
-            *(self.auxiliary_speeds, self.bodies, made.loads),
+            *(
+                definition.frame,
+                self.coordinates[:7],
+                self.speeds[:3],
+                definition.kinematic_equations,
+            ),
+            *(self.coordinates[7:], definition.holonomic_constraints),
+            *(self.speeds[3:], definition.velocity_constraints, None),
+            *(self.auxiliary_speeds, self.bodies, definition.loads),
         )
 
     def __getitem__(self, name: str) -> Expr:
@@ -214,8 +219,8 @@ class Bicycle:
         try:
             return self.symbols[name]
         except KeyError:
-            known = ", ".join(self.symbols)
-            raise KeyError(f"the bicycle has no symbol {name!r}; it has {known}") from None
+            names = ", ".join(self.symbols)
+            raise KeyError(f"the bicycle has no symbol {name!r}; it has {names}") from None
 
 
 def derive() -> Bicycle:

@@ -30,14 +30,14 @@ _DESCRIPTIONS = {
 
 def with_c_names(model: Model) -> Model:
     """Return a model whose constants are called as no macro is."""
-    taken = {v.identifier for v in model.constants}
+    used = {v.identifier for v in model.constants}
     constants = []
     for v in model.constants:
         if _MACRO.fullmatch(v.identifier):
             name = f"{v.identifier}_"
-            while name in taken:
+            while name in used:
                 name += "_"
-            taken.add(name)
+            used.add(name)
             v = replace(v, identifier=name)
         constants.append(v)
     return replace(model, constants=tuple(constants))
@@ -65,7 +65,7 @@ def _header(model: Model, head: Sequence[str]) -> Iterator[str]:
     sizes = {f"{kind.upper()}S": len(getattr(model, f"{kind}s")) for kind in (*_KINDS, "event")}
     sizes["PREPARED"] = max(sum(len(model.program(f).carried) for f in functions_of(model)), 1)
     yield "enum {"
-    yield ",\n".join(f"    {guard}_{what} = {size}" for what, size in sizes.items())
+    yield ",\n".join(f"    {guard}_{quantity} = {size}" for quantity, size in sizes.items())
     yield "};\n"
     yield "typedef struct {"
     for v in model.constants:
@@ -81,16 +81,17 @@ def _header(model: Model, head: Sequence[str]) -> Iterator[str]:
     yield ""
     yield "/* Compute what all calls with the same constants share: an array of so many numbers. */"
     yield f"void {name}_prepare(const {name}_constants *constants, double *prepared);"
-    for what in functions_of(model):
-        yield f"\n/* Write {_DESCRIPTIONS[what]}. Returns 1 where the mass matrix is singular. */"
-        yield f"{_signature(name, what)};"
+    for function in functions_of(model):
+        description = _DESCRIPTIONS[function]
+        yield f"\n/* Write {description}. Returns 1 where the mass matrix is singular. */"
+        yield f"{_signature(name, function)};"
     yield "\n#ifdef __cplusplus\n}\n#endif\n"
     yield "#endif\n"
 
 
-def _signature(name: str, what: str) -> str:
+def _signature(name: str, function: str) -> str:
     return (
-        f"int32_t {name}_{what}(double t, const double *x, const double *r,\n"
+        f"int32_t {name}_{function}(double t, const double *x, const double *r,\n"
         f"    const double *prepared, double *out)"
     )
 
@@ -102,7 +103,7 @@ def c_model_source(model: Model, head: Sequence[str]) -> str:
 
 def _source(model: Model) -> Iterator[str]:
     name = model.name
-    programs = {f"{name}_{what}_": model.program(what) for what in functions_of(model)}
+    programs = {f"{name}_{function}_": model.program(function) for function in functions_of(model)}
     yield c_functions(programs, static=True)
     values = ", ".join(c_literal(v.value) for v in model.constants) or "0"
     yield f"const {name}_constants {name}_defaults = {{{values}}};"
@@ -117,13 +118,13 @@ def _source(model: Model) -> Iterator[str]:
     yield f"    const double p[] = {{{fields}}};"
     yield "    (void)constants;"
     functions = functions_of(model)
-    starts = [0, *accumulate(len(model.program(what).carried) for what in functions)]
-    for what, start in zip(functions, starts, strict=False):
-        yield f"    {name}_{what}_prepare(p, prepared + {start});"
+    starts = [0, *accumulate(len(model.program(function).carried) for function in functions)]
+    for function, start in zip(functions, starts, strict=False):
+        yield f"    {name}_{function}_prepare(p, prepared + {start});"
     yield "}"
-    for what, start in zip(functions, starts, strict=False):
-        yield f"\n{_signature(name, what)}\n{{"
-        yield f"    return {name}_{what}_kernel(&t, x, r, prepared + {start}, out);\n}}"
+    for function, start in zip(functions, starts, strict=False):
+        yield f"\n{_signature(name, function)}\n{{"
+        yield f"    return {name}_{function}_kernel(&t, x, r, prepared + {start}, out);\n}}"
     yield ""
 
 
@@ -134,8 +135,8 @@ def c_comment(lines: Sequence[str]) -> str:
 
 
 def _harmless(text: str) -> str:
-    plain = plain_text(text).replace("\\", "/")
-    return plain.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+    cleaned = plain_text(text).replace("\\", "/")
+    return cleaned.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 
 
 def _remark(variable: Variable) -> str:
@@ -151,11 +152,11 @@ def c_literal(value: float) -> str:
 
 def c_string(text: str) -> str:
     """Return a string literal of C: UTF-8, octal where it is not plain ASCII."""
-    plain = "".join(
+    escaped = "".join(
         chr(b) if (chr(b).isalnum() and b < 128) or b in b" _()+-*.,:=[]" else f"\\{b:03o}"
         for b in text.encode(errors="backslashreplace")
     )
-    return f'"{plain}"'
+    return f'"{escaped}"'
 
 
 def _numbers(name: str, variables: Sequence[Variable]) -> str:

@@ -141,8 +141,8 @@ def compiler() -> list[str]:
         return _words(named)
     built = shlex.split(sysconfig.get_config_var("CC") or "")[:1]
     for name in (*built, "cc", "gcc", "clang", "cl"):
-        if found := shutil.which(name):
-            return [found]
+        if path := shutil.which(name):
+            return [path]
     raise GeneratorError(
         "The binary of an FMU needs a C compiler, and none was found: install gcc, clang or "
         "Visual C++, name one in the environment variable CC, or pass binary=False for an FMU of "
@@ -181,11 +181,11 @@ def _library(sources: dict[str, str], suffix: str) -> bytes:
             command += ["-fPIC", "-lm"] if unix else []
         try:
             with started(command, cwd=folder) as process:
-                said = output_of(process)
+                output = output_of(process)
         except OSError as error:
             raise GeneratorError(f"The C compiler {command[0]!r} cannot be run: {error}.") from None
         if process.returncode:
-            tail = said[-2000:]
+            tail = output[-2000:]
             raise GeneratorError(f"The C compiler {command[0]!r} failed on the FMU:\n{tail}")
         return (folder / result).read_bytes()
 
@@ -211,30 +211,34 @@ def _attributes(**values: Any) -> str:
 
 def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
     """Yield (kind, name, attributes) in the order of the value references; no name twice."""
-    taken = {"time"}
+    used = {"time"}
 
-    def own(name: str) -> str:
-        chosen = untaken(plain_text(name), taken, " ")
-        taken.add(chosen)
+    def unique(name: str) -> str:
+        chosen = untaken(plain_text(name), used, " ")
+        used.add(chosen)
         return chosen
 
-    given = {"initial": "exact", "variability": "continuous"}
+    exact = {"initial": "exact", "variability": "continuous"}
     calculated = {"initial": "calculated", "variability": "continuous"}
-    states = [own(v.name) for v in model.states]
+    states = [unique(v.name) for v in model.states]
     for name, v in zip(states, model.states, strict=True):
-        yield "state", name, {"causality": "output", **given, "start": repr(v.value)}
+        yield "state", name, {"causality": "output", **exact, "start": repr(v.value)}
     for k, name in enumerate(states):
-        yield "rate", own(f"der({name})"), {"causality": "local", **calculated, "derivative": k + 1}
+        yield (
+            "rate",
+            unique(f"der({name})"),
+            {"causality": "local", **calculated, "derivative": k + 1},
+        )
     for v in model.inputs:
         attributes = {"causality": "input", "variability": "continuous", "start": repr(v.value)}
-        yield "input", own(v.name), attributes
+        yield "input", unique(v.name), attributes
     for v in model.outputs:
-        yield "output", own(v.name), {"causality": "output", **calculated}
+        yield "output", unique(v.name), {"causality": "output", **calculated}
     for v in model.constants:
         attributes = {"causality": "parameter", "variability": "tunable", "initial": "exact"}
-        yield "constant", own(v.name), {**attributes, "start": repr(v.value)}
+        yield "constant", unique(v.name), {**attributes, "start": repr(v.value)}
     for name in model.events.names:
-        yield "event", own(f"event: {name}"), {"causality": "local", **calculated}
+        yield "event", unique(f"event: {name}"), {"causality": "local", **calculated}
 
 
 class _Words(NamedTuple):
@@ -308,20 +312,20 @@ def model_description(model: Model, fmi: str, token: str) -> str:
     references: dict[str, list[int]] = {}
     for k, (kind, name, attributes) in enumerate(_rows(model), start=1):
         references.setdefault(kind, []).append(k)
-        known = {"name": name, "valueReference": k}
+        identity = {"name": name, "valueReference": k}
         if new:
-            lines.append(f"    <Float64{_attributes(**known, **attributes)}/>")
+            lines.append(f"    <Float64{_attributes(**identity, **attributes)}/>")
         elif kind != "event":
-            own = {n: attributes.pop(n, None) for n in ("start", "derivative")}
-            scalar = f"ScalarVariable{_attributes(**known, **attributes)}"
-            lines.append(f"    <{scalar}><Real{_attributes(**own)}/></ScalarVariable>")
+            real_attributes = {n: attributes.pop(n, None) for n in ("start", "derivative")}
+            scalar = f"ScalarVariable{_attributes(**identity, **attributes)}"
+            lines.append(f"    <{scalar}><Real{_attributes(**real_attributes)}/></ScalarVariable>")
     lines += ["  </ModelVariables>", "  <ModelStructure>"]
     for element, kinds in words.structure.items():
-        places = [k for kind in kinds for k in references.get(kind, ())]
+        element_references = [k for kind in kinds for k in references.get(kind, ())]
         if new:
-            lines += [f'    <{element} valueReference="{k}"/>' for k in places]
-        elif places:
-            unknowns = "".join(f'<Unknown index="{k}"/>' for k in places)
+            lines += [f'    <{element} valueReference="{k}"/>' for k in element_references]
+        elif element_references:
+            unknowns = "".join(f'<Unknown index="{k}"/>' for k in element_references)
             lines.append(f"    <{element}>{unknowns}</{element}>")
     return "\n".join([*lines, "  </ModelStructure>", "</fmiModelDescription>", ""])
 

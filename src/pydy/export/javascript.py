@@ -205,7 +205,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         names.append("projection")
     programs = {name: model.program(name) for name in names}
     code = "\n".join(javascript_of(program, name) for name, program in programs.items())
-    kept = "\n".join(
+    buffers = "\n".join(
         f"const {name}_c = new Float64Array({len(program.carried)});"
         for name, program in programs.items()
     )
@@ -218,7 +218,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
     parts = {
         "PRELUDE": PRELUDE,
         "CODE": code,
-        "KEPT": kept,
+        "KEPT": buffers,
         "BOUND": bound,
         "INTEGRATOR": re.sub(
             r"\{\{([A-Z]+)\}\}", lambda m: constants[m[1]], resource("integrator.js")

@@ -80,7 +80,7 @@ PARTS = ("mass_matrix", "forcing", "holonomic", "velocity")
 """Blocks of the equations: M (n, n) and f (n,) of M u' = f, and the residuals of constraints."""
 
 
-def _not_told(number: int, **shown: str) -> None:
+def _ignore_progress(number: int, **details: str) -> None:
     """Show no progress."""
 
 
@@ -123,19 +123,19 @@ class Model:
     stop: float = 1.0
     constraints: Mapping[str, Any] = field(default_factory=dict)
     unknowns: Sequence[int] = ()
-    told: Callable[..., None] = _not_told
+    told: Callable[..., None] = _ignore_progress
 
     @cached_property
-    def _made(self) -> dict[str, Program]:
+    def _programs(self) -> dict[str, Program]:
         return {}
 
     def program(self, name: str) -> Program:
         """Return one of the Programs, built at most once."""
-        if name not in self._made:
+        if name not in self._programs:
             self.told(0, part=name)
-            self._made[name] = self.builders[name]()
+            self._programs[name] = self.builders[name]()
             self.told(1)
-        return self._made[name]
+        return self._programs[name]
 
     @property
     def variables(self) -> tuple[Variable, ...]:
@@ -166,14 +166,14 @@ class Exported:
     names: dict[str, str]
 
 
-def with_inputs(program: Program, places: Sequence[int]) -> Program:
+def with_inputs(program: Program, columns: Sequence[int]) -> Program:
     """Return a Program that takes some of its specifieds only, which are all that it reads."""
-    new = {old: k for k, old in enumerate(places)}
+    new = {old: k for k, old in enumerate(columns)}
     args = tuple(
         ("r", new[a[1]]) if op == "input" and a[0] == "r" else a
         for op, a in zip(program.ops, program.args, strict=True)
     )
-    return replace(program, num_specifieds=len(places), args=args)
+    return replace(program, num_specifieds=len(columns), args=args)
 
 
 # Words of C, C++, JavaScript and Python, macros of C's headers in small letters, and the names that
@@ -227,11 +227,15 @@ def identifiers(names: Iterable[str]) -> list[str]:
 
 
 def _identifier(name: str) -> str:
-    plain = re.sub(r"_*[^A-Za-z0-9_]+_*", "_", "".join(map(_spelled, name)))
+    ascii_name = re.sub(r"_*[^A-Za-z0-9_]+_*", "_", "".join(map(_spelled, name)))
     # C keeps names that begin with an underscore.
-    plain = plain if plain == name and plain[:1] not in ("", "_") else plain.strip("_") or "v"
-    plain = f"v_{plain}" if plain[0].isdigit() else plain
-    return f"{plain}_" if plain in _RESERVED else plain
+    ascii_name = (
+        ascii_name
+        if ascii_name == name and ascii_name[:1] not in ("", "_")
+        else ascii_name.strip("_") or "v"
+    )
+    ascii_name = f"v_{ascii_name}" if ascii_name[0].isdigit() else ascii_name
+    return f"{ascii_name}_" if ascii_name in _RESERVED else ascii_name
 
 
 def _spelled(letter: str) -> str:
@@ -240,11 +244,11 @@ def _spelled(letter: str) -> str:
         return letter
     if letter in _WORDS:
         return _WORDS[letter]
-    plain = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode()
-    if plain.isalnum():
-        return plain
-    found = _LETTERS.match(unicodedata.name(letter, ""))
-    if found is None:
+    ascii_text = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode()
+    if ascii_text.isalnum():
+        return ascii_text
+    match = _LETTERS.match(unicodedata.name(letter, ""))
+    if match is None:
         return " "
-    word = found[1].lower()
+    word = match[1].lower()
     return word.capitalize() if letter.isupper() else word

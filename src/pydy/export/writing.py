@@ -45,9 +45,9 @@ def _dialect(module: str) -> Dialect:
     def operation(row: Operation) -> str:
         if re.fullmatch(r"\{0\} (\+|-|\*|/|<|<=|==|!=) \{1\}|-\{0\}", row.c):
             return row.c
-        places = ", ".join(f"{{{k}}}" for k in range(row.arity))
+        operands = ", ".join(f"{{{k}}}" for k in range(row.arity))
         name = row.name if row.name in _SPECIAL else f"{module}.{row.numpy.__name__}"
-        return f"{name}({places})"
+        return f"{name}({operands})"
 
     guarded = "{n}, {sound}, [{entries}], [{column}], [{fast}])"
     return Dialect(
@@ -124,12 +124,12 @@ _PURPOSES = {
 
 def _refuse_redundant(program: Program) -> None:
     """Refuse constraints of which only numbers tell which ones count, at every state."""
-    todo, seen = [*program.outputs], set()
+    todo, visited = [*program.outputs], set()
     while todo:
         node = todo.pop()
-        if node in seen:
+        if node in visited:
             continue
-        seen.add(node)
+        visited.add(node)
         op, args = program.ops[node], program.args[node]
         if op != "guard":
             todo += OPERATIONS.operands(op, args)
@@ -176,9 +176,9 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
             for n in names
         ),
     }
-    called = [name for name in _SPECIAL if re.search(rf"\b{name}\(", parts["FUNCTIONS"])]
-    imports = "import math\n\n" if called and target == "numpy" else "\n" if called else ""
-    parts["SPECIAL"] = imports + "".join(f"{n} = {_SPECIAL[n].get(target)}\n" for n in called)
+    special = [name for name in _SPECIAL if re.search(rf"\b{name}\(", parts["FUNCTIONS"])]
+    imports = "import math\n\n" if special and target == "numpy" else "\n" if special else ""
+    parts["SPECIAL"] = imports + "".join(f"{n} = {_SPECIAL[n].get(target)}\n" for n in special)
     text = numbered(resource(f"{target}_module.py.txt"))
     if "_guarded(_constrained" not in parts["FUNCTIONS"]:
         text = re.sub(r"def _constrained\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
@@ -211,31 +211,37 @@ def with_safe_branches(program: Program) -> Program:
     """
     if "select" not in program.ops:
         return program
-    under: dict[int, frozenset[tuple[int, bool]]] = dict.fromkeys(program.outputs, frozenset())
+    guards: dict[int, frozenset[tuple[int, bool]]] = dict.fromkeys(program.outputs, frozenset())
     for node in reversed(range(len(program.ops))):
-        op, args, own = program.ops[node], program.args[node], under[node]
-        for place, k in enumerate(OPERATIONS.operands(op, args)):
-            way = own | {(args[0], place == 1)} if op == "select" and place else own
-            under[k] = under[k] & way if k in under else way
+        op, args, node_guards = program.ops[node], program.args[node], guards[node]
+        for position, k in enumerate(OPERATIONS.operands(op, args)):
+            branch_guards = (
+                node_guards | {(args[0], position == 1)}
+                if op == "select" and position
+                else node_guards
+            )
+            guards[k] = guards[k] & branch_guards if k in guards else branch_guards
     tape, new = Tape(), dict[int, int]()
     stack = list(program.outputs[::-1])
     while stack:
         node = stack[-1]
         op, args = program.ops[node], program.args[node]
-        safe = _SAFE.get(op, {}) if under[node] else {}
+        safe = _SAFE.get(op, {}) if guards[node] else {}
         needs = [
             *OPERATIONS.operands(op, args),
-            *(which for which, _ in sorted(under[node]) if safe),
+            *(condition for condition, _ in sorted(guards[node]) if safe),
         ]
         if node in new or new.keys() >= set(needs):
             stack.pop()
             if node in new:
                 continue
             ends = list(OPERATIONS.with_operands(op, args, new))
-            for place, value in safe.items():
-                for which, taken in sorted(under[node]):
-                    ways = (ends[place], tape.const(value))
-                    ends[place] = tape.make("select", new[which], *(ways if taken else ways[::-1]))
+            for position, value in safe.items():
+                for condition, first_branch in sorted(guards[node]):
+                    operands = (ends[position], tape.const(value))
+                    ends[position] = tape.make(
+                        "select", new[condition], *(operands if first_branch else operands[::-1])
+                    )
             new[node] = tape.make(op, *ends)
         else:
             stack += [k for k in needs if k not in new]
@@ -316,9 +322,9 @@ def check_options(path: Path, options: dict[str, Any]) -> None:
         )
     for name in options:
         if name not in FORMATS[kind].options:
-            known = [n for form in FORMATS.values() for n in form.options]
-            others = [k for k, form in FORMATS.items() if name in form.options]
-            remedy = f"It is one of {others[0]}." if others else nearest(name, known)
+            option_names = [n for form in FORMATS.values() for n in form.options]
+            suffixes = [k for k, form in FORMATS.items() if name in form.options]
+            remedy = f"It is one of {suffixes[0]}." if suffixes else nearest(name, option_names)
             raise TypeError(f"export() to {kind} has no option `{name}`. {remedy}")
     checked(FORMATS[kind].options, options)
 
@@ -326,7 +332,7 @@ def check_options(path: Path, options: dict[str, Any]) -> None:
 def _head(model: Model) -> list[str]:
     """Return lines for the top of a file."""
     lines = [f"{model.title}: exported by pydy {__version__}."]
-    lines += [f"{name} is called {known}" for name, known in model.renamed.items()]
+    lines += [f"{name} is called {identifier}" for name, identifier in model.renamed.items()]
     return lines
 
 
