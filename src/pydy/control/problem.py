@@ -68,10 +68,9 @@ _FREE = (Limit(-np.inf), Limit(np.inf))
 class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     """The motion of a system that minimises an objective, by direct collocation.
 
-    Specifieds of the system without a value are the controls: they are found, with the states.
+    Specifieds of the system without a value are the controls, which are solved for with the states.
     Those with a value (a number, a SymPy expression or a `pydy.inputs.SampledInput`) are known
-    signals; samples have to cover the longest duration that is allowed. Symbols may be given by
-    themselves or by name.
+    signals; samples must cover the longest duration allowed. Names may stand in place of symbols.
 
     Parameters
     ----------
@@ -166,13 +165,10 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             raise TypeError(f"`system` must be a pydy.system.System, got {shown(system)}.")
         free, boundary = listed("free", free), listed("boundary", boundary, "relations")
         path = listed("path", () if path is None else path, "relations")
-        extra_constants = _extra_constants(
+        self._extra_constants = _extra_constants(
             system._now().definition, free, (objective, *boundary, *path), duration
         )
-        self._extra_constants, self._snapshot = (
-            extra_constants,
-            (snapshot := system._now(further=extra_constants)),
-        )
+        self._snapshot = snapshot = system._now(further=self._extra_constants)
         warn_of_missing_derivatives(snapshot)
         definition, plan = snapshot.definition, snapshot.plan
         self._method = choice(method, METHODS, "`method`")
@@ -208,24 +204,19 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         self._following = tuple(s for s in definition.states if s in unspecified)
         for s, value in zip(definition.states, snapshot.x.tolist(), strict=True):
             self._start.setdefault(s, _OPEN if s in self._following else (value, value))
-        numbers = {*definition.constants, *last}
-        reader = ExpressionReader(
-            equations.time, definition.states, self._controls, numbers, duration
-        )
+        states, numbers = definition.states, {*definition.constants, *last}
+        reader = ExpressionReader(equations.time, states, self._controls, numbers, duration)
         self._problem = self._read(reader, objective, boundary, path, hessian)
         self._as_written = self._problem
         refuse_jumps(expressions := self._expressions())
         self._switches = expressions.switch
         self._lift_kinks()
-        # Costates jump at instants inside the motion, and slopes where known inputs do: no
-        # polynomial follows.
+        # Costates jump at instants, and rates where known inputs jump: both must be nodes.
         breaks = [i.fraction for i in self._problem.instants if 0.0 < i.fraction < 1.0]
         jumping = tuple(s for s in self._problem.signals if s[1].interpolation == "previous")
-        transcription = Transcription(
-            replace(self._problem, signals=jumping), self._scheme, self._mesh
-        )
-        breaks += knots(transcription, np.full(transcription.intervals, np.inf), 0.0).tolist()
-        self._mesh = refined(self._mesh, np.zeros(transcription.intervals), 1.0, 1, breaks)
+        initial = Transcription(replace(self._problem, signals=jumping), self._scheme, self._mesh)
+        breaks += knots(initial, np.full(initial.intervals, np.inf), 0.0).tolist()
+        self._mesh = refined(self._mesh, np.zeros(initial.intervals), 1.0, 1, breaks)
 
     def _read(
         self, reader: ExpressionReader, objective: Any, boundary: Any, path: Any, hessian: Any
@@ -250,10 +241,8 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
                 "constrained systems needs the bodies and loads: give them to the method, and "
                 "leave out `equations='method'`."
             )
-        implicit, inequalities = (
-            ImplicitEquations.from_snapshot(snapshot),
-            reader.path("path", path),
-        )
+        implicit = ImplicitEquations.from_snapshot(snapshot)
+        inequalities = reader.path("path", path)
         reader.check_functions("`path`", [c.expression for c in inequalities], implicit.atoms)
         reader.check_functions("`objective`", [running], implicit.atoms)
         if implicit.depend_on(implicit.constraints, map(position, self._controls)):
@@ -334,20 +323,16 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         moving |= {*definition.states, *definition.equations.kinematics.speed_rates}
         moving |= {*definition.outputs_symbols}
 
-        def depends_on_unknowns(kink: Any) -> bool:
+        def varies(kink: Any) -> bool:
             return not kink.atoms(sm.Symbol, AppliedUndef, sm.Derivative).isdisjoint(moving)
 
         constants = zip(definition.constants, self._snapshot.p.tolist(), strict=True)
         values = {s: v for s, v in constants if s not in self._free}
-        running, terminal = (
-            epigraph(e, depends_on_unknowns, values) for e in (p.running, p.terminal)
-        )
+        running, terminal = (epigraph(e, varies, values) for e in (p.running, p.terminal))
         self._bends = bends(running.expression + terminal.expression) or self._bends
         self._kinks = terminal.kinks
         path, boundary = (
-            tuple(
-                c for condition in conditions for c in split(condition, depends_on_unknowns, values)
-            )
+            tuple(smooth for c in conditions for smooth in split(c, varies, values))
             for conditions in (p.path, p.boundary)
         )
         self._problem = p
@@ -364,25 +349,19 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             )
 
     def _at_guess(self, transcription: Transcription, z: np.ndarray) -> list[float]:
-        """Return what the kinks at instants are at a guess."""
-        if not self._kinks:
-            return []
-        values: dict[Any, Any] = dict(zip(self._free, transcription.split(z)[2], strict=False))
-        constants = dict(
-            zip(self._snapshot.definition.constants, self._snapshot.p.tolist(), strict=True)
-        )
+        """Return the values of the kinks at instants, at a guess."""
+        names, numbers = self._snapshot.definition.constants, self._snapshot.p.tolist()
+        states, controls, free, duration = transcription.split(z)
+        values: dict[Any, Any] = dict(zip((*names, *self._free), (*numbers, *free), strict=False))
         if self._symbol is not None:
-            values[self._symbol] = transcription.split(z)[3]
+            values[self._symbol] = duration
         for i in self._problem.instants:
             slots, weights, h = transcription.located(i.kind, i.fraction)
-            kind = (
-                transcription.scheme.states if i.kind == "state" else transcription.scheme.controls
-            )
-            powers = kind.basis(np.zeros(1))[1]
-            states, controls, _, duration = transcription.split(z)
-            slot_values = (states if i.kind == "state" else controls)[i.index, slots]
+            scheme, is_state = transcription.scheme, i.kind == "state"
+            powers = (scheme.states if is_state else scheme.controls).basis(np.zeros(1))[1]
+            slot_values = (states if is_state else controls)[i.index, slots]
             values[i.symbol] = float(slot_values @ (weights * (h * duration) ** powers))
-        return [float(kink.subs({**constants, **values})) for kink in self._kinks]
+        return [float(kink.subs(values)) for kink in self._kinks]
 
     def _reach(self, symbol: Any) -> tuple[float, float]:
         """Return the widest bounds that an unknown has along the motion."""
@@ -405,9 +384,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         longest = self._bounds_at(self._symbol)[1]
         plan.check_times(np.array([0.0, longest]), f"bounds[{self._symbol}]")
         kinds = {samples.interpolation: columns for columns, samples in plan.inputs.sampled}
-        names = {
-            kind: describe([plan.symbols[k] for k in indices]) for kind, indices in kinds.items()
-        }
+        names = {kind: describe([plan.symbols[k] for k in at]) for kind, at in kinds.items()}
         if "previous" in names:
             raise ValueError(
                 f"`specifieds` has samples with interpolation='previous' for {names['previous']}, "
@@ -523,14 +500,10 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
 
     def _on(self, mesh: np.ndarray) -> Transcription:
         """Return the transcription on a mesh; the latest is kept for the next search."""
-        transcription = self._latest
-        if (
-            transcription is None
-            or transcription.problem is not self._problem
-            or transcription.mesh is not mesh
-        ):
-            transcription = self._latest = Transcription(self._problem, self._scheme, mesh)
-        return transcription
+        latest = self._latest
+        if latest is None or latest.problem is not self._problem or latest.mesh is not mesh:
+            latest = self._latest = Transcription(self._problem, self._scheme, mesh)
+        return latest
 
     def _check_start(self, transcription: Transcription, z: np.ndarray, sizes: np.ndarray) -> None:
         """Refuse a start that violates the constraints, or that they do not determine."""
@@ -648,14 +621,13 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         if kinks:
             kinks = self._at_guess(transcription, begin)
             begin = transcription.unknowns_of(x, u, [*constants, *kinks], duration)
-        states = self._snapshot.definition.states
-        dependent = [states.index(s) for s in equations.dependents.coordinates]
+        index = self._snapshot.definition.states.index
+        dependent = [*map(index, equations.dependents.coordinates)]
         if dependent and set(dependent) <= set(moving):
             moving = dependent  # the others keep their straight lines
         if equations.constraints.enforced_holonomic and moving:
-            follow_constraints(
-                transcription, begin, moving, len(equations.constraints.enforced_holonomic)
-            )
+            count = len(equations.constraints.enforced_holonomic)
+            follow_constraints(transcription, begin, moving, count)
         x = transcription.split(begin)[0]  # which is a view
         for row in x if slopes.any() else ():
             row[slopes] = np.gradient(row[~slopes], transcription.mesh * duration)
@@ -668,23 +640,20 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         p = self._snapshot.p.copy()
         p[list(columns)] = numbers
         constants = dict(zip(self._snapshot.definition.constants, p.tolist(), strict=True))
-        copied._snapshot = replace(
-            self._snapshot, user={**self._snapshot.user, "constants": constants}
-        )
+        user = {**self._snapshot.user, "constants": constants}
+        copied._snapshot = replace(self._snapshot, user=user)
         copied._problem = replace(self._problem, constants=p)
         copied._as_written = replace(self._as_written, constants=p)
         if self._switches:
             refuse_jumps(copied._expressions())
-        if (
-            np.sign(p) != np.sign(self._snapshot.p)
-        ).any():  # which kinks are convex may depend on that
+        if (np.sign(p) != np.sign(self._snapshot.p)).any():  # other kinks may be convex
             copied._lift_kinks()
         return copied
 
     def _trajectory(
         self, transcription: Transcription, nlp: Nlp, state_sizes: np.ndarray, solution: NlpSolution
     ) -> OptimalTrajectory:
-        """Return what is found; `state_sizes` is how large each state is by the guess."""
+        """Return the trajectory; `state_sizes` is how large each state is by the guess."""
         snapshot, duration = self._snapshot, transcription.split(solution.z)[3]
         if not duration > 0.0:  # solvers let unknowns pass their bounds by a tolerance
             raise OptimizationError(
@@ -697,9 +666,8 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         limits = {s: self._bounds_at(s) for s in self._free}
         refuse_singular(rate_function, transcription, snapshot.x, solution.z, nlp.sizes, limits)
         if solution.solved:
-            refuse_unsolvable(
-                rate_function, transcription, solution.z, snapshot.definition.constants
-            )
+            symbols = snapshot.definition.constants
+            refuse_unsolvable(rate_function, transcription, solution.z, symbols)
         error = interval_errors(rate_function, transcription, solution.z, state_sizes)
         trajectory = OptimalTrajectory(
             snapshot, transcription, self._controls, self._free, nlp, solution, error
