@@ -1,30 +1,31 @@
-"""How far the objective of a solution is from the least one, by the Lagrangian between the points.
+"""Estimates of the error of an objective, by the Lagrangian between the collocation points.
 
 With the multipliers Λ(t) of the equations r = 0 and ν(t) of the states' bounds b, interpolated,
 
     least objective − objective  ≈  Σ over intervals of
                                     ∫ (min over u of L + Λ · r) + ν · (x − b) dt − quadrature of L,
 
-where r and L are those of the polynomials of states and controls. It holds to second order in the
-errors of motion and multipliers, and the minimum is Pontryagin's: it sees controls that would do
-better between the points, such as one that jumps inside an interval, though the polynomials satisfy
-the equations exactly. Where motion and multipliers are exact, it is zero.
+where r and L are evaluated along the polynomials of states and controls. The estimate is of second
+order in the errors of motion and multipliers. The minimum is that of Pontryagin's principle, so
+that better controls between the points count, such as one that jumps inside an interval, even where
+the polynomials satisfy the equations exactly. With an exact motion and exact multipliers it is
+zero.
 
-The multipliers are not: where a control jumps inside an interval, they are off by as much as they
-change in it. Its polynomial may leave the bounds between the points, and equations may be missed
-there, with which the objective is too small; elsewhere in the interval other controls would do
-better, and the multipliers let one make up for the other exactly. What counts is the larger of the
-two, with the sign of their sum: their difference is no more certain than that. The constant
-controls of the midpoint rule miss and gain nearly as much everywhere: where controls are free, or
-at their bounds, all along an interval, their difference counts.
+The multipliers are not exact: where a control jumps inside an interval, their error is as large as
+their change over the interval. Between the points, the control's polynomial may leave the bounds
+and the equations may be violated, which makes the objective too small; elsewhere in the interval a
+better control would lower it, and inaccurate multipliers let the two effects cancel. So only the
+larger of the two is used, with the sign of their sum. The constant controls of the midpoint rule
+cause both effects in every interval; there the sum is used if each control is either free or at a
+bound along the interval.
 
-The multipliers at the points of the midpoint rule and of Hermite–Simpson are as wrong as h², as
-stages of an adjoint method, and the controls with them, which is all of the error of the objective.
-The costates at the nodes have the order of the method: Λ follows from cubics through these, with
-the slopes of the adjoint equation.
+The multipliers at the points of the midpoint rule and of Hermite–Simpson have errors of order h²,
+as RK stages of an adjoint method; so have the controls, and these are the error of the objective.
+The costates at the nodes have the full order of the method, so Λ is computed from cubics through
+them, with slopes from the adjoint equation.
 
-Where an interval does not resolve the motion, as a boundary layer, neither holds: the least
-objective between its nodes is then computed on a finer mesh.
+In an interval that does not resolve the motion, such as a boundary layer, the estimate is invalid.
+The minimum between its nodes is then computed on a finer mesh.
 
 References
 ----------
@@ -52,11 +53,10 @@ from pydy.control.tuning import JUMPS, LAYERS, ONE_DIGIT, RESOLVED, SECANTS, STE
 
 
 def objective_errors(transcription: Transcription, nlp: Nlp, solution: NlpSolution) -> np.ndarray:
-    """Return each interval's part of the least objective minus that of the solution, shape (M,).
+    """Return each interval's share of the minimum minus the solution's objective, shape (M,).
 
-    Of what raises the least objective in an interval, and what lowers it, it is the larger one; see
-    the module. It is not known (NaN) where constraints hold at other points than the equations of
-    motion.
+    It is the larger of the positive and the negative contribution; see the module. It is NaN where
+    constraints are enforced at other points than the equations of motion.
     """
     if len({points.rows for points in transcription.points}) > 1:
         return np.full(transcription.intervals, np.nan)
@@ -91,13 +91,12 @@ def objective_errors(transcription: Transcription, nlp: Nlp, solution: NlpSoluti
 
 
 def _decrease(transcription: Transcription, nlp: Nlp, z: np.ndarray) -> np.ndarray:
-    """Return how fast the motion's Legendre moments decrease from one degree to the next, (M,).
+    """Return the ratio of the motion's two highest Legendre moments in each interval, shape (M,).
 
-    That is between the highest two degrees. For exp(−z s) it is a ratio of two modified spherical
-    Bessel functions, z/14 between degrees 2 and 3 where z is small, and near 1 where the interval
-    is many times longer than the layer.
+    For exp(−z s) it is a ratio of two modified spherical Bessel functions: z/14 between degrees 2
+    and 3 for small z, and near 1 if the interval is many times longer than the boundary layer.
     """
-    # Of Hermite–Simpson, the degree of controls and multipliers.
+    # For Hermite–Simpson, use the degree of controls and multipliers.
     degree = transcription.scheme.order if transcription.scheme.name == "radau" else 2
     s, w = np.polynomial.legendre.leggauss(degree + 3)
     basis, powers = transcription.scheme.states.basis((1.0 + s) / 2)
@@ -123,27 +122,28 @@ def _resolved(
     parts: np.ndarray,
     coarse: np.ndarray,
 ) -> np.ndarray:
-    """Return the parts of the error, of the `coarse` intervals by an optimum on a finer mesh.
+    """Return the errors of the intervals, those of `coarse` ones by an optimum on a finer mesh.
 
-    Multipliers are as wrong as the motion in an interval that does not resolve it, such as a
-    boundary layer, and the estimate with them may even have the wrong sign. The finer mesh keeps
-    the states at both nodes, so that the larger of both estimates counts.
+    In an interval that does not resolve the motion, such as a boundary layer, the multipliers are
+    as inaccurate as the motion, and the estimate may even have the wrong sign. On the finer mesh
+    the states at both nodes are fixed; the larger of the two estimates is used.
     """
     integrals, refined_parts = _quadrature(transcription, nlp, solution.z), parts.copy()
     size = np.abs(_quadrature(transcription, nlp, solution.z, True)).sum()
     matters = coarse & (np.abs(parts) > ONE_DIGIT**3 * size)
     for k in np.flatnonzero(matters)[np.argsort(-np.abs(parts[matters]), kind="stable")][:LAYERS]:
         least = least_between(transcription, nlp, solution.z, int(k))
-        if abs(least - integrals[k]) > abs(parts[k]):  # NaN is not
+        if abs(least - integrals[k]) > abs(parts[k]):  # False for NaN
             refined_parts[k] = least - integrals[k]
     return refined_parts
 
 
 def relative_errors(motion: Any, tolerance: float, objective: float) -> np.ndarray:
-    """Return each interval's error of the solution, or of its objective if that is larger.
+    """Return the larger of each interval's error of the states and its error of the objective.
 
-    The objective's are shares of its size, times the number of intervals; they do not count where
-    their sum is within the tolerance, and that of the search. `objective` is that of all phases.
+    Errors of the objective are relative to its size and multiplied by the number of intervals. They
+    are ignored if their sum is within the tolerance plus that of the search. `objective` is the sum
+    over all phases.
     """
     error: np.ndarray = motion.error
     parts, size, negligible = _objective(motion, tolerance, objective)
@@ -154,7 +154,7 @@ def relative_errors(motion: Any, tolerance: float, objective: float) -> np.ndarr
 
 
 def _objective(motion: Any, tolerance: float, objective: float) -> tuple[np.ndarray, float, bool]:
-    """Return the objective's errors by intervals, its size, and whether no error counts."""
+    """Return the objective's errors by interval, its size, and whether they are negligible."""
     transcription, nlp, solution = motion._transcription, motion._nlp, motion.solution
     if transcription.scheme.convergence == 1:
         return motion.error, 0.0, True
@@ -162,7 +162,7 @@ def _objective(motion: Any, tolerance: float, objective: float) -> tuple[np.ndar
     if not np.isfinite(parts).all():
         return parts, 0.0, True
     z = solution.z
-    # What the barrier leaves: each multiplier times the distance from its bound.
+    # The barrier method's remainder: each multiplier times the distance from its bound.
     sides = [(solution.below, z - nlp.lower), (solution.above, nlp.upper - z)]
     rows = nlp.native("rows", z / nlp.sizes)[0] * nlp.row_sizes
     (low, high), weights = nlp.row_bounds, solution.multipliers
@@ -181,9 +181,9 @@ def _objective(motion: Any, tolerance: float, objective: float) -> tuple[np.ndar
 
 
 def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
-    """Say that a solution is none, or that not one digit of its objective is certain.
+    """Warn if a solution violates the equations, or if no digit of its objective is certain.
 
-    A simulation adds up the errors of intervals, along a motion that is neither stable nor
+    In a simulation the errors of the intervals add up, if the motion is neither stable nor
     unstable.
     """
     worst = max(float(phase.error.max()) for phase in phases)
@@ -214,7 +214,7 @@ def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
 def _quadrature(
     transcription: Transcription, nlp: Nlp, z: np.ndarray, absolute: bool = False
 ) -> np.ndarray:
-    """Return each interval's part of the integrals of the objective, or of their absolute value."""
+    """Return each interval's share of the objective's integral, or of its absolute value."""
     M, integrals = transcription.intervals, np.zeros(transcription.intervals)
     h = np.diff(transcription.mesh)
     for group, points in zip(nlp.groups, transcription.points, strict=False):
@@ -222,7 +222,7 @@ def _quadrature(
             continue
         cost = group.evaluate("cost", z)[0]
         cost = np.abs(cost) if absolute else cost
-        if len(cost) == M + 1:  # nodes, which belong to the intervals on both sides
+        if len(cost) == M + 1:  # a node's weight is shared by the intervals on both sides
             cost = cost / points.weights
             integrals += h / 6 * (cost[:-1] + cost[1:])
         else:
@@ -261,11 +261,8 @@ class _InterpolatedPoints:
             slots, coefficients = [x, dx / h], []
         u = controls[:, scheme.controls.of_intervals(M)[:, k]] * scheme.controls.basis(s)[0]
         u = u.sum(axis=1)
-        self.transcription, self.group, self.first = (
-            transcription,
-            nlp.groups[0],
-            sum(map(len, slots)),
-        )
+        self.transcription, self.group = transcription, nlp.groups[0]
+        self.first = sum(map(len, slots))
         self.X = np.ascontiguousarray(
             [*np.concatenate(slots), *u, *z[transcription._numbers_at(len(s))]]
         )
@@ -273,15 +270,15 @@ class _InterpolatedPoints:
         self.R = np.ascontiguousarray([self.fractions, length, unit, *coefficients, *signals])
         self.multipliers = self._multipliers(nlp, solution, k, s)
         self.sizes = or_one(np.abs(controls).max(axis=1, initial=0.0))
-        # Whether all controls are either free or at their bounds, all along each interval; and
-        # whether all are free.
+        # By interval: whether each control is either free or at a bound along all of it; and
+        # whether all controls are free.
         self.steady, self.free = np.ones((2, M), dtype=bool)
         self.bounded_controls = transcription.controls_in(z, k, s).T
 
     def _multipliers(
         self, nlp: Nlp, solution: NlpSolution, k: np.ndarray, s: np.ndarray
     ) -> np.ndarray:
-        """Return the multipliers of rows that are integrated, shape (rows, points)."""
+        """Interpolate the multipliers of the rows, shape (rows, points)."""
         transcription = self.transcription
         parts = zip(nlp.by_group(solution.multipliers), transcription.points, strict=False)
         values = [rows / points.weights for (_, rows), points in parts]
@@ -290,7 +287,7 @@ class _InterpolatedPoints:
             nodes, at = np.array([0.0, 0.5, 1.0]), [first[:, k], values[1][:, k], first[:, k + 1]]
         elif K > 1:
             nodes, at = radau_points(K), [first[:, j * M + k] for j in range(K)]
-        elif M > 1:  # one point an interval: straight lines from each to the next
+        elif M > 1:  # one point in each interval: interpolate linearly between points
             times = transcription.points[0].fractions
             j = np.clip(np.searchsorted(times, self.fractions) - 1, 0, M - 2)
             s = (self.fractions - times[j]) / (times[j + 1] - times[j])
@@ -298,17 +295,14 @@ class _InterpolatedPoints:
         else:
             nodes, at = np.zeros(1), [first[:, k]]
         multipliers: np.ndarray = np.einsum("jm,jrm->rm", lagrange(nodes, s), np.array(at))
-        # Those of inequalities have a sign, which a polynomial need not keep.
-        multipliers[self.group.high == np.inf] = np.minimum(
-            multipliers[self.group.high == np.inf], 0.0
-        )
-        multipliers[self.group.low == -np.inf] = np.maximum(
-            multipliers[self.group.low == -np.inf], 0.0
-        )
+        # Multipliers of inequalities have a sign, which interpolation may violate.
+        no_high, no_low = self.group.high == np.inf, self.group.low == -np.inf
+        multipliers[no_high] = np.minimum(multipliers[no_high], 0.0)
+        multipliers[no_low] = np.maximum(multipliers[no_low], 0.0)
         return multipliers
 
     def lagrangian_of_polynomials(self) -> np.ndarray:
-        """Return L + Λ · r of the polynomials, which may leave the bounds; set controls within."""
+        """Return L + Λ · r along the polynomials; then clip the controls to their bounds."""
         of_polynomials = self.lagrangian()
         self.X[self.first : self.first + len(self.bounded_controls)] = self.bounded_controls
         finite = np.isfinite(of_polynomials)
@@ -316,7 +310,7 @@ class _InterpolatedPoints:
         return lagrangian
 
     def by_states(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return derivatives of rows, the last one the objective, by states and by their rates."""
+        """Return the derivatives of rows, then of the objective, by states and by their rates."""
         f, n, P = self.group.functions, self.transcription.problem.states, self.group.constants
         slopes = np.zeros((self.group.rows + 1, len(self.X), self.X.shape[1]))
         slopes[tuple(f.jacobian_at.T)] = f("jacobian", self.X, self.R, P)
@@ -327,7 +321,7 @@ class _InterpolatedPoints:
         return first, second
 
     def slack(self) -> np.ndarray:
-        """Return by how much inequalities of the path differ from zero, times their multipliers."""
+        """Return the sum of |multiplier · value| over the path inequalities."""
         rows = self.group.functions("rows", self.X, self.R, self.group.constants)
         open_ = self.group.low < self.group.high
         total: np.ndarray = np.abs(self.multipliers * rows)[open_].sum(axis=0)
@@ -343,7 +337,7 @@ class _InterpolatedPoints:
         return total
 
     def slope(self, i: int, values: np.ndarray) -> np.ndarray:
-        """Return its derivative by a control, which takes some values."""
+        """Return the derivative of L + Λ · r by control i, at `values` of that control."""
         f, P, variable = self.group.functions, self.group.constants, self.first + i
         self.X[variable] = values
         derivative = np.zeros(len(values))
@@ -359,22 +353,22 @@ class _InterpolatedPoints:
         return derivative
 
     def least(self) -> np.ndarray:
-        """Return the least L + Λ · r that controls within their bounds have."""
+        """Return the minimum of L + Λ · r over controls within their bounds."""
         p, before = self.transcription.problem, self.lagrangian()
         count = len(p.controls)
-        for i in list(range(count)) * min(count, 2):  # one after the other; the first ones again
+        for i in list(range(count)) * min(count, 2):  # one control at a time, in two rounds
             low, high = (side(self.fractions) for side in p.control_bounds[i])
             a = self.X[self.first + i].copy()
             slope = self.slope(i, a)
             far = np.where(slope > 0.0, low, high)
             bounded, size = np.isfinite(far), self.sizes[i]
-            # Twice as far as where a parabola has its minimum, which is then on the way.
+            # Twice the distance to the minimum of a parabola, so that the step brackets it.
             bend = (self.slope(i, a + STEP * size) - slope) / (STEP * size)
             with np.errstate(all="ignore"):
                 step = np.where(bend > 0.0, np.clip(2.0 * slope / bend, -size, size), 0.0)
             b = np.where(bounded, far, a - step)
             far_slope = self.slope(i, b)
-            # It falls as far as the bound; or its slope changes sign on the way.
+            # It falls up to the bound, or the slope changes sign in between.
             falls = slope * far_slope > 0.0
             end = np.where(bounded, b, a)
             for _ in range(SECANTS):
@@ -384,16 +378,12 @@ class _InterpolatedPoints:
                 mid_slope = self.slope(i, m)
                 before_root = mid_slope * slope > 0.0
                 a, slope = np.where(before_root, m, a), np.where(before_root, mid_slope, slope)
-                b, far_slope = (
-                    np.where(before_root, b, m),
-                    np.where(before_root, far_slope, mid_slope),
-                )
+                b = np.where(before_root, b, m)
+                far_slope = np.where(before_root, far_slope, mid_slope)
             flat = np.where(np.abs(slope) < np.abs(far_slope), a, b)
             self.X[self.first + i] = np.where(falls, end, flat)
-            kinds = (
-                falls & (np.abs(end - self.bounded_controls[i]) <= STEP * size),
-                ~falls & (bend > 0.0),
-            )
+            at_bound = falls & (np.abs(end - self.bounded_controls[i]) <= STEP * size)
+            kinds = at_bound, ~falls & (bend > 0.0)
             always = [kind.reshape(-1, self.transcription.intervals).all(axis=0) for kind in kinds]
             self.steady &= np.any(always, axis=0)
             free = (bend > 0.0) & ~(falls & bounded)
@@ -411,14 +401,11 @@ def _by_costates(
 ) -> np.ndarray:
     """Return the multipliers of the equations by cubics through the costates at the nodes.
 
-    With q = (∂r/∂x')ᵀ Λ / T, the negative costate, dq/dτ = ∂L/∂x + Λ · ∂r/∂x + ν. Of the multiplier
-    of a bound at a node, the intervals on both sides have a share each.
+    With q = (∂r/∂x')ᵀ Λ / T, the negative costate, dq/dτ = ∂L/∂x + Λ · ∂r/∂x + ν. The multiplier of
+    a bound at a node is shared by the intervals on both sides, in proportion to their lengths.
     """
-    M, n, T = (
-        transcription.intervals,
-        transcription.problem.states,
-        transcription.split(solution.z)[3],
-    )
+    M, n = transcription.intervals, transcription.problem.states
+    T = transcription.split(solution.z)[3]
     h, k = np.diff(transcription.mesh), np.arange(transcription.intervals)
     jump = _of_bounds(transcription, solution)[:, :, : M + 1]
     share = (jump[1] - jump[0]) / (np.append(h, 0.0) + np.append(0.0, h))
@@ -448,16 +435,15 @@ def _of_bounds(transcription: Transcription, solution: NlpSolution) -> np.ndarra
     multipliers = np.array(
         [transcription.split(side)[0] for side in (solution.below, solution.above)]
     )
-    multipliers[:, :, [0, transcription.intervals]] = (
-        0.0  # `start` and `end` are no bounds of the motion
-    )
+    ends = [0, transcription.intervals]
+    multipliers[:, :, ends] = 0.0  # `start` and `end` are no bounds of the motion
     return multipliers
 
 
 def _bound_terms(
     transcription: Transcription, solution: NlpSolution, k: np.ndarray, s: np.ndarray
 ) -> np.ndarray:
-    """Return ν · (x − b): states pass their bounds between the points, or are within."""
+    """Return ν · (x − b), with the states x between the points and their bounds b."""
     scheme, M, h = transcription.scheme, transcription.intervals, np.diff(transcription.mesh)
     x = transcription.states_at(
         solution.z, (transcription.mesh[k] + s * h[k]) * transcription.split(solution.z)[3]
@@ -480,21 +466,22 @@ def _bound_terms(
             if np.isfinite(bound := bounds[side](fractions)).all():
                 nu = ((multipliers[slots] / weights)[:, k] * basis).sum(axis=0)
                 excess = sign * (row - bound)
-                if scheme.name == "radau":  # whose points inside of intervals are within
+                if scheme.name == "radau":  # its inner points satisfy the bounds
                     excess = np.maximum(excess, 0.0)
                 total += np.maximum(nu, 0.0) * excess
     return total
 
 
 def warn_of_chatter(motion: Any) -> None:
-    """Say where controls that enter linearly go back and forth from point to point.
+    """Warn where controls that enter linearly oscillate from point to point.
 
-    Inside its bounds such a control makes its switching function zero; where that is so on a whole
-    arc, the arc is singular, and the equations at the points leave some of the control open. Turns
-    count by how far the control comes back after them: they are large if they add up to its size,
-    and many if more intervals have a share in them, Σ² over the sum of squares, than jumps at the
-    ends of an arc explain. Intervals narrower than the mean count for their width: the many that
-    refinement puts where a control jumps are no arc.
+    Inside its bounds such a control makes its switching function zero. If that holds along an arc,
+    the arc is singular, and the equations at the points do not determine the control fully. A
+    reversal is weighted by the smaller of the two changes next to it. The weights are large if
+    they add up to the control's size, and the reversals are many if the effective number of
+    intervals, (Σ w)² / Σ w², exceeds what jumps at the ends of an arc explain. Intervals narrower
+    than the mean are weighted by their width, as refinement puts many of them where a control
+    jumps.
     """
     transcription, nlp, solution = motion._transcription, motion._nlp, motion.solution
     slots, arcs = len(transcription.control_times), []
@@ -508,7 +495,9 @@ def warn_of_chatter(motion: Any) -> None:
         for bound, side in ((nlp.lower, solution.below), (nlp.upper, solution.above)):
             # Strict complementarity: either the multiplier or the distance is the larger one.
             free &= np.abs(u - bound[at]) / size > side[at] * size / nlp.cost_size
-        free = np.convolve(free, np.ones(3))[1:-1] > 0.0  # a point at a bound ends no arc
+        free = (
+            np.convolve(free, np.ones(3))[1:-1] > 0.0
+        )  # a single point at a bound does not end an arc
         edges = np.flatnonzero(np.diff(np.concatenate([[0], free, [0]])))
         largest = np.abs(u).max(initial=0.0)
         for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):
@@ -537,7 +526,7 @@ def warn_of_chatter(motion: Any) -> None:
 
 
 def _linear_controls(transcription: Transcription) -> list[int]:
-    """Return the controls of which no second derivative by controls is there."""
+    """Return the controls that enter linearly: no second derivative by controls involves them."""
     p = transcription.problem
     if p.hessian != "exact":
         return []

@@ -1,7 +1,8 @@
-"""The derivatives of the objective by the states at the ends of intervals.
+"""Costates: the derivatives of the objective by the states at the ends of intervals.
 
-Those of the program: what the equations and the objective of an interval change with the state at
-one of its ends. A condition on the state at a node, such as a bound, makes the two sides differ.
+They are computed from the nonlinear program: the derivatives of an interval's equations and
+integral by the state at one of its ends. A condition on the state at a node, such as a bound, makes
+the costate jump there.
 """
 
 from __future__ import annotations
@@ -16,9 +17,9 @@ from pydy.control.transcription import Transcription
 def costates_of(
     transcription: Transcription, nlp: Nlp, solution: NlpSolution
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the derivatives of the objective, from there on, by the states, (n, M) each.
+    """Return the costates just after the first node and just before the last node of each interval.
 
-    They are those after the first nodes of the intervals, and before the last ones.
+    Both have the shape (n, M). They are derivatives of the part of the objective that follows.
     """
     if transcription.scheme.name == "hermite-simpson":
         return _of_simpson(transcription, nlp, solution)
@@ -41,10 +42,11 @@ def costates_of(
 def _of_simpson(
     transcription: Transcription, nlp: Nlp, solution: NlpSolution
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the same for Hermite–Simpson.
+    """Return the costates for Hermite–Simpson.
 
-    The equations of a node serve the intervals on both sides, which have a share each in their
-    multipliers: the Lagrangian of either side alone is stationary in the slope at the node.
+    The intervals on both sides of a node share its equations, and so their multipliers. The shares
+    follow from the condition that the Lagrangian of either side alone is stationary in the slope at
+    the node.
     """
     n, M = transcription.problem.states, transcription.intervals
     parts = []

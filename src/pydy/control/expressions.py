@@ -1,4 +1,4 @@
-"""Objectives and conditions as users write them, into integrands and values at instants.
+"""Split objectives and conditions, as users write them, into integrands and values at instants.
 
 ``q.subs(t, tf)`` is q at the end; ``sm.Integral(u**2, t)`` is the integral over the motion, which
 begins at t = 0.
@@ -123,7 +123,7 @@ class ExpressionReader:
 
     @staticmethod
     def check_functions(argument: str, expressions: Iterable[Any], allowed: Iterable[Any]) -> None:
-        """Refuse functions of time that none of some symbols and derivatives is or holds."""
+        """Refuse functions of time that occur in none of the `allowed` symbols and derivatives."""
         functions = {f for symbol in allowed for f in symbol.atoms(AppliedUndef)}
         strange = {f for e in expressions for f in sm.sympify(e).atoms(AppliedUndef)} - functions
         if strange:
@@ -137,12 +137,12 @@ class ExpressionReader:
     # -- values at instants ----------------------------------------------------------------------
 
     def at_instants(self, expression: Any, argument: str) -> Any:
-        """Return an expression with a symbol for each value at an instant; else nothing moves."""
+        """Replace each value at an instant by a symbol; refuse other functions of time."""
         values = self._instants_in(expression)
         replaced = {old: self._symbol(*value, argument) for old, value in values.items()}
         result = expression.xreplace(replaced)
         instants = {i.symbol for i in self.instants}
-        kinds = (sm.Subs, sm.Derivative, AppliedUndef)  # those that hold others first
+        kinds = (sm.Subs, sm.Derivative, AppliedUndef)  # outermost first
         unresolved = [
             e for kind in kinds for e in sorted(result.atoms(kind), key=sm.default_sort_key)
         ]
@@ -162,7 +162,7 @@ class ExpressionReader:
         kinds = [("state", k, s) for k, s in enumerate(self.states)]
         kinds += [("control", k, s) for k, s in enumerate(self.controls)]
         instants: dict[Any, tuple[str, int, Any]] = {}
-        # A derivative at an instant is a Subs, or one by the instant where that is a symbol.
+        # SymPy writes a derivative at an instant as a Subs, or by the instant if it is a symbol.
         for node in expression.atoms(sm.Subs, sm.Derivative):
             variable = node.variables[0]
             if isinstance(node, sm.Subs):
@@ -183,7 +183,7 @@ class ExpressionReader:
     def _symbol(self, kind: str, index: int, time: Any, argument: str) -> Any:
         ratio = sm.simplify(sm.sympify(time) / self.duration)
         if ratio.is_number and is_zero(complex(ratio - 1).real, 1.0):
-            ratio = sm.Integer(1)  # 2*pi is beyond its own float
+            ratio = sm.Integer(1)  # 2*pi exceeds its value as a float
         if not (ratio.is_number and ratio.is_real) or not 0 <= ratio <= 1:
             raise ValueError(
                 f"{argument} has a value at the time {time}, but instants lie between 0 and "

@@ -1,4 +1,4 @@
-"""Where a search begins and between which bounds, as users give it."""
+"""Initial guesses and bounds as users give them."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Limit:
 
 
 def limit(value: Any, argument: str, duration: float | None, *, finite: bool = False) -> Limit:
-    """Return a guess, whose numbers are finite, or a side of bounds, that the user gave."""
+    """Check a guess, whose numbers must be `finite`, or one side of bounds."""
     if isinstance(value, SampledInput):
         if duration is None:
             raise ValueError(
@@ -74,7 +74,7 @@ def limit(value: Any, argument: str, duration: float | None, *, finite: bool = F
 
 
 class Guess:
-    """Where a search begins, as the user gives it."""
+    """The user's initial guess."""
 
     def __init__(self, guess: Any, unknown: Places, duration: float | None, symbol: Any) -> None:
         self._duration, self._symbol = duration, symbol
@@ -87,7 +87,7 @@ class Guess:
             self._values = unknown.by_symbol(values, "guess")
 
     def duration(self, bounds: tuple[float, float]) -> float:
-        """Return the duration to begin with."""
+        """Return the initial duration."""
         symbol = self._symbol
         if self._duration is not None:
             return self._duration
@@ -103,7 +103,7 @@ class Guess:
         return float(np.mean(np.maximum(bounds, 0.0)))
 
     def values(self, symbol: Any, fractions: np.ndarray, duration: float) -> np.ndarray | None:
-        """Return a state or control at some times, or None."""
+        """Return the guess of a state or control at fractions of the duration, or None."""
         if self._motion is not None:
             if symbol not in self._motion:
                 return None
@@ -119,13 +119,13 @@ class Guess:
         return function(fractions)
 
     def number(self, symbol: Any, default: float) -> float:
-        """Return a free constant to begin with."""
+        """Return the guess of a free constant."""
         if self._motion is not None:
             return float(self._motion.constants.get(symbol, default))
         return number(self._values.get(symbol, default), f"`guess[{symbol}]`", finite=True)
 
     def check_bounds(self, symbol: Any, values: np.ndarray, bounds: Any) -> None:
-        """Refuse values that the user gave and that lie outside of bounds, numbers or arrays."""
+        """Refuse values that the user gave and that violate bounds, which are numbers or arrays."""
         low, high = np.broadcast_arrays(*bounds, values)[:2]
         outside = (values < low) | (values > high)
         if symbol in self._values and outside.any():
@@ -139,10 +139,10 @@ class Guess:
 def follow_constraints(
     transcription: Transcription, z: np.ndarray, moving: Sequence[int], count: int
 ) -> None:
-    """Let some coordinates follow from the first `count` constraints, in place, from the start on.
+    """Solve the first `count` constraints for the coordinates `moving`, in place, slot by slot.
 
-    Each place begins as far beside its guess as the one before ended, so that a mechanism does not
-    change its branch. Where no configuration is found the guess stays.
+    Each slot starts from its guess plus the correction of the slot before, so that a mechanism
+    stays on its branch. A slot at which the constraints cannot be solved retains its guess.
     """
     times, slopes = transcription.state_slots
     value_slots = np.flatnonzero(~slopes)
@@ -154,7 +154,7 @@ def follow_constraints(
         at, data = group.at[:, [k]], np.ascontiguousarray(every[:, [k]])
         X = z[at]
         X[states, 0] += shift
-        for _ in range(8):  # Newton's method doubles the digits; what is far stays as it is
+        for _ in range(8):  # Newton's method converges quadratically, or the guess is retained
             J[tuple(f.jacobian_at.T)] = f("jacobian", X, data, group.constants)[:, 0]
             residuals, jacobian = f("rows", X, data, group.constants)[:count, 0], J[:count]
             if not (np.isfinite(residuals).all() and np.isfinite(jacobian).all()):
@@ -167,6 +167,6 @@ def follow_constraints(
 
 
 def shown_pair(limits: tuple[float, float]) -> str:
-    """Return bounds for a message, as users give them."""
+    """Format bounds for a message, as users write them."""
     low, high = (None if np.isinf(value) else value for value in limits)
     return repr(low) if low == high else f"({low!r}, {high!r})"

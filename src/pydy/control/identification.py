@@ -3,15 +3,15 @@
     minimise ½ Σ ((model − sample) / noise)² + ½ Σ ((parameter − mean) / deviation)²
              + ½ ∫ Σ (disturbance / intensity)² dt
 
-over the parameters, the states of all experiments and the disturbances, which are controls: the
-states satisfy the equations at collocation points, not by an integration from the start, so that
-unstable motions are as good as others. Experiments are transcriptions whose unknowns are joined;
-those that stand for a parameter are one unknown.
+over the parameters, the states of all experiments and the disturbances, which are controls. The
+states satisfy the equations at collocation points; nothing is integrated from the start, so that
+unstable motions pose no difficulty. Each experiment is a transcription. Their unknowns are combined
+in one vector, in which a shared parameter is a single unknown.
 
 The covariance is the inverse of the Gauss–Newton Hessian reduced to the parameters. With the
-equations A dw + B dp = 0 linearised at the optimum, the states and disturbances w follow a change
-dp such that the residuals ``R dw + S dp`` are least; the matrix of these residuals takes the place
-of the Jacobian of a fit. It is the solution of
+equations A dw + B dp = 0 linearised at the optimum, a change dp determines the changes dw of states
+and disturbances that minimise the residuals ``R dw + S dp``. J, the matrix of these residuals,
+takes the place of the Jacobian of a fit. It is the solution of
 
     | −I  R  0 | | J |     | S |
     | Rᵀ  0  Aᵀ| | W | = − | 0 |
@@ -19,14 +19,16 @@ of the Jacobian of a fit. It is the solution of
 
 whose sparse factors grow in proportion to the length of the motions.
 
-With disturbances, the least objective over parameters and disturbances together is biased: it does
-not count how many disturbances explain the data nearly as well. Laplace's approximation of the
-likelihood of the parameters alone adds ½ log det of the Hessian reduced to the disturbances v,
+With disturbances, minimising the objective over parameters and disturbances together gives biased
+parameters: it ignores how many disturbances explain the data nearly as well. Laplace's
+approximation of the likelihood of the parameters alone adds ½ log det of the Hessian reduced to the
+disturbances v,
 
     ½ log det H_v = ½ log |det K| − log |det A_x|,
 
-K the matrix above and A_x the equations' derivatives by the states. Its slope by the parameters is
-found by differences and added to the objective, until the estimates stay.
+with the matrix K above and the equations' derivatives A_x by the states. Its slope by the
+parameters is computed by finite differences and added to the objective, until the estimates
+converge.
 
 References
 ----------
@@ -82,9 +84,9 @@ class Experiment:
     measured: tuple[Any, ...]  # states and outputs
     values: np.ndarray  # (m, q), the samples
     weights: np.ndarray  # (m, q), one over their noise; zero where there is no sample
-    unknown: tuple[int, ...]  # states whose values at the start are parameters of this experiment
-    tied: tuple[int, ...]  # states whose values at the start follow from the constraints
-    states: np.ndarray  # (m', n), where the search begins, at the times `at`
+    unknown: tuple[int, ...]  # states whose initial values are parameters of this experiment
+    tied: tuple[int, ...]  # states whose initial values are determined by the constraints
+    states: np.ndarray  # (m', n), the initial guess, at the times `at`
     at: np.ndarray  # (m',)
 
 
@@ -96,10 +98,11 @@ class Identified:
     # For each experiment: model minus sample, divided by the noise, (m, q).
     residuals: list[np.ndarray]
     values: np.ndarray  # (r,), all residuals, those of disturbances included
-    # (r, k), by the parameters, the states and disturbances following them; so do all unknowns.
+    # Derivatives by the parameters, with states and disturbances as functions of these: (r, k) of
+    # the residuals, (n, k) of all unknowns.
     jacobian: np.ndarray
-    followed: np.ndarray  # (n, k)
-    largest: np.ndarray  # (n,), how large each state becomes
+    followed: np.ndarray
+    largest: np.ndarray  # (n,), the largest absolute value of each state
     solution: NlpSolution  # of the last search
 
 
@@ -159,7 +162,7 @@ class Identification:
         )
 
     def _disturbed(self, e: Experiment) -> bool:
-        """Return whether a specified that is an expression is disturbed."""
+        """Return whether a disturbance acts on a specified that is given as an expression."""
         return any(e.snapshot.plan.symbols[k] in e.snapshot.plan.expressions for k in self.noise)
 
     def _rate_function(self, k: int) -> RateFunction:
@@ -168,7 +171,7 @@ class Identification:
         return RateFunction(code.compiled("rates"), snapshot.inputs)
 
     def meshes(self, mesh: Any) -> list[np.ndarray]:
-        """Return the mesh of each experiment: a point a sample or two, if none is given."""
+        """Return the mesh of each experiment; by default it has one or two points a sample."""
         if mesh is not None:
             return [checked_mesh(mesh)] * len(self.experiments)
         points = 2 if self.noise else 1
@@ -182,10 +185,10 @@ class Identification:
         search: Callable[..., NlpSolution],
         watch: Callable[[Iteration], None],
     ) -> Identified:
-        """Find the parameters, from z on, by the solver that `solver_of` returns.
+        """Estimate the parameters, starting from z, with the solver that `solver_of` returns.
 
-        Without a `mesh`, it is refined until its error is small beside the residuals, or until the
-        estimates stay where they are beside their standard errors.
+        Without a `mesh`, the default mesh is refined until its error is small compared with the
+        residuals, or until the estimates move by little compared with their standard errors.
         """
         meshes = self.meshes(mesh)
         motions: list[Any] = [None] * len(self.experiments)
@@ -252,14 +255,14 @@ class Identification:
         return result
 
     def _allowed(self, result: Identified) -> float:
-        """Return the error of the states that disappears in the noise, relative to their sizes."""
+        """Return the relative error of the states that is negligible compared with the noise."""
         rows = [
             (r, e.values * e.weights)
             for r, e in zip(result.residuals, self.experiments, strict=True)
         ]
         noise = float(sum((r**2).sum() for r, _ in rows))
         size = float(sum((y**2).sum() for _, y in rows))
-        # The mesh adds the square of a hundredth to the residuals.
+        # A hundredth of the noise adds its square to the sum of squared residuals.
         return 0.01 * np.sqrt(min(noise / size, 1.0)) if size > 0.0 else 0.01
 
     def _result(
@@ -301,7 +304,7 @@ class Identification:
 
 
 class _CombinedExperiments:
-    """Experiments on meshes, with their unknowns in one vector, at the positions `own`."""
+    """Experiments on meshes, with their unknowns in one vector, at the indices in `positions`."""
 
     def __init__(self, identification: Identification, meshes: Sequence[np.ndarray]) -> None:
         self.identification, self.experiments = identification, identification.experiments
@@ -334,9 +337,10 @@ class _CombinedExperiments:
     def program(
         self, z: np.ndarray, motions: Sequence[Any], slope: np.ndarray, pull: float = 0.0
     ) -> tuple[Nlp, Nlp, np.ndarray]:
-        """Return the program, the residuals as the rows of another, and where to start.
+        """Return the program, a second one whose rows are the residuals, and the initial guess.
 
-        The objective has the `slope` by the parameters in addition, and a `pull` towards z.
+        `slope` · parameters is added to the objective, and so is a `pull` towards z: a penalty on
+        the parameters' relative changes.
         """
         identification = self.identification
         lower, upper = np.full(self.size, -np.inf), np.full(self.size, np.inf)
@@ -372,10 +376,11 @@ class _CombinedExperiments:
         return nlp.in_own_units(start), Nlp(rows, lower, upper, sizes), start
 
     def collapses(self, nlp: Nlp, start: np.ndarray) -> bool:
-        """Return whether a change of parameters alone would satisfy all equations that hold some.
+        """Return whether changing the parameters alone satisfies all equations that contain them.
 
-        So it is where equations hold all terms times masses, stiffnesses and the like that are
-        found: with all of these zero any motion satisfies them, and a search may go there.
+        This happens if every term of an equation has an unknown mass, stiffness or similar factor:
+        any motion satisfies the equation once all of these are zero, so that a search may converge
+        to that solution.
         """
         y = start / nlp.sizes
         B = _matrix(nlp, y, nlp.rows, self.size)[:, self.parameters].toarray()
@@ -385,7 +390,7 @@ class _CombinedExperiments:
         return bool(at.any() and np.linalg.norm(remaining) <= HALF * np.linalg.norm(rows[at]))
 
     def _parameter_terms(self, slope: np.ndarray, z: np.ndarray, pull: float) -> PointGroup:
-        """Return the priors of the parameters, a slope, and a pull as a share of the samples'."""
+        """Return the objective's terms in the parameters: priors, slope and pull towards z."""
         problem = self.transcriptions[0].problem
         count = len(self.parameters)
         samples = [(np.nan_to_num(e.values) * e.weights).ravel() for e in self.experiments]
@@ -397,9 +402,10 @@ class _CombinedExperiments:
         return PointGroup(problem.of_parameters(), at, data, none, (), np.full(count, np.nan))
 
     def check_constraints(self, solution: NlpSolution) -> None:
-        """Refuse motions whose velocities do not keep a holonomic constraint.
+        """Refuse motions whose velocities violate the derivative of a holonomic constraint.
 
-        Simulations leave that constraint. Collocation would return such a motion as the best one.
+        A simulation of such a motion leaves the constraint, but collocation would return it as the
+        optimum.
         """
         for e, transcription, positions in zip(
             self.experiments, self.transcriptions, self.positions, strict=True
@@ -418,8 +424,8 @@ class _CombinedExperiments:
                     p[k] = value
                 else:
                     r[:, k - len(p)] = value
-            values = replace(at, p=p, r=r).interpret(rates)
-            # Where nothing moves, rates are rounding: terms count as on the whole motion.
+            values = replace(at, p=p, r=r).values(rates)
+            # Rates at rest are rounding errors: compare them with the largest terms of the motion.
             values["sizes"] = np.broadcast_to(values["sizes"].max(axis=0), values["sizes"].shape)
             if not (report := DriftReport.contradiction(values)):
                 continue
@@ -429,7 +435,7 @@ class _CombinedExperiments:
             raise IntegrationError(f"`collocation` {status}", times, states, t, states[k], info)
 
     def disturbances(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the disturbances' unknowns, and the function of their residuals."""
+        """Return the indices of the disturbances, and the factors that make them residuals."""
         unknowns, factors = [np.empty(0, dtype=int)], [np.empty(0)]
         for transcription, positions in zip(self.transcriptions, self.positions, strict=True):
             (points,) = transcription.scheme.points(transcription.mesh)
@@ -441,10 +447,10 @@ class _CombinedExperiments:
         return np.concatenate(unknowns), np.concatenate(factors)
 
     def at_bounds(self, nlp: Nlp, solution: NlpSolution) -> np.ndarray:
-        """Return the unknowns, parameters at a bound exactly there.
+        """Return the unknowns, with parameters at active bounds set exactly to the bound.
 
-        An interior-point method leaves the distance and the multiplier of an active bound with a
-        small product; the larger one tells.
+        An interior-point method leaves a small product of a bound's distance and its multiplier;
+        the bound is active if the multiplier is the larger one.
         """
         z = solution.z.copy()
         for side, multipliers in ((nlp.lower, solution.below), (nlp.upper, solution.above)):
@@ -455,9 +461,9 @@ class _CombinedExperiments:
         return z
 
     def followed(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return derivatives by the parameters, all else following them.
+        """Return the derivatives of residuals (r, k) and unknowns (n, k) by the parameters.
 
-        They are those of the residuals (r, k) and of the unknowns (n, k).
+        States and disturbances depend on the parameters as described in the module.
         """
         R, A = self._linear(nlp, residuals, z)
         p, free = self.parameters, self._free(nlp)
@@ -466,7 +472,7 @@ class _CombinedExperiments:
         if self._states_follow and A.shape[0] == free.sum():
             W[free] = scipy.sparse.linalg.splu(A[:, free].tocsc()).solve(-A[:, p].toarray())
             return R @ W / nlp.sizes[p], W * nlp.sizes[:, None] / nlp.sizes[p]
-        # In units of the largest residual, beside equations in units of their own.
+        # Divide the residuals by the largest derivative: the equations are scaled already.
         unit = float(np.abs(R.data).max(initial=0.0)) or 1.0
         R = R / unit
         right = -np.vstack(
@@ -483,11 +489,11 @@ class _CombinedExperiments:
 
     @property
     def _states_follow(self) -> bool:
-        """Whether the equations alone give all states, without choice or redundance."""
+        """Whether the equations determine all states: no controls, no redundant constraints."""
         return not any(p.controls or p.equations.constraints for p in self.identification.problems)
 
     def slope(self, nlp: Nlp, residuals: Nlp, result: Identified) -> np.ndarray:
-        """Return the derivatives of ½ log det H_v by the parameters, all else following them."""
+        """Return the total derivatives of ½ log det H_v by the parameters."""
         z, sizes = result.solution.z, nlp.sizes[self.parameters]
         steps = np.linalg.norm(np.linalg.pinv(result.jacobian * sizes), axis=1) * sizes
         slopes = np.zeros(len(steps))
@@ -513,13 +519,13 @@ class _CombinedExperiments:
         return 0.5 * (_log_determinant(*systems[0]) - _log_determinant(*systems[1]))
 
     def _free(self, nlp: Nlp) -> np.ndarray:
-        """Return which unknowns follow the parameters."""
+        """Return which unknowns are determined by the parameters."""
         free: np.ndarray = nlp.lower < nlp.upper
         free[self.parameters] = False
         return free
 
     def _linear(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[Any, Any]:
-        """Return the derivatives of residuals and equations, in units of the program."""
+        """Return the scaled Jacobians of residuals and equations."""
         y = z / nlp.sizes
         measured = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
         R = _matrix(residuals, y, residuals.rows, self.size)[measured]
@@ -532,7 +538,7 @@ class _CombinedExperiments:
 
 
 def _start(e: Experiment, transcription: Transcription, motion: Any) -> np.ndarray:
-    """Return an experiment's unknowns where the search begins."""
+    """Return the initial guess of an experiment's unknowns."""
     duration = transcription.problem.duration
     assert duration is not None
     controls = np.zeros((transcription.problem.algebraic, len(transcription.control_times)))
@@ -555,12 +561,12 @@ def _signal_columns(signal: tuple[np.ndarray, Any]) -> list[int]:
 
 
 def _matrix(nlp: Nlp, y: np.ndarray, rows: int, columns: int) -> Any:
-    """Return the Jacobian of a program's rows, in units of its own."""
+    """Return the scaled Jacobian of a program's rows."""
     return scipy.sparse.csr_array((nlp.native("jacobian", y)[0], nlp.jacobian_at), (rows, columns))
 
 
 def _system(R: Any, A: Any) -> tuple[Any, Any]:
-    """Return K, and a diagonal that makes it regular where constraints are redundant."""
+    """Return K, and a diagonal that makes it regular despite redundant constraints."""
     K = scipy.sparse.block_array(
         [[-scipy.sparse.eye_array(R.shape[0]), R, None], [R.T, None, A.T], [None, A, None]],
         format="csc",

@@ -1,14 +1,13 @@
-"""Where an objective or a condition jumps as the unknowns of a problem change.
+"""Detection of discontinuities in objectives and conditions as functions of the unknowns.
 
-A search follows derivatives, which know nothing of a jump: `Heaviside(F)` has the slope zero on
-both sides, so that its cost is invisible. A kink, such as that of `Abs(F)`, is another matter: both
-sides meet there.
+A search follows derivatives, which do not contain a jump: `Heaviside(F)` has the slope zero on both
+sides, so that its cost is invisible. A kink, such as that of `Abs(F)`, is continuous and allowed.
 
-Each side of a switch is continued beyond it (`sides`). Where both continuations are one node, the
-expression is continuous there. Otherwise Newton's method moves points within the bounds onto the
-switching surface, and the difference of both sides is compared with its own rounding bound. Points
-begin on both sides of all other switches, so that nested switches are met in each of their
-branches.
+Each side of a switch is extended beyond the switching surface (`sides`). If both extensions are the
+same node, the expression is continuous there. Otherwise Newton's method moves points within the
+bounds onto the switching surface, and the difference of the two sides is compared with its rounding
+bound. Points start on both sides of all other switches, so that nested switches are tested in each
+of their branches.
 """
 
 from __future__ import annotations
@@ -27,8 +26,8 @@ from pydy._rank import HALF, ROUNDING
 from pydy.control.transcription import TranscribedProblem
 from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS
 
-_DECADES = 9.0  # unknowns without bounds are looked for up to this power of ten
-# What a jump may be written as; others are found too, but are shown as a part of the whole.
+_DECADES = 9.0  # samples of unknowns without bounds have sizes up to this power of ten
+# Functions that a message names by themselves; for others it shows the full expression.
 _JUMPING = (sm.Heaviside, sm.sign, sm.floor, sm.ceiling, sm.frac, sm.Mod, sm.Piecewise, sm.atan2)
 
 
@@ -41,20 +40,20 @@ class Range(NamedTuple):
 
 
 class Discontinuity(NamedTuple):
-    """A place where an expression jumps."""
+    """A discontinuity of an expression."""
 
-    node: int  # the switch, which is zero there
-    position: str
-    step: float  # by how much
+    node: int  # the switch, which is zero at the discontinuity
+    position: str  # the unknowns that the switch depends on, with their values
+    step: float  # the size of the jump
 
     def text(self, part: str) -> str:
-        """Return what to say of it; `part` is what jumps."""
+        """Return a text for a message; `part` is the discontinuous expression."""
         return f"`{part}`, which jumps by {self.step:.3g} at {self.position}"
 
 
 @dataclass(frozen=True, eq=False)
 class _Surfaces:
-    """Points of unknowns, inputs ``('x', k)``, beside values that the search does not change."""
+    """Samples of the unknowns, inputs ``('x', k)``, with fixed values of all other inputs."""
 
     graph: Graph
     ranges: Sequence[Range]
@@ -68,7 +67,7 @@ class _Surfaces:
         return self.graph.evaluator(nodes)(inputs, m)
 
     def starts(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return points within the bounds, and the sizes of their entries, (m, n) each."""
+        """Return random points within the bounds, and the scales of their entries, (m, n) each."""
         random, m = np.random.default_rng(0), SURFACE_POINTS
         columns, sizes = [], []
         together = 10.0 ** random.uniform(-_DECADES, _DECADES, m)
@@ -89,7 +88,7 @@ class _Surfaces:
     def onto(
         self, switch: int, X: np.ndarray, sizes: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Move points onto a surface; return those that arrived, their sizes and the slopes."""
+        """Move points onto a surface; return those that converged, their scales and the slopes."""
         graph, n = self.graph, len(self.ranges)
         low, high = (np.array([getattr(r, side) for r in self.ranges]) for side in ("low", "high"))
         unknowns = [graph.input("x", k) for k in range(n)]
@@ -99,7 +98,7 @@ class _Surfaces:
             *jacobian(graph, [switch], unknowns).flat(),
         ]
         weights = sizes**2
-        with np.errstate(all="ignore"):  # points that do not arrive may go anywhere
+        with np.errstate(all="ignore"):  # some points may diverge
             for _ in range(SURFACE_STEPS):
                 values = self.values(nodes, X)
                 value, slopes = values[:, 0], values[:, 2:]
@@ -109,7 +108,7 @@ class _Surfaces:
                 moved = np.clip(target, low, high)
                 weights = np.where(
                     moved == target, weights, 0.0
-                )  # what meets its bound stays there
+                )  # an unknown at its bound stays there
                 if (moved == X).all():
                     break
                 X = moved
@@ -121,7 +120,7 @@ class _Surfaces:
     def both_sides(
         self, switch: int, X: np.ndarray, sizes: np.ndarray, slopes: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return points above and below a surface, as far as the bounds allow."""
+        """Return points on both sides of a surface, clipped to the bounds."""
         low, high = (np.array([getattr(r, side) for r in self.ranges]) for side in ("low", "high"))
         away = HALF * sizes * np.sign(slopes)
         return np.clip(X + away, low, high), np.clip(X - away, low, high)
@@ -130,7 +129,7 @@ class _Surfaces:
 def jumps_of(
     graph: Graph, node: int, ranges: Sequence[Range], fixed: Mapping[int, np.ndarray]
 ) -> Iterator[Discontinuity]:
-    """Yield where a node jumps as inputs ``('x', k)`` move within their ranges."""
+    """Yield the discontinuities of a node as inputs ``('x', k)`` vary within their ranges."""
     switches = [
         s for s in Branches(graph, [node]).switches(whole=True) if "x" in graph.inputs_of([s])
     ]
@@ -147,13 +146,13 @@ def jumps_of(
         X, sizes = (np.concatenate(parts) for parts in zip(*starts, strict=True))
         X, sizes, slopes = surfaces.onto(switch, X, sizes)
         if not len(X):
-            continue  # nowhere within the bounds
+            continue  # the surface lies outside the bounds
         step = graph.sub(above, below)
         nodes = [node, above, below, step, *rounding_bounds(graph, [step])]
         node_values, high, low, steps, bounds = surfaces.values(nodes, X).T
         upper, lower = surfaces.both_sides(switch, X, sizes, slopes)
         with np.errstate(all="ignore"):
-            # Where bounds leave one side alone, it is left for the surface itself at most.
+            # If the bounds exclude one side, compare the other one with the surface itself.
             reached = [surfaces.values([switch], x)[:, 0] for x in (upper, lower)]
             steps = np.where(reached[1] >= 0.0, high - node_values, steps)
             steps = np.where(reached[0] <= 0.0, low - node_values, steps)
@@ -189,7 +188,7 @@ def _switches_at(graph: Graph, node: int, switch: int) -> bool:
 
 
 def branching(definition: Any) -> dict[Any, Any]:
-    """Return outputs with branches, such as an absolute value, by their expressions."""
+    """Return the outputs with branches, such as an absolute value, and their expressions."""
     symbols = {*definition.states, *definition.specifieds, *definition.constants}
     kinds = (sm.Abs, sm.Max, sm.Min, *_JUMPING)
     branching_outputs = {}
@@ -216,9 +215,9 @@ class Expressions:
     at_instants: Sequence[Range]  # of values at instants
 
     def jump(self, expression: Any, argument: str, *, instants: bool = False) -> str:
-        """Return what to say of the first place where an expression jumps, or ''.
+        """Describe the first discontinuity of an expression, or return ''.
 
-        The cut of an angle, `atan2`, does not count: a motion on either side of it is smooth.
+        The branch cut of `atan2` is ignored: a motion on either side of it is smooth.
         """
         graph = self.problem.equations.graph.copy()
         substitutions, ranges, fixed = self._inputs(graph, instants)
@@ -246,9 +245,9 @@ class Expressions:
         return bool(Branches(graph, nodes).switches(whole=True))
 
     def crossing(self, expression: Any, argument: str, motion: Any, active: np.ndarray) -> str:
-        """Return what to say of the first jump of an expression of the path along a motion, or ''.
+        """Describe the first jump of a path expression along a motion, or return ''.
 
-        Those count that are next to times, (m,), at which it is `active`.
+        Only jumps next to a time, (m,), at which the expression is `active` count.
         """
         graph, times = self.problem.equations.graph.copy(), motion.times
         substitutions, ranges, fixed = self._inputs(
@@ -265,7 +264,7 @@ class Expressions:
             step = graph.sub(above, below)
             steps, bounds = surfaces.values([step, *rounding_bounds(graph, [step])], X).T
             differs = np.abs(steps) > ON_SURFACE**2 * ROUNDING * bounds
-            # A point that lies on the surface belongs to the side before it.
+            # A point on the surface belongs to the side of the point before it.
             last = np.maximum.accumulate(np.where(value != 0.0, np.arange(len(value)), 0))
             side = np.sign(value[last])
             crossed = (side[1:] * side[:-1] < 0.0) & differs[1:] & differs[:-1]
@@ -305,9 +304,9 @@ class Expressions:
     def _inputs(
         self, graph: Graph, instants: bool, fractions: Any = None, duration: Any = None
     ) -> tuple[dict[int, int], list[Range], dict[int, np.ndarray]]:
-        """Return what takes the places of inputs, and their ranges and values.
+        """Return substitutions for the inputs, the ranges of unknowns, and fixed input values.
 
-        Values that a search does not change are those at `fractions` of the motion, or at random.
+        Fixed inputs are evaluated at `fractions` of the motion, by default random ones.
         """
         p = self.problem
         substitutions: dict[int, int] = {}
@@ -316,9 +315,8 @@ class Expressions:
                 graph.input(group, k): graph.const(float(v)) for k, v in enumerate(values)
             }
         ranges: list[Range] = []
-        instant_ranges = (
-            {("i", k): unknown for k, unknown in enumerate(self.at_instants)} if instants else {}
-        )
+        further = self.at_instants if instants else ()
+        instant_ranges = {("i", k): unknown for k, unknown in enumerate(further)}
         for key, unknown in {**self.ranges, **instant_ranges}.items():
             substitutions[graph.input(*key)] = graph.input("x", len(ranges))
             ranges.append(unknown)
@@ -327,7 +325,7 @@ class Expressions:
         fixed: dict[int, np.ndarray] = {}
         time = graph.input("t", 0)
         if p.duration is None:
-            # Each point keeps its fraction of a duration that is found.
+            # The duration is unknown: each point has a fixed fraction of it.
             (low, high), at = self.ranges["T", 0][1:], graph.input("r", 0)
             duration = duration or (high if np.isfinite(high) else max(low, 1.0))
             substitutions[time] = graph.mul(substitutions[graph.input("T", 0)], at)
@@ -345,7 +343,7 @@ class Expressions:
 
 
 def refuse_jumps(expressions: Expressions) -> None:
-    """Refuse an objective that jumps."""
+    """Refuse a discontinuous objective."""
     p = expressions.problem
     for term, instants in ((p.running, False), (p.terminal, True)):
         message = expressions.jump(sm.sympify(term), "`objective`", instants=instants)
@@ -359,7 +357,7 @@ def refuse_jumps(expressions: Expressions) -> None:
 
 
 def warn_of_crossings(expressions: Expressions, motion: Any) -> None:
-    """Warn where a condition that decides a solution, or the objective, jumps along it."""
+    """Warn if the objective or an active condition is discontinuous along a solution."""
     p = expressions.problem
     message = expressions.crossing(
         sm.sympify(p.running), "`objective`", motion, np.ones(len(motion.times), dtype=bool)
@@ -380,7 +378,7 @@ def warn_of_crossings(expressions: Expressions, motion: Any) -> None:
 
 
 def jumping_conditions(expressions: Expressions) -> str:
-    """Return what to say of path and boundary conditions that jump where a search failed."""
+    """Return a hint on discontinuous path and boundary conditions, for a search that failed."""
     p = expressions.problem
     for argument, conditions in (("path", p.path), ("boundary", p.boundary)):
         for condition in conditions:

@@ -1,7 +1,7 @@
 """Equations of motion in implicit form on a graph, and machine code for functions of points.
 
-This file and `jumps` are the ones of the package that know the expression graph; `nlp` knows the
-LLVM back end, too.
+In this package, only this file and `jumps` use the expression graph; `nlp` uses the LLVM back end,
+too.
 
 The equations are ``q' − G = 0`` and ``M(q) u' − F = 0``: no linear system is solved, and every
 derivative is a sum of products. Constraints hold themselves, not their derivatives: of velocities,
@@ -9,13 +9,13 @@ derivative is a sum of products. Constraints hold themselves, not their derivati
 positions, ``φ(q, z) = 0`` with slack velocities in ``q' − G − D (φ_qᵀ γ + g_qᵀ η) = 0``, which
 vanish with the errors of the discretisation (C. W. Gear, B. Leimkuhler and G. K. Gupta, Automatic
 integration of Euler–Lagrange equations with constraints, J. Comput. Appl. Math. 12 (1985) 77–90).
-D are the squares of the coordinates' sizes: angles and lengths of any unit make up for these errors
-in the same shares. Residuals ``g(q, z) = 0`` give their unknowns z in place of z', and move nothing
-else: η = −g_z⁻ᵀ φ_zᵀ γ, the rows ``φ_zᵀ γ + g_zᵀ η = 0`` of z, is what φ moves q by through z.
+D are the squares of the coordinates' sizes, so that angles and lengths of any unit are corrected in
+the same proportions. Residuals ``g(q, z) = 0`` determine their unknowns z in place of z'. The rows
+``φ_zᵀ γ + g_zᵀ η = 0`` of z give η = −g_z⁻ᵀ φ_zᵀ γ, by which φ corrects q through z.
 
-A *point* is what the functions are evaluated at, a collocation
-point or the ends of the motion: its variables X, its data R and the constants P. Many points are
-evaluated in one call, side by side in vector registers, in arrays of shape (items, points).
+The functions are evaluated at *points*, which are collocation points or the ends of the motion. A
+point has variables X, data R and the constants P. Many points are evaluated in one call, side by
+side in vector registers, in arrays of shape (items, points).
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ from pydy._program import OPERATIONS, Program
 from pydy._rank import DIGITS
 from pydy.control.tuning import STORED_FUNCTIONS
 
-_LANES = 8  # points that one call of the machine code takes
-# Now: the package may be replaced while this process runs.
+_LANES = 8  # points evaluated by one call of the machine code
+# Read at import: the package's files may be replaced while this process runs.
 _SOURCE = hashlib.sha256(Path(__file__).read_bytes()).digest()
 
 
@@ -64,9 +64,10 @@ class ImplicitEquations:
     # Nodes of coordinates, of speeds and of auxiliary states, then the constraints.
     residuals: list[int]
     constraints: list[int]  # nodes of the constraints of positions, then of velocities
-    # Nodes of their rates where they hold: γ, z' − G, then those of the constraints of velocities.
+    # Nodes that replace the constraints where these already hold: γ, z' − G, then the rates of the
+    # constraints of velocities.
     rates: list[int]
-    atoms: Mapping[Any, int]  # symbols to nodes: what further expressions may hold
+    atoms: Mapping[Any, int]  # nodes of the symbols that further expressions may contain
     substitutions: Mapping[int, int]  # nodes of the specifieds that are given as expressions
     # The functions compiled last for this model, by a digest of their content.
     compiled: dict[bytes, PointFunctions] = field(default_factory=dict, repr=False)
@@ -78,8 +79,7 @@ class ImplicitEquations:
     def from_snapshot(cls, snapshot: Any, *, disturbed: bool = False) -> ImplicitEquations:
         """Return the equations of a System's snapshot.
 
-        Specifieds that are expressions may be `disturbed`: what stands in their places in r is
-        added to them.
+        If `disturbed`, the entries of r of specifieds that are expressions are added to these.
         """
         definition, code = snapshot.definition, snapshot.code
         if disturbed:
@@ -88,7 +88,7 @@ class ImplicitEquations:
         graph, rates = assembly.graph, assembly.rates
         nq, nu = len(equations.coordinates), len(equations.speeds)
         slopes = [graph.input("d", k) for k in range(len(rates))]
-        # Accelerations in an objective are the unknown u', which no linear system gives.
+        # Accelerations in an objective are the inputs u'; no linear system is solved for them.
         atoms = {
             **assembly.atoms,
             **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
@@ -163,7 +163,7 @@ class ImplicitEquations:
     ) -> list[int]:
         """Read expressions into a copy of the graph; `description` names them in messages.
 
-        They may hold further symbols, which are `named` with the inputs that they stand for.
+        `named` maps further symbols in them to inputs.
         """
         further = {s: graph.input(*key) for s, key in (named or {}).items()}
         atoms = {**self.atoms, **further}
@@ -172,9 +172,9 @@ class ImplicitEquations:
 
 
 def violated(at: Any) -> dict[int, float]:
-    """Return nonzero residuals of invariants such as norms of quaternions.
+    """Return the nonzero residuals of invariants, such as norms of quaternions, by their indices.
 
-    `at` is a start; the residuals of these holonomic constraints come by their places.
+    `at` is the start of a motion. Invariants are holonomic constraints that are not enforced.
     """
     indices = at.definition.equations.constraints.unenforced_holonomic
     values = at.interpret(_holonomic) if indices else {}
@@ -188,9 +188,9 @@ def _holonomic(assembly: Any) -> dict[str, list[int]]:
 
 
 class PointBuilder:
-    """The making of the functions of points: variables, data and constants become nodes.
+    """Builds functions of points: provides nodes of variables, data and constants.
 
-    So many numbers P are `constants`; see `constant`.
+    `constants` is the number of constants P.
     """
 
     def __init__(self, equations: ImplicitEquations, constants: int) -> None:
@@ -262,9 +262,9 @@ class PointBuilder:
     ) -> PointFunctions:
         """Compile the rows, a part of the objective, and their derivatives by the variables.
 
-        The `hessian` is 'exact', that of rows and cost, 'gauss-newton', what first derivatives tell
-        of the cost's, or None. `squares` are factors and residuals, of whose squares the cost is
-        a sum.
+        The `hessian` is 'exact', that of rows and cost; 'gauss-newton', an approximation of the
+        cost's by first derivatives; or None. The cost is the sum of factor · residual² over
+        `squares`, pairs of these.
         """
         costs = [] if cost is None else [cost]
         roots = [*rows, *costs, *(node for pair in squares for node in pair)]
@@ -345,7 +345,7 @@ def _normal(
     variables: Sequence[int],
     weight: int,
 ) -> tuple[list[tuple[int, int]], list[int]]:
-    """Return the lower triangle of ``2 weight Σ factor · slope slopeᵀ``: places and nodes."""
+    """Return the lower triangle of ``2 weight Σ factor · slope slopeᵀ``: indices and nodes."""
     terms: dict[tuple[int, int], list[tuple[int, float]]] = {}
     for factor, row in zip(factors, jacobian(g, residuals, variables), strict=True):
         for i, a in row.items():
@@ -359,7 +359,7 @@ def _normal(
 class PointFunctions:
     """Machine code for rows and a cost at points, and for their derivatives by the variables."""
 
-    # 'cost', 'gradient', 'rows', 'jacobian' and 'hessian', as far as they are not empty.
+    # 'cost', 'gradient', 'rows', 'jacobian' and 'hessian', without those that are empty.
     programs: dict[str, Program]
     sizes: tuple[int, int, int]  # numbers of variables, data and constants
     outputs: tuple[int, int]  # numbers of rows and of costs, which is one or none
@@ -374,7 +374,7 @@ class PointFunctions:
     def from_programs(
         cls, programs: Any, sizes: Any, outputs: Any, gradient_at: Any, *pairs: Any
     ) -> PointFunctions:
-        """Return the functions of Programs, with lists of places."""
+        """Return the functions of Programs; positions of entries are given as lists."""
         first, second = (np.array(pair, dtype=int).reshape(-1, 2) for pair in pairs)
         return cls(programs, sizes, outputs, np.array(gradient_at, dtype=int), first, second)
 

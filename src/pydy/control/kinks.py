@@ -1,10 +1,10 @@
-"""Kinks of an objective that a minimum may lie on, replaced by unknowns and smooth conditions.
+"""Replace kinks of an objective, where its minimum may be, by unknowns and smooth conditions.
 
 A term c·max(a, b) with c ≥ 0 that is minimised has the same minimum as c·s with s ≥ a and s ≥ b
 (the epigraph form; S. Boyd and L. Vandenberghe, Convex Optimization, §4.1.3): at the minimum s is
-as small as both conditions allow. This holds whatever a and b are. Likewise |a| = max(a, −a), and
-min(a, b) with c ≤ 0. Derivatives are then smooth, so that a search can end where a = b, as sums of
-absolute values mostly do.
+as small as both conditions allow, for any a and b. Likewise |a| = max(a, −a), and min(a, b) with
+c ≤ 0. Derivatives are then smooth, so that a search can converge to a point with a = b, which is
+common for sums of absolute values.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from sympy.core.function import AppliedUndef
 
 from pydy.control.transcription import Condition, Lifted
 
-_MOST_PARTS = 16  # smooth conditions that one with kinks may become
+_MOST_PARTS = 16  # most smooth conditions that replace one with kinks
 _LARGE = 400  # operations of a Piecewise whose branches are compared by SymPy
 
 
 @dataclass(frozen=True)
 class Epigraph:
-    """A smooth objective, and what takes the places of its kinks."""
+    """A smooth objective, with the unknowns and conditions that replace its kinks."""
 
     expression: Any
     unknown: tuple[Lifted, ...] = ()
-    kinks: tuple[Any, ...] = ()  # what each stands for at the minimum
+    kinks: tuple[Any, ...] = ()  # the expression that each unknown equals at the minimum
     conditions: tuple[Condition, ...] = ()
 
 
@@ -61,7 +61,7 @@ def epigraph(
         unknown.append(Lifted(dummy, sign, len(parts)))
         for part in parts:
             relation = f"{part} <= {kink}" if sign > 0 else f"{part} >= {kink}"
-            # With rows in units of their own, it does not matter how large they are.
+            # The rows are scaled, so no factor is needed.
             conditions.append(Condition(sign * (dummy - part), 0.0, float("inf"), relation))
     if not unknown:
         return unchanged
@@ -72,9 +72,10 @@ def epigraph(
 def split(
     condition: Condition, depends_on_unknowns: Callable[[Any], bool], values: Mapping[Any, float]
 ) -> list[Condition]:
-    """Return smooth conditions that hold together if and only if a condition with kinks holds.
+    """Return smooth conditions that are together equivalent to a condition with kinks.
 
-    A largest value is below a limit if and only if all of them are; as in `epigraph`.
+    A maximum is below a limit if and only if all of its arguments are. The arguments are those of
+    `epigraph`.
     """
     conditions, done = [condition], 0
     side = {(True, False): 1, (False, True): -1}.get(
@@ -99,7 +100,7 @@ def split(
 
 
 def _outermost(expression: Any) -> Sequence[Any]:
-    """Return the kinks that are not inside of others, in a fixed order."""
+    """Return the kinks that are not nested in others, in a fixed order."""
     if _may_bend(expression):
         return [expression]
     return [kink for part in expression.args for kink in _outermost(part)]
@@ -113,7 +114,7 @@ def _may_bend(expression: Any) -> bool:
 
 
 def _extremum(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
-    """Return 1 and what a kink is the largest of, −1 and what it is the least of, or None."""
+    """Return (1, arguments) of a maximum, (−1, arguments) of a minimum, or None."""
     if isinstance(kink, (sm.Max, sm.Min)):
         return (1 if isinstance(kink, sm.Max) else -1), kink.args
     if isinstance(kink, sm.Piecewise):
@@ -123,9 +124,10 @@ def _extremum(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
 
 
 def _of_branches(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
-    """Return the same of a Piecewise of two branches whose difference is a multiple of its switch.
+    """Return a Piecewise of two branches as a maximum or minimum, or None; as `_extremum` does.
 
-    With a − b = k·s, where the first branch a holds for s > 0, it is max(a, b) for k > 0.
+    The difference of the branches must be a multiple of the switch. With a − b = k·s, where the
+    first branch a holds for s > 0, it is max(a, b) for k > 0.
     """
     if len(kink.args) != 2 or kink.args[1].cond != sm.true or kink.count_ops() > _LARGE:
         return None
@@ -139,9 +141,9 @@ def _of_branches(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
 
 
 def _has_sign(factor: Any, sign: int, values: Mapping[Any, float]) -> bool:
-    """Return whether a factor is never of the other sign, for real values of what it depends on.
+    """Return whether sign · factor is nonnegative for all real values of its symbols.
 
-    Of constants the signs alone count, so that others of the same signs change nothing.
+    Only the signs of constants are used, so that the result holds for other values of these signs.
     """
     real: dict[Any, Any] = {}
     for a in factor.atoms(sm.Symbol, AppliedUndef, sm.Derivative):

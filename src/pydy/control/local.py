@@ -16,10 +16,10 @@ from pydy.control.tuning import HALVINGS
 
 
 def least_between(transcription: Transcription, nlp: Nlp, z: np.ndarray, k: int) -> float:
-    """Return the least integral of the objective with which interval k joins its nodes' states.
+    """Return the least objective of motions that join the states at the nodes of interval k.
 
-    NaN where it is not found, or where it is no problem of its own: of systems with constraints,
-    and of integrands that contain the duration of the whole motion.
+    NaN if the search fails, or if the interval cannot be solved alone: for systems with constraints
+    and for integrands that contain the duration of the full motion.
     """
     p, T = transcription.problem, transcription.split(z)[3]
     symbols = {s for e in (p.running, *(c.expression for c in p.path)) for s in _symbols(e)}
@@ -88,7 +88,7 @@ def least_between(transcription: Transcription, nlp: Nlp, z: np.ndarray, k: int)
 def _restriction(
     first: float, length: float
 ) -> Callable[[Any], Callable[[np.ndarray], np.ndarray]]:
-    """Return what makes a limit over the whole motion one over a part of it."""
+    """Return a function that restricts a limit of the full motion to a part of it."""
     return lambda limit: lambda fractions: limit(first + length * fractions)
 
 

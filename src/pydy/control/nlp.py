@@ -3,10 +3,10 @@
     minimise  Σ cost(X, R, P)   such that   lower ≤ z ≤ upper,   low ≤ rows(X, R, P) ≤ high
 
 The variables X of a point are some of the unknowns z; the constants P are those of its group.
-Solvers see it in units of its own: with z = sizes · y, each row and the objective divided by their
-sizes, no tolerance depends on the units in which a model is written. No Python runs when a solver
-calls the functions: they are those of ``_backends/core/nlp.c``, with the signatures of IPOPT's C
-interface, and here its structs are filled in.
+Solvers see a scaled program: with z = sizes · y, and rows and objective divided by their sizes, no
+tolerance depends on the units in which a model is written. Solvers call the functions of
+``_backends/core/nlp.c``, which have the signatures of IPOPT's C interface and run no Python. Their
+structs are filled in here.
 """
 
 from __future__ import annotations
@@ -42,20 +42,20 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
 
 @dataclass(frozen=True, eq=False)
 class PointGroup:
-    """PointFunctions of points, with their unknowns, data and bounds."""
+    """Points that share compiled functions, with their unknowns, data and bounds."""
 
     functions: PointFunctions
-    at: np.ndarray  # (variables, points), which unknowns the points' variables are
+    at: np.ndarray  # (variables, points), the indices in z of the points' variables
     data: np.ndarray  # (data, points)
     constants: np.ndarray  # the numbers P
-    labels: tuple[str, ...]  # what each row is, for messages
+    labels: tuple[str, ...]  # the names of the rows, for messages
     # (points,), the times of the points, as fractions of the duration; NaN where they have none.
     fractions: np.ndarray
     low: Any = 0.0  # (rows,), bounds, by default those of equations
     high: Any = 0.0
     collocated: bool = False  # whether these are collocation points
-    # Places in r and SampledInputs whose `cubics_at` the points' times are the last rows of the
-    # data. The times move with the duration, which is the last variable.
+    # Indices in r, and SampledInputs. Their `cubics_at` the points' times are the last rows of the
+    # data; the times depend on the duration, which is the last variable.
     signals: Sequence[tuple[np.ndarray, Any]] = ()
 
     def __post_init__(self) -> None:
@@ -85,7 +85,7 @@ class PointGroup:
 
     @property
     def shortest(self) -> np.ndarray:
-        """The shortest interval of the mesh, as a share of each collocation point's."""
+        """The shortest interval of the mesh, relative to the interval of each collocation point."""
         return self.data[1].min() / self.data[1] if self.collocated else np.ones(1)
 
 
@@ -112,8 +112,8 @@ class Nlp:
     row_sizes: np.ndarray = field(default_factory=lambda: np.empty(0))  # (m,), one by default
     cost_size: float = 1.0
     estimated: bool = False  # whether the solver estimates the Hessian, as no group has it
-    # Rows and columns of the entries; those of the Hessian are of its lower triangle, and entries
-    # of the same place are to be added.
+    # Rows and columns of the entries. The Hessian has its lower triangle only; entries with the
+    # same indices are added.
     jacobian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
     hessian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
 
@@ -150,11 +150,11 @@ class Nlp:
 
     @property
     def derivative_units(self) -> tuple[np.ndarray, np.ndarray]:
-        """What the entries of the Jacobian and of the Hessian are multiplied with."""
+        """Factors that scale the entries of the Jacobian and of the Hessian."""
         twice = [np.empty(0, dtype=bool)]
         for group in self.groups:
             i, j = group.functions.hessian_at.T
-            # Two variables of a point that are one unknown meet twice on the diagonal.
+            # Two variables that are the same unknown contribute twice to its diagonal entry.
             twice.append(((i != j)[:, None] & (group.at[i] == group.at[j])).ravel())
         (row, column), (i, j) = self.jacobian_at, self.hessian_at
         curvatures = self.sizes[i] * self.sizes[j] * np.where(np.concatenate(twice), 2.0, 1.0)
@@ -171,7 +171,7 @@ class Nlp:
         return low, high
 
     def by_group(self, values: np.ndarray) -> list[tuple[PointGroup, np.ndarray]]:
-        """Return each group's part of all rows, as views (rows, points)."""
+        """Split values of all rows by group, as views (rows, points)."""
         ends = np.cumsum([group.rows * group.points for group in self.groups])
         parts = np.split(values, ends[:-1])
         return [
@@ -179,11 +179,11 @@ class Nlp:
             for group, part in zip(self.groups, parts, strict=True)
         ]
 
-    # -- functions of y, in units of their own ----------------------------------------------------
+    # -- scaled functions of y --------------------------------------------------------------------
 
     @cached_property
     def native(self) -> Native:
-        """The compiled functions, which write to arrays of this object: one thread at a time."""
+        """The compiled functions. They write to arrays of this object: one thread at a time."""
         return Native(self)
 
     def __getstate__(self) -> dict[str, object]:
@@ -192,11 +192,11 @@ class Nlp:
     # -- units ------------------------------------------------------------------------------------
 
     def in_own_units(self, z: np.ndarray) -> Nlp:
-        """Return the same with rows and objective divided by how much they vary.
+        """Return the program with rows and objective scaled by how much they vary.
 
-        A row varies by its largest derivative times the size of that unknown, for all points
-        alike, unless their intervals are very different. The objective does so by its slope and its
-        curvature: one that is a sum of squares is flat where a search may begin.
+        A row varies by its largest derivative times the size of that unknown. The scale is the same
+        at all points, unless their intervals have very different lengths. The objective's scale
+        includes its curvature as well as its slope: a sum of squares may be flat at the guess.
         """
         y = z / self.sizes
         J = self.native("jacobian", y)[0]
@@ -216,7 +216,7 @@ class Nlp:
             np.add.at(curved, i, np.abs(H) / 2)
             np.add.at(curved, j[i != j], np.abs(H[i != j]) / 2)
         else:
-            curved = self.native("gradient", y + 1.0)[0]  # by their sizes farther, all at once
+            curved = self.native("gradient", y + 1.0)[0]  # all unknowns moved by their sizes
             curved = np.abs(curved - slope) / 2
         size = float(np.max(np.nan_to_num(np.abs(slope) + curved), initial=0.0))
         scaled = self.of_cost_size(size if size > 0.0 else 1.0)
@@ -225,7 +225,7 @@ class Nlp:
         return scaled
 
     def of_cost_size(self, size: float) -> Nlp:
-        """Return the same with the objective divided by another size."""
+        """Return the program with the objective divided by another size."""
         scaled = copy(self)
         scaled._set("cost_size", size)
         return scaled
@@ -234,8 +234,8 @@ class Nlp:
 class Native:
     """The compiled functions of an Nlp: `addresses` by the keys of `SIGNATURES`.
 
-    They take the `handle` as their last argument; it is valid as long as this object lives. Those
-    of the same program in other units are `like` them, in the same arrays.
+    They take the `handle` as their last argument; it is valid as long as this object lives. With
+    `like`, the functions of the same program with other scales, both share their arrays.
     """
 
     def __init__(self, nlp: Any, like: Native | None = None) -> None:
@@ -267,12 +267,12 @@ class Native:
         self.handle = self._address_of(words)
 
     def _address_of(self, array: np.ndarray) -> int:
-        """Keep an array, and return where its numbers are."""
+        """Store a reference to an array, and return the address of its data."""
         self._references.append(array)
         return int(array.ctypes.data)
 
     def _part(self, nlp: Any, k: int, name: str) -> list[int]:
-        """Return the words of one function of a group."""
+        """Return one function of a group as the integers of its C struct."""
         group = nlp.groups[k]
         functions, points = group.functions, group.points
         words, scratch, code = functions.sweep(name)
@@ -320,9 +320,10 @@ class Native:
 
 
 def runs_of(at: np.ndarray) -> tuple[int, np.ndarray]:
-    """Return how many places of unknowns at a time may follow each other, and where those begin.
+    """Return the length of runs of consecutive indices, and the first index of each run.
 
-    A run whose places do not has −1: an unknown that all points share, as a constant.
+    All runs have one length. The first index is −1 for a run that is not consecutive, as of an
+    unknown that all points share.
     """
     follows = np.diff(at, axis=1) == 1
     ends = np.flatnonzero(~follows[follows.any(axis=1)].all(axis=0)) + 1

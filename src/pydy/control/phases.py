@@ -1,4 +1,4 @@
-"""Motions in several phases, with what happens between them: impacts, releases, other equations."""
+"""Motions in several phases, linked by impacts, releases or changes of the equations."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
 
 
 class Phases(TrajectorySearch[PhasedTrajectory]):
-    """Optimal control problems one after the other, solved as one; see `OptimalControl.phases`."""
+    """Consecutive optimal control problems, solved as one; see `OptimalControl.phases`."""
 
     def __init__(self, problems: Sequence[Any], links: Any) -> None:
         junctions = listed("links", links, "a dictionary for each junction")
@@ -95,11 +95,12 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
         self._problems = [problems[0]]
         for k, problem in enumerate(problems[1:]):
             phase, link = copy(problem), self._links[k]
-            # The end of a phase satisfies the constraints, which need not hold after a link.
+            # The end of a phase satisfies the constraints; the link may violate some of them.
             follow = _followers(self._problems[-1], problem, link)
             equations, solved = problem._snapshot.definition.equations, set[Any]()
             constraints = equations.constraints
-            if follow < len(constraints.enforced_holonomic):  # residuals give other unknowns then
+            # After such a link residuals determine other unknowns.
+            if follow < len(constraints.enforced_holonomic):
                 solved = {equations.coordinates[z] for z in constraints.residuals.columns}
             phase._start = {
                 s: _OPEN if s in {*link, *solved} and s not in problem._begins else limits
@@ -153,12 +154,10 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
             rows = [g.sub(at[s], node) for s, node in zip(link, nodes, strict=True)]
             return point.functions(rows, None, hessian=before.hessian)
 
-        ends = (
-            np.arange(before.states) * len(transcriptions[0].state_slots[0])
-            + transcriptions[0].intervals
-        )
-        begins = np.arange(after.states) * len(transcriptions[1].state_slots[0])
-        numbers = np.arange(sum(transcriptions[0].sizes[:2]), sum(transcriptions[0].sizes))
+        first, second = transcriptions
+        ends = np.arange(before.states) * len(first.state_slots[0]) + first.intervals
+        begins = np.arange(after.states) * len(second.state_slots[0])
+        numbers = np.arange(sum(first.sizes[:2]), sum(first.sizes))
         at = np.concatenate([positions[0][ends], positions[1][begins], positions[0][numbers]])
         labels = tuple(f"link {k} of {s}" for s in link)
         functions, none = before.once(key, compiled), np.empty((0, 1))
@@ -166,7 +165,7 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
 
 
 def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:
-    """Return how many of the constraints, the first ones, hold after a link as they did before."""
+    """Return how many of the constraints, from the first one on, a link preserves."""
     definition, equations = after._snapshot.definition, after._problem.equations
     signals = [k for columns, _ in after._problem.signals for k in columns.tolist()]
     if not (

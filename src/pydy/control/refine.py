@@ -1,8 +1,8 @@
-"""Errors of a mesh by integration, and finer meshes where they are too large.
+"""Errors of a mesh by integration, and refinement of intervals whose errors are too large.
 
-From the first state of each interval its motion is integrated with the interval's control, all
-intervals side by side, by the Runge–Kutta method of Dormand and Prince of order 8. The difference
-from the interval's last state is its error: what the collocation polynomial misses.
+The motion of each interval is integrated from its first state with its control, all intervals side
+by side, by the Runge–Kutta method of Dormand and Prince of order 8. The difference from the
+interval's last state is the error of the interval's collocation polynomial.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class RateFunction:
     """The function of the states' derivatives."""
 
     kernel: Kernel  # x' of t, x, r and p
-    inputs: Inputs  # which give r, but for the controls and specifieds that are unknown numbers
+    inputs: Inputs  # they determine r, except for controls and specifieds that are unknowns
 
 
 def interval_errors(
@@ -48,8 +48,7 @@ def interval_errors(
 ) -> np.ndarray:
     """Return the error of each interval, shape (M,).
 
-    `sizes` (n,) are how large each state is at least; errors below `enough` need not be known
-    better.
+    `sizes` (n,) are lower limits of the states' sizes; errors below `enough` need not be resolved.
     """
     return _largest(_missed(rate_function, transcription, z, sizes, enough)[0])
 
@@ -61,7 +60,7 @@ def _missed(
     sizes: np.ndarray,
     enough: float = 0.0,
 ) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return by how much motions miss the next node (M, n), in which sizes, and in which steps."""
+    """Return the scaled misses of the next nodes (M, n), the states' sizes, and the steps used."""
     states, _, _, duration = transcription.split(z)
     M = transcription.intervals
     first, last = states[:, :M].T, states[:, 1 : M + 1].T
@@ -116,7 +115,7 @@ def propagated_errors(
     errors, row = np.zeros(M), np.eye(n)[i]
     for j in range(k, -1, -1):
         errors[j], row = abs(row @ missed[j]), row @ flow[j]
-    order = np.argsort(-errors)  # what is left without the largest ones may be enough
+    order = np.argsort(-errors)  # correcting only the largest ones may suffice
     enough = errors.sum() - np.cumsum(errors[order]) <= NODE_DEVIATION * tolerance
     errors[order[enough.argmax() + 1 :]] = 0.0
     return errors * M / NODE_DEVIATION
@@ -135,18 +134,13 @@ def _integrated(
     duration: float,
     steps: int,
 ) -> np.ndarray:
-    """Return the states at the ends of the intervals, by as many equal steps in each."""
+    """Return the states at the ends of the intervals, by `steps` equal steps in each."""
     tableau = tableau_of("dop853")
-    problem, (p, specifieds), M = (
-        transcription.problem,
-        transcription.numbers(z),
-        transcription.intervals,
-    )
-    starts, lengths = (
-        problem.begin + transcription.mesh[:-1] * duration,
-        np.diff(transcription.mesh) * duration,
-    )
-    # Known and chosen inputs do not depend on states: they are found for all stages at once.
+    problem, M = transcription.problem, transcription.intervals
+    p, specifieds = transcription.numbers(z)
+    starts = problem.begin + transcription.mesh[:-1] * duration
+    lengths = np.diff(transcription.mesh) * duration
+    # Inputs and controls do not depend on states: evaluate them for all RK stages at once.
     nodes = np.array(tableau.nodes[: len(tableau.stages)])
     s = ((np.arange(steps)[:, None] + nodes) / steps).ravel()
     times = starts + s[:, None] * lengths
@@ -169,7 +163,7 @@ def _integrated(
         states: np.ndarray = x + h * slope.reshape(x.shape)
         return states
 
-    with np.errstate(all="ignore"):  # a motion that runs away has an infinite error
+    with np.errstate(all="ignore"):  # a diverging motion has an infinite error
         for _ in range(steps):
             for stage, row in zip(stages, tableau.stages, strict=True):
                 at = moved_by(row) if row else x
@@ -185,10 +179,10 @@ def refined(
 ) -> np.ndarray:
     """Return a mesh on which the errors should be within the tolerance.
 
-    An interval is divided into as many equal parts as reduce its error enough, if it is
-    proportional to the length to the power `order` + 1; but no more than a few at a time, as
-    that holds for smooth controls only. `extra_nodes` are added, except those that nearly coincide
-    with a node.
+    An interval is divided into enough equal parts for its error to fall below the tolerance, if
+    the error is proportional to the length to the power `order` + 1. That holds for smooth
+    controls only, so the number of parts is limited. `extra_nodes` are added, except those that
+    nearly coincide with a node.
     """
     with np.errstate(divide="ignore"):
         parts = np.ceil((error / tolerance) ** (1.0 / (order + 1)))
@@ -210,10 +204,10 @@ def refined(
 def jumps(
     transcription: Transcription, z: np.ndarray, error: np.ndarray, tolerance: float
 ) -> np.ndarray:
-    """Return where controls seem to jump, and known inputs do, as fractions of the motion.
+    """Return estimated jumps of controls and known jumps of inputs, as fractions of the motion.
 
-    In intervals that follow each other and have too large an error, the integral of a control tells
-    where it jumps from its value before them to that after them.
+    In consecutive intervals with too large an error, a control is assumed to jump from its value
+    before them to its value after them; its integral determines where.
     """
     M, t, slots = transcription.intervals, transcription.mesh, transcription.scheme.controls
     s, w = np.polynomial.legendre.leggauss(LARGEST_ORDER // 2)
@@ -233,10 +227,10 @@ def jumps(
 
 
 def knots(transcription: Transcription, error: np.ndarray, tolerance: float) -> np.ndarray:
-    """Return where known inputs have knots, at which they jump or bend, as fractions of the motion.
+    """Return the knots of known inputs, at which these jump or bend, as fractions of the motion.
 
-    They are those in intervals that have too large an error, and few knots: others are divided
-    first. If the duration is unknown there are none, as knots move with it.
+    Only knots in intervals with too large an error and few knots are returned; intervals with many
+    knots are subdivided first. With an unknown duration there are none, as knots would move.
     """
     p, M = transcription.problem, transcription.intervals
     times = np.concatenate([np.empty(0), *(samples.breaks for _, samples in p.signals)])
@@ -251,11 +245,11 @@ def knots(transcription: Transcription, error: np.ndarray, tolerance: float) -> 
 
 
 def most_intervals(mesh: np.ndarray, order: int, tolerance: float) -> float:
-    """Return how many intervals a mesh may get if most errors of this one are below one.
+    """Return a limit for the number of intervals, given a mesh with most errors below one.
 
-    Where a control jumps, errors fall more slowly than the order of the method tells, but few
-    intervals are divided. Where it is rough all along, as where it decides nothing, all are, again
-    and again.
+    Where a control jumps, errors fall more slowly than with the order of the method, but few
+    intervals are divided. A control that is rough everywhere, as one that has no effect, would have
+    all intervals divided in every refinement.
     """
     enough: float = (len(mesh) - 1) * (1.0 / tolerance) ** (1.0 / max(order, 2))
     return MOST_PARTS * enough
@@ -269,11 +263,11 @@ def refuse_singular(
     sizes: np.ndarray,
     limits: Mapping[Any, tuple[float, float]],
 ) -> None:
-    """Refuse constants at bounds where the equations have no solution, such as no mass."""
+    """Refuse constants at bounds where the equations have no solution, such as a mass of zero."""
     problem, first = transcription.problem, sum(transcription.sizes[:2])
     for k, (symbol, ends) in enumerate(limits.items()):
         for bound in ends:
-            # The barrier keeps it from its bound by the root of the tolerance.
+            # The barrier keeps the constant at a distance of about tolerance^(1/3) from its bound.
             if abs(z[first + k] - bound) < TOLERANCE ** (1 / 3) * sizes[first + k]:
                 p, r = problem.constants.copy(), np.ones((1, len(problem.specifieds)))
                 p[problem.free[k]] = bound
@@ -290,16 +284,11 @@ def refuse_singular(
 def refuse_unsolvable(
     rate_function: RateFunction, transcription: Transcription, z: np.ndarray, names: Sequence[Any]
 ) -> None:
-    """Refuse constants, whose `names` are given, with which no node has accelerations."""
+    """Refuse constants with which the accelerations are undefined at every node."""
     states, _, _, duration = transcription.split(z)
-    x, (p, _) = (
-        np.ascontiguousarray(states[:, : transcription.intervals + 1].T),
-        transcription.numbers(z),
-    )
-    times, r = (
-        transcription.problem.begin + transcription.mesh * duration,
-        np.ones((1, len(transcription.problem.specifieds))),
-    )
+    problem, (p, _) = transcription.problem, transcription.numbers(z)
+    x = np.ascontiguousarray(states[:, : transcription.intervals + 1].T)
+    times, r = problem.begin + transcription.mesh * duration, np.ones((1, len(problem.specifieds)))
     rates, failed = rate_function.kernel.evaluate(times, x, r, p)
     if (failed | ~np.isfinite(rates).all(axis=1)).all():
         zeros = [str(name) for name, value in zip(names, p, strict=True) if value == 0.0]
@@ -335,7 +324,10 @@ def checked_mesh(mesh: Any) -> np.ndarray:
 def warn_of_refinements(
     count: int, phases: Sequence[Any], tolerance: float, failed: int = 0
 ) -> None:
-    """Say that meshes have been refined in vain; on the last one, of some intervals, it failed."""
+    """Warn that refinement did not reach the tolerance.
+
+    `failed` is the number of intervals of a next mesh on which the search failed, or zero.
+    """
     errors = np.concatenate([phase.error for phase in phases])
     total = sum(phase.objective for phase in phases)
     if (errors > tolerance).any():
@@ -369,7 +361,7 @@ def warn_of_refinements(
 
 
 def _error_of_search(phase: Any) -> float:
-    """Return how much the equations that a solution does not satisfy change its objective."""
+    """Return how much the residuals that the search leaves change the objective."""
     nlp, solution = phase._nlp, phase.solution
     values = nlp.native("rows", solution.z / nlp.sizes)[0]
     low, high = (side / nlp.row_sizes for side in nlp.row_bounds)

@@ -1,8 +1,8 @@
-"""Collocation methods as data: which values an interval has, and what its points make of them.
+"""Collocation methods as data: the unknowns of an interval, and the formulas of its points.
 
-Times within an interval are fractions of its length h. Its *slots* are places at which a state
-vector, or its derivative, is unknown; neighbours share those at their common node. A collocation
-point's state and derivative are Σ coefficient · slot · h^power.
+Times within an interval are fractions of its length h. Its *slots* are the times at which a state
+vector, or its derivative, is unknown; neighbours share the slots of their common node. The state
+and derivative at a collocation point are Σ coefficient · slot · h^power.
 
 =================  =========================================================================
 backward Euler     Radau with one point
@@ -12,12 +12,12 @@ Hermite–Simpson    cubic with slopes as unknowns, x_c = (x₀ + x₁)/2 + h (v
 Radau              polynomial of degree K through the start and K Radau IIA points
 =================  =========================================================================
 
-Constraints hold at the nodes whatever the method, with their multipliers at the collocation points.
-Radau's include the ends of intervals. The midpoint rule's do not: a force in the middle brings each
-node back to the constraints, a symmetric step and so of order 2 (Jay 1998). Those of
-Hermite–Simpson include the start, whose constraints hold already: their rates determine the
-multipliers there. Left free, these would change by (1, −1/2, 1) times any number along each
-interval without an effect on the motion but by its errors.
+Every method enforces constraints at the nodes, with their multipliers at the collocation points.
+The points of Radau include the ends of intervals. Those of the midpoint rule do not: the constraint
+force at the midpoint makes the next node satisfy the constraints, which is a symmetric step and so
+of order 2 (Jay 1998). The points of Hermite–Simpson include the start, where the constraints hold
+already; their rates determine the multipliers there. Otherwise the multipliers could change by any
+multiple of (1, −1/2, 1) along each interval and affect the motion by its errors only.
 
 References
 ----------
@@ -49,22 +49,22 @@ Term = tuple[int, float | None, int]
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """Collocation points of one kind, all over the mesh; they share machine code."""
+    """Collocation points of one kind on all intervals; they share machine code."""
 
-    # How x and x' are made of the slots in `slots`.
+    # The terms of x and x', which refer to the rows of `slots`.
     state: tuple[Term, ...]
     rate: tuple[Term, ...]
     slots: np.ndarray  # (y, points)
     controls: np.ndarray  # (points,), the slots of the controls
-    # (c, points), in the order of the terms without a number, those of `state` first.
+    # (c, points), for the terms whose coefficient is None, those of `state` first.
     coefficients: np.ndarray
     # (points,), their times, the lengths h of their intervals and the quadrature weights, as
     # fractions of the duration.
     fractions: np.ndarray
     lengths: np.ndarray
     weights: np.ndarray
-    # Which equations hold there: 'all', 'motion', 'constraints' or 'start': all, those of motion
-    # alone, the constraints alone, or those of motion with the rates of the constraints.
+    # The equations that hold at the points: 'all', 'motion' (without constraints), 'constraints'
+    # (alone), or 'start' (those of motion with the rates of the constraints).
     rows: str = "all"
 
     def part(self, points: slice, rows: str = "all") -> Points:
@@ -136,14 +136,14 @@ class Scheme:
 
     @property
     def states(self) -> Slots:
-        """Where states lie."""
+        """The slots of the states."""
         if self.name == "hermite-simpson":
             return Slots(2)
         return Slots(1, tuple(radau_points(self.order)[:-1].tolist()))
 
     @property
     def controls(self) -> Slots:
-        """Where controls lie."""
+        """The slots of the controls."""
         if self.name == "radau":
             return Slots(0, tuple(radau_points(self.order).tolist()))
         return Slots(int(self.name == "hermite-simpson"), (0.5,))
@@ -153,8 +153,8 @@ class Scheme:
     def points(self, mesh: np.ndarray, *, constrained: bool = False) -> tuple[Points, ...]:
         """Return the collocation points on a mesh of nodes, as fractions of the duration.
 
-        The first ones of 'radau' and 'midpoint' have their intervals in order, all K times. Where
-        motions are `constrained`, further points of 'midpoint' hold the constraints.
+        The first entry of 'radau' and 'midpoint' has a point in each interval in order, K times for
+        K points. If motions are `constrained`, a second entry of 'midpoint' has the constraints.
         """
         h, M, starts = np.diff(mesh), len(mesh) - 1, mesh[:-1]
         k = np.arange(M)

@@ -1,4 +1,4 @@
-"""The search for motions: of one problem, or of several that are solved as one."""
+"""The search for optimal trajectories: of one problem, or of several that are solved as one."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ class PhaseProgram(NamedTuple):
 
     transcription: Transcription
     program: Nlp
-    positions: np.ndarray  # where its unknowns are in the whole program
-    state_sizes: np.ndarray  # how large each state is by the guess
+    positions: np.ndarray  # the indices of its unknowns in the full program
+    state_sizes: np.ndarray  # the size of each state in the guess
 
 
 class TrajectorySearch(Generic[Result]):
@@ -232,16 +232,16 @@ class TrajectorySearch(Generic[Result]):
             motions.append(self._with_problems(problems).solve(guess, **search))
         return motions
 
-    # -- what differs where problems are several: see `Phases` -------------------------------------
+    # -- overridden by `Phases`, which has several problems ----------------------------------------
 
-    _links: Sequence[Any] = ()  # what holds between a problem and the next
+    _links: Sequence[Any] = ()  # conditions between a problem and the next
 
     def _guesses(self, guess: Any) -> Sequence[Any]:
         """Return a guess for each problem."""
         return [guess]
 
     def _with_problems(self, problems: Sequence[Any]) -> Any:
-        """Return the same search with other problems."""
+        """Return a search for other problems of the same kind."""
         return problems[0]
 
     def _phases(self, motion: Any) -> Sequence[Any]:
@@ -249,7 +249,7 @@ class TrajectorySearch(Generic[Result]):
         return [motion]
 
     def _combined_result(self, phases: Sequence[Any], solution: NlpSolution) -> Any:
-        """Make the result from the motions of the problems."""
+        """Return the result that the motions of the problems form."""
         return phases[0]
 
     def _link(
@@ -258,12 +258,12 @@ class TrajectorySearch(Generic[Result]):
         """Return the conditions that link two problems."""
         raise NotImplementedError
 
-    # -- the program of all ------------------------------------------------------------------------
+    # -- the nonlinear program of all problems -----------------------------------------------------
 
     def _combined_program(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any]
     ) -> tuple[Nlp, np.ndarray, list[PhaseProgram]]:
-        """Return the program, where to start, and the problems on their meshes."""
+        """Return the program, the initial guess, and the problems on their meshes."""
         transcriptions, programs, starts, state_sizes = [], [], [], []
         for problem, mesh, guess in zip(self._problems, meshes, guesses, strict=True):
             transcription = problem._on(mesh)
@@ -280,7 +280,7 @@ class TrajectorySearch(Generic[Result]):
             starts.append(z)
             programs.append(transcription.nlp(lower, upper, sizes))
             state_sizes.append(states)
-        # Later phases begin where links say.
+        # Links determine where later phases begin.
         self._problems[0]._check_start(transcriptions[0], starts[0], programs[0].sizes)
         nlp, positions = programs[0], [np.arange(len(starts[0]))]
         if len(transcriptions) > 1:
@@ -299,22 +299,22 @@ class TrajectorySearch(Generic[Result]):
     def _together(
         self, transcriptions: Sequence[Transcription], programs: Sequence[Nlp]
     ) -> tuple[Nlp, list[np.ndarray]]:
-        """Return the program of several, and where the unknowns of each are in it."""
+        """Return the program of several problems, and the indices of each one's unknowns in it."""
         positions = []
         shared_positions: dict[Any, int] = {}
         size = 0
         for problem, program in zip(self._problems, programs, strict=True):
             last = () if problem._symbol is None else (problem._symbol,)
-            # Kinks at instants belong to their phase, even where a problem is there twice.
+            # Kinks at instants are not shared, even if a problem occurs twice.
             shared = [*problem._free, *[None] * len(problem._problem.lifted_numbers), *last]
             at = np.arange(size, size + program.size)
             for k, symbol in enumerate(shared, start=program.size - len(shared)):
-                # Constants and durations of the same symbol are one unknown.
+                # Constants and durations with the same symbol are one unknown.
                 if symbol is not None:
                     at[k] = shared_positions.setdefault(symbol, at[k])
             positions.append(at)
             size += program.size
-        # Unknowns of which others took the place are left out.
+        # Drop the unknowns that shared ones replace.
         used = np.unique(np.concatenate(positions))
         positions = [np.searchsorted(used, at) for at in positions]
         lower, upper = np.full(len(used), -np.inf), np.full(len(used), np.inf)
@@ -396,13 +396,13 @@ class TrajectorySearch(Generic[Result]):
 
 
 def _metric(guess: Any, sizes: np.ndarray) -> Any:
-    """Return how slack velocities move states: on all meshes of a search in the same way."""
+    """Return the metric of slack velocities, which is the same on all meshes of a search."""
     last = guess._transcription.problem.metric if isinstance(guess, OptimalTrajectory) else 1.0
     return last if np.shape(last) == sizes.shape else metric_of(sizes)
 
 
 def _at_kinks(nlp: Nlp, solution: NlpSolution, parts: Sequence[PhaseProgram]) -> NlpSolution:
-    """Return the solution with unknowns that stand for kinks as large as these, and its cost."""
+    """Set the unknowns that replace kinks to the kinks' values, and update the objective."""
     z = solution.z.copy()
     for transcription, _, positions, _ in parts:
         if transcription.problem.lifted or transcription.problem.lifted_numbers:
@@ -414,9 +414,9 @@ def _at_kinks(nlp: Nlp, solution: NlpSolution, parts: Sequence[PhaseProgram]) ->
 
 
 def _without_turns(nlp: Nlp, z: np.ndarray, parts: Sequence[PhaseProgram]) -> np.ndarray:
-    """Remove jumps of controls by whole turns, if nothing depends on them.
+    """Remove jumps of controls by multiples of 2π, if nothing depends on them.
 
-    The equations of a point see an angle but for turns; between the points its polynomial does not.
+    The equations at a point are periodic in an angle, but its polynomial between points is not.
     """
     for transcription, _, positions, _ in parts:
         order = np.argsort(transcription.control_times, kind="stable")
