@@ -1,8 +1,8 @@
 """IPOPT by its C interface, out of the library that the wheel of CasADi contains.
 
-Nothing else of CasADi is used, or loaded. What the solver calls back is machine code that reads and
-writes the solver's own memory (see `native`); Python runs once an iteration, to note it, to show
-progress and to heed a Ctrl-C.
+Nothing else of CasADi is used or loaded. The solver's callbacks are machine code that reads and
+writes the solver's memory (see `nlp.Native`). Python runs once in each iteration, to record it, to
+show progress and to check for Ctrl-C.
 
 References
 ----------
@@ -82,24 +82,24 @@ class Iteration:
 
     number: int
     objective: float
-    violation: float  # the largest violation of an equation, in units of the equations' own sizes
-    dual_violation: float  # how far from stationary, in the same sense
+    violation: float  # the largest violation of an equation, relative to the equation's size
+    dual_violation: float  # the largest scaled derivative of the Lagrangian
     barrier: float
 
 
 @dataclass(frozen=True, eq=False)
 class NlpSolution:
-    """Where IPOPT ended."""
+    """The point at which a solver ended, with its multipliers."""
 
     z: np.ndarray  # (n,)
-    multipliers: np.ndarray  # (m,), of the rows, as they are, in the objective's units
-    # (n,), of the lower and the upper bounds of z, not negative.
+    multipliers: np.ndarray  # (m,), of the unscaled rows, in the objective's units
+    # (n,), the multipliers of the lower and the upper bounds of z, not negative.
     below: np.ndarray
     above: np.ndarray
     objective: float
     status: int  # a key of `STATUS`
     history: tuple[Iteration, ...]
-    interrupted: BaseException | None  # what stopped it: Ctrl-C, or the end of memory
+    interrupted: BaseException | None  # what stopped it: Ctrl-C, or a MemoryError
 
     @property
     def solved(self) -> bool:
@@ -108,16 +108,16 @@ class NlpSolution:
 
     @property
     def message(self) -> str:
-        """Why it ended."""
+        """Why the search ended."""
         return STATUS.get(self.status, f"IPOPT ended with status {self.status}")
 
     @property
     def iterations(self) -> int:
-        """How many iterations it took; the first row of the history is before them."""
+        """Number of iterations; the first entry of the history is the initial guess."""
         return max(len(self.history) - 1, 0)
 
     def seeds(self, nlp: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the multipliers of rows and lower and upper bounds in a program's own units."""
+        """Return the scaled multipliers of rows, lower bounds and upper bounds."""
         return (
             self.multipliers * nlp.row_sizes / nlp.cost_size,
             self.below * nlp.sizes / nlp.cost_size,
@@ -141,10 +141,10 @@ in_child(_after_fork)
 
 @contextmanager
 def solving() -> Iterator[None]:
-    """Note that this thread is inside a solver; refuse that in a child forked beside another one.
+    """Mark this thread as inside a solver; refuse that in a child that was forked during a solve.
 
-    MUMPS is not reentrant: IPOPT holds a lock around it, which such a child would wait for without
-    end, as the thread that holds it does not exist there.
+    MUMPS is not reentrant, so IPOPT locks it. In such a child the lock remains taken for ever, as
+    the thread that holds it does not exist there.
     """
     if _locked:
         raise OptimizationError(
@@ -166,7 +166,7 @@ def solving() -> Iterator[None]:
 
 @cache
 def library() -> Any:
-    """Return the shared library of IPOPT, or say how to install it."""
+    """Return the shared library of IPOPT, or raise an error that says how to install it."""
     spec = find_spec("casadi")
     if spec is None or not spec.submodule_search_locations:
         raise MissingDependencyError(
@@ -213,7 +213,7 @@ def _declare(lib: Any) -> None:
 
 
 def _probe(lib: Any) -> bool:
-    """Return whether the library has numbers and indices of the sizes that we pass.
+    """Return whether the library's numbers and indices have the sizes that we pass.
 
     The problem min (x − 3)² with 1 ≤ x ≤ 2 has the solution 2.
     """
@@ -255,15 +255,15 @@ class IterationRecorder:
         self.nlp, self._watch, self._interrupts = nlp, watch, interrupts
         self.history: list[Iteration] = []
         self.raised: list[BaseException] = []
-        self.stopped: BaseException | None = None  # what the Solution is to tell
+        self.stopped: BaseException | None = None  # reported as `interrupted` of the NlpSolution
 
     def solution(
         self, y: Any, multipliers: Any, below: Any, above: Any, objective: float, status: int
     ) -> NlpSolution:
-        """Return a solver's result, which is in scaled units, as a Solution."""
+        """Return a solver's scaled result as an NlpSolution."""
         nlp = self.nlp
         return NlpSolution(
-            # IPOPT widens bounds by 1e-8, without which some searches come to no end.
+            # IPOPT widens bounds by 1e-8; without that, some searches do not terminate.
             z=np.clip(y * nlp.sizes, nlp.lower, nlp.upper),
             multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
             below=below * nlp.cost_size / nlp.sizes,
@@ -278,7 +278,10 @@ class IterationRecorder:
         self, _mode: int, number: int, objective: float, primal: float, dual: float, barrier: float,
         *_: Any,
     ) -> bool:  # fmt: skip
-        """Note an iteration; tell whether to go on. An exception is kept: ctypes would print it."""
+        """Record an iteration; return whether to continue.
+
+        An exception is stored, as ctypes would only print it.
+        """
         try:
             if not self.raised:
                 objective *= self.nlp.cost_size
@@ -292,10 +295,10 @@ class IterationRecorder:
 
 @contextmanager
 def _capture_handler_errors(raised: list[BaseException], guard: Any) -> Iterator[None]:
-    """Keep an exception that a signal handler raises at the entrance of a callback.
+    """Store an exception that a signal handler raises at the entry of a callback.
 
-    ctypes reports it as unraisable, and answers with whatever lies in the result, often true: the
-    search then ends at the next iteration. Signals reach the main thread alone.
+    ctypes reports it as unraisable, and the callback returns an undefined result, often true; the
+    search then ends at the next iteration. Only the main thread receives signals.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -317,12 +320,12 @@ def _capture_handler_errors(raised: list[BaseException], guard: Any) -> Iterator
 
 
 def _view(address: int, kind: Any = c_double) -> Any:
-    """Return an array of the solver's, of one number."""
+    """Return one number of the solver's memory as an array."""
     return (kind * 1).from_address(address)
 
 
 def program_bounds(nlp: Any) -> list[np.ndarray]:
-    """Return the bounds of unknowns and rows, in units of their own: low, high, low, high."""
+    """Return the scaled bounds of unknowns and rows: low, high, low, high."""
     low, high = nlp.row_bounds
     return [  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
         np.clip(np.ascontiguousarray(value), -2e19, 2e19)
@@ -332,8 +335,8 @@ def program_bounds(nlp: Any) -> list[np.ndarray]:
 
 
 def solver_options(nlp: Any, warm: NlpSolution | None) -> dict[str, Any]:
-    """Return the options that the user's own come on top of."""
-    # The program comes in units of its own.
+    """Return the default options, which the user's options override."""
+    # The program is scaled already.
     defaults = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
     if nlp.estimated:
         defaults["hessian_approximation"] = "limited-memory"
@@ -349,10 +352,10 @@ def solve(
     warm: NlpSolution | None = None,
     lib: Any = None,
 ) -> NlpSolution:
-    """Solve a nonlinear program from z on, and `watch` each iteration.
+    """Solve a nonlinear program from the initial guess z; `watch` is called in each iteration.
 
-    `warm` is the Solution of a program with the same unknowns and rows: the search begins with its
-    multipliers. The library is `library` by default.
+    `warm` is the NlpSolution of a program with the same unknowns and rows: the search starts with
+    its multipliers. `lib` is `library()` by default.
     """
     lib = library() if lib is None else lib
     n, m = nlp.size, nlp.rows
@@ -399,9 +402,9 @@ def solve(
 
 
 def option_values(name: Any, value: Any) -> list[Any]:
-    """Return a user's option of IPOPT as what it may be, the likely one first.
+    """Return a user's option in the types that it may have in IPOPT, the likely type first.
 
-    IPOPT tells whoever sets an integer for a number, or the reverse, on the terminal.
+    IPOPT prints a message if an integer is set as a number, or the reverse.
     """
     supported = isinstance(value, (str, bool, np.bool_, int, np.integer, float, np.floating))
     supported = supported and not isinstance(value, np.timedelta64)  # for NumPy an integer

@@ -1,4 +1,4 @@
-"""OptimalControl: what a user asks, checked and normalised, solved on a mesh."""
+"""OptimalControl: a user's problem, checked and normalised, and its solution on a mesh."""
 
 from __future__ import annotations
 
@@ -197,7 +197,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             )
         self._bends = self._check_samples(plan)
         self._begins = frozenset(self._start)
-        # Those that follow from the constraints, where `start` changes others.
+        # Dependent states that the constraints determine, if `start` changes others.
         equations = definition.equations
         dependent = {*equations.dependents.coordinates, *equations.dependents.speeds}
         unspecified = dependent - {*self._start} if self._start else ()
@@ -290,7 +290,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         return [self]
 
     def _expressions(self) -> Expressions:
-        """Return the problem's expressions with the bounds of what they depend on."""
+        """Return the problem's expressions with the bounds of their unknowns."""
         definition, p = self._snapshot.definition, self._as_written
         numbers = len(definition.constants)
         ranges = {}
@@ -317,7 +317,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         return Expressions(p, ranges, instants)
 
     def _lift_kinks(self) -> None:
-        """Replace kinks of objective and conditions by smooth conditions, where these are equal."""
+        """Replace kinks of objective and conditions by smooth conditions, if that is equivalent."""
         p, definition = self._as_written, self._snapshot.definition
         moving = {*self._controls, *self._free, self._symbol, *(i.symbol for i in p.instants)}
         moving |= {*definition.states, *definition.equations.kinematics.speed_rates}
@@ -370,13 +370,13 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
 
     @property
     def _hint(self) -> str:
-        """What to say of a search that failed."""
+        """A hint for the message of a search that failed."""
         return self._bends or jumping_conditions(self._expressions())
 
     def _check_samples(self, plan: Any) -> str:
-        """Refuse samples that do not tell all of a motion, or jump as its duration changes.
+        """Refuse samples that do not cover the motion, or that jump while its duration is unknown.
 
-        Returns what to say of a search that failed where they bend.
+        Returns a hint on samples that bend, for a search that failed.
         """
         if self._duration is not None:
             plan.check_times(np.array([0.0, self._duration]), "duration")
@@ -418,7 +418,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         return limits
 
     def _bounds_at(self, symbol: Any, fraction: float = 0.0) -> tuple[float, float]:
-        """Return the bounds of an unknown after some fraction of the motion."""
+        """Return the bounds of an unknown at a fraction of the motion."""
         low, high = (float(side[0]) for side in self._pair_at(symbol, np.array([fraction])))
         return low, high
 
@@ -499,14 +499,14 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     # -- before the search ------------------------------------------------------------------------
 
     def _on(self, mesh: np.ndarray) -> Transcription:
-        """Return the transcription on a mesh; the latest is kept for the next search."""
+        """Return the transcription on a mesh; the latest one is cached for the next search."""
         latest = self._latest
         if latest is None or latest.problem is not self._problem or latest.mesh is not mesh:
             latest = self._latest = Transcription(self._problem, self._scheme, mesh)
         return latest
 
     def _check_start(self, transcription: Transcription, z: np.ndarray, sizes: np.ndarray) -> None:
-        """Refuse a start that violates the constraints, or that they do not determine."""
+        """Refuse a start that violates the constraints, or that they leave undetermined."""
         states = self._snapshot.definition.states
         if self._fixed and not self._free:
             at = self._snapshot.at(np.zeros(1), np.array([[self._start[s][0] for s in states]]))
@@ -585,7 +585,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     def _guess(
         self, transcription: Transcription, user_guess: Any, lower: np.ndarray, upper: np.ndarray
     ) -> np.ndarray:
-        """Return the user's guess, completed by straight lines between the ends."""
+        """Return the user's guess, completed by linear interpolation between the ends."""
         guess = Guess(user_guess, self._unknown, self._duration, self._symbol)
         duration = guess.duration(self._bounds_at(self._symbol))
         slot_times, slopes = transcription.state_slots
@@ -593,7 +593,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         inner[[0, transcription.intervals]] = False  # the ends are where `start` and `end` say
         x = np.empty((self._problem.states, len(slot_times)))
         equations = self._snapshot.definition.equations
-        moving = []  # coordinates of which nothing is given but the start
+        moving = []  # coordinates with neither a guess nor a value at the end
         for k, s in enumerate(self._snapshot.definition.states):
             values = guess.values(s, slot_times, duration)
             if values is None:
@@ -624,7 +624,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         index = self._snapshot.definition.states.index
         dependent = [*map(index, equations.dependents.coordinates)]
         if dependent and set(dependent) <= set(moving):
-            moving = dependent  # the others keep their straight lines
+            moving = dependent  # the others retain their linear interpolation
         if equations.constraints.enforced_holonomic and moving:
             count = len(equations.constraints.enforced_holonomic)
             follow_constraints(transcription, begin, moving, count)
@@ -635,7 +635,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         return begun
 
     def _with(self, columns: Sequence[int], numbers: Sequence[float]) -> OptimalControl:
-        """Return the same problem with other values of constants, and the same machine code."""
+        """Return the problem with other values of constants; it shares the machine code."""
         copied = copy(self)
         p = self._snapshot.p.copy()
         p[list(columns)] = numbers
@@ -653,7 +653,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     def _trajectory(
         self, transcription: Transcription, nlp: Nlp, state_sizes: np.ndarray, solution: NlpSolution
     ) -> OptimalTrajectory:
-        """Return the trajectory; `state_sizes` is how large each state is by the guess."""
+        """Return the trajectory; `state_sizes` are the sizes of the states in the guess."""
         snapshot, duration = self._snapshot, transcription.split(solution.z)[3]
         if not duration > 0.0:  # solvers let unknowns pass their bounds by a tolerance
             raise OptimizationError(
@@ -676,19 +676,19 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         return trajectory
 
     def _warn_of_crossings(self, motion: OptimalTrajectory) -> None:
-        """Warn where the objective or a condition of the path jumps along a solution."""
+        """Warn if the objective or a path condition is discontinuous along a solution."""
         if self._switches:
             warn_of_crossings(self._expressions(), motion)
 
     def _propagated_errors(self, motion: OptimalTrajectory, tolerance: float) -> np.ndarray:
-        """Return by which intervals a simulation misses the nodes; see `propagated_errors`."""
+        """Return which intervals make a simulation miss the nodes; see `propagated_errors`."""
         rate_function = RateFunction(self._snapshot.code.compiled("rates"), self._snapshot.inputs)
         transcription, z = motion._transcription, motion.solution.z
         return propagated_errors(rate_function, transcription, z, motion._sizes, tolerance)
 
 
 def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
-    """Return the specifieds that are found: those without a value."""
+    """Return the controls: the specifieds without a value."""
     if plan.inputs.functions:
         raise ValueError(
             f"`specifieds` gives a Python function for {plan.inputs.functions[0][1].label}, which "
@@ -711,7 +711,7 @@ def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
 def _extra_constants(
     definition: Any, free: Sequence[Any], expressions: Iterable[Any], duration: Any
 ) -> set[Any]:
-    """Return the symbols that are free and stand in the objective or in conditions alone."""
+    """Return the free symbols that occur in the objective or the conditions only."""
     reserved = {*definition.states, *definition.specifieds, *definition.constants}
     reserved |= {duration} if isinstance(duration, sm.Symbol) else set()
     reserved |= {*definition.outputs_symbols, definition.equations.time}
@@ -720,7 +720,7 @@ def _extra_constants(
 
 
 def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
-    """Return the duration, or None and the symbol of one that is found."""
+    """Return the duration and None, or None and the symbol of an unknown duration."""
     if not isinstance(duration, sm.Symbol):
         value = number(duration, "`duration`", finite=True)
         if not value > 0.0:
@@ -742,17 +742,17 @@ def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
 
 
 def _constant(side: Any) -> bool:
-    """Return whether a bound is one for the whole motion."""
+    """Return whether a bound is constant over the motion."""
     if side is None or isinstance(side, (SampledInput, list, tuple, range)):
         return side is None
     try:
         return np.ndim(side) == 0
-    except (TypeError, ValueError):  # which says less than `limit` does
+    except (TypeError, ValueError):  # `limit` raises a better error
         return False
 
 
 def _pair(value: Any, argument: str, single: bool) -> tuple[float, float]:
-    """Return bounds, of which None is none; a single number is both where that is allowed."""
+    """Return bounds, where None means unbounded; a `single` number may stand for both."""
     if value is None:
         return _OPEN
     if not isinstance(value, (tuple, list)) and not (
@@ -774,7 +774,7 @@ def _pair(value: Any, argument: str, single: bool) -> tuple[float, float]:
 
 
 def _middle(limits: tuple[float, float], otherwise: float) -> float:
-    """Return the middle of limits, or the value nearest to another where one is missing."""
+    """Return the middle of limits; if one is infinite, the value nearest to `otherwise`."""
     low, high = limits
     if np.isfinite(low) and np.isfinite(high):
         return 0.5 * (low + high)

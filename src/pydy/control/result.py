@@ -23,11 +23,11 @@ from pydy.inputs import SampledInput
 from pydy.plot import axes_of, rows_of_axes, typeset
 from pydy.trajectory import Columns, Trajectory
 
-_STUCK = (INFEASIBLE, 3, -1, -2, -3)  # the statuses of a search that moved as far as it could
+_STUCK = (INFEASIBLE, 3, -1, -2, -3)  # statuses of a search that could make no more progress
 
 
 class OptimalTrajectory(Trajectory):
-    """A motion that satisfies an optimal control problem, with all that belongs to it.
+    """The solution of an optimal control problem: a motion, with its multipliers and errors.
 
     `OptimalControl.solve` and `System.optimize_trajectory` return it. It is a Trajectory at the
     nodes and collocation points of the mesh; between them, states and controls are the method's
@@ -63,7 +63,7 @@ class OptimalTrajectory(Trajectory):
         `barrier`.
     """
 
-    _sizes: np.ndarray  # (n,), how large each state is by the guess
+    _sizes: np.ndarray  # (n,), the size of each state in the guess
 
     def __init__(
         self,
@@ -127,10 +127,10 @@ class OptimalTrajectory(Trajectory):
         return same and current.sizes == transcription.sizes and labels[0] == labels[1]
 
     def active(self, label: str) -> np.ndarray:
-        """Return whether a condition of the path decides the motion, at each of the times.
+        """Return whether a path condition is active, at each of the times.
 
-        Strict complementarity: either its multiplier or its distance from its bound is the larger
-        one, in units of the program.
+        By strict complementarity, it is active if its scaled multiplier is larger than its scaled
+        distance from its bound.
         """
         nlp, z = self._nlp, self.solution.z
         rows = nlp.native("rows", z / nlp.sizes)[0] * nlp.row_sizes
@@ -150,25 +150,26 @@ class OptimalTrajectory(Trajectory):
 
     @cached_property
     def objective_error(self) -> np.ndarray:
-        """How much each interval adds to the least objective minus this one, shape (M,).
+        """Each interval's share of the minimum minus this objective, shape (M,).
 
-        An estimate of what a finer mesh would gain or lose, to second order: what the equations
-        miss between the collocation points, and what controls within their bounds would gain
-        there, each by the multipliers. The larger of the two counts, since one need not make up for
-        the other: where controls jump or states meet bounds inside intervals, it is a bound rather
-        than an estimate. Intervals that do not resolve the motion, such as boundary layers, are
-        solved anew on a finer mesh, four at most. NaN for systems with constraints under 'midpoint'
-        and 'hermite-simpson'.
+        An estimate, of second order, of the change that a finer mesh would bring. It has two
+        contributions, both weighted by the multipliers: the violation of the equations between the
+        collocation points, and the gain by better controls within their bounds there. Only the
+        larger one is used, as they may not cancel: where controls jump or states reach bounds
+        inside intervals, it is a bound rather than an estimate. Intervals that do not resolve the
+        motion, such as boundary layers, are solved again on a finer mesh, four at most. NaN for
+        systems with constraints under 'midpoint' and 'hermite-simpson'.
         """
         return objective_errors(self._transcription, self._nlp, self.solution)
 
     @property
     def costates(self) -> dict[Any, np.ndarray]:
-        """The derivatives of the objective, from a node on, by each state there, shape (M + 1,).
+        """Derivatives of the objective that remains at a node by each state there, shape (M + 1,).
 
         These are the adjoint variables of Pontryagin's principle for ``H = L + costates · rates``
         with the integrand L that is minimised, and the gradient of the value function. They are
-        those of the program: the objective's derivatives by the values of `start`, to rounding.
+        exact for the discretised problem: at the start they equal the objective's derivatives by
+        the values of `start`, to rounding.
 
         Raises
         ------
@@ -313,7 +314,7 @@ class OptimalTrajectory(Trajectory):
         dict
             From each control's symbol to its samples.
         """
-        # Slopes of pchip beside a jump are those of none of its sides: next to it is a sample more.
+        # The slope of pchip at a jump belongs to neither side: add a sample close to it.
         s = np.linspace(0.0, 1.0 - JUMP, num=INPUT_SAMPLES)
         s = np.insert(s, [1, -1], [JUMP, 1.0 - 2 * JUMP])
         lengths = np.diff(self.mesh)
@@ -346,8 +347,8 @@ def moving(
     z: np.ndarray,
     controls: Sequence[Any],
     free: Sequence[Any],
-) -> Problem:
-    """Return a System's Problem with the controls and constants that were found."""
+) -> Any:
+    """Return a System's snapshot with the controls and constants of a solution."""
     constants = transcription.split(z)[2][: len(free)]
     user: Mapping[str, dict[Any, Any]] = snapshot.user
     specifieds, _ = one_format(user["specifieds"], "specifieds")
@@ -366,7 +367,7 @@ def _multipliers(
     when: dict[str, list[np.ndarray]] = {}
     fractions: list[np.ndarray] = []
     for group, values in nlp.by_group(-solution.multipliers):
-        # The parts of a condition with kinks follow each other; the multiplier is their sum.
+        # A condition with kinks has several consecutive rows; its multiplier is their sum.
         first = [k for k, s in enumerate(group.labels) if not k or s != group.labels[k - 1]]
         values = np.add.reduceat(values, first) if first else values
         names = unique_names([group.labels[k] for k in first])
@@ -385,10 +386,10 @@ def _multipliers(
 def why_in_vain(
     solution: NlpSolution, parts: Sequence[tuple[Transcription, Nlp, np.ndarray, Sequence[Any]]]
 ) -> str:
-    """Explain why a search failed: IPOPT's message, and controls without effect.
+    """Explain why a search failed: IPOPT's message, and controls without effect at the guess.
 
-    To first order it cannot tell where to move those that change no equation where it begins, but
-    would elsewhere, as from u = 0 where u² is a force. That is no contradiction.
+    A control may have no effect to first order at the guess, as u = 0 where u² is a force. The
+    search then has no direction for it, although the problem is feasible.
     """
     names = [f"`{symbol}`" for part in parts for symbol in _stationary(*part)]
     if not names or solution.status not in _STUCK:

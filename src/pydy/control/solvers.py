@@ -1,4 +1,4 @@
-"""The solvers that a nonlinear program is handed to.
+"""The solvers of nonlinear programs.
 
 ===========  =====================================================================
 ``ipopt``    IPOPT out of the wheel of CasADi, by its C interface
@@ -6,7 +6,7 @@
 ``pounce``   POUNCE, which began as a port of IPOPT to Rust
 ===========  =====================================================================
 
-The last two have the same Python interface, options and codes of how they ended.
+The last two have the same Python interface, options and status codes.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ def solver_of(name: Any, options: Any) -> Callable[..., NlpSolution]:
 
 
 def fitting_solver_of(name: Any, options: Any) -> Callable[..., NlpSolution]:
-    """Return the same with options that suit a fit.
+    """Return the function of `solver_of`, with default options for a fit.
 
-    Few unknowns, the parameters, are in many equations. The order in which MUMPS eliminates depends
-    on that: 6 is AMD with dense rows apart.
+    A few unknowns, the parameters, occur in many equations. The elimination order 6 of MUMPS is an
+    approximate minimum degree (AMD) that treats such dense rows separately.
     """
     chosen = choice(name, tuple(SOLVERS), "`solver`")
-    defaults = {"mumps_pivot_order": 6} if chosen == "ipopt" else {}  # others may have no MUMPS
+    defaults = {"mumps_pivot_order": 6} if chosen == "ipopt" else {}  # other builds may lack MUMPS
     return solver_of(chosen, {**defaults, **check_mapping("options", options)})
 
 
@@ -127,10 +127,10 @@ def _by_package(
             if program.raised:
                 raise program.raised[0]
     except (KeyboardInterrupt, MemoryError) as stop:
-        if info is None:  # the second in the solver's own code
+        if info is None:  # a second interrupt, inside the solver
             raise
         program.stopped = stop
-    except RuntimeError as error:  # POUNCE reads options as late as this
+    except RuntimeError as error:  # POUNCE checks options only when it solves
         if "OPTION" not in str(error):
             raise
         raise ValueError(f"`options` has what {module} does not take: {error}") from error

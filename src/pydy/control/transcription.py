@@ -1,4 +1,4 @@
-"""A motion on a mesh as a nonlinear program, and numbers of the program as a motion.
+"""Transcription of a motion on a mesh to a nonlinear program, and of its unknowns to a motion.
 
 The unknowns are ordered as states by slots, controls by slots, constants, and the duration. See
 `schemes` for slots; the first of them are the nodes of the mesh.
@@ -37,7 +37,7 @@ class Condition:
 class Instant:
     """A state or control at one time."""
 
-    symbol: Any  # what stands for it in conditions and the objective
+    symbol: Any  # its symbol in conditions and the objective
     kind: str  # 'state' or 'control'
     index: int
     fraction: float  # the time, as a fraction of the duration
@@ -45,7 +45,7 @@ class Instant:
 
 @dataclass(frozen=True)
 class Lifted:
-    """An unknown in place of a kink of the objective, the largest or least of some parts.
+    """An unknown that replaces a kink of the objective, a maximum or minimum of several parts.
 
     Its conditions, one for each part, are ``sign · (symbol − part) ≥ 0``; see `kinks`.
     """
@@ -62,20 +62,21 @@ class TranscribedProblem:
     equations: ImplicitEquations
     states: int
     labels: tuple[str, ...]  # of the equations
-    # Labels of those of the constraints, the last ones, that the start has to satisfy.
+    # Labels of the constraints that the start must satisfy: the last ones of all constraints.
     constraints: tuple[str, ...]
-    controls: tuple[int, ...]  # places in r
-    # Low and high of each control, and of each state if known, at fractions of the duration.
+    controls: tuple[int, ...]  # indices in r
+    # Lower and upper bound of each control, as functions of fractions of the duration; for states,
+    # see `state_bounds`.
     control_bounds: tuple[tuple[Any, Any], ...]
-    signals: tuple[tuple[np.ndarray, Any], ...]  # places in r, and SampledInputs
-    free: tuple[int, ...]  # places in (p, r) of constants that are unknown
-    # P and r; those that are unknown or signals do not count.
+    signals: tuple[tuple[np.ndarray, Any], ...]  # indices in r, and SampledInputs
+    free: tuple[int, ...]  # indices in (p, r) of constants that are unknown
+    # The values p and r; entries that are unknowns or signals are not used.
     constants: np.ndarray
     specifieds: np.ndarray
     duration: float | None  # None if it is unknown
     duration_symbol: Any = None
-    symbols: Mapping[Any, int] = field(default_factory=dict)  # the constants, as ('p', place)
-    # SymPy expressions: the objective is the integral of the first plus the second.
+    symbols: Mapping[Any, int] = field(default_factory=dict)  # indices of the constants in p
+    # SymPy expressions: the objective is the integral of `running` plus `terminal`.
     running: Any = 0
     terminal: Any = 0
     instants: tuple[Instant, ...] = ()
@@ -83,20 +84,20 @@ class TranscribedProblem:
     path: tuple[Condition, ...] = ()
     # Which second derivatives are compiled: 'exact', 'gauss-newton' or None.
     hessian: str | None = "exact"
-    # SymPy expressions: factors and residuals, whose squares `running` and `terminal` are sums of.
+    # SymPy expressions: `running` and `terminal` as sums of factor · residual².
     squares: tuple[tuple[Any, Any], ...] = ()
     terminal_squares: tuple[tuple[Any, Any], ...] = ()
     begin: float = 0.0  # the time at which the motion begins
-    # Intensities of white noise: the controls are then added to what is known of these specifieds,
-    # and ½ ∫ Σ (control / intensity)² dt to the objective.
+    # Intensities of white noise: the controls are then added to the given values of these
+    # specifieds, and ½ ∫ Σ (control / intensity)² dt to the objective.
     noise: tuple[float, ...] = ()
     # States and outputs that `Transcription.samples` compares with samples.
     measured: tuple[Any, ...] = ()
     state_bounds: tuple[tuple[Any, Any], ...] = ()
-    # (states,), in which shares slack velocities move coordinates; see `metric_of`.
+    # (states,), the weights with which slack velocities move coordinates; see `metric_of`.
     metric: Any = 1.0
-    # Functions of time in `running`, whose conditions are the last ones of `path`, and numbers in
-    # `terminal`, whose conditions are the last ones of `boundary`.
+    # Unknowns that replace kinks: functions of time in `running`, with their conditions at the end
+    # of `path`, and numbers in `terminal`, with their conditions at the end of `boundary`.
     lifted: tuple[Lifted, ...] = ()
     lifted_numbers: tuple[Lifted, ...] = ()
     _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)
@@ -108,7 +109,7 @@ class TranscribedProblem:
 
     @property
     def named(self) -> dict[Any, tuple[str, int]]:
-        """The inputs that stand for further symbols in the objective and path conditions."""
+        """The inputs of further symbols in the objective and path conditions."""
         inputs = {lifted.symbol: ("e", k) for k, lifted in enumerate(self.lifted)}
         return (
             inputs if self.duration_symbol is None else {**inputs, self.duration_symbol: ("T", 0)}
@@ -116,7 +117,7 @@ class TranscribedProblem:
 
     @property
     def numbers(self) -> np.ndarray:
-        """The constants P of all points: p, r, the metric, the duration and the start's time."""
+        """The constants P of all points: p, r, the metric, the duration and the initial time."""
         duration = np.nan if self.duration is None else self.duration
         metric = np.broadcast_to(self.metric, self.states)
         return np.concatenate([self.constants, self.specifieds, metric, [duration, self.begin]])
@@ -124,7 +125,7 @@ class TranscribedProblem:
     # -- machine code, for any mesh ----------------------------------------------------------------
 
     def at_points(self, points: Points) -> PointFunctions:
-        """Return the equations, path conditions and the objective's part of collocation points."""
+        """Return the functions of collocation points: equations, path conditions and integrand."""
         key = (points.state, points.rate, points.rows)
         return self.once(key, lambda: self._at_points(points))
 
@@ -141,7 +142,7 @@ class TranscribedProblem:
     def once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
         """Return the code that is compiled once for all meshes and numbers."""
         if key not in self._compiled:
-            with collector_paused():  # until the graph is gone, which is no old object
+            with collector_paused():  # the graph is freed before it could become an old object
                 self._compiled[key] = make()
         compiled: Compiled = self._compiled[key]
         return compiled
@@ -215,7 +216,7 @@ class TranscribedProblem:
         return at
 
     def _signal(self, point: PointBuilder, time: int) -> int:
-        """Return the node of a known signal, of the rows of `signals_at`."""
+        """Return the node of a known signal, computed from the rows of `signals_at`."""
         if self.duration is not None:
             return point.data(1)[0]
         g, (knot, *cubic) = point.graph, point.data(5)
@@ -225,9 +226,10 @@ class TranscribedProblem:
         return value
 
     def signals_at(self, times: np.ndarray, middles: np.ndarray | None = None) -> list[np.ndarray]:
-        """Return the data of known signals, which move with a duration that is unknown.
+        """Return the data of known signals; with an unknown duration, coefficients of cubics.
 
-        With the `middles` of intervals, what jumps at a node has the value on their side.
+        If the `middles` of intervals are given, a signal that jumps at a node is evaluated on the
+        side of the middle.
         """
         if self.duration is None:
             return cubics_at(self.signals, times)
@@ -276,7 +278,7 @@ class TranscribedProblem:
         return point.functions([], cost, hessian=self.hessian)
 
     def at_samples(self, scheme: Scheme) -> tuple[PointFunctions, PointFunctions]:
-        """Return half the sum of squares of the residuals of a sample, and these as rows."""
+        """Return half the sum of squared residuals of a sample, and the residuals as rows."""
         return self.once("samples", lambda: self._at_samples(scheme))
 
     def _at_samples(self, scheme: Scheme) -> tuple[PointFunctions, PointFunctions]:
@@ -313,7 +315,7 @@ class TranscribedProblem:
         )
 
     def at_instants(self, scheme: Scheme) -> PointFunctions | None:
-        """Return the boundary conditions and the objective's other part."""
+        """Return the boundary conditions and the objective's terms at instants."""
         if not self.boundary and self.terminal == 0:
             return None
         return self.once("boundary", lambda: self._at_instants(scheme))
@@ -333,7 +335,7 @@ class TranscribedProblem:
             powers = kind.basis(np.zeros(1))[1].tolist()
             nodes, data = point.variables(len(powers)), point.data(len(powers))
             terms = [(v, [c], p) for v, c, p in zip(nodes, data, powers, strict=True)]
-            # Each instant has an interval of its own.
+            # Each instant lies in another interval, with its length.
             h = point.graph.mul(T, point.data(1)[0])
             atoms[instant.symbol] = point.combined(terms, h)
         count = len(self.boundary)
@@ -353,7 +355,7 @@ class Transcription:
     scheme: Scheme
     mesh: np.ndarray  # (M + 1,), the nodes as fractions of the duration, from 0 to 1
 
-    # -- where the unknowns are -------------------------------------------------------------------
+    # -- order of the unknowns --------------------------------------------------------------------
 
     @cached_property
     def state_slots(self) -> tuple[np.ndarray, np.ndarray]:
@@ -401,7 +403,7 @@ class Transcription:
         return np.concatenate(parts).astype(float)
 
     def _numbers_at(self, count: int) -> np.ndarray:
-        """Return the places of constants and duration, for each of some points."""
+        """Return the indices of constants and duration, repeated for `count` points."""
         first, total = sum(self.sizes[:2]), sum(self.sizes)
         return np.repeat(np.arange(first, total)[:, None], count, axis=1)
 
@@ -413,12 +415,12 @@ class Transcription:
 
     @cached_property
     def single_interval(self) -> Transcription:
-        """The same of a single interval: its derivatives are changes in the whole duration."""
+        """The problem on a single interval: its derivatives are changes over the full duration."""
         return Transcription(self.problem, self.scheme, np.array([0.0, 1.0]))
 
     @cached_property
     def points(self) -> tuple[Points, ...]:
-        """The collocation points, of which `groups` begin with the functions."""
+        """The collocation points; the first entries of `groups` are their functions."""
         constrained = bool(self.problem.equations.constraints)
         return self.scheme.points(self.mesh, constrained=constrained)
 
@@ -440,7 +442,7 @@ class Transcription:
         controls = [first + k * control_slots + points.controls for k in range(p.algebraic)]
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
         middles = None
-        # Radau's points at the ends belong to one interval; those of `constraints_at` are of none.
+        # Radau's points at nodes belong to one interval; those of `constraints_at` to none.
         if self.scheme.name == "radau" and points.rows != "constraints":
             centre = (self.mesh[:-1] + self.mesh[1:]) / 2
             centre = np.tile(centre, self.scheme.order)
@@ -461,7 +463,7 @@ class Transcription:
         )
 
     def beginning(self) -> PointGroup:
-        """Return the constraints at the start, all of them if it need not satisfy any."""
+        """Return the constraints at the start; all of them if it is not required to satisfy any."""
         p = self.problem
         count = len(p.constraints) or len(p.equations.constraints)
         states = np.arange(p.states) * len(self.state_slots[0])
@@ -513,8 +515,8 @@ class Transcription:
     ) -> tuple[PointGroup, PointGroup]:
         """Return the samples' terms of the objective, and their residuals as rows.
 
-        The times (m,) are by the clock of `Problem.begin`; residuals are the `weights` times the
-        difference of model and `values` (m, q).
+        The times (m,) count from the same zero as `TranscribedProblem.begin`. Residuals are the
+        `weights` times the difference of model and `values` (m, q).
         """
         p = self.problem
         assert p.duration is not None
@@ -540,9 +542,9 @@ class Transcription:
         )
 
     def tightened(self, z: np.ndarray) -> np.ndarray:
-        """Return unknowns of which those in place of kinks are as the kinks are.
+        """Return z with the unknowns that replace kinks set to the kinks' values.
 
-        A solver leaves them beside by its tolerance, with an objective that is wrong by as much.
+        A solver leaves them off by its tolerance, and the objective with them.
         """
         p, tightened = self.problem, z.copy()
         first = self.sizes[0] + (p.algebraic - len(p.lifted)) * len(self.control_times)
@@ -564,7 +566,7 @@ class Transcription:
         return tightened
 
     def numbers(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the constants p and the specifieds r, including the ones found."""
+        """Return the constants p and the specifieds r, including free ones at their solution."""
         p = self.problem
         numbers = np.concatenate([p.constants, p.specifieds])
         numbers[list(p.free)] = self.split(z)[2][: len(p.free)]
@@ -602,7 +604,7 @@ class Transcription:
     def controls_in(self, z: np.ndarray, k: np.ndarray, s: np.ndarray) -> np.ndarray:
         """Return the controls at fractions s of intervals k, shape (m, c).
 
-        A polynomial that leaves the bounds between its points is held at them.
+        A polynomial that leaves the bounds between its points is clipped to them.
         """
         if not self.problem.controls:
             return np.empty((len(k), 0))
@@ -635,19 +637,19 @@ def _limits(equations: int, conditions: Sequence[Condition]) -> tuple[np.ndarray
     return np.array([*zeros, *low]), np.array([*zeros, *high])
 
 
-# -- how large each unknown becomes: the units in which a program is solved ------------------------
+# -- scaling: the sizes of the unknowns ------------------------------------------------------------
 
 
 def sizes_of(
     transcription: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return how large each unknown becomes, by what is known of it, and each state by its guess.
+    """Return the sizes of all unknowns (n,), and the sizes of the states in the guess.
 
-    That is its guess, its ends and bounds. What is zero everywhere gets the size at which it
-    decides one of the equations, whose terms are then of known size: the speed that covers a
-    known distance in the duration, the force that brings it about. Bounds that are far wider than
-    all else tells are no sizes. A state that moves little, far from zero, is as large as it moves:
-    tolerances relative to its distance from zero would let it stay.
+    A size is the largest absolute value in guess, ends and bounds. An unknown that is zero in all
+    of them gets the size at which it balances the other terms of an equation: the speed that covers
+    a given distance in the duration, the force that causes it. Bounds that are much wider than all
+    other information are ignored. The size of a state that varies little, far from zero, is its
+    variation: a tolerance relative to its distance from zero could exceed the variation.
     """
     states, first, finite = transcription.split(z)[0], np.zeros_like(z), np.isfinite
     nodes = states[:, ~transcription.state_slots[1]]
@@ -657,7 +659,7 @@ def sizes_of(
     transcription.split(first)[0][:, ~transcription.state_slots[1]] = shift[:, None]
     distances = [np.where(finite(v), np.abs(v - first), 0.0) for v in (z, lower, upper)]
     parts = [transcription.split(value) for value in distances]
-    # The rounding of what is that far from zero must be below the tolerance.
+    # The rounding error at that distance from zero must be below the tolerance.
     least = np.where(narrow, 8 * np.finfo(float).eps / TOLERANCE * far, 0.0)
     x = np.array(
         [p[0].max(axis=1, where=~transcription.state_slots[1], initial=0.0) for p in parts]
@@ -684,14 +686,14 @@ def sizes_of(
 
 
 def metric_of(sizes: np.ndarray) -> np.ndarray:
-    """Return in which shares slack velocities move states of some sizes."""
+    """Return the weights with which slack velocities move states of the given sizes."""
     units = or_one(sizes)
     metric: np.ndarray = (units / units.max(initial=0.0)) ** 2
     return metric
 
 
 def _leave_out_wide(sizes: np.ndarray, guessed: np.ndarray) -> None:
-    """Drop bounds, the second and third row, that are far wider than the known sizes."""
+    """Set bounds, the second and third row, to zero where they far exceed the guessed sizes."""
     sizes[1:][(sizes[1:] > WIDE * guessed) & (guessed > 0.0)] = 0.0
 
 
@@ -700,8 +702,8 @@ def _slopes(transcription: Transcription, z: np.ndarray, width: int) -> np.ndarr
     interval, n = transcription.single_interval, transcription.problem.states
     times = [interval.state_slots[0], interval.control_times]
     _, _, constants, duration = transcription.split(z)
-    # Along the motion, and as if it stayed where it begins or ends: in its middle alone an arm may
-    # be level, where its weight has a torque that no turn changes, but for rounding.
+    # Evaluate along the motion, and as if it remained at its start or its end: in the middle of a
+    # motion, an arm may be level, where the derivative of its weight's torque vanishes.
     variants = (times, *([0 * t + end for t in times] for end in (0.0, 1.0)))
     states, controls = (np.concatenate(parts) for parts in zip(*variants, strict=True))
     x = np.split(transcription.states_at(z, states * duration).T, len(variants), axis=1)
@@ -722,7 +724,7 @@ def _slopes(transcription: Transcription, z: np.ndarray, width: int) -> np.ndarr
     for group in interval.groups:
         f, points = group.functions, group.points
         X = np.concatenate([unknown_vector[group.at] for unknown_vector in at], axis=1)
-        data = np.tile(group.data_at(at[0]), len(variants))  # whose durations are one
+        data = np.tile(group.data_at(at[0]), len(variants))  # all variants have the same duration
         entries = np.abs(np.nan_to_num(f("jacobian", X, data, group.constants)))
         rows, variables = f.jacobian_at.T
         unknowns = group.at[variables]
@@ -734,7 +736,7 @@ def _slopes(transcription: Transcription, z: np.ndarray, width: int) -> np.ndarr
 
 
 def _propagated_sizes(table: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return sizes of states and controls where zeros are found from the equations, or stay."""
+    """Replace sizes of zero by sizes that the equations imply, as far as they imply any."""
     for _ in range(len(sizes)):
         reach = (table * sizes).max(axis=1, initial=0.0)
         need = np.where((table > 0.0) & (reach[:, None] > 0.0),
