@@ -30,7 +30,7 @@ def nlp_of(problem, seed, unit=True):
     sizes = np.ones(size) if unit else rng.uniform(0.1, 9.0, size)
     everywhere = np.full(size, np.inf)
     nlp = made.nlp(-everywhere, everywhere, sizes)
-    return (nlp if unit else nlp.in_own_units(z)), z, made
+    return (nlp if unit else nlp.scaled_at(z)), z, made
 
 
 class Reference:

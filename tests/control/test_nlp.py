@@ -148,4 +148,4 @@ def test_a_second_search_makes_no_pieces_and_units_no_tables(monkeypatch):
     assert made == ["program"]
     assert problem._with([], [])._on(problem._mesh).problem is not problem._problem
     nlp, z, _ = problem._combined_program([problem._mesh], [None])
-    assert nlp.native._tables is nlp.in_own_units(z).native._tables
+    assert nlp.native._tables is nlp.scaled_at(z).native._tables

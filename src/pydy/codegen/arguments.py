@@ -1,4 +1,4 @@
-"""Turn what users pass for constants and specifieds into ordered arrays, in one place."""
+"""Convert users' arguments for constants and specifieds to ordered arrays."""
 
 from __future__ import annotations
 
@@ -42,13 +42,13 @@ _UNCHANGING = frozenset((float, int, FunctionType, SampledInput))
 
 
 class _Argument:
-    """How an argument of the generated functions is read; without `arg_type`, as each value is."""
+    """Reads an argument of generated functions; without `arg_type`, each value's type decides."""
 
     def __init__(self, symbol_index: Places, arg_type: str | None) -> None:
         self.symbol_index, self.arg_type = symbol_index, arg_type
 
     def numeric_array(self, values: dict[Any, Any]) -> Any:
-        """Return a dictionary that gives all symbols plain numbers as an array, or itself."""
+        """Convert a dictionary of numbers for all symbols to an array; return others unchanged."""
         if self.arg_type not in (None, "dictionary"):
             return values
         numbers = self.symbol_index.plain(values)
@@ -128,7 +128,7 @@ class SpecifiedsArgument(_Argument):
     def _evaluated(
         self, groups: Iterable[Any], values: Iterable[Any], x: np.ndarray, t: float
     ) -> np.ndarray:
-        """Return r from floats and functions alone, as a plan would, without making one."""
+        """Return r from floats and functions; the same as a SpecifiedsPlan, at less cost."""
         result = np.empty(len(self.symbol_index))
         for (names, columns, _), value in zip(groups, values, strict=True):
             if type(value) is not float:
@@ -140,7 +140,7 @@ class SpecifiedsArgument(_Argument):
 def _groups(
     symbol_index: Places, values: Mapping[Any, Any], argument: str
 ) -> list[tuple[Any, ...]]:
-    """Return what `Places.groups` does, and say of the time that it is known."""
+    """Return `symbol_index.groups`; if that fails for the time, the error says to leave it out."""
     try:
         return symbol_index.groups(values, argument)
     except ValueError as error:
@@ -168,7 +168,7 @@ def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, A
 
 
 def checked_expression(value: Any, label: str) -> Any:
-    """Return a number or an expression as SymPy's; no text, which SymPy would read."""
+    """Return a number or an expression as SymPy's; refuse text, which SymPy would parse."""
     none = isinstance(value, sm.Expr) and value in (sm.oo, -sm.oo, sm.zoo, sm.nan)
     if isinstance(value, (sm.Expr, Boolean)) and not (none or getattr(value, "is_Matrix", False)):
         return value
@@ -199,7 +199,7 @@ def _is_symbolic(value: Any) -> bool:
 
 
 class OfTime(ABC):
-    """A function of x and t that the package makes, of the time alone."""
+    """A function of x and t that the package provides, and that depends on the time only."""
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return the values at a time."""
@@ -227,19 +227,19 @@ class _Checked:
 
     @property
     def identity(self) -> tuple[Any, ...]:
-        """The data that determine the values beside the function, without their positions."""
+        """The data that determine the values together with the function, except positions in r."""
         return self.time_first, self.retained
 
     @property
     def along(self) -> Callable[[np.ndarray], np.ndarray] | None:
-        """Gives the values at many times at once; None for functions of users."""
+        """A function of many times at once; None for functions of users."""
         function = self.function
         if not isinstance(function, OfTime):
             return None
         return lambda times: function.along(times)[:, list(self.retained)]
 
     def of(self, positions: Iterable[int]) -> _Checked:
-        """Return the same for some of the specifieds that it is kept for."""
+        """Return the function restricted to some of its retained specifieds."""
         return replace(self, retained=tuple(self.retained[j] for j in positions))
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
@@ -248,10 +248,10 @@ class _Checked:
 
 
 class SpecifiedsPlan:
-    """A dictionary of specifieds, checked once: `inputs`, which give r, and `expressions`.
+    """A dictionary of specifieds, checked once: `inputs`, which determine r, and `expressions`.
 
-    The `inputs` are numbers, samples and functions, and need no SymPy; the `expressions` have to be
-    compiled into the code of a model, and their places in r are zero.
+    The `inputs` are numbers, samples and functions, and need no SymPy. The `expressions` must be
+    compiled into the code of a model; their entries of r are zero.
 
     Its `values` map a symbol or name, or a tuple of them, to a number, an array, a function, a
     SampledInput, a SymPy expression, or a sequence of numbers and expressions; or they are in the
@@ -259,8 +259,8 @@ class SpecifiedsPlan:
     format are, every symbol must have a value; missing ones are zero otherwise. With `time_first`,
     functions are called as g(t, x).
 
-    No place in r belongs to two of samples, functions and expressions. None of the attributes takes
-    a call of a user's function.
+    No entry of r belongs to two of samples, functions and expressions. Reading an attribute never
+    calls a user's function.
     """
 
     def __init__(
@@ -288,7 +288,7 @@ class SpecifiedsPlan:
         self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:
-                numbers[columns] = value  # the usual case, without the cost of a label
+                numbers[columns] = value  # the common case: no label is needed
             elif isinstance(value, SampledInput) and value.size == len(names):
                 sampled.append((columns, value))
             elif callable(value) and not isinstance(value, (SampledInput, sm.Basic)):
@@ -322,7 +322,7 @@ class SpecifiedsPlan:
         several: bool,
         numbers: np.ndarray,
     ) -> None:
-        """Store numbers, in `numbers`, and expressions, and refuse anything else by name."""
+        """Store numbers in `numbers`, and expressions; refuse anything else with its name."""
         if isinstance(value, SampledInput):
             raise ValueError(
                 f"{label} must be a SampledInput of {len(names)} values at each time, one for each "
@@ -336,7 +336,7 @@ class SpecifiedsPlan:
                     f"{label} must be a real number, got an array of the shape {shape}. "
                     "For values over time pass pydy.inputs.SampledInput(times, values)."
                 )
-            try:  # one number for several symbols holds for each
+            try:  # one number applies to each of several symbols
                 checked = real_array(value, label) if several else number(value, label)
             except ValueError as error:
                 raise ValueError(
@@ -364,12 +364,12 @@ class SpecifiedsPlan:
 
     @property
     def changing(self) -> set[int]:
-        """The places in r of what is no number: of samples, functions and expressions."""
+        """The indices in r that are not constant: of samples, functions and expressions."""
         of_expressions = {k for k, s in enumerate(self.symbols) if s in self.expressions}
         return self.inputs.changing | of_expressions
 
     def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
-        """Return the plan of a dictionary that surely differs in floats alone, or None."""
+        """Return the plan of a dictionary that differs from this plan's in floats only, or None."""
         keys, before = self._entries
         entries, moved = [*values.values()], []
         if [*values] != keys:
@@ -390,7 +390,7 @@ class SpecifiedsPlan:
         return result
 
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
-        """Return this plan with another's values in place of its own, where the other has any."""
+        """Return this plan, updated with the values of another one."""
         result = SpecifiedsPlan({}, self.symbol_index)
         unchanged = [s not in other.given for s in self.symbols]
         mine, other_inputs = self.inputs, other.inputs
@@ -411,7 +411,7 @@ class SpecifiedsPlan:
         return result
 
     def check_times(self, t: np.ndarray, argument: str) -> None:
-        """Refuse times for which there are no samples."""
+        """Refuse times outside the samples."""
         for columns, samples in self.inputs.sampled:
             if not samples.covers(t):
                 names = describe([self.symbols[c] for c in columns])
@@ -429,7 +429,7 @@ def _is_unchanging(value: Any) -> bool:
 
 
 def _shape(value: Any) -> tuple[int, ...]:
-    """Return the shape of a value that offers NumPy an array, of any library; else ()."""
+    """Return the shape of a value that any library's array protocol supports; else ()."""
     try:
         return np.shape(value) if hasattr(value, "__array__") else ()
     except Exception:  # noqa: BLE001 - an xarray.Dataset has the method, and refuses
@@ -437,7 +437,7 @@ def _shape(value: Any) -> tuple[int, ...]:
 
 
 def _refuse_mixtures(value: Any, label: str) -> None:
-    """Refuse a sequence that is not of numbers, and name the remedy."""
+    """Refuse a sequence of other things than numbers, and name the remedy."""
     if not isinstance(value, (list, tuple)):
         return
     if any(callable(v) for v in value):
@@ -460,8 +460,8 @@ def evaluate_function(
     t: float,
     time_first: bool = False,
 ) -> np.ndarray:
-    """Call a user's function for some specifieds; an exception in it keeps its own type."""
-    state_copy = np.array(x)  # what the function writes into it must not reach the solver's state
+    """Call a user's function for some specifieds; exceptions in it retain their type."""
+    state_copy = np.array(x)  # the function may write into it
     try:
         value = function(t, state_copy) if time_first else function(state_copy, t)
     except Exception as error:
@@ -483,7 +483,7 @@ def evaluate_function(
         raise
     size = len(symbols)
     if type(value) is np.ndarray and value.dtype == np.float64 and value.shape == (size,):
-        return value  # the usual cases, without the cost of a label
+        return value  # the common cases: no label is needed
     if type(value) is float and size == 1:
         return np.array([value])
     label = f"The function given for the specifieds {describe(symbols)}, called at t = {t!r},"
@@ -516,7 +516,7 @@ _WARNED: WeakSet[Any] = WeakSet()  # code of functions whose users have been war
 
 
 def _is_swapped(function: Callable[..., Any], time_first: bool) -> bool:
-    """Tell whether a function's arguments are named the other way around."""
+    """Return whether a function's argument names suggest the opposite order."""
     timelike = [name in ("t", "time") for name in _argument_names(function)[:2]]
     return timelike == ([False, True] if time_first else [True, False])
 
@@ -534,7 +534,7 @@ def _check_arity(function: Callable[..., Any], symbols: Sequence[Any], arguments
     """Raise a TypeError where a user's function does not take two arguments."""
     try:
         parameters = signature(function)
-    except (TypeError, ValueError):  # what is not written in Python may have none
+    except (TypeError, ValueError):  # a function not written in Python may have none
         return
     try:
         parameters.bind(0.0, 0.0)

@@ -323,7 +323,7 @@ class _FunctionRegistry:
 
 
 class _Handle:
-    """Where a function's qualified name ends; old pickle protocols take the function from here."""
+    """The last part of a function's qualified name; old pickle protocols get the function here."""
 
     def __init__(self, rhs: Any) -> None:
         self.rhs = rhs

@@ -1,4 +1,4 @@
-"""What stands behind a generated function: kernels, the orders of arrays, and the parsing of r, p.
+"""The implementation of a generated function: kernels, the orders of arrays, the parsing of r, p.
 
 The function tries the compiled code first, with its arguments as they are. The code answers −1
 when they are not float64 vectors of the right length; only then are they converted and checked.
@@ -136,7 +136,7 @@ def _items(names: Sequence[Any]) -> str:
 
 
 def _name(symbol: Any) -> str:
-    """Return a symbol's name; SymPy's printer takes a hundred times as long for the same."""
+    """Return a symbol's name, a hundred times faster than SymPy's printer."""
     if isinstance(symbol, sm.Symbol):
         return str(symbol.name)
     if isinstance(symbol, AppliedUndef):
@@ -204,9 +204,9 @@ class RightHandSide:
         return "".join(part.format(**values) for part in parts)
 
     def function(self) -> Any:
-        """Return the function that evaluates, with the fast path inlined in its closure."""
+        """Return the function of r.h.s. values, with the fast path inlined in its closure."""
         kernel, slow = self.kernel, self._convert_and_call
-        call = kernel.gate  # compiled by `slow`, if ever: solvers may want the best code only
+        call = kernel.gate  # `slow` compiles it if needed: solvers may use the optimised code only
         n, total = len(self.layout.states), len(self.layout.states) + self.num_outputs
         empty, nothing, swapped = np.empty, _NOTHING, self.time_first
         plain_p, plain_r = self.constants.numeric_array, self.specifieds.numeric_array
@@ -302,7 +302,7 @@ class RightHandSide:
 
 
 def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
-    """Return ``f(x, t, r, p)`` for solvers; inputs that are not constant give r themselves."""
+    """Return ``f(x, t, r, p)`` for solvers; if inputs are not constant, r is computed from them."""
     kernel = model.compiled("rates")
     empty, n = np.empty, len(model.layout.states)
     call = kernel.gate

@@ -373,7 +373,7 @@ class _CombinedExperiments:
             rows.append(replace(samples[1], at=positions[samples[1].at]))
         groups.append(self._parameter_terms(slope, z, pull))
         nlp = Nlp(groups, lower, upper, sizes)
-        return nlp.in_own_units(start), Nlp(rows, lower, upper, sizes), start
+        return nlp.scaled_at(start), Nlp(rows, lower, upper, sizes), start
 
     def collapses(self, nlp: Nlp, start: np.ndarray) -> bool:
         """Return whether changing the parameters alone satisfies all equations that contain them.

@@ -77,7 +77,7 @@ def least_between(transcription: Transcription, nlp: Nlp, z: np.ndarray, k: int)
     units = local.unknowns_of(of_states, widths, sizes[2], duration)
     begin = np.clip(begin, lower, upper)
     try:
-        solution = ipopt.solve(local.nlp(lower, upper, units).in_own_units(begin), begin)
+        solution = ipopt.solve(local.nlp(lower, upper, units).scaled_at(begin), begin)
     except (OptimizationError, MissingDependencyError):  # no solver in this process
         return np.nan
     if solution.interrupted is not None:

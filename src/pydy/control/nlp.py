@@ -191,7 +191,7 @@ class Nlp:
 
     # -- units ------------------------------------------------------------------------------------
 
-    def in_own_units(self, z: np.ndarray) -> Nlp:
+    def scaled_at(self, z: np.ndarray) -> Nlp:
         """Return the program with rows and objective scaled by how much they vary.
 
         A row varies by its largest derivative times the size of that unknown. The scale is the same

@@ -291,7 +291,7 @@ class TrajectorySearch(Generic[Result]):
             start[at] = z
         begin = np.clip(start, nlp.lower, nlp.upper)
         return (
-            nlp.in_own_units(begin),
+            nlp.scaled_at(begin),
             begin,
             [*map(PhaseProgram, transcriptions, programs, positions, state_sizes)],
         )

@@ -41,7 +41,7 @@ ROLL = STEER = 0.05  # rad at the start
 ROLL_RATE = 0.2  # rad/s at the start
 PUSH, PUSH_START, PUSH_END = 300.0, 1.0, 1.2  # N, s, s
 TIMES = np.linspace(0.0, 5.0, num=501)
-# odeint may step across a push that it has not felt yet, hence the longest step.
+# A step of odeint could skip the push, hence the limit of its length.
 SOLVER = {"rtol": 1e-10, "atol": 1e-10, "hmax": 0.02}
 TITLE = f"Carvallo–Whipple bicycle at {SPEED:g} m/s, hands off: it recovers from a push"
 LIVE_TITLE = "Carvallo–Whipple bicycle, hands off: slower than 4.29 m/s it sways, and falls"
@@ -181,7 +181,7 @@ def ride() -> Ride:
     nearest = [int(np.abs(eigenvalues - value).argmin()) for value in published]
 
     with stage("initial conditions"):
-        # Only what is free: where it is, how it leans, rolls and steers, and how fast it goes.
+        # Only independent states: position, lean, roll, steer and speed.
         dependent = bicycle.coordinates[7:] + bicycle.speeds[3:]
         start = {state: straight[state] for state in straight if state not in dependent}
         start[bicycle["u_phi"]] = ROLL_RATE
@@ -302,7 +302,7 @@ def draw(ride: Ride, path: Path) -> None:
     ImportError
         Matplotlib is not installed.
     """
-    # Not pyplot, which would start a window system where there is one.
+    # Not pyplot, which would open a window if it can.
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8, 8.5), layout="constrained")
@@ -321,7 +321,7 @@ def draw(ride: Ride, path: Path) -> None:
     forces.axhline(0, color="0.6", linewidth=0.8, zorder=0)
     forces.set_ylabel("change of vertical contact force [N]")
 
-    # A residual of exactly zero has no place on a logarithmic axis.
+    # A logarithmic axis cannot show a residual of zero.
     for values, label, colour in (
         (ride.holonomic, "holonomic [m]", "tab:purple"),
         (ride.velocity, "velocity [m/s]", "tab:brown"),

@@ -112,7 +112,7 @@ def scene(system: System, bicycle: Bicycle, title: str) -> Scene:
 
 
 class _BicycleVisuals:
-    """Collects visuals; places are given in the upright bicycle's x, z and y."""
+    """Collects visuals; positions are given as x, z and y of the upright bicycle."""
 
     def __init__(self, bicycle: Bicycle) -> None:
         self.visuals: list[Visual] = []
@@ -143,7 +143,7 @@ class _BicycleVisuals:
         self.add(Visual(tyre, frame, hub, name=name))
         self.add(Visual(rim, frame, hub, name=name))
         self.add(Visual(Capsule(0.07, 0.018, "y", colour=RIM), frame, hub, name=name))
-        # One line to and fro between the rim and the two sides of the hub.
+        # One line that alternates between the rim and the two sides of the hub.
         stations = []
         for k in range(SPOKES):
             for angle, distance, y in (

@@ -10,8 +10,8 @@ from itertools import accumulate
 from pydy._backends import c_functions
 from pydy.export.model import Model, Variable, plain_text
 
-# What any header may define: macros are written in capitals. Those in small letters are reserved
-# in all formats; B0 and the like are in termios.h.
+# Macros that a header may define are in capitals. Those in small letters are reserved in all
+# formats; B0 and the like are in termios.h.
 _MACRO = re.compile(
     r"(?=.*[A-Z_].*[A-Z_])[A-Z][A-Z0-9_]*(?<!_)|I|B\d+|(PRI|SCN|M_|L_|P_|[AP]F_)\w+"
 )
@@ -29,7 +29,7 @@ _DESCRIPTIONS = {
 
 
 def with_c_names(model: Model) -> Model:
-    """Return a model whose constants are called as no macro is."""
+    """Return a model whose constants have names that no macro has."""
     used = {v.identifier for v in model.constants}
     constants = []
     for v in model.constants:
@@ -43,12 +43,12 @@ def with_c_names(model: Model) -> Model:
     return replace(model, constants=tuple(constants))
 
 
-# What a model has names of, in the singular.
+# The kinds of a model's variables, in the singular.
 _KINDS = ("state", "input", "constant", "output")
 
 
 def functions_of(model: Model) -> tuple[str, ...]:
-    """Return which functions a model has in C."""
+    """Return the names of a model's functions in C."""
     return tuple(_DESCRIPTIONS) if model.events else ("rates", "outputs", "jacobian")
 
 
@@ -97,7 +97,7 @@ def _signature(name: str, function: str) -> str:
 
 
 def c_model_source(model: Model, head: Sequence[str]) -> str:
-    """Return the source, which repeats the header: no file's name stands in it."""
+    """Return the source. It contains the header, so that it does not depend on the file's name."""
     return "\n".join([*_header(model, head), *_source(model)])
 
 
@@ -129,7 +129,7 @@ def _source(model: Model) -> Iterator[str]:
 
 
 def c_comment(lines: Sequence[str]) -> str:
-    """Return a comment that no text can end."""
+    """Return a comment; text that would end it is altered."""
     text = "\n   ".join(_harmless(line) for line in lines)
     return f"/* {text} */\n"
 

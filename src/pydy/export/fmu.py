@@ -36,11 +36,11 @@ _METHOD = "dop853"
 
 
 def fmu_archive(model: Model, fmi: str = "3.0", binary: bool = True) -> bytes:
-    """Return the unit; raise a GeneratorError where there is no C compiler, or it fails."""
-    # Names of ours, which meet none in the hand-written sources.
+    """Return the unit; raise a GeneratorError if there is no C compiler, or if it fails."""
+    # Generated names, which do not conflict with the hand-written sources.
     constants = [replace(v, identifier=f"p_{k}") for k, v in enumerate(model.constants)]
     sources = _sources(replace(model, name="pydy_model", constants=tuple(constants)), fmi)
-    # Names of Windows' paths have 260 letters in all.
+    # A path of Windows has 260 characters at most.
     model = replace(model, name=model.name[:100])
     token = _token(sources)
     sources["config.h"] = sources["config.h"].replace("{{TOKEN}}", c_string(token))
@@ -79,10 +79,10 @@ def _sources(model: Model, fmi: str) -> dict[str, str]:
 
 
 def _unit() -> str:
-    """Return the one unit that is compiled.
+    """Return the single compilation unit.
 
-    The model's text must not meet the macros of the loop, nor its functions those of the loop,
-    some of which do the same under the same name.
+    The model comes before the macros of the integration loop, and its helper functions are renamed:
+    the loop has helpers of the same names.
     """
     ours = [f"#define {name}(...) model_{name}(__VA_ARGS__)" for name in HELPERS]
     theirs = [f"#undef {name}" for name in HELPERS]
@@ -151,7 +151,7 @@ def compiler() -> list[str]:
 
 
 def _words(command: str) -> list[str]:
-    """Split a command, unless it is the path of a program, in whose folders there may be blanks."""
+    """Split a command into words, unless it is the path of a program, which may contain blanks."""
     if shutil.which(command):
         return [command]
     posix = sys.platform != "win32"
@@ -174,7 +174,7 @@ def _library(sources: dict[str, str], suffix: str) -> bytes:
         if Path(command[0]).stem.lower() in ("cl", "clang-cl"):
             command += ["/nologo", "/O2", "/LD", "all.c", f"/Fe{result}"]
         else:
-            # All code of Windows can be moved, and its C library has the mathematical functions.
+            # Windows needs neither -fPIC nor a separate mathematical library.
             unix = suffix != ".dll"
             command += ["-std=c99", "-O2", "-ffp-contract=off", "-fvisibility=hidden"]
             command += ["-shared", "-o", result, "all.c"]
@@ -191,7 +191,7 @@ def _library(sources: dict[str, str], suffix: str) -> bytes:
 
 
 def _platform(fmi: str) -> tuple[str, str]:
-    """Name this platform as FMI does, with its suffix of libraries."""
+    """Return FMI's name of this platform, and the suffix of its shared libraries."""
     system = {"win32": "windows", "darwin": "darwin"}.get(sys.platform, "linux")
     suffix = {"windows": ".dll", "darwin": ".dylib", "linux": ".so"}[system]
     machine = platform.machine().lower()
@@ -205,7 +205,7 @@ def _platform(fmi: str) -> tuple[str, str]:
 
 
 def _attributes(**values: Any) -> str:
-    """Return the attributes of an element, without those that are None."""
+    """Return the XML attributes of an element, without those that are None."""
     return "".join(f" {k}={quoteattr(str(v))}" for k, v in values.items() if v is not None)
 
 
@@ -246,7 +246,7 @@ class _Words(NamedTuple):
 
     token: str
     abilities: tuple[str, ...]
-    files: str  # where the sources are told; FMI 3.0 has a file for that
+    files: str  # the element that lists the sources; FMI 3.0 has a separate file
     structure: dict[str, tuple[str, ...]]
 
 
@@ -278,9 +278,9 @@ _WORDS = {
 }
 
 
-# The tolerance where an importer's user names none: importers pass it to their own solver in Model
-# Exchange. 1e-6 is the default `experiment(Tolerance)` in OpenModelica. At 1e-10 CVODE gave up at
-# inputs that jump, where FMPy does not restart it.
+# The default tolerance, which importers pass to their solver in Model Exchange. 1e-6 is the default
+# `experiment(Tolerance)` of OpenModelica. At 1e-10 CVODE failed at jumps of inputs, where FMPy does
+# not restart it.
 _TOLERANCE = "1e-6"
 
 

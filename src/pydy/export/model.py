@@ -16,7 +16,7 @@ from pydy._forks import cached_property
 from pydy._names import untaken
 from pydy._program import Program
 
-# -- The hand-written parts of what is exported ----------------------------------------------------
+# -- Hand-written parts of exported files ----------------------------------------------------------
 
 
 @cache
@@ -26,7 +26,7 @@ def resource(name: str) -> str:
 
 
 def plain_text(text: str) -> str:
-    """Return a text with blanks for the characters that files of some kind cannot have."""
+    """Replace unprintable characters by blanks."""
     return "".join(c if c.isprintable() else " " for c in text)
 
 
@@ -167,7 +167,7 @@ class Exported:
 
 
 def with_inputs(program: Program, columns: Sequence[int]) -> Program:
-    """Return a Program that takes some of its specifieds only, which are all that it reads."""
+    """Restrict a Program to the specifieds in `columns`; it must not read others."""
     new = {old: k for k, old in enumerate(columns)}
     args = tuple(
         ("r", new[a[1]]) if op == "input" and a[0] == "r" else a

@@ -36,7 +36,7 @@ _SPECIAL = {
     "erf": {"numpy": "np.vectorize(math.erf, otypes=[float])", "jax": "jax.scipy.special.erf"},
     "erfc": {"numpy": "np.vectorize(math.erfc, otypes=[float])", "jax": "jax.scipy.special.erfc"},
 }
-"""Functions that NumPy does not have, and what they are in modules for `_ALIASES`."""
+"""Functions that NumPy does not have, and their definitions in modules of `_ALIASES`."""
 
 
 def _dialect(module: str) -> Dialect:
@@ -123,7 +123,7 @@ _PURPOSES = {
 
 
 def _refuse_redundant(program: Program) -> None:
-    """Refuse constraints of which only numbers tell which ones count, at every state."""
+    """Refuse constraints that are redundant at every state: it takes numbers to select some."""
     todo, visited = [*program.outputs], set()
     while todo:
         node = todo.pop()
@@ -149,7 +149,7 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
     """Return a module for one of `DIALECTS`, with some lines at the top of its docstring."""
     names = ["rates", "outputs"]
     if target == "numpy":
-        names.append("jacobian")  # the others make it themselves
+        names.append("jacobian")  # JAX and CasADi differentiate
     if target == "casadi":
         names += [name for name in PARTS if name in model.builders]
     if model.events:
@@ -199,15 +199,15 @@ _SAFE: dict[str, dict[int, float]] = {
     **{name: {0: 0.0} for name in ("asin", "acos", "atanh", "exp", "sinh", "cosh")},
     **{"acosh": {0: 2.0}, "div": {1: 1.0}, "pow": {0: 1.0, 1: 1.0}, "atan2": {1: 1.0}},
 }
-"""Operands, by place, with which an operation and its derivatives are finite that may not be so."""
+"""Safe operands, by position, of operations whose value or derivative may not be finite."""
 
 
 def with_safe_branches(program: Program) -> Program:
-    """Return a Program with the same values whose branches that are not taken are finite.
+    """Return a Program with the same values, in which inactive branches are finite.
 
-    Reverse accumulation hands zero to a branch that is not taken, and zero times the infinite
-    derivative there is NaN. So what only branches need gets a harmless operand while they are not
-    taken. Their conditions do not depend on it, or more than the branches would need it.
+    Reverse accumulation multiplies the derivatives of an inactive branch by zero, which is NaN if
+    they are infinite. So an operation that only branches use gets a safe operand while these are
+    inactive. The branches' conditions do not depend on it, as otherwise not only branches use it.
     """
     if "select" not in program.ops:
         return program
