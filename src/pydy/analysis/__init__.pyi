@@ -2,7 +2,7 @@ from .adjoint import (
     AdjointGradient as AdjointGradient,
     adjoint_gradient as adjoint_gradient,
     explicit_solver as explicit_solver,
-    there_and_back as there_and_back,
+    motion_and_gradient as motion_and_gradient,
 )
 from .adjoint_motion import (
     MotionSegment as MotionSegment,

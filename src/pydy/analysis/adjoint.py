@@ -39,7 +39,7 @@ class AdjointGradient:
         The parameters, with their numbers of columns.
     by_state : ndarray, shape (n,)
         Its derivatives with respect to the initial states, each varied independently: the adjoint
-        there. NaN where several contacts close at one instant, which such variations part.
+        at the start. NaN if several contacts close at one instant: such variations separate them.
     time : float
         Where the motion ended: the last of the times, or a terminal event.
     statistics : dict
@@ -80,8 +80,8 @@ class AdjointGradient:
         return {**vars(self), "trajectory": self.trajectory, "_motion": None}
 
     def __str__(self) -> str:
-        shown = some(f"{n} {v:.6g}" for n, v in zip(self.names, self.values, strict=True))
-        return f"Gradient of {self.value:.10g} by {shown}"
+        terms = some(f"{n} {v:.6g}" for n, v in zip(self.names, self.values, strict=True))
+        return f"Gradient of {self.value:.10g} by {terms}"
 
     __repr__ = __str__
 
@@ -101,7 +101,7 @@ def adjoint_gradient(
         None if term is None else read_term(problem.definition, term, name)
         for term, name in ((final, "final"), (integral, "integral"))
     )
-    run, sensitive, values, by_state = there_and_back(
+    run, sensitive, values, by_state = motion_and_gradient(
         problem, times, wrt, final=final, integral=integral, solver=solver, options=options
     )
     n, reached = len(problem.definition.states), run.info["reached"]
@@ -118,7 +118,7 @@ def adjoint_gradient(
     return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, trajectory)
 
 
-def there_and_back(
+def motion_and_gradient(
     problem: Problem,
     times: np.ndarray,
     wrt: Any,
@@ -129,9 +129,9 @@ def there_and_back(
     options: dict[str, Any],
     weights: np.ndarray | None = None,
 ) -> tuple[MotionSegment, AugmentedSystem, np.ndarray, np.ndarray]:
-    """Return a motion and the derivatives by the parameters and by the first state.
+    """Return a motion and the objective's derivatives by the parameters and by the first state.
 
-    They are those of the objective, or of the last state's sum with some `weights`.
+    With `weights`, the objective is Σ weight · last state.
     """
     times = CallArguments(problem).times(times)
     refuse_descending(times, "`adjoint_gradient` integrates forward, then back")
@@ -152,7 +152,7 @@ def there_and_back(
 
 
 def explicit_solver(solver: Any) -> Solver:
-    """Return a System's solver as one that goes back, 'dop853' if it is not native."""
+    """Return the solver for the adjoint: the System's if it is native, otherwise 'dop853'."""
     if isinstance(solver, Solver) and solver.name == "radau":
         raise ValueError(
             "`adjoint_gradient` goes back through the steps of an explicit method, but "

@@ -1,4 +1,4 @@
-"""Motions whose steps are recorded, and the adjoint of these from the last to the first."""
+"""Motions with recorded steps, and the adjoint that is integrated back through these steps."""
 
 from __future__ import annotations
 
@@ -48,61 +48,68 @@ from pydy.trajectory import EventRecord
 
 
 def extended(term: Any, marked: bool, assembly: Assembly) -> Assembly:
-    """Return the equations with the integral and the marker of samples as their last states."""
+    """Return the equations with the integral and the sample marker appended to the states."""
     n, s, c = assembly.sizes
-    more = [] if term is None else [node_of(assembly, term, "`integral`")]
+    extra_rates = [] if term is None else [node_of(assembly, term, "`integral`")]
     if marked:
-        more.append(assembly.graph.input("r", s))
-    return replace(assembly, sizes=(n + len(more), s + marked, c), rates=[*assembly.rates, *more])
+        extra_rates.append(assembly.graph.input("r", s))
+    return replace(
+        assembly, sizes=(n + len(extra_rates), s + marked, c), rates=[*assembly.rates, *extra_rates]
+    )
 
 
 class Projections:
-    """The projections at the ends of some steps.
+    """The constraint projections at the ends of some steps, and their adjoints.
 
-    A projection moves sensitivities S by −K (c_x S + c_θ), with the residuals c and the least
-    correction K in the norm of the projection, of positions and then of velocities. So an adjoint λ
-    becomes λ − c_xᵀ Kᵀ λ before it, and the derivatives by θ gain −(Kᵀ λ) · c_θ.
+    A projection changes sensitivities S by −K (c_x S + c_θ), where c are the residuals and K is the
+    minimum-norm correction, first for positions and then for velocities. Before the projection, an
+    adjoint λ is therefore λ − c_xᵀ Kᵀ λ, and the derivatives with respect to θ gain −(Kᵀ λ) · c_θ.
 
-    The inputs `wanted` are differentiated by; `call` returns the call of a Kernel with so many
-    inputs after r. The m states at the times are as they were projected.
+    `wrt` lists the inputs to differentiate with respect to. `call` takes a Kernel and the number of
+    inputs that follow r, and returns the Kernel's call. The m `states` are those after projection.
     """
 
     def __init__(
         self,
         model: CompiledModel,
         constraints: CompiledConstraints,
-        wanted: tuple[tuple[str, int], ...],
+        wrt: tuple[tuple[str, int], ...],
         call: Callable[[Kernel, int], KernelCall],
         times: np.ndarray,
         states: np.ndarray,
     ) -> None:
-        self.times, self._x, self._wanted, self._model = times, states, wanted, model
+        self.times, self._x, self._wrt, self._model = times, states, wrt, model
         self._constraints = constraints
-        plain = call(constraints.kernel, 0)
-        self._r = Inputs(plain.r, plain.sampled).rows(states, times)
-        self._p = plain.p
+        constraint_call = call(constraints.kernel, 0)
+        self._r = Inputs(constraint_call.r, constraint_call.sampled).rows(states, times)
+        self._p = constraint_call.p
         out = model.evaluate(constraints.kernel, times, states, self._r, self._p)
         self._parts = constraints.kernel.program.by_block(out)
         h, v, n = constraints.holonomic, constraints.velocity, states.shape[1]
         self._gradient = self._parts["gradient"].reshape(len(times), h, constraints.coordinates)
-        if any(model.assembly.following):  # whose corrections are not along the gradient
+        if any(model.assembly.following):  # their corrections are not along the gradient
             by_state = model.compiled_jacobian("holonomic", "x")
-            found = model.evaluate(by_state, times, states, self._r, self._p)
-            self._gradient = found.reshape(len(times), h, n)
+            jacobian = model.evaluate(by_state, times, states, self._r, self._p)
+            self._gradient = jacobian.reshape(len(times), h, n)
         self._slopes = np.zeros((len(times), v, n))
         if v:
             by_state = model.compiled_jacobian("velocity", "x")
-            found = model.evaluate(by_state, times, states, self._r, self._p)
-            self._slopes = found.reshape(len(times), v, n)
+            jacobian = model.evaluate(by_state, times, states, self._r, self._p)
+            self._slopes = jacobian.reshape(len(times), v, n)
         self._multipliers = np.zeros((len(times), h + v))
 
     def back(self, k: int, adjoint: np.ndarray) -> np.ndarray:
         """Return the adjoint of the state before projection k, from that after it."""
-        wanted = self._constraints
-        h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
+        constraints = self._constraints
+        h, v, q, u = (
+            constraints.holonomic,
+            constraints.velocity,
+            constraints.coordinates,
+            constraints.speeds,
+        )
         part = {name: values[k] for name, values in self._parts.items()}
         inverse = np.eye(u)
-        if wanted.weighted:
+        if constraints.weighted:
             inverse = _inverse_factor(part["kinetic_hessian"].reshape(u, u))
         adjoint = adjoint.copy()
         multipliers = self._multipliers[k]
@@ -114,10 +121,10 @@ class Projections:
             gradient = part["gradient"].reshape(h, q)
             reach = part["kinematics"].reshape(q, u) @ inverse
             terms = np.linalg.norm(np.abs(gradient) @ np.abs(reach), axis=1)
-            moved = gradient @ reach
-            moved[is_zero(np.linalg.norm(moved, axis=1), terms)] = 0.0
-            correction = reach @ _least(moved)
-            # Rows that no speed reaches.
+            moving = gradient @ reach
+            moving[is_zero(np.linalg.norm(moving, axis=1), terms)] = 0.0
+            correction = reach @ _least(moving)
+            # Constraints that no speed can correct.
             correction = correction + _least(gradient) @ (np.eye(h) - gradient @ correction)
             multipliers[:h] = correction.T @ adjoint[:q]
             slopes = self._gradient[k]
@@ -125,27 +132,27 @@ class Projections:
         return adjoint
 
     def totals(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the derivatives by the parameters: the sum (w,), and those at each time (m, w)."""
-        model, wanted = self._model, self._wanted
-        if not wanted:
+        """Return the derivatives by the parameters: their sum (w,) and those per time (m, w)."""
+        model, wrt = self._model, self._wrt
+        if not wrt:
             return np.zeros(0), np.zeros((len(self.times), 0))
         assembly = model.assembly
 
         def make() -> Program:
-            own = assembly.fork()
-            nodes = simplify(own.graph, [*own.holonomic, *own.velocity])
-            return derivative_program(own.graph, nodes, wanted, "vector-jacobian", own.sizes)
+            fork = assembly.fork()
+            nodes = simplify(fork.graph, [*fork.holonomic, *fork.velocity])
+            return derivative_program(fork.graph, nodes, wrt, "vector-jacobian", fork.sizes)
 
-        kernel = model.compiled_by(("adjoint of the constraints", wanted), make)
+        kernel = model.compiled_by(("adjoint of the constraints", wrt), make)
         rows = np.broadcast_to(self._r, (len(self.times), self._r.shape[1]))
         r = np.concatenate([rows, -self._multipliers], axis=1)
-        found = model.evaluate(kernel, self.times, self._x, r, self._p)
-        total: Any = found.sum(axis=0)
-        return total, found
+        per_time = model.evaluate(kernel, self.times, self._x, r, self._p)
+        total: Any = per_time.sum(axis=0)
+        return total, per_time
 
 
 def _inverse_factor(matrix: np.ndarray) -> np.ndarray:
-    """Return L⁻ᵀ of a Cholesky factor; the identity where there is none, as the projection does."""
+    """Return L⁻ᵀ of the Cholesky factor L, or the identity if there is none, as projections do."""
     try:
         factor = np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
@@ -157,26 +164,26 @@ def _inverse_factor(matrix: np.ndarray) -> np.ndarray:
 
 
 def _least(rows: np.ndarray) -> np.ndarray:
-    """Return the least solution of equations, without their dependent rows."""
+    """Return the pseudoinverse of some rows, which ignores their linearly dependent directions."""
     lengths = or_one(np.linalg.norm(rows, axis=1))
-    found: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=DEPENDENT) / lengths
-    return found
+    solution: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=DEPENDENT) / lengths
+    return solution
 
 
-Place = tuple[str, int]
+InputSlot = tuple[str, int]
 
 
 @dataclass(frozen=True, eq=False)
 class Task:
     """The equations, objective and parameters of one gradient."""
 
-    sensitive: AugmentedSystem  # its model is of the states alone
-    final: Any  # the place of an output, an expression, or None
+    sensitive: AugmentedSystem  # its model has the system's states only
+    final: Any  # the position of an output, an expression, or None
     integral: Any
 
     @cached_property
-    def whole(self) -> CompiledModel:
-        """The equations, with the integral and the marker of samples as their last states."""
+    def full_model(self) -> CompiledModel:
+        """The equations with the integral and the sample marker appended to the states."""
         marked = self.marker is not None
         model = self.sensitive.model
         if self.integral is None and not marked:
@@ -191,7 +198,7 @@ class Task:
         return marker(self.sensitive.parameters)
 
     @property
-    def _plain(self) -> list[Parameter]:
+    def _unsampled(self) -> list[Parameter]:
         return [p for p in self.sensitive.parameters if p.kind != "states" and p.samples is None]
 
     @cached_property
@@ -200,21 +207,21 @@ class Task:
         return [p for p in self.sensitive.parameters if p.samples is not None]
 
     @cached_property
-    def wanted(self) -> tuple[Place, ...]:
-        """The inputs to differentiate by; sampled specifieds come last."""
+    def wrt(self) -> tuple[InputSlot, ...]:
+        """The inputs to differentiate with respect to; sampled specifieds come last."""
         groups = {"constants": "p", "specifieds": "r"}
-        return tuple((groups[p.kind], p.place) for p in (*self._plain, *self.sampled))
+        return tuple((groups[p.kind], p.place) for p in (*self._unsampled, *self.sampled))
 
-    def call_whole(self, kernel: Kernel, further: int = 0) -> KernelCall:
-        """Return the call of a Kernel of `whole` with so many inputs after r."""
+    def call_full(self, kernel: Kernel, further: int = 0) -> KernelCall:
+        """Return the call of a Kernel of `full_model`, with `further` inputs after r."""
         if self.marker is None:
             return self.call(kernel, further)
         call = self.call(kernel, further + 1)
-        place = np.array([len(self.sensitive.plan.inputs.values)])
-        return replace(call, sampled=(*call.sampled, (place, self.marker)))
+        marker_index = np.array([len(self.sensitive.plan.inputs.values)])
+        return replace(call, sampled=(*call.sampled, (marker_index, self.marker)))
 
     def call(self, kernel: Kernel, further: int = 0) -> KernelCall:
-        """Return the call of a Kernel with so many inputs after r."""
+        """Return the call of a Kernel, with `further` inputs after r."""
         plan, states = self.sensitive.plan, self.sensitive.definition.states
         r = np.concatenate([plan.inputs.values, np.zeros(further)])
 
@@ -226,83 +233,87 @@ class Task:
     # -- compiled ---------------------------------------------------------------------------------
 
     def guided(
-        self, whole: np.ndarray, columns: np.ndarray, options: dict[str, Any]
+        self, full_state: np.ndarray, columns: np.ndarray, options: dict[str, Any]
     ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
-        """Return the equations with columns of derivatives, and their options for the solver.
+        """Return the equations with columns of sensitivities, and the solver's options for them.
 
-        The `columns` (n, n + w) are by some states, then by what is wanted. Where they turn more
-        quickly than states, their errors choose the steps.
+        The `columns` (n, n + w) are derivatives by states, then by the inputs `wrt`. Where they
+        vary faster than the states, their errors determine the step size.
         """
-        own = self.sensitive
-        states = [Parameter(s, "states", k) for k, s in enumerate(own.definition.states)]
-        others = [replace(p, samples=None) for p in (*self._plain, *self.sampled)]
-        moving = [k for k, p in enumerate([*states, *others]) if p in others or columns[:, k].any()]
-        parameters = tuple([*states, *others][k] for k in moving)
-        beside = replace(own, model=self.whole, parameters=parameters, width=len(whole))
-        compiled = beside.compiled(whole, options, wanted=True)
-        values = np.zeros((len(whole), len(moving)))
+        sensitive = self.sensitive
+        states = [Parameter(s, "states", k) for k, s in enumerate(sensitive.definition.states)]
+        inputs = [replace(p, samples=None) for p in (*self._unsampled, *self.sampled)]
+        moving = [k for k, p in enumerate([*states, *inputs]) if p in inputs or columns[:, k].any()]
+        parameters = tuple([*states, *inputs][k] for k in moving)
+        augmented = replace(
+            sensitive, model=self.full_model, parameters=parameters, width=len(full_state)
+        )
+        compiled = augmented.compiled(full_state, options, wanted=True)
+        values = np.zeros((len(full_state), len(moving)))
         values[: len(states)] = columns[:, moving]
-        call = self.call_whole(beside.kernel())
-        return call, beside.columns.together(whole, values), compiled
+        call = self.call_full(augmented.kernel())
+        return call, augmented.columns.together(full_state, values), compiled
 
     def bounded(
-        self, whole: np.ndarray, options: dict[str, Any]
+        self, full_state: np.ndarray, options: dict[str, Any]
     ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
-        """Return the equations with one column of derivatives, and its options for the solver.
+        """Return the equations with one column of sensitivities, and the solver's options for it.
 
-        It is the derivative along a generic direction of all initial conditions and of what is
-        wanted, each in units of its size. Its errors bound the steps: what the motion does not
-        excite shows in it, and the gradient is made of the derivatives along such directions.
+        The column is the derivative along a generic direction in the space of all initial
+        conditions and the inputs `wrt`, each scaled by its size. Its error limits the step size:
+        it contains modes that the motion itself does not excite but that the gradient depends on.
         """
-        model, width = self.whole, len(whole)
-        direction = SensitivityDirection(width, self.wanted)
-        call = self.call_whole(direction_kernel(model, direction))
+        model, width = self.full_model, len(full_state)
+        direction = SensitivityDirection(width, self.wrt)
+        call = self.call_full(direction_kernel(model, direction))
         sized = [
             ParameterSize("x", k, least=s)
             for k, s in enumerate(least_sizes(options, width).tolist())
         ]
-        sized += [one.sized._replace(columns=1) for one in (*self._plain, *self.sampled)]
-        own, r = self.sensitive, self.sensitive.plan.inputs.values
-        sizes = ParameterSize.scales(sized, whole, r, own.p, len(sized))
+        sized += [
+            parameter.sized._replace(columns=1) for parameter in (*self._unsampled, *self.sampled)
+        ]
+        sensitive, r = self.sensitive, self.sensitive.plan.inputs.values
+        sizes = ParameterSize.scales(sized, full_state, r, sensitive.p, len(sized))
         parts = sizes * generic(len(sized))
         column, weights = parts[:width], parts[width:]
-        column[own.columns.states :] = 0.0  # integrals begin at zero
-        every = with_all(model, own.definition)
-        beside = CompiledSensitivities(
-            width, _OF_NO_INPUT, np.ones(1), whole, False, _of_no_event,
-            lambda: direction_kernel(every, direction, "holonomic", "velocity"),
+        column[sensitive.columns.states :] = 0.0  # integrals start at zero
+        with_constraints = with_all(model, sensitive.definition)
+        compiled = CompiledSensitivities(
+            width, _OF_NO_INPUT, np.ones(1), full_state, False, _of_no_event,
+            lambda: direction_kernel(with_constraints, direction, "holonomic", "velocity"),
         )  # fmt: skip
         call = replace(call, r=np.concatenate([call.r, weights]))
-        return call, np.append(whole, column), beside
+        return call, np.append(full_state, column), compiled
 
-    def turned(self) -> KernelCall:
-        """Return the derivatives of Σ weight · rate; see `DiscreteAdjoint`."""
-        model = self.whole
+    def rates_vjp(self) -> KernelCall:
+        """Return the vector-Jacobian product Σ weight · rate; see `DiscreteAdjoint`."""
+        model = self.full_model
         assembly = model.assembly
         n = assembly.sizes[0]
-        by = [*(("x", k) for k in range(n)), *self.wanted]
+        inputs = [*(("x", k) for k in range(n)), *self.wrt]
 
         def make() -> Program:
             graph, rates = assembly.simplified("rates")
-            return derivative_program(graph, rates, by, "vector-jacobian", assembly.sizes)
+            return derivative_program(graph, rates, inputs, "vector-jacobian", assembly.sizes)
 
-        key = ("adjoint of the rates", self.wanted)
-        return self.call_whole(model.compiled_by(key, make), n)
+        key = ("adjoint of the rates", self.wrt)
+        return self.call_full(model.compiled_by(key, make), n)
 
     def objective(self) -> KernelCall:
-        """Return `final` and its derivatives by states, time, specifieds and parameters."""
+        """Return `final` and its gradient by states, time, specifieds and parameters."""
         model = self.sensitive.model
         assembly = model.assembly
         n, s, _ = assembly.sizes
-        places = [("t", 0), *(("r", k) for k in range(s)), *self.wanted]
-        by = [*(("x", k) for k in range(n)), *places]
+        nonstate_inputs = [("t", 0), *(("r", k) for k in range(s)), *self.wrt]
+        inputs = [*(("x", k) for k in range(n)), *nonstate_inputs]
 
         def make() -> Program:
-            own = assembly.fork()
-            nodes = simplify(own.graph, [node_of(own, self.final, "`final`")])
-            return derivative_program(own.graph, nodes, by, "gradient", own.sizes)
+            fork = assembly.fork()
+            nodes = simplify(fork.graph, [node_of(fork, self.final, "`final`")])
+            return derivative_program(fork.graph, nodes, inputs, "gradient", fork.sizes)
 
-        key = ("gradient at the end", self.final, self.wanted)
+        key = ("gradient at the end", self.final, self.wrt)
         return self.call(model.compiled_by(key, make))
 
 
@@ -310,24 +321,24 @@ _OF_NO_INPUT = np.array([[-1, -1]])
 
 
 def _of_no_event(event: int) -> NoReturn:
-    raise AssertionError("Derivatives that bound steps go on through events as they are.")
+    raise AssertionError("The derivatives that limit step sizes have no jumps at events.")
 
 
 def generic(count: int) -> np.ndarray:
-    """Return the components of a fixed direction, of sizes from 1/2 to 1 and of both signs.
+    """Return the components of a fixed generic direction, of magnitude 1/2 to 1 and both signs.
 
-    Modes of symmetric systems are sums and differences of states: multiples of the golden section
-    are spread evenly, so that few of them are nearly the same.
+    Modes of symmetric systems are sums and differences of states. Multiples of the golden ratio
+    modulo 1 are evenly distributed, so few components are nearly equal.
     """
     parts = np.arange(1.0, count + 1.0) * 0.5 * (5.0**0.5 - 1.0) % 1.0
-    found: np.ndarray = np.where(parts < 0.5, 0.5 + parts, -parts)
-    return found
+    components: np.ndarray = np.where(parts < 0.5, 0.5 + parts, -parts)
+    return components
 
 
 def direction_kernel(model: CompiledModel, direction: SensitivityDirection, *blocks: str) -> Kernel:
-    """Return the Kernel of the derivatives of blocks along a direction.
+    """Return the Kernel of the directional derivatives of some blocks.
 
-    By default it is that of the derivatives of the states and of their column by time.
+    Without blocks, it computes the rates of the states and of their directional derivatives.
     """
     assembly = model.assembly
 
@@ -340,17 +351,17 @@ def direction_kernel(model: CompiledModel, direction: SensitivityDirection, *blo
         return direction.program(graph, rates, assembly.sizes, "rates")
 
     def stored() -> Program:
-        what = f"along one direction of {', '.join(blocks) or 'rates'} {direction}"
-        return stored_program(assembly, what, make)
+        description = f"along one direction of {', '.join(blocks) or 'rates'} {direction}"
+        return stored_program(assembly, description, make)
 
     return model.compiled_by(("along one direction", blocks, direction), stored)
 
 
 class MotionSegment:
-    """A motion of the states and the integral, to the state `last`; its steps are noted.
+    """A motion of the states and the integral up to the state `last`, with recorded steps.
 
-    Derivatives may `guide` its steps, see `Task.guided`; else they are `bounded`, or as the errors
-    of the states choose them.
+    The step size is controlled by the sensitivities `guide` (see `Task.guided`), or limited by one
+    generic direction if `bounded` (see `Task.bounded`), or controlled by the states alone.
     """
 
     def __init__(
@@ -366,29 +377,29 @@ class MotionSegment:
         from pydy.solvers import DiscreteAdjoint, Integration
 
         n = len(x0)
-        self.unbounded: str | None = None  # what came of derivatives that should bound the steps
-        self.rates = rates = task.call_whole(task.whole.compiled("rates"))
-        more = rates.kernel.program.num_states - n
+        self.unbounded: str | None = None  # why no derivatives limit the step size
+        self.rates = rates = task.call_full(task.full_model.compiled("rates"))
+        num_extra = rates.kernel.program.num_states - n
         for name in options.keys() & {"rtol", "atol"}:
-            if np.size(options[name]) == n > 1 and more:  # the integral as the strictest state
-                given = np.asarray(options[name], dtype=float)
-                options = {**options, name: np.append(given, given.min())}
+            if np.size(options[name]) == n > 1 and num_extra:  # the integral: the strictest of them
+                tolerances = np.asarray(options[name], dtype=float)
+                options = {**options, name: np.append(tolerances, tolerances.min())}
         options = task.sensitive.stepped(solver, options, x0, times, False)
-        whole, call = np.append(x0, np.zeros(more)), rates
+        full_state, call = np.append(x0, np.zeros(num_extra)), rates
         if guide is not None:
-            call, whole, beside = task.guided(whole, guide, options)
-            options = {**options, "sensitivities": beside}
+            call, full_state, sensitivities = task.guided(full_state, guide, options)
+            options = {**options, "sensitivities": sensitivities}
         elif bounded and solver.adaptive:
-            call, whole, beside = task.bounded(whole, options)
-            options = {**options, "sensitivities": beside}
+            call, full_state, sensitivities = task.bounded(full_state, options)
+            options = {**options, "sensitivities": sensitivities}
         read: Any = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
-        integration = Integration(solver.name, call, len(whole), times, (), read)
+        integration = Integration(solver.name, call, len(full_state), times, (), read)
         self.task, self.times, self.n, self._first = task, times, n, x0
         self.options: Any = read
-        width = n + more
-        self.states = states = integration.run(whole)[:, :width]
-        for told in integration.event_warnings():
-            warn_user(told)
+        width = n + num_extra
+        self.states = states = integration.run(full_state)[:, :width]
+        for message in integration.event_warnings():
+            warn_user(message)
         self.info = info = integration.info()
         self.records: list[EventRecord] = info["events"]
         self.end: float = info["time"]
@@ -397,52 +408,56 @@ class MotionSegment:
         self.last = ended if self.stopped or not len(states) else states[-1]
         rows: Any = integration.recorded_steps()
         starts = rows[rows[:, 1] > 0.0, 0]
-        ends = np.append(starts, self.end)[1:]  # of those that events cut short, too
-        moves = ends > starts
-        self.starts, self.ends = starts[moves], ends[moves]
-        self.before = rows[rows[:, 1] > 0.0, 2 : 2 + width][moves]
-        further, kept = len(task.wanted), len(task.sampled)
+        ends = np.append(starts, self.end)[1:]  # includes steps that an event cut short
+        nonempty = ends > starts
+        self.starts, self.ends = starts[nonempty], ends[nonempty]
+        self.before = rows[rows[:, 1] > 0.0, 2 : 2 + width][nonempty]
+        num_wrt, num_sampled = len(task.wrt), len(task.sampled)
         switched = None if integration.call is None else integration.call.switched
-        known = replace(rates, switched=switched)
-        self._back = DiscreteAdjoint(solver.name, known, task.turned(), further, kept)
-        self._kept = kept
+        call_with_switches = replace(rates, switched=switched)
+        self._back = DiscreteAdjoint(
+            solver.name, call_with_switches, task.rates_vjp(), num_wrt, num_sampled
+        )
+        self._num_sampled = num_sampled
         integrals = 0 if task.integral is None else 1
         self.value = float(self.last[n : n + integrals].sum())
-        self._seen: list[tuple[np.ndarray, np.ndarray]] = []  # derivatives by samples, with times
-        self._totals = np.zeros(further)
+        self._sample_derivatives: list[tuple[np.ndarray, np.ndarray]] = []  # (times, derivatives)
+        self._totals = np.zeros(num_wrt)
         self._adjoint = np.zeros(len(self.last))
         self._adjoint[n : n + integrals] = 1.0
         self._slope = 0.0  # of the objective along the motion at its end
-        self._followed = False  # whether the motion goes on from where this one ends
+        self._followed = False  # True if another segment continues the motion
 
-    def finish(self, weights: np.ndarray | None = None, moves: bool = True) -> None:
-        """Take the terms at the end; the last state's sum with some `weights` is one.
+    def finish(self, weights: np.ndarray | None = None, end_varies: bool = True) -> None:
+        """Start the adjoint from the terms at the end: `final`, or Σ weight · last state.
 
-        Whether an event that ends the motion `moves` its end.
+        `end_varies` is True if the time of an event that ends the motion depends on the parameters.
         """
-        n, t, self._followed = self.n, self.end, not moves
+        n, t, self._followed = self.n, self.end, not end_varies
         if weights is not None:
             self._adjoint[:n] = weights
         if self.task.final is None:
             return
         call = self.task.objective()
-        found = call.evaluate(call.kernel, self.last, t)
-        self.value += float(found[0])
+        value_and_gradient = call.evaluate(call.kernel, self.last, t)
+        self.value += float(value_and_gradient[0])
         s = len(call.r)
-        by_state, by_time = found[1 : 1 + n], float(found[1 + n])
-        by_input = found[2 + n : 2 + n + s]
+        by_state, by_time = value_and_gradient[1 : 1 + n], float(value_and_gradient[1 + n])
+        by_input = value_and_gradient[2 + n : 2 + n + s]
         self._adjoint[:n] = by_state
-        self._add(found[2 + n + s :], t)
+        self._add(value_and_gradient[2 + n + s :], t)
         self._slope = by_time + float(by_input @ call.slopes_at(t))
 
     def _add(self, part: np.ndarray, t: float) -> None:
         """Add the derivatives by the parameters due to one instant."""
         self._totals += part
-        if self._kept:
-            self._seen.append((np.array([t]), part[None, len(part) - self._kept :]))
+        if self._num_sampled:
+            self._sample_derivatives.append(
+                (np.array([t]), part[None, len(part) - self._num_sampled :])
+            )
 
     def interrupted(self, times: np.ndarray, states: np.ndarray) -> IntegrationInterrupted:
-        """Return the error of a way back that was interrupted, with the whole motion."""
+        """Return the error for an interrupted backward pass; it contains the complete motion."""
         return IntegrationInterrupted(
             "The gradient was interrupted on the way back through the motion, which is whole: it "
             "is in the attributes `times` and `states` of this error.",
@@ -450,7 +465,7 @@ class MotionSegment:
         )  # fmt: skip
 
     def motion(self, problem: Problem, solver: Solver, ready: PreparedIntegration) -> Motion:
-        """Return what was integrated as a Motion."""
+        """Return the integrated states as a Motion."""
         reached = self.info["reached"]
         return Motion(
             problem=problem,
@@ -466,61 +481,65 @@ class MotionSegment:
         )
 
     def passed(self, problem: Problem) -> Any:
-        """Return the motion as a Trajectory at the solver's own steps."""
+        """Return the motion as a Trajectory at the solver's steps."""
         states = np.vstack([self.before, self.last])[:, : self.n]
         return TrajectoryModel(problem).label(
             np.append(self.starts, self.end), states, events=self.records
         )
 
     def gradient(self, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Go back to the beginning; return the derivatives by parameters and by the first state.
+        """Integrate the adjoint back; return the derivatives by parameters and by the first state.
 
-        The derivatives of the first state by the parameters are `start`, shape (n, k).
+        `start` (n, k) contains the derivatives of the first state by the parameters.
         """
         by_state = self.back()
         return self.by_parameters(by_state @ start), by_state
 
     def back(self) -> np.ndarray:
-        """Go back to the beginning; return the derivatives by the first state."""
-        with progress_of(self.options.progress, " steps back", len(self.starts)) as self._told:
-            found = self._all_back()
+        """Integrate the adjoint back to the start; return the derivatives by the first state."""
+        with progress_of(self.options.progress, " steps back", len(self.starts)) as self._progress:
+            by_state = self._all_back()
         if self.unbounded is not None:
             warn_user(
                 "The steps of this gradient follow from the errors of the states alone. With "
                 f"derivatives beside them {self.unbounded}. If the gradient depends on a direction "
                 "that the motion does not excite, compare it with `simulate(sensitivities=...)`."
             )
-        return found
+        return by_state
 
-    def through(
+    def back_through_transition(
         self, matrix: np.ndarray, time: np.ndarray, earlier: MotionSegment | None = None
     ) -> np.ndarray:
-        """Go back through a transition that leads here; return the derivatives by the state before.
+        """Apply the adjoint of the transition before this segment; return the state derivatives.
 
-        The `matrix` (n, n + w) has the derivatives of the state after it by that state, then by
-        what is wanted, at a fixed time, `time` (n + w,) those of its time, NaN where they are not
-        known. An `earlier` stretch that leads to it takes over what has been found.
+        `matrix` (n, n + w) contains the derivatives of the state after the transition by the state
+        before it, then by the inputs `wrt`, at a fixed time. `time` (n + w,) contains those of the
+        transition's time, NaN if unknown. The sums so far are passed on to the `earlier` segment.
         """
         n, t = self.n, float(self.times[0])
-        turned = self._adjoint[:n] @ matrix
+        derivatives = self._adjoint[:n] @ matrix
         if earlier is not None:
             jump = (earlier._rates(earlier.last, t) - self._rates(self._first, t))[n:]
-            if (moved := float(self._adjoint[n:] @ jump)) and np.isnan(time).any():
+            if (slope := float(self._adjoint[n:] @ jump)) and np.isnan(time).any():
                 steps = zip(earlier.before, earlier.starts, strict=True)
                 sizes = [np.abs(earlier._rates(x, t)[n:]).max() for x, t in steps]
-                if not abs(moved) <= HALF * max(sizes, default=0.0):
+                if not abs(slope) <= HALF * max(sizes, default=0.0):
                     raise NotImplementedError(
                         f"`integral` jumps at t = {t!r}, where a body comes to rest in a plane: "
                         "how that time depends on parameters is not known. Integrate what is "
                         "continuous there."
                     )
-                moved = 0.0
-            turned = turned + (moved * time if moved else 0.0)
-            earlier._adjoint[:n] = turned[:n]
-            earlier._totals, earlier._seen, earlier._followed = self._totals, self._seen, True
-        self._add(turned[n:], t)
-        found: np.ndarray = turned[:n]
-        return found
+                slope = 0.0
+            derivatives = derivatives + (slope * time if slope else 0.0)
+            earlier._adjoint[:n] = derivatives[:n]
+            earlier._totals, earlier._sample_derivatives, earlier._followed = (
+                self._totals,
+                self._sample_derivatives,
+                True,
+            )
+        self._add(derivatives[n:], t)
+        by_state: np.ndarray = derivatives[:n]
+        return by_state
 
     def _all_back(self) -> np.ndarray:
         events = self.options.events
@@ -534,7 +553,7 @@ class MotionSegment:
         for record in reversed(acting):
             first = int(np.searchsorted(self.ends, record.time, side="right"))
             if first == 0 or (first == len(self.ends) and not self.stopped):
-                continue  # at the very beginning or end, where it is seen only
+                continue  # at the very start or end, where an event is recorded only
             self._steps_back(first, last, end)
             last, end = first, record.before
             terminal = events.terminal[record.index]
@@ -544,11 +563,14 @@ class MotionSegment:
         return self._adjoint[: self.n].copy()
 
     def _rates(self, x: np.ndarray, t: float) -> np.ndarray:
-        whole = np.append(x[: self.n], np.zeros(len(self.last) - self.n))
-        return self.rates.evaluate(self.rates.kernel, whole, t)
+        full_state = np.append(x[: self.n], np.zeros(len(self.last) - self.n))
+        return self.rates.evaluate(self.rates.kernel, full_state, t)
 
     def _steps_back(self, first: int, last: int, end: np.ndarray) -> None:
-        """Go back from the end of step `last` − 1, the state `end`, to where `first` begins."""
+        """Integrate the adjoint from the end of step `last` − 1 to the start of step `first`.
+
+        `end` is the state at the end of step `last` − 1.
+        """
         if first == last:
             return
         n, sweeps = self.n, [(first, last)]
@@ -560,9 +582,9 @@ class MotionSegment:
         for k, (start, stop) in reversed(list(enumerate(sweeps))):
             if projections is not None:
                 self._adjoint[:n] = projections.back(k, self._adjoint[:n])
-            own = slice(start, stop)
-            steps = self.starts[own], self.ends[own], self.before[own]
-            sweep = self._back.sweep_back(*steps, self._adjoint, self._told)
+            span = slice(start, stop)
+            steps = self.starts[span], self.ends[span], self.before[span]
+            sweep = self._back.sweep_back(*steps, self._adjoint, self._progress)
             if not np.isfinite(sweep.adjoint).all():
                 begin, past = float(self.starts[start]), float(self.ends[stop - 1])
                 raise ValueError(
@@ -573,67 +595,73 @@ class MotionSegment:
                 )
             self._adjoint = sweep.adjoint
             self._totals += sweep.totals
-            self._seen.append((sweep.times, sweep.stagewise))
+            self._sample_derivatives.append((sweep.times, sweep.stagewise))
         if projections is not None:
             self._projected(projections)
 
     def _projections(self, times: np.ndarray, states: np.ndarray) -> Projections:
-        task, held = self.task, self.options.constraints
-        return Projections(task.sensitive.whole.model, held, task.wanted, task.call, times, states)
+        task, constraints = self.task, self.options.constraints
+        return Projections(
+            task.sensitive.whole.model, constraints, task.wrt, task.call, times, states
+        )
 
     def _projected(self, projections: Projections) -> None:
         """Add the derivatives by the parameters due to projections."""
-        totals, kept = projections.totals()
+        totals, per_time = projections.totals()
         self._totals += totals
-        self._seen.append((projections.times, kept[:, kept.shape[1] - self._kept :]))
+        self._sample_derivatives.append(
+            (projections.times, per_time[:, per_time.shape[1] - self._num_sampled :])
+        )
 
     def _jump(self, record: EventRecord, slope: float) -> None:
-        """Go back through an event.
+        """Apply the adjoint of an event.
 
-        With the adjoint λ after it, its time t_e moves the objective by λ · (Ṙ − f⁺) at a fixed
-        time, and by its own slope where the motion ends there; dt_e/dθ = −(g_x S + g_θ) / ġ.
+        With the adjoint λ after it, the event time t_e changes the objective by λ · (Ṙ − f⁺) and,
+        if the motion ends there, by the objective's `slope`; dt_e/dθ = −(g_x S + g_θ) / ġ.
         """
         n, t = self.n, record.time
         x, adjoint = record.before, self._adjoint[:n].copy()
         part, changed, time = self.moment(record)
-        places = [*changed]
+        changed_states = [*changed]
         if changed and self.options.constraints is not None:  # the projection after it
-            held = self._projections(np.array([t]), record.after[None])
-            adjoint = held.back(0, adjoint)
-            self._projected(held)
-        moved = slope
+            projections = self._projections(np.array([t]), record.after[None])
+            adjoint = projections.back(0, adjoint)
+            self._projected(projections)
+        time_slope = slope
         if time.any():
             before, after = self._rates(x, t), self._rates(record.after, t)
-            moved += float(adjoint @ (part["after_rates"] - after[:n]))
-            moved += float(self._adjoint[n:] @ (before - after)[n:])
-        turned = adjoint[places] @ part["after"] + moved * time
-        adjoint[places] = 0.0
-        self._adjoint[:n] = adjoint + turned[:n]
-        self._add(turned[n:], t)
+            time_slope += float(adjoint @ (part["after_rates"] - after[:n]))
+            time_slope += float(self._adjoint[n:] @ (before - after)[n:])
+        derivatives = adjoint[changed_states] @ part["after"] + time_slope * time
+        adjoint[changed_states] = 0.0
+        self._adjoint[:n] = adjoint + derivatives[:n]
+        self._add(derivatives[n:], t)
 
     def moment(
         self, record: EventRecord, untimed: bool = False
     ) -> tuple[dict[str, np.ndarray], tuple[int, ...], np.ndarray]:
-        """Return an event's effect on derivatives, the states changed, and its time's derivatives.
+        """Return an event's derivative blocks, the changed states, and its time's derivatives.
 
-        These are by the state before it, then by what is wanted: (n + w,). They are refused where
-        it only grazes, or NaN where it may be `untimed`.
+        The time's derivatives (n + w,) are by the state before the event, then by the inputs `wrt`.
+        At a grazing event they do not exist: this is an error, or they are NaN if `untimed`.
         """
         n, t, x = self.n, record.time, record.before
         events = self.options.events
         assert events is not None
-        source, wanted = events.sources[record.index], self.task.wanted
-        kernel, changed = compiled_event(self.task.sensitive.model, source, wanted)
+        source, wrt = events.sources[record.index], self.task.wrt
+        kernel, changed = compiled_event(self.task.sensitive.model, source, wrt)
         call = self.task.call(kernel)
         r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
         out = kernel.evaluate(np.array([t]), x[None, :n], r[None], call.p)[0][0]
         part = kernel.program.by_block(out)
         time = np.zeros(len(part["crossing"]))
-        # Where an input that jumps makes it happen, its time is given.
+        # An event that a jump of an input causes has the jump's time, which is fixed.
         if events.forcing_time(call, record.index, x, t) is None:
             rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
             tolerances = self.options.atol, self.options.rtol
-            atol, rtol = (np.broadcast_to(one, len(self.last))[:n] for one in tolerances)
+            atol, rtol = (
+                np.broadcast_to(tolerance, len(self.last))[:n] for tolerance in tolerances
+            )
             depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
             error, lower = CompiledSensitivities.event_resolution(
                 depth, part["crossing"][:n], x, rtol, atol
@@ -645,7 +673,7 @@ class MotionSegment:
                 time[:] = np.nan
             elif value is not None:
                 self._refuse(Outcome.EVENT_JUMPS, record, value=value)
-            else:  # it only grazes: its time has no derivative
+            else:  # a grazing event: its time has no derivative
                 self._refuse(
                     Outcome.EVENT_GRAZES, record, depth=depth, explained=error, lower=lower
                 )
@@ -662,24 +690,27 @@ class MotionSegment:
         )  # fmt: skip
 
     def by_parameters(self, start: np.ndarray) -> np.ndarray:
-        """Return the derivatives by all parameters, of which the first state gives some."""
+        """Return the derivatives by all parameters.
+
+        `start` contains the contributions of the initial state.
+        """
         task = self.task
-        place = {one: k for k, one in enumerate(task.wanted)}
+        index_of = {slot: k for k, slot in enumerate(task.wrt)}
         sampled = {p.symbol: k for k, p in enumerate(task.sampled)}
-        found: list[float] = []
+        derivatives: list[float] = []
         for parameter in task.sensitive.parameters:
             if parameter.kind == "states":
-                found.append(0.0)
+                derivatives.append(0.0)
             elif parameter.samples is None:
                 group = "p" if parameter.kind == "constants" else "r"
-                found.append(float(self._totals[place[group, parameter.place]]))
+                derivatives.append(float(self._totals[index_of[group, parameter.place]]))
             else:
                 weights, total = by_samples(parameter), np.zeros(parameter.count)
-                for times, kept in self._seen:
-                    total += kept[:, sampled[parameter.symbol]] @ weights.rows(times)
-                found += total.tolist()
-        both: np.ndarray = start + np.array(found)
-        return both
+                for times, slopes in self._sample_derivatives:
+                    total += slopes[:, sampled[parameter.symbol]] @ weights.rows(times)
+                derivatives += total.tolist()
+        total_derivatives: np.ndarray = start + np.array(derivatives)
+        return total_derivatives
 
 
 def integrate_forward(
@@ -690,24 +721,24 @@ def integrate_forward(
     task: Task,
     guide: np.ndarray | None = None,
 ) -> MotionSegment:
-    """Return a motion from the initial conditions, or say why it could not go on."""
+    """Integrate from the initial conditions; raise an error with a diagnosis on failure."""
     n = len(problem.definition.states)
     run = partial(MotionSegment, task, solver, problem.x, times, ready.options, guide)
     failed: Any = None
     try:
         try:
-            found = run()
+            segment = run()
         except (IntegrationError, SingularMatrixError) as error:
             if guide is not None or not solver.adaptive:
                 raise
             failed = error
-        if failed is not None:  # derivatives may end where the motion does not
-            found = run(bounded=False)
+        if failed is not None:  # the sensitivities may be singular where the motion is not
+            segment = run(bounded=False)
             if isinstance(failed, SingularMatrixError):
-                found.unbounded = "the mass matrix became singular"
-            # One that is not finite stops the way back, too, if the scalar depends on it.
+                segment.unbounded = "the mass matrix became singular"
+            # A derivative that is not finite fails the backward pass if the scalar depends on it.
             elif failed.info["code"] != Outcome.NOT_FINITE:
-                found.unbounded = (
+                segment.unbounded = (
                     f"`{solver.name}` {failed.info['status']} at t = {failed.time:.6g}"
                 )
     except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
@@ -717,5 +748,5 @@ def integrate_forward(
         if not isinstance(error, IntegrationInterrupted):
             explain_failure(error, problem, ready, not ready.enforced)
         raise
-    judge_motion(found.motion(problem, solver, ready))
-    return found
+    judge_motion(segment.motion(problem, solver, ready))
+    return segment

@@ -126,12 +126,14 @@ def gradient(run: ContactRun) -> AdjointGradient:
         )  # fmt: skip
     terminal = {event.name for event in run.user_events if event.terminal}
     at_end = (r for r in last.records if last.stopped and r.time == last.end)
-    last.finish(moves=any(record.name in terminal for record in at_end))
+    last.finish(end_varies=any(record.name in terminal for record in at_end))
     by_state = np.zeros(n)
     try:
         for k, (stretch, matrix, time) in reversed([*enumerate(stretches)]):
             stretch.back()
-            by_state = stretch.through(matrix, time, stretches[k - 1][0] if k else None)
+            by_state = stretch.back_through_transition(
+                matrix, time, stretches[k - 1][0] if k else None
+            )
     except KeyboardInterrupt as stop:
         raise last.interrupted(trajectory.times, trajectory.states) from stop
     values = stretches[0][0].by_parameters(by_state @ recorded.start)

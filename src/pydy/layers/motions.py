@@ -15,7 +15,7 @@ from pydy._motion import Motion
 from pydy._names import unique_names
 from pydy._problem import CallArguments, Problem, with_settings
 from pydy._states import with_dependents
-from pydy.analysis import explicit_solver, there_and_back
+from pydy.analysis import explicit_solver, motion_and_gradient
 from pydy.ensemble import integrate_ensemble
 from pydy.inputs import SampledInput
 from pydy.layers.layer import KINDS, Given, Part
@@ -265,7 +265,7 @@ class MotionFunction:
         if not by:
             return np.zeros(0)
         problem = self._at(row)
-        _, _, slopes, _ = there_and_back(
+        _, _, slopes, _ = motion_and_gradient(
             problem,
             problem.settings.times,
             by,
