@@ -158,7 +158,7 @@ def test_what_stops_a_branch_hands_over_what_there_is(monkeypatch, stop):
     system.initial_conditions = {"x": -2.0}
     whole = system.follow_equilibria({"p": [-3.0, 3.0]})
     points = []
-    point = pydy.analysis.continuation._Curve.point
+    point = pydy.analysis.continuation._BranchCurve.point
 
     def interrupted(self, z, before):
         points.append(z)
@@ -166,7 +166,7 @@ def test_what_stops_a_branch_hands_over_what_there_is(monkeypatch, stop):
             raise stop
         return point(self, z, before)
 
-    monkeypatch.setattr(pydy.analysis.continuation._Curve, "point", interrupted)
+    monkeypatch.setattr(pydy.analysis.continuation._BranchCurve, "point", interrupted)
     told = MemoryError if stop is MemoryError else AnalysisInterrupted
     with pytest.raises(told) as caught:
         system.follow_equilibria({"p": [-3.0, 3.0]})

@@ -267,16 +267,16 @@ def hoop_and_rates():
 def test_ctrl_c_hands_over_the_first_values(monkeypatch):
     system, over = hoop_and_rates()
     whole, calls = system.eigenvalues(over), []
-    family, alone = pydy.analysis.families.Family, pydy.analysis.families.Family.alone
+    family, solve_from = pydy.analysis.families.Family, pydy.analysis.families.Family.solve_from
 
     def interrupted(self, z):
         calls.append(z)
         if len(calls) > 20:
             raise KeyboardInterrupt
-        return alone(self, z)
+        return solve_from(self, z)
 
     monkeypatch.setattr(family, "_near", lambda self, z, other: False)
-    monkeypatch.setattr(family, "alone", interrupted)
+    monkeypatch.setattr(family, "solve_from", interrupted)
     with pytest.raises(AnalysisInterrupted, match="20 of 41 values of Omega") as caught:
         system.eigenvalues(over)
     sweep = caught.value.results

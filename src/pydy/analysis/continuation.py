@@ -32,9 +32,9 @@ from pydy.plot import axes_of, typeset
 Function = Callable[[np.ndarray], np.ndarray]
 Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 Measured = Callable[[np.ndarray, np.ndarray], Sizes]
-Functions = tuple[Function, Function, Spectrum, Measured]  # F, its derivatives, and more
+Functions = tuple[Function, Function, Spectrum, Measured]  # F, its Jacobian, spectrum, sizes
 
-# Points, and how far they are changed, that tell of the rounding of residuals.
+# Number and size (in eps) of the perturbations that estimate the rounding errors of residuals.
 _ROUNDINGS, _LAST_DIGITS = 4, 4.0
 
 
@@ -96,10 +96,10 @@ class EquilibriumBranch:
     ended: str
 
     def __str__(self) -> str:
-        found = ", ".join(f"{p.kind} at {p.value:.6g}" for p in self.special) or "nothing special"
+        special = ", ".join(f"{p.kind} at {p.value:.6g}" for p in self.special) or "nothing special"
         return (
             f"{len(self.values)} equilibria, {self.parameter} from {self.values[0]:.6g} to "
-            f"{self.values[-1]:.6g}: {found}{'; lost there' if self.ended == 'lost' else ''}"
+            f"{self.values[-1]:.6g}: {special}{'; lost there' if self.ended == 'lost' else ''}"
         )
 
     __repr__ = __str__
@@ -135,7 +135,7 @@ class EquilibriumBranch:
 
 
 @dataclass(frozen=True, eq=False)
-class _Point:
+class _BranchPoint:
     z: np.ndarray
     tangent: np.ndarray
     sign: float  # of the determinant
@@ -143,7 +143,7 @@ class _Point:
     rounding: np.ndarray  # of the spectrum
 
     def zero(self, most: float) -> np.ndarray:
-        """The parts of each eigenvalue that are zero, at most as large as that."""
+        """Largest parts of each eigenvalue that count as zero, limited to `most`."""
         return np.minimum(most, ASTRAY * self.rounding)
 
     def pairs(self, zero: np.ndarray, above: np.ndarray) -> np.ndarray:
@@ -151,12 +151,12 @@ class _Point:
         return self.spectrum[(self.spectrum.imag > zero) & (self.spectrum.real > above)]
 
 
-class _Curve:
-    """The curve F(z) = 0 through z, in units of equations and unknowns, with free states fixed.
+class _BranchCurve:
+    """The curve F(z) = 0 through z, scaled in equations and unknowns, with free states fixed.
 
-    The parameter is the last unknown, whose range has the `span`. The `spectrum` returns the
-    eigenvalues at z and bounds on their rounding. Sizes are `measured` of slopes by the unknowns
-    without the parameter, and z with it.
+    The parameter is the last unknown; `span` is the length of its range. `spectrum` returns the
+    eigenvalues at z and bounds on their rounding errors. `measured` returns the sizes for slopes by
+    the unknowns without the parameter, and z with it.
     """
 
     def __init__(
@@ -169,40 +169,41 @@ class _Curve:
         self._F, self._J, self.spectrum, measured = functions
         self.names = names
         first = self._J(z)
-        # Rows that follow from the others, as accelerations do from constraints, have slopes of
-        # rounding errors: these tell no size, and the row is as large as the largest.
-        known = measured(first[:, :-1], z)
-        noise = known.terms + np.abs(first[:, -1]) * span <= known.limit
-        self._least = np.where(noise, known.limit / ROUNDED, 0.0)
-        units = np.append(known.units, span)
+        # Rows that follow from the others, as accelerations do from constraints, have slopes that
+        # are rounding errors. Such a row is scaled like the largest.
+        sizes = measured(first[:, :-1], z)
+        noise = sizes.terms + np.abs(first[:, -1]) * span <= sizes.limit
+        self._least = np.where(noise, sizes.limit / ROUNDED, 0.0)
+        units = np.append(sizes.units, span)
         self.scale = sizes_along(np.where(noise[:, None], 0.0, first), z, units)
         self.scale[:-1] *= self._above_rounding(first, z)[:-1]
         self.sizes = self._rows(first)
         slopes = self.J(z)[:, :-1] * self.scale[:-1]
-        _, singular, right = np.linalg.svd(slopes)
+        _, singular, vt = np.linalg.svd(slopes)
         rank = rank_of(singular)
-        free = right[rank:]
-        # A direction that the parameter alone moves along, such as at a fold, is not held.
-        self.held = free if len(free) <= max(0, len(z) - 1 - rank) else free[:0]
+        free = vt[rank:]
+        # A direction in which the parameter changes to first order, as at a fold, is not fixed.
+        self.free_directions = free if len(free) <= max(0, len(z) - 1 - rank) else free[:0]
         self.origin = z
-        left = np.linalg.svd(self._whole(z), full_matrices=False)[0]
-        self.rows = left[:, : len(z) - 1].T
+        u = np.linalg.svd(self._jacobian_with_free_rows(z), full_matrices=False)[0]
+        self.rows = u[:, : len(z) - 1].T
 
     def _rows(self, slopes: np.ndarray) -> np.ndarray:
-        """Return how large rows with such slopes are."""
+        """Return the sizes of rows with such slopes."""
         sizes = np.abs(slopes * self.scale).max(axis=1, initial=0.0)
         return or_one(np.maximum(sizes, self._least))
 
     def _above_rounding(self, slopes: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return factors of the scale with which rounding is no step of Newton's method.
+        """Return factors that enlarge the scale until rounding errors are no Newton steps.
 
-        The slopes do not tell the size of unknowns that the parameter does not move, such as those
-        of a symmetry. Rounding is what unknowns changed in their last digits leave of residuals.
+        The slopes do not determine the size of unknowns that the parameter does not change, such as
+        those of a symmetry. The rounding errors are the nonlinear changes of the residuals when the
+        unknowns change in their last digits.
         """
         signs = np.random.default_rng(0).choice([-1.0, 1.0], size=(_ROUNDINGS, len(z)))
-        moved = z * (1.0 + _LAST_DIGITS * np.finfo(float).eps * signs)
-        left = [self._F(at) - self._F(z) - slopes @ (at - z) for at in moved]
-        rounding = np.abs(left).max(axis=0)
+        perturbed = z * (1.0 + _LAST_DIGITS * np.finfo(float).eps * signs)
+        errors = [self._F(at) - self._F(z) - slopes @ (at - z) for at in perturbed]
+        rounding = np.abs(errors).max(axis=0)
         sizes = self._rows(slopes)
         inverse = np.linalg.pinv(slopes * self.scale / sizes[:, None], rcond=DEPENDENT)
         steps = np.abs(inverse) @ (rounding / sizes)
@@ -216,49 +217,52 @@ class _Curve:
         slopes: np.ndarray = self._J(z) / self.sizes[:, None]
         return slopes
 
-    def _whole(self, z: np.ndarray) -> np.ndarray:
+    def _jacobian_with_free_rows(self, z: np.ndarray) -> np.ndarray:
         scaled = self.J(z) * self.scale
-        held = np.hstack([self.held, np.zeros((len(self.held), 1))])
-        return np.vstack([scaled, held])
+        free_rows = np.hstack([self.free_directions, np.zeros((len(self.free_directions), 1))])
+        return np.vstack([scaled, free_rows])
 
     def residual(self, z: np.ndarray) -> np.ndarray:
-        moved = ((z - self.origin) / self.scale)[:-1]
-        return np.concatenate([self.F(z), self.held @ moved])
+        offset = ((z - self.origin) / self.scale)[:-1]
+        return np.concatenate([self.F(z), self.free_directions @ offset])
 
     def corrected(self, z: np.ndarray, tangent: np.ndarray) -> tuple[np.ndarray, int] | None:
-        """Return the point of the curve in the plane through `z` normal to the tangent."""
+        """Return the curve's point in the plane through `z` normal to the tangent, and the count.
+
+        The count is that of the Newton steps before the last one. None if they do not converge.
+        """
         anchor = z
         for count in range(8):
-            slopes = np.vstack([self._whole(z), tangent])
+            slopes = np.vstack([self._jacobian_with_free_rows(z), tangent])
             values = np.append(self.residual(z), tangent @ ((z - anchor) / self.scale))
             if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
                 return None
             step = np.linalg.lstsq(slopes, values, rcond=None)[0]
             z = z - self.scale * step
             if np.abs(step).max() <= ON_BRANCH:
-                # Rows that contradict each other have a least square, too: it solves none of them.
-                moved = np.maximum(1.0, np.abs(slopes[:-1]).max(axis=1, initial=0.0))
-                solved = (np.abs(self.residual(z)) <= ON_BRANCH * moved).all()
+                # Contradictory rows have a least-squares solution, too, but it satisfies none.
+                row_sizes = np.maximum(1.0, np.abs(slopes[:-1]).max(axis=1, initial=0.0))
+                solved = (np.abs(self.residual(z)) <= ON_BRANCH * row_sizes).all()
                 return (z, count) if solved else None
         return None
 
-    def along(self, a: _Point, arc: float) -> _Point | None:
-        """Return the point some way along the tangent of another."""
-        found = self.corrected(a.z + arc * self.scale * a.tangent, a.tangent)
-        return None if found is None else self.point(found[0], a.tangent)
+    def step_along(self, a: _BranchPoint, arc: float) -> _BranchPoint | None:
+        """Return the corrected point at an arc length along the tangent of another."""
+        correction = self.corrected(a.z + arc * self.scale * a.tangent, a.tangent)
+        return None if correction is None else self.point(correction[0], a.tangent)
 
     @cached_property
     def limit(self) -> float:
-        """The largest real part of an eigenvalue that is zero."""
+        """Largest real part of an eigenvalue that counts as zero."""
         return CROSSED * float(np.abs(self.spectrum(self.origin)[0]).max(initial=0.0))
 
-    def point(self, z: np.ndarray, before: np.ndarray) -> _Point:
-        whole = self._whole(z)
-        square = self.rows @ whole
+    def point(self, z: np.ndarray, before: np.ndarray) -> _BranchPoint:
+        jacobian = self._jacobian_with_free_rows(z)
+        square = self.rows @ jacobian
         tangent = np.linalg.svd(square)[2][-1]
         tangent = tangent if tangent @ before >= 0.0 else -tangent
         sign = float(np.linalg.slogdet(np.vstack([square, tangent]))[0])
-        return _Point(z, tangent, sign, *self.spectrum(z))
+        return _BranchPoint(z, tangent, sign, *self.spectrum(z))
 
 
 def trace(
@@ -268,18 +272,19 @@ def trace(
     ends: tuple[float, float],
     step: float,
     most: int,
-    told: Callable[[float], None],
+    report: Callable[[float], None],
 ) -> tuple[np.ndarray, np.ndarray, list[SpecialPoint], str, BaseException | None]:
-    """Follow F(z) = 0 from a solution; also say which points are stable, and how it ended.
+    """Follow F(z) = 0 from a solution.
 
-    If Ctrl-C or the end of memory stopped it, that is returned last.
+    Return the points, their stability, the special points, why the branch ended, and the exception
+    if Ctrl-C or a lack of memory stopped it.
 
-    The parameter stays between the `ends`, and goes to the second at first; a `step` is at most
-    such a share of their distance, and there are at `most` so many points. `told` is called with
-    the parameter at each further one.
+    The parameter stays between the `ends` and moves towards the second one first. `step` is the
+    largest arc length as a share of their distance, `most` the largest number of points. `report`
+    is called with the parameter at each new point.
     """
     bounds = min(ends), max(ends)
-    curve = _Curve(functions, start, bounds[1] - bounds[0], names)
+    curve = _BranchCurve(functions, start, bounds[1] - bounds[0], names)
     towards = np.zeros(len(start))
     towards[-1] = 1.0 if ends[1] > ends[0] else -1.0
     points = [curve.point(start, towards)]
@@ -288,7 +293,7 @@ def trace(
     special: list[SpecialPoint] = []
     stopped: BaseException | None = None
     try:
-        ended = _followed(curve, points, special, bounds, step, most, told)
+        ended = _trace_points(curve, points, special, bounds, step, most, report)
     except (KeyboardInterrupt, MemoryError) as stop:
         ended, stopped = "interrupted", stop
     limit = CROSSED * max(float(np.abs(p.spectrum).max(initial=0.0)) for p in points)
@@ -296,119 +301,126 @@ def trace(
     return np.array([p.z for p in points]), stable, special, ended, stopped
 
 
-def _followed(
-    curve: _Curve,
-    points: list[_Point],
+def _trace_points(
+    curve: _BranchCurve,
+    points: list[_BranchPoint],
     special: list[SpecialPoint],
     bounds: tuple[float, float],
     step: float,
     most: int,
-    told: Callable[[float], None],
+    report: Callable[[float], None],
 ) -> str:
     """Add points and the special points between them; return why the branch ended."""
     (low, high), length = bounds, step / 4.0
     while len(points) < most:
         point = points[-1]
-        found = curve.corrected(point.z + length * curve.scale * point.tangent, point.tangent)
+        correction = curve.corrected(point.z + length * curve.scale * point.tangent, point.tangent)
         near = (
-            found is not None and np.linalg.norm((found[0] - point.z) / curve.scale) <= 1.5 * length
+            correction is not None
+            and np.linalg.norm((correction[0] - point.z) / curve.scale) <= 1.5 * length
         )
-        if found is None or not near:
+        if correction is None or not near:
             length *= 0.5
             if length < HALF:
                 return "lost"
             continue
-        z, count = found
+        z, count = correction
         new = curve.point(z, point.tangent)
         if new.tangent @ point.tangent < 0.8 and length > STEEPEST_TURN:
             length *= 0.5
             continue
-        seen = _between(curve, point, new, length, len(points) - 1)
+        new_special = _special_between(curve, point, new, length, len(points) - 1)
         if not low <= z[-1] <= high:
             edge = low if z[-1] < low else high
-            last = _at(curve, point.z, z, edge)
+            last = _point_at_bound(curve, point.z, z, edge)
             end = [] if last is None else [curve.point(last, point.tangent)]
-            special += [p for p in seen if low <= p.value <= high]
+            special += [p for p in new_special if low <= p.value <= high]
             points += end
             return "bounds"
-        special += seen
+        special += new_special
         points.append(new)
-        told(float(z[-1]))
+        report(float(z[-1]))
         if len(points) > 10 and np.linalg.norm((z - points[0].z) / curve.scale) < 0.5 * length:
             return "closed"
         length = min(step, length * (1.5 if count <= 4 else 0.8))
     return "steps"
 
 
-def _at(curve: _Curve, a: np.ndarray, b: np.ndarray, edge: float) -> np.ndarray | None:
-    """Return the point of the curve with the parameter at the edge, between a and b."""
+def _point_at_bound(
+    curve: _BranchCurve, a: np.ndarray, b: np.ndarray, edge: float
+) -> np.ndarray | None:
+    """Return the point of the curve between a and b at which the parameter is at its bound."""
     share = (edge - a[-1]) / (b[-1] - a[-1])
     normal = np.zeros(len(a))
     normal[-1] = 1.0
-    found = curve.corrected(a + share * (b - a), normal)
-    return None if found is None else found[0]
+    correction = curve.corrected(a + share * (b - a), normal)
+    return None if correction is None else correction[0]
 
 
-def _between(curve: _Curve, a: _Point, b: _Point, length: float, place: int) -> list[SpecialPoint]:
+def _special_between(
+    curve: _BranchCurve, a: _BranchPoint, b: _BranchPoint, length: float, index: int
+) -> list[SpecialPoint]:
     """Return the special points between two points."""
-    found = []
+    candidates = []
     if a.tangent[-1] * b.tangent[-1] < 0.0:
         arc = _bisected(curve, a, length, lambda p: p.tangent[-1])[1]
-        found.append(("fold", arc, 0.0))
+        candidates.append(("fold", arc, 0.0))
     if a.sign * b.sign < 0.0:
         arc = _bisected(curve, a, length, lambda p: p.sign)[1]
-        found.append(("branch point", arc, 0.0))
+        candidates.append(("branch point", arc, 0.0))
     oscillation = _oscillation(curve, a, b, length)
     if oscillation is not None:
-        found.append(("Hopf", *oscillation))
+        candidates.append(("Hopf", *oscillation))
     result = []
-    for kind, arc, frequency in found:
-        point = curve.along(a, arc)
+    for kind, arc, frequency in candidates:
+        point = curve.step_along(a, arc)
         if point is None:
             continue
         if kind == "Hopf":
             pairs = point.spectrum[point.spectrum.imag > point.zero(curve.limit)].imag
             frequency = float(pairs[np.abs(pairs - frequency).argmin()])
         values = dict(zip(curve.names[:-1], point.z[:-1].tolist(), strict=True))
-        result.append(SpecialPoint(kind, float(point.z[-1]), values, frequency, place))
+        result.append(SpecialPoint(kind, float(point.z[-1]), values, frequency, index))
     return result
 
 
-def _oscillation(curve: _Curve, a: _Point, b: _Point, length: float) -> tuple[float, float] | None:
-    """Return the arc to a Hopf point between two points, and about its frequency.
+def _oscillation(
+    curve: _BranchCurve, a: _BranchPoint, b: _BranchPoint, length: float
+) -> tuple[float, float] | None:
+    """Return the arc length to a Hopf point between two points, and its approximate frequency.
 
-    Without damping real parts are zero up to rounding until two frequencies meet. Those that a
-    little damping leaves are told from rounding by its bounds.
+    Without damping, real parts are rounding errors until two frequencies coincide. Real parts due
+    to light damping are distinguished from these by the bounds on the rounding errors.
     """
     zero = [p.zero(curve.limit) for p in (a, b)]
     before, after = (len(p.pairs(limit, limit)) for p, limit in zip((a, b), zero, strict=True))
     unstable = [int((p.spectrum.real > limit).sum()) for p, limit in zip((a, b), zero, strict=True)]
     if before == after or abs(unstable[1] - unstable[0] - 2 * (after - before)) > 1:
         return None  # or a pair became real
-    told = all(
+    resolved = all(
         len(p.pairs(limit, p.rounding)) == n
         for p, limit, n in zip((a, b), zero, (before, after), strict=True)
     )
     middle = 0.5 * (before + after)
 
-    def new(p: _Point) -> np.ndarray:
+    def new(p: _BranchPoint) -> np.ndarray:
         limit = p.zero(curve.limit)
-        return p.pairs(limit, p.rounding if told else limit)
+        return p.pairs(limit, p.rounding if resolved else limit)
 
     ends = _bisected(curve, a, length, lambda p: len(new(p)) - middle)
-    beyond = curve.along(a, ends[int(after > before)])
-    pairs = np.empty(0) if beyond is None else new(beyond)
+    end_point = curve.step_along(a, ends[int(after > before)])
+    pairs = np.empty(0) if end_point is None else new(end_point)
     return (ends[1], float(pairs[pairs.real.argmin()].imag)) if pairs.size else None
 
 
 def _bisected(
-    curve: _Curve, a: _Point, length: float, function: Callable[[_Point], float]
+    curve: _BranchCurve, a: _BranchPoint, length: float, function: Callable[[_BranchPoint], float]
 ) -> tuple[float, float]:
-    """Return arcs from `a`, one before and one after a function changes its sign on a step."""
+    """Return arc lengths from `a` just before and after a function changes its sign."""
     low, high, first = 0.0, length, function(a)
     for _ in range(60):
         middle = 0.5 * (low + high)
-        point = curve.along(a, middle)
+        point = curve.step_along(a, middle)
         if point is None:
             break
         if function(point) * first > 0.0:
@@ -421,12 +433,12 @@ def _bisected(
 
 
 def sizes_along(slopes: np.ndarray, z: np.ndarray, units: np.ndarray) -> np.ndarray:
-    """Return sizes of the unknowns; of the parameter, the last one, its span: that of the units.
+    """Return sizes of the unknowns; that of the parameter, the last one, is its span.
 
-    Unknowns that the parameter moves are as large as what it moves them by, or as they are: with
-    each entry of the Jacobian times the size of its column as large as its row, as far as least
-    squares of logarithms allow (Curtis and Reid, J. Inst. Maths Applics 10 (1972) 118-124). That
-    does not depend on the units that a user works in. What nothing tells of has the size 1.
+    The sizes equilibrate the Jacobian in the least-squares sense of the logarithms of its entries
+    (A. R. Curtis and J. K. Reid, J. Inst. Maths Applics 10 (1972) 118-124), and are at least the
+    unknowns' magnitudes. They do not depend on the user's units. Unknowns without entries have the
+    size 1.
     """
     m, k = slopes.shape
     sizes = np.abs(slopes)

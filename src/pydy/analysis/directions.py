@@ -1,4 +1,4 @@
-"""Directions in which nothing changes, in words."""
+"""Null directions as text."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import numpy as np
 
 
 def direction_text(direction: np.ndarray, names: Sequence[str], least: float) -> str:
-    """Return a direction as a sum, its largest share 1: ``a - 0.5 c``.
+    """Return a direction as a sum with the largest coefficient 1: ``a - 0.5 c``.
 
-    What has less than the `least` share of the largest is left out.
+    Coefficients of at most `least` are omitted.
     """
     sizes = np.abs(direction)
-    # The first of those that are as large to the digits shown: rounding decides nothing.
+    # The first of the coefficients that are largest to the digits shown, whatever their rounding.
     shares = direction / direction[(sizes > 0.999 * sizes.max()).argmax()]
     parts = [
         {"1": "", "-1": "-"}.get(text := f"{share:.3g}", f"{text} ") + name

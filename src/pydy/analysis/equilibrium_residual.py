@@ -1,4 +1,4 @@
-"""Equilibria of a Problem: their conditions as functions of chosen unknowns, at many values."""
+"""The conditions of equilibrium of a Problem as functions of its unknowns, vectorised."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ from pydy._program import run
 from pydy._rank import or_one
 from pydy._states import GROUPS, ForcesWithoutConstraints, Point, located
 from pydy.analysis.bounds import limits
-from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, left_ahead, solve_equilibrium
+from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, nonzero_row, solve_equilibrium
 from pydy.codegen import SpecifiedsPlan
 
-# Times at which an equilibrium is tried again; powers of two where none are given.
+# Number of times at which an equilibrium is checked again; powers of two if `times` is a point.
 _TIMES = 64
 
 
 class Unknowns:
-    """Symbols of all three kinds, and where they lie."""
+    """Unknown states, constants and specifieds, with their positions among all of these."""
 
     def __init__(self, definition: Definition, symbols: Sequence[Any]) -> None:
         self.symbols: list[Any] = []
         self.order: list[tuple[str, int]] = []
         for symbol in symbols:
-            kind, place = located(definition, symbol, "unknowns")
-            self.order.append((kind, place))
-            self.symbols.append(definition.places[kind].symbols[place])
+            kind, index = located(definition, symbol, "unknowns")
+            self.order.append((kind, index))
+            self.symbols.append(definition.places[kind].symbols[index])
         refuse_twice(self.symbols, "unknowns")
-        self._found = {
-            kind: ([k for k, (what, _) in enumerate(self.order) if what == kind],
-                   [place for what, place in self.order if what == kind])
+        self._by_kind = {
+            kind: ([k for k, (unknown_kind, _) in enumerate(self.order) if unknown_kind == kind],
+                   [index for unknown_kind, index in self.order if unknown_kind == kind])
             for kind in GROUPS
         }  # fmt: skip
 
@@ -47,9 +47,9 @@ class Unknowns:
         """Their names."""
         return unique_names(self.symbols)
 
-    def of(self, kind: str) -> tuple[list[int], list[int]]:
-        """Return which of the unknowns are of a kind, and their places there."""
-        return self._found[kind]
+    def of_kind(self, kind: str) -> tuple[list[int], list[int]]:
+        """Return the columns of the unknowns of a kind, and their indices among that kind."""
+        return self._by_kind[kind]
 
 
 class EquilibriumResidual:
@@ -59,7 +59,7 @@ class EquilibriumResidual:
         self,
         problem: Problem,
         unknowns: Iterable[Any] | None,
-        given: Mapping[Any, Any] | None,
+        fixed_values: Mapping[Any, Any] | None,
         moving: Iterable[Any],
         varied: Sequence[Any] = (),
     ) -> None:
@@ -68,82 +68,81 @@ class EquilibriumResidual:
         states = definition.places["states"]
         q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
         self.steady = steady = states.columns(listed("moving", moving), "moving").tolist()
-        if any(place >= q for place in steady):
+        if any(index >= q for index in steady):
             names = [str(states.symbols[k]) for k in steady if k >= q]
             raise ValueError(f"`moving` must hold coordinates, got {some(names)}.")
         self.x, self.p = problem.x.copy(), problem.p.copy()
-        places = self._take(check_mapping("given", given))
+        fixed_slots = self._apply_values(check_mapping("given", fixed_values))
         if unknowns is None:
-            held = {*places, *(located(definition, key, "over") for key in varied)}
+            excluded = {*fixed_slots, *(located(definition, key, "over") for key in varied)}
             unknowns = [
                 s
                 for k, s in enumerate((*equations.coordinates, *equations.speeds))
-                if k not in steady and ("states", k) not in held
+                if k not in steady and ("states", k) not in excluded
             ]
         unknowns = listed("unknowns", unknowns)
         if not unknowns and not varied:
             raise ValueError("`unknowns` must name at least one state, constant or specified.")
-        self.wanted = wanted = Unknowns(definition, [*unknowns, *varied])
+        self.unknowns = all_unknowns = Unknowns(definition, [*unknowns, *varied])
         self.rows = [k for k in range(n) if k not in steady]
-        by_specified, self.columns = wanted.of("specifieds")
-        own = {definition.specifieds[k]: k for k in self.columns}
-        starting = np.empty(0)
-        if own:
-            starting = problem.inputs.rows(problem.x[None], np.array([problem.t]))[0]
+        by_specified, self.columns = all_unknowns.of_kind("specifieds")
+        unknown_specifieds = {definition.specifieds[k]: k for k in self.columns}
         self.plan = problem.plan.updated(
             SpecifiedsPlan(
-                {s: float(starting[k]) for s, k in own.items()}
-                | {s: v for s, v in self.given.items() if s in definition.specifieds},
+                {s: problem.value("specifieds", k) for s, k in unknown_specifieds.items()}
+                | {s: v for s, v in self.fixed_values.items() if s in definition.specifieds},
                 definition.places["specifieds"],
                 argument="given",
             )
         )
-        self.made = problem.model.with_compiled_inputs(
-            self.plan, perturbed=bool(own or self.plan.inputs.functions)
+        self.model = problem.model.with_compiled_inputs(
+            self.plan, perturbed=bool(unknown_specifieds or self.plan.inputs.functions)
         )
         constraints = equations.constraints
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(constraints, b))]
-        self.t, self.within, self.told = (
+        self.t, self.time_span, self.warned = (
             problem.t,
             float(np.ptp(np.append(problem.settings.times, problem.t))),
             False,
         )
-        self.start = np.empty(len(wanted.symbols))
-        self.start[wanted.of("states")[0]] = self.x[wanted.of("states")[1]]
-        self.start[wanted.of("constants")[0]] = self.p[wanted.of("constants")[1]]
+        self.start = np.empty(len(all_unknowns.symbols))
+        self.start[all_unknowns.of_kind("states")[0]] = self.x[all_unknowns.of_kind("states")[1]]
+        self.start[all_unknowns.of_kind("constants")[0]] = self.p[
+            all_unknowns.of_kind("constants")[1]
+        ]
         r = self.plan.inputs.rows(self.x[None], np.array([self.t]))[0]
         self.start[by_specified] = r[self.columns]
 
-    def _take(self, given: Mapping[Any, Any]) -> list[tuple[str, int]]:
-        """Take numbers in place of the System's; return of which kind each is, and its place."""
-        definition, self.given = self.definition, dict[Any, float]()
-        places = [located(definition, key, "given") for key in given]
-        refuse_twice([definition.places[kind].symbols[k] for kind, k in places], "given")
-        for (kind, place), (key, entry) in zip(places, given.items(), strict=True):
+    def _apply_values(self, values: Mapping[Any, Any]) -> list[tuple[str, int]]:
+        """Replace the System's numbers by the given ones; return each one's kind and index."""
+        definition, self.fixed_values = self.definition, dict[Any, float]()
+        slots = [located(definition, key, "given") for key in values]
+        refuse_twice([definition.places[kind].symbols[k] for kind, k in slots], "given")
+        for (kind, index), (key, entry) in zip(slots, values.items(), strict=True):
             amount = number(entry, f"`given[{key}]`", finite=True)
             if kind != "states":
-                self.given[getattr(definition, kind)[place]] = amount
+                self.fixed_values[getattr(definition, kind)[index]] = amount
             if kind != "specifieds":
-                (self.x if kind == "states" else self.p)[place] = amount
-        return places
+                (self.x if kind == "states" else self.p)[index] = amount
+        return slots
 
     @property
     def titles(self) -> list[str]:
         """The names of the residual's rows."""
         names = self.definition.row_names("rates")
-        rest = [t for b in self.blocks[1:] for t in self.definition.row_names(b)]
-        return [names[k] for k in self.rows] + rest
+        constraint_rows = [t for b in self.blocks[1:] for t in self.definition.row_names(b)]
+        return [names[k] for k in self.rows] + constraint_rows
 
     def pairs(self, k: int) -> dict[int, int]:
-        """Return the rows that are rates of states among the first k unknowns, and of which."""
-        column = dict(zip(*reversed(self.wanted.of("states")), strict=True))
+        """Return the rows that are rates of the first k unknowns, with these unknowns' columns."""
+        column = dict(zip(*reversed(self.unknowns.of_kind("states")), strict=True))
         return {row: column[q] for row, q in enumerate(self.rows) if column.get(q, k) < k}
 
-    def at(self, z: np.ndarray) -> Point:
-        """Return where unknowns z (m, l) are; p has rows where it is among them."""
+    def point_at(self, z: np.ndarray) -> Point:
+        """Return the Point of unknowns z (m, l); its p has m rows if constants are unknown."""
         m = len(z)
-        by_state, at_state = self.wanted.of("states")
-        by_constant, at_constant = self.wanted.of("constants")
+        by_state, at_state = self.unknowns.of_kind("states")
+        by_constant, at_constant = self.unknowns.of_kind("constants")
         x, p, t = np.repeat(self.x[None], m, axis=0), self.p, np.full(m, self.t)
         x[:, at_state] = z[:, by_state]
         if by_constant:
@@ -152,204 +151,206 @@ class EquilibriumResidual:
         r = np.broadcast_to(
             self.plan.inputs.rows(x, t), (m, len(self.definition.specifieds))
         ).copy()
-        r[:, self.columns] = z[:, self.wanted.of("specifieds")[0]]
-        return Point(self.definition, self.made, t, x, r, p, self.plan)
+        r[:, self.columns] = z[:, self.unknowns.of_kind("specifieds")[0]]
+        return Point(self.definition, self.model, t, x, r, p, self.plan)
 
     def residuals(self, z: np.ndarray) -> np.ndarray:
         """Return the residuals, shape (m, rows); NaN in singular states."""
-        at = self.at(z)
-        parts = [at.tried(self.made.compiled(b)) for b in self.blocks]
+        point = self.point_at(z)
+        parts = [point.tried(self.model.compiled(b)) for b in self.blocks]
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
 
     def slopes(self, z: np.ndarray) -> np.ndarray:
         """Return the derivatives of the residuals by the unknowns, shape (m, rows, l)."""
-        m, made, at = len(z), self.made, self.at(z)
-        through = at.through
-        through[:, self.columns] = 0.0
-        by_state, at_state = self.wanted.of("states")
+        m, model, point = len(z), self.model, self.point_at(z)
+        input_by_state = point.through
+        input_by_state[:, self.columns] = 0.0
+        by_state, at_state = self.unknowns.of_kind("states")
         parts = []
         for block in self.blocks:
-            part = np.zeros((m, len(getattr(made.assembly, block)), z.shape[1]))
-            if through.any():
-                by_input = at.tried(made.compiled_jacobian(block, "r"))
-                whole = by_input.reshape(m, part.shape[1], -1) @ through
-                part[:, :, by_state] = whole[:, :, at_state]
+            part = np.zeros((m, len(getattr(model.assembly, block)), z.shape[1]))
+            if input_by_state.any():
+                by_input = point.tried(model.compiled_jacobian(block, "r"))
+                through_inputs = by_input.reshape(m, part.shape[1], -1) @ input_by_state
+                part[:, :, by_state] = through_inputs[:, :, at_state]
             for kind, group in GROUPS.items():
-                places, found = self.wanted.of(kind)
-                if places:
-                    slopes = at.tried(made.compiled_jacobian(block, group))
-                    part[:, :, places] += slopes.reshape(m, part.shape[1], -1)[:, :, found]
+                columns, indices = self.unknowns.of_kind(kind)
+                if columns:
+                    slopes = point.tried(model.compiled_jacobian(block, group))
+                    part[:, :, columns] += slopes.reshape(m, part.shape[1], -1)[:, :, indices]
             parts.append(part)
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
 
     def sizes(self, slopes: np.ndarray, z: np.ndarray) -> list[Sizes]:
-        """Return how large unknowns and rows are; slopes (m, rows, k) are by k unknowns."""
+        """Return the scales of unknowns and rows; slopes (m, rows, k) are by k unknowns."""
         m, k = len(z), slopes.shape[2]
-        points = self.at(z).alone()
-        own = self.wanted.order
-        sizes = [np.stack([at.natural[kind][:, k] for kind, k in own], axis=1) for at in points]
+        points = self.point_at(z).alone()
+        order = self.unknowns.order
+        sizes = [np.stack([at.natural[kind][:, k] for kind, k in order], axis=1) for at in points]
         natural, rows = np.concatenate(sizes), np.concatenate([*map(self._inertia, points)])
         powers = np.zeros(len(self.titles))
         first = len(self.definition.equations.coordinates)
         powers[: len(self.rows)] = np.array(self.rows) >= first
-        held = len(self.definition.equations.constraints.holonomic)
-        powers[len(self.rows) : len(self.rows) + held] = -1.0
+        num_holonomic = len(self.definition.equations.constraints.holonomic)
+        powers[len(self.rows) : len(self.rows) + num_holonomic] = -1.0
         return [
             Sizes(slopes[i], z[i, :k], natural[i, :k], self.pairs(k), (rows[i], powers))
             for i in range(m)
         ]
 
-    def _inertia(self, at: Point) -> np.ndarray:
-        """Return how large rows are for motions of one energy, shape (m, rows); see `Sizes`."""
+    def _inertia(self, point: Point) -> np.ndarray:
+        """Return the size of the rows for motions of one energy, shape (m, rows); see `Sizes`."""
         equations = self.definition.equations
         first, n = len(equations.coordinates), len(equations.speeds)
-        rates = at.motions
+        rates = point.motions
 
         moving = {"holonomic": slice(first), "velocity": slice(first, first + n)}
         parts = [rates[:, self.rows]]
         for block in self.blocks[1:]:
-            by = moving[block]
-            parts.append((at.steepness(block)[:, :, by] @ rates[:, by, None])[:, :, 0])
+            columns = moving[block]
+            parts.append((point.steepness(block)[:, :, columns] @ rates[:, columns, None])[:, :, 0])
         return np.concatenate(parts, axis=1)
 
     def terms(self, z: np.ndarray) -> np.ndarray:
-        """Return how large the residuals' terms are that constants, specifieds, loads make."""
-        at = self.at(z[None]).alone()[0]
-        numbers = {"r": at.r[0], "p": np.atleast_2d(at.p)[0]}
-        arrays = at.t, at.x, at.r, numbers["p"]
+        """Return the size of the residuals' terms due to constants, specifieds and loads."""
+        point = self.point_at(z[None]).alone()[0]
+        numbers = {"r": point.r[0], "p": np.atleast_2d(point.p)[0]}
+        arrays = point.t, point.x, point.r, numbers["p"]
         parts = []
         for block in self.blocks:
-            part = np.zeros(len(getattr(self.made.assembly, block)))
+            part = np.zeros(len(getattr(self.model.assembly, block)))
             for group, values in numbers.items():
                 if len(values):
-                    program = self.made.jacobian_program(block, group)
+                    program = self.model.jacobian_program(block, group)
                     slopes = run(program, *arrays)[0].reshape(len(part), -1)
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)
-        first, n = len(self.definition.equations.coordinates), len(self.made.assembly.speeds)
-        forces = at.interpret(ForcesWithoutConstraints(self.definition))["forces"][0]
-        speeds = at.motions[0, first : first + n]
+        first, n = len(self.definition.equations.coordinates), len(self.model.assembly.speeds)
+        forces = point.values(ForcesWithoutConstraints(self.definition))["forces"][0]
+        speeds = point.motions[0, first : first + n]
         parts[0][first : first + n] += np.max(forces * speeds, initial=0.0) * speeds
         return np.concatenate([parts[0][self.rows], *parts[1:]])
 
     def problem(self, last: float | None = None) -> RootProblem:
-        """Return the conditions of equilibrium; the `last` unknown may be given."""
-        more = [] if last is None else [last]
-        k = len(self.wanted.symbols) - len(more)
+        """Return the conditions of equilibrium, with the `last` unknown fixed unless None."""
+        appended = [] if last is None else [last]
+        k = len(self.unknowns.symbols) - len(appended)
 
-        def whole(z: np.ndarray) -> np.ndarray:
-            return np.append(z, more)
+        def with_last(z: np.ndarray) -> np.ndarray:
+            return np.append(z, appended)
 
         return RootProblem(
-            residual=lambda z: self.residuals(whole(z)[None])[0],
-            jacobian=lambda z: self.slopes(whole(z)[None])[0, :, :k],
-            unknowns=self.wanted.names[:k],
+            residual=lambda z: self.residuals(with_last(z)[None])[0],
+            jacobian=lambda z: self.slopes(with_last(z)[None])[0, :, :k],
+            unknowns=self.unknowns.names[:k],
             rows=self.titles,
             rates=self.pairs(k),
-            held=len(self.titles) - len(self.rows),
-            sizes=lambda slopes, z: self.sizes(slopes[None], whole(z)[None])[0],
-            terms=lambda z: self.terms(whole(z)),
+            num_constraints=len(self.titles) - len(self.rows),
+            sizes=lambda slopes, z: self.sizes(slopes[None], with_last(z)[None])[0],
+            terms=lambda z: self.terms(with_last(z)),
         )
 
     def solved(
         self, z: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], last: float | None = None
     ) -> tuple[np.ndarray, float, tuple[str, ...]]:
-        """Call `solve_equilibrium` from unknowns z; the `last` residual may be given."""
+        """Call `solve_equilibrium` from unknowns z, with the `last` one fixed unless None."""
         accepted = solve_equilibrium(self.problem(last), z, bounds)
-        found = np.append(accepted[0], [] if last is None else [last])
+        solution = np.append(accepted[0], [] if last is None else [last])
         rates = np.zeros(0)
         if self.steady:
-            at = self.at(found[None])
-            rates = at.tried(self.made.compiled("rates"))[0, self.steady]
-            fastest = np.abs(rates / or_one(at.natural["states"][0, self.steady])).max()
-            if fastest > 0.0:  # one of them by its size, such as an angle by a radian
+            point = self.point_at(solution[None])
+            rates = point.tried(self.model.compiled("rates"))[0, self.steady]
+            fastest = np.abs(rates / or_one(point.natural["states"][0, self.steady])).max()
+            if fastest > 0.0:  # the fastest advances by its size, such as an angle by a radian
                 ahead = self._ahead(rates / fastest)
-                if left := left_ahead(ahead.problem(last), accepted[0]):
+                if nonzero := nonzero_row(ahead.problem(last), accepted[0]):
                     names = unique_names(self.definition.states)
                     raise EquilibriumError(
                         "`moving` must not have coordinates that the motion depends on, got "
-                        f"{some(names[k] for k in self.steady)}: as they advance, {left[0]} does "
-                        "not stay zero, and the motion is not steady. Leave them out, or find a "
-                        "periodic orbit.",
+                        f"{some(names[k] for k in self.steady)}: as they advance, {nonzero[0]} "
+                        "does not stay zero, and the motion is not steady. Leave them out, or find "
+                        "a periodic orbit.",
                         accepted[0],
-                        left[2],
+                        nonzero[2],
                     )
-        if not self.told:
-            self._warn_of_time(found, rates)
+        if not self.warned:
+            self._warn_of_time(solution, rates)
         return accepted
 
-    def _ahead(self, moved: np.ndarray, t: float | None = None) -> EquilibriumResidual:
-        """Return the same where steady coordinates have moved, or at another time."""
+    def _ahead(self, advance: np.ndarray, t: float | None = None) -> EquilibriumResidual:
+        """Return a copy with advanced steady coordinates, or at another time."""
         ahead = copy(self)
         ahead.x, ahead.t = self.x.copy(), self.t if t is None else t
-        ahead.x[self.steady] += moved
+        ahead.x[self.steady] += advance
         return ahead
 
     def _warn_of_time(self, z: np.ndarray, rates: np.ndarray) -> None:
-        """Warn once if the equilibria z are none at other times."""
-        graph, assembly, plan = self.made.assembly.graph, self.made.assembly, self.plan
+        """Warn once if z is not an equilibrium at other times."""
+        graph, assembly, plan = self.model.assembly.graph, self.model.assembly, self.plan
         nodes = [node for block in self.blocks for node in getattr(assembly, block)]
         if plan.inputs.constant and "t" not in graph.inputs_of(nodes):
             return
         times = self.t + 2.0 ** np.array(sorted(range(-_TIMES // 2, _TIMES // 2), key=abs))
-        if self.within > 0.0:
-            times = self.t + self.within * np.arange(1, _TIMES + 1) / _TIMES
+        if self.time_span > 0.0:
+            times = self.t + self.time_span * np.arange(1, _TIMES + 1) / _TIMES
         elif not plan.inputs.constant:
             return
-        own = self.residuals(z[None])[0]
+        reference = self.residuals(z[None])[0]
         for t in times[
             [all(s.covers(times[[k]]) for _, s in plan.inputs.sampled) for k in range(_TIMES)]
         ]:
             ahead = self._ahead(rates * (t - self.t), float(t))
             values = ahead.residuals(z[None])[0]
-            if (values == own).all() or not np.isfinite(values).all():
+            if (values == reference).all() or not np.isfinite(values).all():
                 continue
-            if left := left_ahead(ahead.problem(), z):
-                changed = (ahead.at(z[None]).r != self.at(z[None]).r)[0]
-                moved, time = plan.expressions, self.definition.equations.time
+            if nonzero := nonzero_row(ahead.problem(), z):
+                changed = (ahead.point_at(z[None]).r != self.point_at(z[None]).r)[0]
+                expressions, time = plan.expressions, self.definition.equations.time
                 inputs = [
                     symbol
-                    for symbol, other in zip(plan.symbols, changed, strict=True)
-                    if other or (symbol in moved and moved[symbol].has(time))
+                    for symbol, is_changed in zip(plan.symbols, changed, strict=True)
+                    if is_changed or (symbol in expressions and expressions[symbol].has(time))
                 ]
-                what = describe(inputs) if inputs else "the loads"
+                subject = describe(inputs) if inputs else "the loads"
                 warn_user(
-                    f"The equilibrium is one for {what} at t = {self.t:.6g} alone: at t = {t:.6g} "
-                    f"{left[0]} is {left[1]:.3g}. Give constant values, as in `given`, or find a "
-                    "periodic orbit."
+                    f"The equilibrium is one for {subject} at t = {self.t:.6g} alone: at t = "
+                    f"{t:.6g} {nonzero[0]} is {nonzero[1]:.3g}. Give constant values, as in "
+                    "`given`, or find a periodic orbit."
                 )
-                self.told = True
+                self.warned = True
                 return
 
     def equilibrium(self, z: np.ndarray, largest: float, free: tuple[str, ...]) -> Equilibrium:
-        """Return the result for the unknowns that were found, shape (l,)."""
-        wanted = self.wanted
-        values = dict(zip(wanted.symbols, z.tolist(), strict=True))
-        x = self.at(z[None]).x[0]
+        """Return the result for solved unknowns z, shape (l,)."""
+        unknowns = self.unknowns
+        values = dict(zip(unknowns.symbols, z.tolist(), strict=True))
+        x = self.point_at(z[None]).x[0]
         return Equilibrium(
             values=values,
             initial_conditions=dict(zip(self.definition.states, x.tolist(), strict=True)),
-            constants={wanted.symbols[k]: float(z[k]) for k in wanted.of("constants")[0]},
-            specifieds={wanted.symbols[k]: float(z[k]) for k in wanted.of("specifieds")[0]},
+            constants={unknowns.symbols[k]: float(z[k]) for k in unknowns.of_kind("constants")[0]},
+            specifieds={
+                unknowns.symbols[k]: float(z[k]) for k in unknowns.of_kind("specifieds")[0]
+            },
             state=x,
             residual=largest,
             free=free,
-            given={s: value for s, value in self.given.items() if s not in values},
+            given={s: value for s, value in self.fixed_values.items() if s not in values},
         )
 
 
 def _bounds(
-    definition: Definition, wanted: Unknowns, bounds: Mapping[Any, Any] | None
+    definition: Definition, unknowns: Unknowns, bounds: Mapping[Any, Any] | None
 ) -> tuple[np.ndarray, np.ndarray]:
-    low = np.full(len(wanted.symbols), -np.inf)
+    low = np.full(len(unknowns.symbols), -np.inf)
     high = -low
-    given = check_mapping("bounds", bounds)
-    places = [located(definition, key, "bounds") for key in given]
-    refuse_twice([definition.places[kind].symbols[k] for kind, k in places], "bounds")
-    for place, (key, pair) in zip(places, given.items(), strict=True):
-        if place not in wanted.order:
+    pairs = check_mapping("bounds", bounds)
+    slots = [located(definition, key, "bounds") for key in pairs]
+    refuse_twice([definition.places[kind].symbols[k] for kind, k in slots], "bounds")
+    for slot, (key, pair) in zip(slots, pairs.items(), strict=True):
+        if slot not in unknowns.order:
             raise ValueError(f"`bounds` has the key `{key}`, which is not one of `unknowns`.")
-        k = wanted.order.index(place)
+        k = unknowns.order.index(slot)
         low[k], high[k] = limits(pair, f"`bounds[{key}]`")
     return low, high
 
@@ -364,5 +365,5 @@ def find_equilibrium(
     """Find an equilibrium of a Problem; see `System.find_equilibrium`."""
     warn_of_missing_derivatives(problem)
     residual = EquilibriumResidual(problem, unknowns, given, moving)
-    limits = _bounds(problem.definition, residual.wanted, bounds)
+    limits = _bounds(problem.definition, residual.unknowns, bounds)
     return residual.equilibrium(*residual.solved(residual.start, limits))

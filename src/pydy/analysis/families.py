@@ -23,26 +23,26 @@ from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_round
 from pydy.analysis.tuning import AT_ONCE
 
 
-def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
-    """Return the only parameter of a mapping, and its values."""
-    over = check_mapping("over", over)
-    if len(over) != 1:
+def parameter_of(definition: Definition, mapping: Any) -> tuple[Any, np.ndarray]:
+    """Return the parameter and the values of a mapping with one entry."""
+    mapping = check_mapping("over", mapping)
+    if len(mapping) != 1:
         raise ValueError(
-            f"`over` must give the values of one state, constant or specified, got {len(over)}."
+            f"`over` must give the values of one state, constant or specified, got {len(mapping)}."
         )
-    ((key, given),) = over.items()
-    kind, place = located(definition, key, "over")
-    values = real_array(given, f"`over[{key}]`")
+    ((key, entry),) = mapping.items()
+    kind, index = located(definition, key, "over")
+    values = real_array(entry, f"`over[{key}]`")
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
         raise ValueError(
-            f"`over[{key}]` must be at least two finite values, got {shown(given)}."
+            f"`over[{key}]` must be at least two finite values, got {shown(entry)}."
             if values.ndim != 1 or len(values) < 2
             else f"`over[{key}]` must be finite, got {values[~np.isfinite(values)][0]!r}."
         )
     steps = np.diff(values)
     if not ((steps > 0.0).all() or (steps < 0.0).all()):
         raise ValueError(f"`over[{key}]` must ascend or descend.")
-    return definition.places[kind].symbols[place], values
+    return definition.places[kind].symbols[index], values
 
 
 def check_swept(problem: Problem, parameter: Any, values: np.ndarray) -> None:
@@ -60,78 +60,79 @@ class Family:
         problem: Problem,
         parameter: Any,
         unknowns: Iterable[Any] | None,
-        given: Mapping[Any, Any] | None,
+        fixed_values: Mapping[Any, Any] | None,
         moving: Iterable[Any],
     ) -> None:
-        self.residual = EquilibriumResidual(problem, unknowns, given, moving, [parameter])
-        self.names = self.residual.wanted.names
+        self.residual = EquilibriumResidual(problem, unknowns, fixed_values, moving, [parameter])
+        self.names = self.residual.unknowns.names
 
     def equilibria(
         self, values: np.ndarray, start: np.ndarray | None = None
     ) -> tuple[np.ndarray, BaseException | None]:
-        """Return the unknowns and the parameter in the last column, for each value.
+        """Return the equilibria for all values: the unknowns, and the parameter as last column.
 
-        The search starts from the System's numbers, or from an equilibrium of the same columns.
-        What stops it on the way from value to value is returned with the first ones.
+        The search starts from the System's numbers, or from the equilibrium `start` with the same
+        columns. If Ctrl-C or a lack of memory stops it, the exception is returned with the
+        equilibria so far.
         """
-        balance = self.residual
-        z = self.alone(np.append((balance.start if start is None else start)[:-1], values[0]))
+        residual = self.residual
+        z = self.solve_from(np.append((residual.start if start is None else start)[:-1], values[0]))
         guess = np.repeat(z[None], len(values), axis=0)
         guess[:, -1] = values
         if guess.shape[1] == 1:
             return guess, None
-        found, sound = solve_many(balance.residuals, balance.slopes, guess, balance.sizes)
-        # What is not found from the first value, or lies on another branch, is found from its
-        # neighbour.
+        solutions, sound = solve_many(residual.residuals, residual.slopes, guess, residual.sizes)
+        # Solutions that failed from the first value, or lie on another branch, are solved again,
+        # starting from their neighbours.
         k = 1
         try:
             for k in range(1, len(values)):
-                if not (sound[k] and self._near(found[k - 1], found[k])):
-                    found[k] = self.alone(np.append(found[k - 1, :-1], values[k]))
+                if not (sound[k] and self._near(solutions[k - 1], solutions[k])):
+                    solutions[k] = self.solve_from(np.append(solutions[k - 1, :-1], values[k]))
         except (KeyboardInterrupt, MemoryError) as stop:
-            return found[:k], stop
-        return found, None
+            return solutions[:k], stop
+        return solutions, None
 
-    def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
-        step = other - z
-        size = np.maximum(np.abs(z), np.abs(other))
+    def _near(self, z: np.ndarray, neighbour: np.ndarray) -> bool:
+        step = neighbour - z
+        size = np.maximum(np.abs(z), np.abs(neighbour))
         if (np.abs(step) <= 0.02 * size + ROUNDED)[:-1].all():
             return True
         slopes = self.residual.slopes(z[None])
         units = self.residual.sizes(slopes[:, :, :-1], z[None])[0].units
         columns = equilibrated(slopes[0, :, :-1], units=units)[2][0]
-        moved = step[:-1] / columns
-        left = slopes[0, :, -1] * step[-1]
-        expected = -least_step(slopes[0, :, :-1], left, units) / columns
-        return float(np.linalg.norm(moved - expected)) <= 0.5 * float(np.linalg.norm(moved))
+        change = step[:-1] / columns
+        residual_change = slopes[0, :, -1] * step[-1]
+        expected = -least_step(slopes[0, :, :-1], residual_change, units) / columns
+        return float(np.linalg.norm(change - expected)) <= 0.5 * float(np.linalg.norm(change))
 
-    def alone(self, z: np.ndarray) -> np.ndarray:
-        """Return the equilibrium at the parameter's value in `z`, found from there."""
-        balance, value = self.residual, z[-1]
+    def solve_from(self, z: np.ndarray) -> np.ndarray:
+        """Return the equilibrium at the parameter value in `z`, solved for from `z`."""
+        residual, value = self.residual, z[-1]
         if len(z) == 1:
             return z
         infinite = np.full(len(z) - 1, np.inf)
         try:
-            found = balance.solved(z[:-1], (-infinite, infinite), value)[0]
+            solution = residual.solved(z[:-1], (-infinite, infinite), value)[0]
         except EquilibriumError as error:
             error.add_note(f"This was at {self.names[-1]} = {value:.10g}.")
             raise
-        return np.append(found, value)
+        return np.append(solution, value)
 
     def functions(self, start: np.ndarray) -> Functions:
-        """Return what a branch is followed by, with the spectrum of states active at the start."""
-        balance, active = self.residual, spectra_of(self.matrices(start[None])[0])[1]
+        """Return the functions for `trace`; the spectrum is that of states active at the start."""
+        residual, active = self.residual, spectra_of(self.matrices(start[None])[0])[1]
         return (
-            lambda z: balance.residuals(z[None])[0],
-            lambda z: balance.slopes(z[None])[0],
+            lambda z: residual.residuals(z[None])[0],
+            lambda z: residual.slopes(z[None])[0],
             lambda z: with_rounding(self.matrices(z[None])[0][0][np.ix_(active, active)]),
-            lambda slopes, z: balance.sizes(slopes[None], z[None])[0],
+            lambda slopes, z: residual.sizes(slopes[None], z[None])[0],
         )
 
     def matrices(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the state matrices, all states, and the places of the independent ones."""
-        balance = self.residual
-        point = balance.at(z)
+        """Return the state matrices, all states, and the indices of the independent ones."""
+        residual = self.residual
+        point = residual.point_at(z)
         T, free = point.tangents()
         A = point.along("rates", T)[:, free]
         sound = np.isfinite(A.reshape(len(A), -1)).all(axis=1)
@@ -145,48 +146,53 @@ class Family:
     def models(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the state matrices at the equilibria near some states."""
         z = self.unknowns_at(values, states)
-        return self.matrices(np.array([self.alone(row) for row in z]))[0]
+        return self.matrices(np.array([self.solve_from(row) for row in z]))[0]
 
     def at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the state matrices at states as they are, except the parameter."""
+        """Return the state matrices at the states themselves, with the parameter replaced."""
         return self.matrices(self.unknowns_at(values, states))[0]
 
     def unknowns_at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the unknowns of which some are states."""
+        """Return the unknowns z for some states and parameter values."""
         z = np.repeat(self.residual.start[None], len(values), axis=0)
-        by_state, places = self.residual.wanted.of("states")
-        z[:, by_state] = states[:, places]
+        by_state, indices = self.residual.unknowns.of_kind("states")
+        z[:, by_state] = states[:, indices]
         z[:, -1] = values
         return z
 
 
-class _Found:
-    """Equilibria and state matrices along a parameter; interrupted work keeps its results."""
+class _SweepBuilder:
+    """Equilibria and state matrices along a parameter; results so far survive an interruption."""
 
     def __init__(
-        self, family: Family, values: np.ndarray, given: np.ndarray | None, models: Models
+        self, family: Family, values: np.ndarray, fixed_unknowns: np.ndarray | None, models: Models
     ) -> None:
         self.parameter = family.names[-1]
-        self._family, self._values, self._given, self._models = family, values, given, models
+        self._family, self._values, self._fixed_unknowns, self._models = (
+            family,
+            values,
+            fixed_unknowns,
+            models,
+        )
         self._z = self._A = self._x = np.empty(0)
         self.done = 0
 
     def __iter__(self) -> Iterator[int]:
-        """Go on from part to part; yield how many values each has."""
+        """Compute part after part; yield each part's number of values."""
         family, m = self._family, len(self._values)
         while self.done < m:
             part = slice(self.done, min(self.done + AT_ONCE, m))
             stop: BaseException | None = None
-            if self._given is not None:
-                z = self._given[part]
+            if self._fixed_unknowns is not None:
+                z = self._fixed_unknowns[part]
             else:
                 start = self._z[part.start - 1] if self.done else None
                 z, stop = family.equilibria(self._values[part], start)
             first = self._z[:1] if self.done else z[:1]
-            # The first decides for all which states are independent.
+            # The first value determines which states are independent at all values.
             A, x, self._free = family.matrices(np.vstack([first, z]))
-            if not self.done:  # memory for all: where that ends, nothing is lost
-                self._z, self._A, self._x = (np.empty((m, *of.shape[1:])) for of in (z, A, x))
+            if not self.done:  # allocate the memory for all values first
+                self._z, self._A, self._x = (np.empty((m, *array.shape[1:])) for array in (z, A, x))
             part = slice(part.start, part.start + len(z))
             self._z[part], self._A[part], self._x[part] = z, A[1:], x[1:]
             self.done = part.stop
@@ -195,7 +201,7 @@ class _Found:
                 raise stop
 
     def sweep(self) -> EigenvalueSweep:
-        """Return the values that are done; their eigenvalues are computed when asked for."""
+        """Return a sweep of the values so far; its eigenvalues are computed on demand."""
         names = unique_names(self._family.residual.definition.states)
         return EigenvalueSweep(
             parameter=self.parameter,
@@ -240,31 +246,31 @@ def eigenvalues(
             )
         family = Family(problem, parameter, unknowns, given, moving)
         at = np.broadcast_to(at, (len(values), at.shape[-1]))
-        point = family.residual.at(family.unknowns_at(values, at))
-        at = with_unknowns(point, given_at, lambda x, t: point.r).x
+        point = family.residual.point_at(family.unknowns_at(values, at))
+        at = point.with_unknowns(given_at, lambda x, t: point.r).x
         given_z = family.unknowns_at(values, at)
         models = family.at
     else:
         family = Family(problem, parameter, unknowns, given, moving)
         given_z = None
         models = family.models
-    found = _Found(family, values, given_z, models)
+    builder = _SweepBuilder(family, values, given_z, models)
     try:
-        with progress_of(flag(progress, "`progress`"), " values", len(values)) as told:
-            for count in found:
-                told(count)
-        sweep = found.sweep()
-        _ = sweep.eigenvalues  # computed here, where their interruption loses nothing
+        with progress_of(flag(progress, "`progress`"), " values", len(values)) as report:
+            for count in builder:
+                report(count)
+        sweep = builder.sweep()
+        _ = sweep.eigenvalues  # computed here: an interruption is handled below
     except (KeyboardInterrupt, MemoryError) as stop:
-        if not found.done:
+        if not builder.done:
             raise
-        of = f"{found.done} of {len(values)} values of {found.parameter}"
+        extent = f"{builder.done} of {len(values)} values of {builder.parameter}"
         raise finished_before(
             stop,
-            f"The first {of} are",
-            f"The sweep was interrupted after {of}. They are in the attribute `results` of "
+            f"The first {extent} are",
+            f"The sweep was interrupted after {extent}. They are in the attribute `results` of "
             "this error.",
-            found.sweep(),
+            builder.sweep(),
         ) from None
     return sweep
 
@@ -290,9 +296,9 @@ def follow_equilibria(
     residual = family.residual
     if len(family.names) < 2:
         raise ValueError("`unknowns` must name at least one state, constant or specified.")
-    start = family.alone(np.append(residual.start[:-1], values[0]))
+    start = family.solve_from(np.append(residual.start[:-1], values[0]))
     most = whole(most, "`most`", 2)
-    with progress_of(flag(progress, "`progress`"), " points") as told:
+    with progress_of(flag(progress, "`progress`"), " points") as report:
         z, stable, special, ended, stop = trace(
             family.functions(start),
             family.names,
@@ -300,14 +306,14 @@ def follow_equilibria(
             (float(values[0]), float(values[-1])),
             longest,
             most,
-            lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
+            lambda value: report(1, **{family.names[-1]: f"{value:.6g}"}),
         )
     branch = EquilibriumBranch(
         parameter=family.names[-1],
         values=z[:, -1].copy(),
         unknowns=family.names[:-1],
         solutions=z[:, :-1].copy(),
-        states=residual.at(z).x,
+        states=residual.point_at(z).x,
         stable=stable,
         special=tuple(special),
         ended=ended,

@@ -23,14 +23,7 @@ from pydy._judges import first_violation, warn_of_kinks, warn_of_missing_derivat
 from pydy._motion import constraint_names
 from pydy._names import few, some, unique_names
 from pydy._optional import require
-from pydy._problem import (
-    AssumptionChecks,
-    CallArguments,
-    Problem,
-    StateSamples,
-    read_samples,
-    with_unknowns,
-)
+from pydy._problem import AssumptionChecks, CallArguments, Problem, StateSamples, read_samples, with_unknowns
 from pydy._rank import ROUNDED
 from pydy._states import Point
 from pydy.analysis.equilibria import Equilibrium
@@ -84,7 +77,7 @@ class LinearModel:
     def __repr__(self) -> str:
         """Return names and eigenvalues; A, B, C and D are attributes."""
         kinds = (("states", self.states), ("inputs", self.inputs), ("outputs", self.outputs))
-        names = (f"{kind}: {some(own) or 'none'}" for kind, own in kinds)
+        names = (f"{kind}: {some(members) or 'none'}" for kind, members in kinds)
         if self.A.ndim == 3:
             values = f"{len(self.A)} models"
         else:
@@ -109,26 +102,29 @@ class LinearModel:
         -------
         matplotlib Axes
         """
-        ax, found = complex_plane(axes), self.eigenvalues
+        ax, eigenvalues = complex_plane(axes), self.eigenvalues
         ax.axhline(0.0, color="0.7", linewidth=0.8)
         colours: dict[str, Any] = {"color": "C0"}
-        if found.ndim == 2:
-            colours = {"c": np.broadcast_to(np.arange(len(found))[:, None], found.shape)}
-        ax.scatter(found.real, found.imag, marker="x", **colours)
+        if eigenvalues.ndim == 2:
+            colours = {
+                "c": np.broadcast_to(np.arange(len(eigenvalues))[:, None], eigenvalues.shape)
+            }
+        ax.scatter(eigenvalues.real, eigenvalues.imag, marker="x", **colours)
         return ax
 
     def to_state_space(self) -> Any:
         """Return the model as a `scipy.signal.StateSpace`."""
         from scipy.signal import StateSpace
 
-        return StateSpace(*self._one("to_state_space"))
+        return StateSpace(*self._single_model("to_state_space"))
 
     def to_control(self) -> Any:
         """Return the model as a ``control.StateSpace`` of python-control, with its names."""
         control = require("control", "control", "to_control()")
         names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
         return control.ss(
-            *self._one("to_control"), **{kind: list(given) for kind, given in names.items()}
+            *self._single_model("to_control"),
+            **{kind: list(members) for kind, members in names.items()},
         )
 
     def frequency_response(self, frequencies: Any) -> np.ndarray:
@@ -152,7 +148,7 @@ class LinearModel:
         omega = real_array(frequencies, "`frequencies`")
         if omega.ndim != 1 or not np.isfinite(omega).all():
             raise ValueError("`frequencies` must be a list of finite numbers, in rad/s.")
-        A, B, C, D = self._one("frequency_response")
+        A, B, C, D = self._single_model("frequency_response")
         resolvent = 1j * omega[:, None, None] * np.eye(len(A)) - A
         try:
             response: np.ndarray = C @ np.linalg.solve(resolvent, B.astype(complex)[None]) + D
@@ -194,7 +190,7 @@ class LinearModel:
         j = self.inputs.index(choice(input, self.inputs, "`input`"))
         i = self.outputs.index(choice(output, self.outputs, "`output`"))
         if frequencies is None:
-            sizes = np.abs(np.linalg.eigvals(self._one("plot_bode")[0]))
+            sizes = np.abs(np.linalg.eigvals(self._single_model("plot_bode")[0]))
             sizes = sizes[sizes > CROSSED * sizes.max(initial=0.0)]
             low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
             frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
@@ -219,11 +215,11 @@ class LinearModel:
         magnitude.legend()
         return axes
 
-    def _one(self, what: str) -> tuple[np.ndarray, ...]:
+    def _single_model(self, method: str) -> tuple[np.ndarray, ...]:
         if self.A.ndim != 2:
             raise ValueError(
-                f"{what}() needs a single linear model, but there are {len(self.A)}, one for each "
-                "state in `at`. Linearize at one state."
+                f"{method}() needs a single linear model, but there are {len(self.A)}, one for "
+                "each state in `at`. Linearize at one state."
             )
         return self.A, self.B, self.C, self.D
 
@@ -253,29 +249,20 @@ def linearize(
     definition = problem.definition
     n, s = len(definition.states), len(definition.specifieds)
     plan, p = problem.plan, problem.p
-    chosen = at is not None and not isinstance(at, Equilibrium)
+    is_user_state = at is not None and not isinstance(at, Equilibrium)
     if isinstance(at, Equilibrium):
-        found = {**at.given, **at.constants, **at.specifieds}
+        fixed_values = {**at.given, **at.constants, **at.specifieds}
         kinds = ("specifieds", "constants")
-        r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
-        plan, p, at = (
-            CallArguments(problem).plan(r or None),
-            CallArguments(problem).constants(c),
-            at.state,
+        r, c = (
+            {s: fixed_values[s] for s in getattr(definition, k) if s in fixed_values} for k in kinds
         )
-    x, t, single = read_samples(
-        CallArguments(problem).states(at, "at"),
-        t,
-        lambda: problem.x,
-        problem.settings.times,
-        n,
-        "at",
-    )
-    made = problem.model.with_compiled_inputs(plan, perturbed=True)
-    if chosen:  # those of a search for an equilibrium may be roundings of zero
+        plan, p, at = CallArguments(problem).plan(r or None), CallArguments(problem).constants(c), at.state
+    x, t, single = samples(CallArguments(problem).states(at, "at"), t, lambda: problem.x, problem.settings.times, n, "at")
+    model = problem.model.with_compiled_inputs(plan, perturbed=True)
+    if is_user_state:  # in states of an Equilibrium, zeros may be rounding errors
         AssumptionChecks(problem).columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
-    point = Point(definition, made, t, x, plan.inputs.rows(x, t), p, plan)
-    point = with_unknowns(point, at, plan.inputs.rows)
+    point = Point(definition, model, t, x, plan.inputs.rows(x, t), p, plan)
+    point = point.with_unknowns(at, plan.inputs.rows)
     value, slopes, blocks = point.value, point.slopes, point.blocks
     T, free = point.tangents()
     if definition.equations.constraints.are_present:
@@ -283,28 +270,32 @@ def linearize(
     A = point.along("rates", T)[:, free]
     symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
     columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()
-    kernel = made.compiled_jacobian("rates", "r") if columns else None
+    kernel = model.compiled_jacobian("rates", "r") if columns else None
     by_input = np.zeros((len(x), n, s)) if kernel is None else value(kernel, s)
     residuals = definition.equations.constraints.residuals
-    through, unknowns = _through_residuals(point, columns), [*residuals.columns]
+    unknowns_by_input, unknowns = _unknowns_by_inputs(point, columns), [*residuals.columns]
 
     def followed(block: str, by_input: np.ndarray) -> np.ndarray:
-        """Return total derivatives by inputs, also those through an Implicit's unknowns."""
-        return by_input + slopes(block)[:, :, unknowns] @ through if through.size else by_input
+        """Return total derivatives by inputs, including those through an Implicit's unknowns."""
+        return (
+            by_input + slopes(block)[:, :, unknowns] @ unknowns_by_input
+            if unknowns_by_input.size
+            else by_input
+        )
 
-    moved = []  # which constraints (rows) depend on which inputs
+    dependence = []  # which constraints (rows) depend on which inputs
     for block in blocks if columns else ():
-        by_block = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
-        left = followed(block, by_block)
+        by_block = value(model.compiled_jacobian(block, "r"), s)[:, :, columns]
+        total = followed(block, by_block)
         if block == "holonomic":
-            left[:, residuals.rows] = 0.0
-        moved.append(left.any(axis=0))
-    if any(rows.any() for rows in moved):
-        _refuse_prescribed(definition, np.concatenate(moved), columns, inputs is None)
-    with np.errstate(all="ignore"):  # what is not finite is told
+            total[:, residuals.rows] = 0.0
+        dependence.append(total.any(axis=0))
+    if any(rows.any() for rows in dependence):
+        _refuse_prescribed(definition, np.concatenate(dependence), columns, inputs is None)
+    with np.errstate(all="ignore"):  # `_check_finite` reports entries that are not finite
         B = followed("rates", by_input[:, :, columns])[:, free]
-    C, D, titles = _outputs(problem, outputs, point, T, columns, through)
-    parts = [A, B, C, D, value(made.compiled("rates"))[:, free]]
+    C, D, titles = _outputs(problem, outputs, point, T, columns, unknowns_by_input)
+    parts = [A, B, C, D, value(model.compiled("rates"))[:, free]]
     _check_finite(parts)
     warn_of_kinks(point, T, free, columns)
     A, B, C, D, rates = (part[0] if single else part for part in parts)
@@ -317,37 +308,40 @@ def linearize(
 
 
 def _refuse_prescribed(
-    definition: Definition, moved: np.ndarray, columns: list[int], every: bool
+    definition: Definition, dependence: np.ndarray, columns: list[int], by_default: bool
 ) -> None:
-    """Refuse inputs that prescribe motions, and name the others.
+    """Raise an error for inputs that prescribe motions; it names the other inputs.
 
-    `moved` says which constraints (rows) depend on which of the inputs, the `columns`. They are
-    `every` specified if the user named none.
+    `dependence` (constraints, inputs) is True where a constraint depends on an input. `columns` are
+    the inputs' indices among the specifieds; `by_default` is True if the user named none.
     """
-    row = int(moved.any(axis=1).argmax())
+    row = int(dependence.any(axis=1).argmax())
     titles = [unique_names(definition.specifieds)[column] for column in columns]
-    names = few([f"`{title}`" for title, is_one in zip(titles, moved[row], strict=True) if is_one])
-    used = set(np.flatnonzero(moved.any(axis=0)))
+    names = few(
+        [f"`{title}`" for title, depends in zip(titles, dependence[row], strict=True) if depends]
+    )
+    used = set(np.flatnonzero(dependence.any(axis=0)))
     free = [title for k, title in enumerate(titles) if k not in used]
     raise ValueError(
         f"The {constraint_names(definition.equations)[row]} depends on the specified {names}, "
-        f"which {'is an input because all are by default' if every else 'is one of `inputs`'}. It "
+        "which "
+        f"{'is an input because all are by default' if by_default else 'is one of `inputs`'}. It "
         "prescribes a motion: the states then do not follow from independent ones alone. The "
         f"linear model has inputs that no constraint depends on: `inputs={free}`."
     )
 
 
-def _which(k: int, m: int) -> str:
+def _state_text(k: int, m: int) -> str:
     return f"state {k} of `at`" if m > 1 else "the state"
 
 
 def _warn_of_violations(at: StateSamples) -> None:
-    """Warn of the first given state that is off the constraints."""
-    if found := first_violation(at):
-        k, told = found
+    """Warn of the first state of `at` that violates the constraints."""
+    if violation := first_violation(at):
+        k, message = violation
         warn_user(
             f"The linear model is one of motions that keep the constraints, but "
-            f"{_which(k, len(at.x))} does not satisfy them. {told} Call "
+            f"{_state_text(k, len(at.x))} does not satisfy them. {message} Call "
             "`system.set_dependent_initial_conditions()` first, or take states of a motion "
             "that was integrated with `constraints='project'`."
         )
@@ -359,52 +353,54 @@ def _outputs(
     point: Point,
     T: np.ndarray,
     columns: list[int],
-    through: np.ndarray,
+    unknowns_by_input: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
-    """Return C, D and the outputs' names: of states and of the System's outputs."""
+    """Return C, D and the outputs' names, for states and outputs of the System."""
     definition = problem.definition
     m, n, s = len(T), len(definition.states), len(definition.specifieds)
     symbols = definition.states if outputs is None else listed("outputs", outputs)
-    known = Places([*definition.states, *definition.outputs_symbols], "states and outputs")
-    places = known.columns(symbols, "outputs").tolist()
+    index = Places([*definition.states, *definition.outputs_symbols], "states and outputs")
+    rows = index.columns(symbols, "outputs").tolist()
     by_state = np.broadcast_to(np.eye(n), (m, n, n))
     by_input = np.zeros((m, n, s))
-    if any(place >= n for place in places):
+    if any(row >= n for row in rows):
         width = len(definition.outputs_symbols)
         by_state = np.concatenate([by_state, point.slopes("outputs")], axis=1)
         inputs = np.zeros((m, width, 0))
         if s:
             inputs = point.value(point.model.compiled_jacobian("outputs", "r"), s)
         by_input = np.concatenate([by_input, inputs], axis=1)
-    with np.errstate(all="ignore"):  # what is not finite is told
-        C = by_state[:, places] @ T
-        D = by_input[:, places][:, :, columns]
-        if through.size:
+    with np.errstate(all="ignore"):  # `_check_finite` reports entries that are not finite
+        C = by_state[:, rows] @ T
+        D = by_input[:, rows][:, :, columns]
+        if unknowns_by_input.size:
             unknowns = definition.equations.constraints.residuals.columns
-            D = D + by_state[:, places][:, :, unknowns] @ through
+            D = D + by_state[:, rows][:, :, unknowns] @ unknowns_by_input
     titles = unique_names([*definition.states, *definition.outputs_symbols])
-    return C, D, tuple(titles[place] for place in places)
+    return C, D, tuple(titles[row] for row in rows)
 
 
-def _through_residuals(point: Point, columns: list[int]) -> np.ndarray:
+def _unknowns_by_inputs(point: Point, columns: list[int]) -> np.ndarray:
     """Return derivatives of an Implicit's unknowns by some specifieds, (m, unknowns, k)."""
     residuals = point.definition.equations.constraints.residuals
-    rows, places = [*residuals.rows], [*residuals.columns]
-    if not (places and columns):
-        return np.zeros((len(point.x), len(places), len(columns)))
+    rows, unknowns = [*residuals.rows], [*residuals.columns]
+    if not (unknowns and columns):
+        return np.zeros((len(point.x), len(unknowns), len(columns)))
     by_input = point.value(point.model.compiled_jacobian("holonomic", "r"), point.r.shape[1])
-    gradient = point.slopes("holonomic")[:, rows][:, :, places]
+    gradient = point.slopes("holonomic")[:, rows][:, :, unknowns]
     pairs = zip(gradient, by_input[:, rows][:, :, columns], strict=True)
-    return np.array([-np.linalg.lstsq(own, moved)[0] for own, moved in pairs])
+    return np.array(
+        [-np.linalg.lstsq(jacobian, input_slopes)[0] for jacobian, input_slopes in pairs]
+    )
 
 
 def _check_finite(parts: list[np.ndarray]) -> None:
-    """Refuse matrices and rates, one for each state, of which there is no linear model."""
+    """Raise an error if matrices or rates, one for each state, are not finite."""
     m = len(parts[0])
     sound = [np.isfinite(part.reshape(m, -1)).all(axis=1) for part in parts]
     if not np.all(sound):
         raise ValueError(
             "The equations or their derivatives are not finite at "
-            f"{_which(int(np.all(sound, axis=0).argmin()), m)}: there is no linear model. "
+            f"{_state_text(int(np.all(sound, axis=0).argmin()), m)}: there is no linear model. "
             "`evaluate_ode` and `evaluate_jacobian` say where they are not."
         )

@@ -34,14 +34,14 @@ from pydy.analysis.tuning import (
 )
 from pydy.solvers import Event
 
-# How long an event is waited for, in periods as guessed.
+# Longest time until the event, in units of the guessed period.
 _PATIENCE = 5.0
 
 _SAMPLES = 201
-# Samples that tell how large states become on the way, and how often that is looked at again.
+# Samples per period for the sizes of the states; largest number of searches with new sizes.
 _ON_THE_WAY, _RESIZED = 65, 5
 _STUCK = 1e8
-# The least period, and the least rates of the states at its end, as shares of those at first.
+# Smallest period, and smallest rates of the states at its end, relative to the first ones.
 _SHORTEST = 0.1
 
 
@@ -97,9 +97,9 @@ class PeriodicOrbit:
 
     def __str__(self) -> str:
         largest = np.abs(self.multipliers).max(initial=0.0)
-        what = "Equilibrium over" if self.equilibrium else "Periodic orbit of"
+        title = "Equilibrium over" if self.equilibrium else "Periodic orbit of"
         return (
-            f"{what} {self.period:.10g} s, {'' if self.stable else 'un'}stable: "
+            f"{title} {self.period:.10g} s, {'' if self.stable else 'un'}stable: "
             f"largest multiplier {largest:.6g}; residual {self.residual:.2g}"
         )
 
@@ -120,7 +120,7 @@ def find_periodic_orbit(
 
     Its `dependent` states follow from the others by the constraints.
     """
-    search = _Search(problem, period, moving, until, solver, options)
+    search = _OrbitSearch(problem, period, moving, until, solver, options)
     with progress_of(flag(progress, "`progress`"), " flights") as search.progress:
         try:
             return search.orbit()
@@ -135,7 +135,7 @@ def find_periodic_orbit(
             ) from None
 
 
-class _Search:
+class _OrbitSearch:
     """A Problem that is integrated for a period, from start to start."""
 
     def __init__(
@@ -159,15 +159,15 @@ class _Search:
             "period": self.guess,
             "initial_conditions": _initial_conditions(problem),
         }
-        self.autonomous = until is None and not _depends_on_time(problem)
-        # Numbers that are only tried need not agree with assumptions of symbols.
+        self.autonomous = until is None and not problem.depends_on_time
+        # Trial values need not satisfy the symbols' assumptions.
         self.problem = problem.replace(contradicted=None)
         self.options = {"rtol": ORBIT, **options}
         self.scales_atol = "atol" not in options
         if problem.dependent:
             self.options.setdefault("constraints", "project")
-        self.least = np.inf  # the gap of the nearest start
-        self.progress: Any = None  # what shows the progress
+        self.least = np.inf  # the smallest gap so far
+        self.progress: Any = None  # reports the progress
 
     def _choose_states(self, problem: Problem, moving: Iterable[Any]) -> None:
         """Divide the states into unknowns of the search, advancing states, and dependent ones."""
@@ -191,7 +191,7 @@ class _Search:
         self.parameters = [definition.states[k] for k in self.rows]
         self.columns = [self.rows.index(k) for k in self.free]
         self.advancing = [self.rows.index(k) for k in self.steady if k not in dependent]
-        # By how much the end changes as those advance that move.
+        # Change of the end due to the advance of the steady coordinates.
         self.pushed = np.zeros(len(self.free))
         self.names = unique_names(definition.states)
 
@@ -202,13 +202,13 @@ class _Search:
         problem = self.problem.replace(x=x)
         return consistent(problem) if problem.dependent else problem
 
-    def integrated(self, problem: Problem, times: Any, **more: Any) -> Motion:
+    def integrated(self, problem: Problem, times: Any, **extra_options: Any) -> Motion:
         """Integrate with sensitivities."""
-        # A state that stays would be followed in steps that are too long for its neighbours.
-        wanted = SensitivityRequest(self.parameters, controlled=True)
-        options = {**more, **self.options}
+        # Sensitivities control the steps, too: a state at rest would allow steps that are too long.
+        request = SensitivityRequest(self.parameters, controlled=True)
+        options = {**extra_options, **self.options}
         return integrate(
-            problem, np.array(times), solver=self.solver, sensitivities=wanted, **options
+            problem, np.array(times), solver=self.solver, sensitivities=request, **options
         )
 
     def sizes_along(
@@ -219,14 +219,14 @@ class _Search:
         rates: np.ndarray,
         length: float,
     ) -> np.ndarray:
-        """Return the sizes of all states on a flight."""
+        """Return the sizes of all states during a motion of one period."""
         natural, moved = energetic_motions(self.problem, times, states)
         most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
         speeds = np.arange(len(end)) >= len(self.problem.definition.equations.coordinates)
         return Measure(self.free, speeds, natural, moved).sizes(most, rates, length)
 
     def fly(self, z: np.ndarray, length: float) -> Flight:
-        """Fly for a period from states `z`; the start that comes nearest to its end is stored."""
+        """Integrate for a period from states `z`; store the start with the smallest gap."""
         problem = self.start(z)
         if self.until is None:
             flight = self._for_a_time(problem, length)
@@ -291,9 +291,9 @@ class _Search:
         )
 
     def _slope_at_start(self) -> np.ndarray | None:
-        """Measure the start; return the direction in which the motion leaves, if it may be late.
+        """Set the sizes at the start; return the motion's direction there for autonomous problems.
 
-        Where the equations depend on time, or the period has an end of its own, it may not.
+        If the equations depend on time, or an event ends the period, the phase is fixed: None.
         """
         t0, guess, free = self.t0, self.guess, self.free
         problem = self.start(self.problem.x[free])
@@ -307,9 +307,9 @@ class _Search:
         slope: np.ndarray | None = None
         if self.autonomous:
             slope = rates[free]
-            own = self.sizes_along(*at_start, np.zeros_like(rates), guess)[free]
-            moves = self.problem.x[free].any()
-            if (np.abs(slope) * guess <= ORBIT_CLOSED * own * moves).all():
+            sizes = self.sizes_along(*at_start, np.zeros_like(rates), guess)[free]
+            is_moving = self.problem.x[free].any()
+            if (np.abs(slope) * guess <= ORBIT_CLOSED * sizes * is_moving).all():
                 raise ValueError(
                     "The initial conditions are an equilibrium, which is no orbit. Start "
                     "elsewhere, or use `find_equilibrium`."
@@ -321,7 +321,7 @@ class _Search:
         return slope
 
     def orbit(self) -> PeriodicOrbit:
-        """Search until states come back, in units of the sizes that they have on the way."""
+        """Search for a closed orbit, with states in units of their sizes during the motion."""
         slope, free = self._slope_at_start(), self.free
         z = self.problem.x[free]
         flight = self.fly(z, self.guess)
@@ -335,11 +335,11 @@ class _Search:
                 if coarse:
                     flight = self.fly(z, flight.period)
             tolerance = float(np.max(self.options["rtol"]))
-            search = Shooting(self.fly, flight, sizes[free], slope, names, tolerance)
-            z, flight, residual = search.found(z)
-            # A first flight that led far away told nothing of the orbit.
-            again = flight.sizes
-            if (again >= 0.5 * sizes).all() or (again <= ORBIT * self.begun).all():
+            search = OrbitShooting(self.fly, flight, sizes[free], slope, names, tolerance)
+            z, flight, residual = search.solve(z)
+            # If sizes shrank, the first ones were not those of the orbit: search again.
+            new_sizes = flight.sizes
+            if (new_sizes >= 0.5 * sizes).all() or (new_sizes <= ORBIT * self.begun).all():
                 break
         if (self.pushed > ORBIT_CLOSED * flight.sizes[free]).any():
             on = names[int((self.pushed / flight.sizes[free]).argmax())]
@@ -364,7 +364,7 @@ class _Search:
         )
 
     def _motion(self, z: np.ndarray, period: float) -> Motion:
-        """Integrate the orbit, and judge it."""
+        """Integrate the orbit and check it."""
         times = np.linspace(self.t0, self.t0 + period, num=_SAMPLES)
         motion = simulate(self.start(z), times, solver=self.solver, **self.options)
         if motion.problem.hybrid is not None:
@@ -380,22 +380,26 @@ class _Search:
 
 
 def _check_period(motion: Motion, period: float) -> None:
-    """Refuse a motion that ends as it began where the equations do not: it would not repeat."""
-    if motion.problem.inputs.sampled:  # whose times end
+    """Raise an error if the equations do not have the period: the motion would not repeat."""
+    if motion.problem.inputs.sampled:  # samples end with the period
         return
     times, states = motion.times[:: _SAMPLES // 16], motion.states[:: _SAMPLES // 16]
-    now, later = (motion.problem.at(times + late, states).rates() for late in (0.0, period))
-    off = np.abs(later - now) / or_one(np.maximum(np.abs(now), np.abs(later)).max(axis=0))
-    k, j = np.unravel_index(int(np.nan_to_num(off).argmax()), off.shape)
-    if off[k, j] > HALF:
+    rates, later_rates = (
+        motion.problem.at(times + late, states).rates() for late in (0.0, period)
+    )
+    difference = np.abs(later_rates - rates) / or_one(
+        np.maximum(np.abs(rates), np.abs(later_rates)).max(axis=0)
+    )
+    k, j = np.unravel_index(int(np.nan_to_num(difference).argmax()), difference.shape)
+    if difference[k, j] > HALF:
         symbol = motion.problem.definition.states[j]
         raise PeriodicOrbitError(
             f"The equations do not have the `period` {period:.6g} s, after which the motion is as "
             f"at its start: at t = {times[k]:.6g} the derivative of {symbol} is "
-            f"{now[k, j]:.6g}, that time later {later[k, j]:.6g} in the same state. Give a period "
-            "of all that depends on time.",
+            f"{rates[k, j]:.6g}, that time later {later_rates[k, j]:.6g} in the same state. Give a "
+            "period of all that depends on time.",
             states[0],
-            (later - now)[k],
+            (later_rates - rates)[k],
         )
 
 
@@ -410,11 +414,11 @@ class Flight:
     by_start: np.ndarray  # their derivatives (k, k)
     rates: np.ndarray  # their time derivatives at the end
     period: float
-    sizes: np.ndarray  # how large they are on the way; see `Measure`
-    projected: np.ndarray | None = None  # the states at its start, if they are not as wanted
+    sizes: np.ndarray  # their sizes during the motion; see `Measure`
+    projected: np.ndarray | None = None  # the states at its start, if not the requested ones
 
     def scaled(self, sizes: np.ndarray, period: float) -> Flight:
-        """Return the same in units of the states' sizes and of a period."""
+        """Return the flight in units of the states' sizes and of a period."""
         return replace(
             self,
             end=self.end / sizes,
@@ -424,36 +428,33 @@ class Flight:
             projected=None if self.projected is None else self.projected / sizes,
         )
 
-    def begun(self, wanted: np.ndarray) -> np.ndarray:
-        """Return the states at its start."""
-        return wanted if self.projected is None else self.projected
+    def begun(self, requested: np.ndarray) -> np.ndarray:
+        """Return the states at the start."""
+        return requested if self.projected is None else self.projected
 
 
 @dataclass(frozen=True, eq=False)
 class Measure:
-    """How large n states are on the way: the units to search and to integrate in.
+    """Sizes of n states during a motion: the units for the search and for the integration.
 
-    A state that stays where it is has no size of its own but that of rounding. It gets a share of
-    what others reach: of those with a like unit, of the motion with as much energy, and of a
-    radian. The least of them is taken, since one too large would hide a gap.
+    A state that does not move is a rounding error and has no size. It gets a share of three others:
+    the largest state of the same unit, the motion with the same energy, and a radian. The smallest
+    is taken, since a size that is too large would hide a gap.
     """
 
-    # the states that are searched for; others, such as the way of a vehicle, measure nothing
+    # the unknown states; others, such as a vehicle's position, do not determine sizes
     free: Sequence[int]
-    # which of the states are speeds; they count as the amplitudes of an oscillation
+    # True for speeds; their sizes are those of the oscillation's amplitudes times its frequency
     speeds: np.ndarray
-    # how large coordinates are by themselves, and the integrals of speeds: of angles 1; 0 where
-    # nothing tells
+    # natural sizes of coordinates and of the integrals of speeds: 1 for angles, 0 if there is none
     natural: np.ndarray
-    # the speeds, and the rates of the coordinates, in motions of one energy; 0 where these are not
-    # known
+    # the speeds and the rates of the coordinates in motions of one energy; 0 if unknown
     moved: np.ndarray
 
     def sizes(self, most: np.ndarray, rates: np.ndarray, period: float) -> np.ndarray:
-        """Return the sizes of all states, 1 where nothing moves, if they become as large as `most`.
+        """Return the sizes of all states, from their largest magnitudes `most`; 1 if all are zero.
 
-        Where a state is zero at the ends of an oscillation through zero, its rate there tells its
-        size.
+        A state that is zero at the ends of an oscillation gets its size from its rate there.
         """
         time = period / (2.0 * np.pi)
         unit = np.where(self.speeds, 1.0 / time, 1.0)
@@ -461,36 +462,40 @@ class Measure:
         largest = float(sizes[self.free].max(initial=0.0))
         if not (np.isfinite(largest) and largest > 0.0):
             return np.ones(len(most))
-        one = self.moved * time
+        unit_motion = self.moved * time
         searched = np.isin(np.arange(len(most)), self.free)
-        energetic = float((sizes / or_one(one))[searched & (one > 0.0)].max(initial=0.0))
-        by_energy = LEAST_SIZE * energetic * one
-        plain = self.natural == 0.0
-        # What does not move by itself is no measure of others.
-        alike = LEAST_SIZE * float(sizes[searched & plain & (sizes > by_energy)].max(initial=0.0))
-        least = np.where(plain, alike if alike > 0.0 else np.inf, self.natural)
+        energetic = float(
+            (sizes / or_one(unit_motion))[searched & (unit_motion > 0.0)].max(initial=0.0)
+        )
+        by_energy = LEAST_SIZE * energetic * unit_motion
+        unscaled = self.natural == 0.0
+        # States that do not move by themselves do not determine the sizes of others.
+        alike = LEAST_SIZE * float(
+            sizes[searched & unscaled & (sizes > by_energy)].max(initial=0.0)
+        )
+        least = np.where(unscaled, alike if alike > 0.0 else np.inf, self.natural)
         least = np.minimum(least, np.where(by_energy > 0.0, by_energy, np.inf))
         least[np.isinf(least)] = LEAST_SIZE * largest
-        found: np.ndarray = np.maximum(sizes, least) * unit
-        return found
+        result: np.ndarray = np.maximum(sizes, least) * unit
+        return result
 
 
 @dataclass
-class Shooting:
-    """A search for k states that come back, in units of their sizes.
+class OrbitShooting:
+    """Shooting for k states that return after a period, in units of their sizes.
 
-    The search keeps to the plane normal to the `slope`, and the period is an unknown unless that is
-    None.
+    The states stay in the plane normal to `slope`, and the period is unknown. If `slope` is None,
+    the period is fixed.
     """
 
-    fly: Callable[[np.ndarray, float], Flight]  # from states, for a period
+    fly: Callable[[np.ndarray, float], Flight]  # integrates from states, for a period
     first: Flight
     sizes: np.ndarray
-    slope: np.ndarray | None  # the states' rates where the first flight begins
+    slope: np.ndarray | None  # the states' rates at the start of the first flight
     names: Sequence[str]
     tolerance: float  # of the integration
 
-    def found(self, start: np.ndarray) -> tuple[np.ndarray, Flight, float]:
+    def solve(self, start: np.ndarray) -> tuple[np.ndarray, Flight, float]:
         """Return the states, the flight from there, and the largest gap."""
         self.flown, self.period = self.first, self.first.period
         if self.slope is not None:
@@ -516,20 +521,20 @@ class Shooting:
         return self.z + step[: len(self.z)], self.period + late
 
     def _approach(self) -> None:
-        """Take steps after Levenberg and Marquardt, as long as the gap becomes smaller.
+        """Take Levenberg–Marquardt steps as long as the gap becomes smaller.
 
-        Their weight vanishes with the gap: orbits of conservative systems come in families, of
-        which the nearest is wanted.
+        The damping vanishes with the gap. It selects the nearest orbit of the families that
+        conservative systems have.
         """
         weight = 1.0
         for _ in range(40):
             size = float(np.abs(self._gap()).max(initial=0.0))
-            whole, right = self._equations()
-            n = whole.shape[1]
+            matrix, right = self._equations()
+            n = matrix.shape[1]
             while weight < _STUCK:
-                held = np.sqrt(weight * min(size, 1.0)) * np.eye(n)
-                both = np.append(right, np.zeros(n))
-                step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=ROUNDED)[0]
+                damping = np.sqrt(weight * min(size, 1.0)) * np.eye(n)
+                right_side = np.append(right, np.zeros(n))
+                step = np.linalg.lstsq(np.vstack([matrix, damping]), right_side, rcond=ROUNDED)[0]
                 if self._nearer(*self._moved(step), size):
                     weight *= 0.1
                     break
@@ -540,8 +545,8 @@ class Shooting:
                 return
 
     def _nearer(self, z: np.ndarray, period: float, size: float) -> bool:
-        """Go to a state if the flight from there leaves less than a gap of some size."""
-        # Every motion comes back after no time at all, and an equilibrium after any.
+        """Accept a state and a period if the gap is smaller than `size`."""
+        # A period of zero closes every motion, and an equilibrium closes with every period.
         if period <= _SHORTEST * self.first.period:
             return False
         try:
@@ -559,50 +564,52 @@ class Shooting:
         return True
 
     def _settle(self) -> None:
-        """Take the last steps, from where rounding is all that is left of the gap."""
-        for left in range(3, -1, -1):
+        """Take the last Newton steps, until the gap is a rounding error."""
+        for remaining in range(3, -1, -1):
             gap = self._gap()
             if np.abs(gap).max(initial=0.0) <= ORBIT_CLOSED * _scale(self.z):
                 return
-            # Unstable motion makes a larger gap of what rounding and the integration leave: then
-            # the start is as good as steps to a better one are small.
-            whole, right = self._equations()
-            step = np.linalg.lstsq(whole, right, rcond=self.tolerance)[0]
-            open_by = np.abs([*step, *(right - whole @ step)]).max()
+            # Unstable motion amplifies the errors of rounding and integration to a larger gap. Then
+            # the size of the next step measures the accuracy of the start.
+            matrix, right = self._equations()
+            step = np.linalg.lstsq(matrix, right, rcond=self.tolerance)[0]
+            open_by = np.abs([*step, *(right - matrix @ step)]).max()
             grown = self.tolerance * float(np.linalg.norm(self.flight.by_start, 2))
-            known = float(np.abs(gap).max(initial=0.0)) <= grown
-            if known and open_by <= ORBIT_CLOSED * _scale(self.z):
+            at_rounding = float(np.abs(gap).max(initial=0.0)) <= grown
+            if at_rounding and open_by <= ORBIT_CLOSED * _scale(self.z):
                 return
-            if not (known and left):
-                raise _lost(self.names, self.z * self.sizes, gap * self.sizes, self.period)
+            if not (at_rounding and remaining):
+                raise _no_orbit_error(
+                    self.names, self.z * self.sizes, gap * self.sizes, self.period
+                )
             z, self.period = self._moved(step)
             self.flown = self.fly(z * self.sizes, self.period)
             self.flight = self._scaled(self.flown)
             self.z = self.flight.begun(z)
 
     def _equations(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the linear equations of a step that closes the gap, in the plane of the search."""
+        """Return the linear equations of the Newton step, including that of the plane."""
         gap = self._gap()
-        whole = self.flight.by_start - np.eye(len(gap))
+        matrix = self.flight.by_start - np.eye(len(gap))
         if self.slope is None:
-            return whole, -gap
+            return matrix, -gap
         border = np.append(self.normal, 0.0)
-        whole = np.vstack([np.column_stack([whole, self.flight.rates]), border])
-        return whole, np.append(-gap, -self.normal @ (self.z - self.begun))
+        matrix = np.vstack([np.column_stack([matrix, self.flight.rates]), border])
+        return matrix, np.append(-gap, -self.normal @ (self.z - self.begun))
 
 
 def _scale(z: np.ndarray) -> float:
     return max(1.0, float(np.abs(z).max(initial=0.0)))
 
 
-def _lost(
+def _no_orbit_error(
     names: Sequence[str], z: np.ndarray, gap: np.ndarray, period: float
 ) -> PeriodicOrbitError:
     order = np.argsort(-np.abs(gap))[:3]
-    left = ", ".join(f"{names[k]} by {gap[k]:.3g}" for k in order)
+    gaps = ", ".join(f"{names[k]} by {gap[k]:.3g}" for k in order)
     return PeriodicOrbitError(
         f"No periodic orbit was found. Nearest, at {numbers_of(names, z)} with the "
-        f"period {period:.6g} s, these change over it: {left}. Start closer to an "
+        f"period {period:.6g} s, these change over it: {gaps}. Start closer to an "
         "orbit, or list coordinates that advance steadily in `moving`.",
         z,
         gap,

@@ -75,7 +75,7 @@ class EigenvalueSweep:
         """Eigenvalues in 1/s, shape (m, k), complex.
 
         A column is a branch, followed from value to value; at the first value the largest real part
-        comes first. What is zero at all values comes last.
+        comes first. Eigenvalues that are zero at all values come last.
         """
         return self._spectra[0]
 
@@ -85,7 +85,7 @@ class EigenvalueSweep:
 
     @property
     def _branches(self) -> int:
-        """How many branches are not zero at all values."""
+        """Number of branches that are not zero at all values."""
         return len(self._active) - self._spectra[2]
 
     def __str__(self) -> str:
@@ -99,7 +99,7 @@ class EigenvalueSweep:
     @property
     def stable(self) -> np.ndarray:
         """Whether no real part is positive, shape (m,); rounding errors of zero are ignored."""
-        return np.asarray((self.eigenvalues.real <= self._nothing).all(axis=1))
+        return np.asarray((self.eigenvalues.real <= self._zero_limits).all(axis=1))
 
     @property
     def neutral(self) -> tuple[str, ...]:
@@ -107,15 +107,15 @@ class EigenvalueSweep:
         return tuple(name for k, name in enumerate(self.states) if k not in self._active)
 
     @cached_property
-    def _nothing(self) -> np.ndarray:
-        """Real parts that are zero, for each eigenvalue."""
-        found = self.eigenvalues
-        most = CROSSED * float(np.abs(found).max(initial=0.0))
-        limits = np.full(found.shape, most)
-        doubtful = ((found.real != 0.0) & (np.abs(found.real) <= most)).any(axis=1)
+    def _zero_limits(self) -> np.ndarray:
+        """Largest real part that counts as zero, for each eigenvalue."""
+        eigenvalues = self.eigenvalues
+        most = CROSSED * float(np.abs(eigenvalues).max(initial=0.0))
+        limits = np.full(eigenvalues.shape, most)
+        doubtful = ((eigenvalues.real != 0.0) & (np.abs(eigenvalues.real) <= most)).any(axis=1)
         for k in np.flatnonzero(doubtful):
             spectrum, rounding = self._spectrum(self.A[k])
-            nearest = np.abs(found[k, : len(spectrum), None] - spectrum).argmin(axis=1)
+            nearest = np.abs(eigenvalues[k, : len(spectrum), None] - spectrum).argmin(axis=1)
             limits[k, : len(spectrum)] = np.minimum(most, ASTRAY * rounding[nearest])
         return limits
 
@@ -126,86 +126,92 @@ class EigenvalueSweep:
         Only one of a conjugate pair is listed. Without damping, branches lie on the axis until they
         meet and one becomes unstable: these points are listed too.
         """
-        found = []
+        crossings = []
         for branch in range(self._branches):
-            real, limit = self.eigenvalues[:, branch].real, self._nothing[:, branch]
-            seen = np.flatnonzero(np.abs(real) > limit)
-            signs = np.sign(real[seen])
+            real, limit = self.eigenvalues[:, branch].real, self._zero_limits[:, branch]
+            nonzero = np.flatnonzero(np.abs(real) > limit)
+            signs = np.sign(real[nonzero])
             for k in np.flatnonzero(signs[1:] != signs[:-1]):
-                first, last = int(seen[k]), int(seen[k + 1])
+                first, last = int(nonzero[k]), int(nonzero[k + 1])
                 middle = self.eigenvalues[first : last + 1, branch].imag
                 lower = middle.mean() <= -max(limit[first], limit[last])
-                if not lower and not self._rests(branch, first, last):
-                    found.append(self._refined(branch, first, last))
+                if not lower and not self._stays_on_axis(branch, first, last):
+                    crossings.append(self._refined(branch, first, last))
             for inside, out in self._departures(branch):
                 if self.eigenvalues[out, branch].imag > -limit[out]:
-                    found.append(self._departed(branch, inside, out))
-        real_ones = (crossing for crossing in found if crossing is not None)
+                    crossings.append(self._departed(branch, inside, out))
+        real_ones = (crossing for crossing in crossings if crossing is not None)
         return tuple(sorted(real_ones, key=lambda crossing: crossing.value))
 
     def _departures(self, branch: int) -> list[tuple[int, int]]:
-        """Return the position on the axis next to an unstable part of a branch."""
+        """Return index pairs (on the axis, unstable) where a branch departs from the axis."""
         real = self.eigenvalues[:, branch].real
-        seen = np.flatnonzero(np.abs(real) > self._nothing[:, branch])
-        found = []
-        for k, place in enumerate(seen):
-            if real[place] < 0.0:
+        nonzero = np.flatnonzero(np.abs(real) > self._zero_limits[:, branch])
+        departures = []
+        for k, index in enumerate(nonzero):
+            if real[index] < 0.0:
                 continue
-            for way, beyond in ((-1, seen[:k][::-1]), (1, seen[k + 1 :])):
-                last = int(beyond[0]) if len(beyond) else (-1 if way < 0 else len(real))
-                stable = len(beyond) and real[last] < 0.0
-                ends = sorted((int(place), last))
-                if abs(last - place) > 1 and not (stable and not self._rests(branch, *ends)):
-                    steps = range(int(place) + way, last, way)
+            for direction, following in ((-1, nonzero[:k][::-1]), (1, nonzero[k + 1 :])):
+                last = int(following[0]) if len(following) else (-1 if direction < 0 else len(real))
+                stable = len(following) and real[last] < 0.0
+                ends = sorted((int(index), last))
+                if abs(last - index) > 1 and not (
+                    stable and not self._stays_on_axis(branch, *ends)
+                ):
+                    steps = range(int(index) + direction, last, direction)
                     on_axis = (k for k in steps if self._is_on_axis(branch, k))
-                    found += [(k, k - way) for k in islice(on_axis, 1)]
-        return found
+                    departures += [(k, k - direction) for k in islice(on_axis, 1)]
+        return departures
 
-    def _rests(self, branch: int, first: int, last: int) -> bool:
-        """Whether a branch lies on the axis for a while between two values at which it does not.
+    def _stays_on_axis(self, branch: int, first: int, last: int) -> bool:
+        """True if a branch lies on the axis for an interval between two values off the axis.
 
-        It passes the axis at one value otherwise, which may be one of those between.
+        Otherwise it crosses the axis at a single value, which may be one of those between.
         """
         on_axis = [k for k in range(first + 1, last) if self._is_on_axis(branch, k)]
         if len(on_axis) != 1:
             return bool(on_axis)
-        beside = (self._nearest(branch, on_axis[0], end, 0.5) for end in (first, last))
-        return any(abs(found.real) <= rounding for found, rounding in beside)
+        midpoints = (self._nearest(branch, on_axis[0], end, 0.5) for end in (first, last))
+        return any(abs(eigenvalue.real) <= rounding for eigenvalue, rounding in midpoints)
 
     def _is_on_axis(self, branch: int, k: int) -> bool:
-        """Whether nothing but rounding is left of a real part."""
+        """True if a real part is a rounding error."""
         spectrum, rounding = self._spectrum(self.A[k])
         nearest = np.abs(spectrum - self.eigenvalues[k, branch]).argmin()
         return bool(abs(spectrum[nearest].real) <= rounding[nearest])
 
     def _nearest(self, branch: int, a: int, b: int, share: float) -> tuple[complex, float]:
-        """Return the eigenvalue of a branch at a share of the way between values, its rounding."""
+        """Return a branch's eigenvalue at value a + share · (b − a), and its rounding error."""
         first, last = self.eigenvalues[[a, b], branch]
-        spectrum, rounding = self._between(a, b, share)
+        spectrum, rounding = self._eigenvalues_between(a, b, share)
         k = np.abs(spectrum - (first + share * (last - first))).argmin()
         return complex(spectrum[k]), float(rounding[k])
 
     def _spectrum(self, A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return with_rounding(A[np.ix_(self._active, self._active)])
 
-    def _between(self, a: int, b: int, share: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return the eigenvalues between two values, without those that are always zero."""
-        value, start = (of[a] + share * (of[b] - of[a]) for of in (self.values, self.equilibria))
+    def _eigenvalues_between(self, a: int, b: int, share: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return the eigenvalues at a + share · (b − a), without those that are always zero."""
+        value, start = (
+            array[a] + share * (array[b] - array[a]) for array in (self.values, self.equilibria)
+        )
         spectrum, rounding = self._spectrum(self._models(np.array([value]), start[None])[0])
         order = np.argsort(-np.abs(spectrum))[: self._branches]
         return spectrum[order], rounding[order]
 
     def _departed(self, branch: int, inside: int, out: int) -> Crossing | None:
-        """Return the point between two values at which a branch leaves the axis."""
+        """Return the point between two values at which a branch departs from the axis."""
 
-        def left(share: float) -> bool:
-            found, rounding = self._nearest(branch, inside, out, share)
-            return found.real > rounding
+        def has_left_axis(share: float) -> bool:
+            eigenvalue, rounding = self._nearest(branch, inside, out, share)
+            return eigenvalue.real > rounding
 
-        return self._found(branch, (inside, out), _bisected(left), LEFT_AXIS, inside > out)
+        return self._checked_crossing(
+            branch, (inside, out), _bisected(has_left_axis), LEFT_AXIS, inside > out
+        )
 
     def _refined(self, branch: int, first: int, last: int) -> Crossing | None:
-        """Return the point between two values at which a branch passes the axis."""
+        """Return the point between two values at which a branch crosses the axis."""
         share = scipy.optimize.brentq(
             lambda share: self._nearest(branch, first, last, share)[0].real,
             0.0,
@@ -214,33 +220,33 @@ class EigenvalueSweep:
             rtol=4 * np.finfo(float).eps,
         )
         stabilizing = bool(self.eigenvalues[last, branch].real < 0.0)
-        return self._found(branch, (first, last), share, CROSSED, stabilizing)
+        return self._checked_crossing(branch, (first, last), share, CROSSED, stabilizing)
 
-    def _found(
+    def _checked_crossing(
         self, branch: int, ends: tuple[int, int], share: float, near: float, stabilizing: bool
     ) -> Crossing | None:
-        """Return a crossing, if the branch is on the axis there: another may be taken for it."""
-        found, rounding = self._nearest(branch, *ends, share)
+        """Return a crossing, after a check that the matched eigenvalue lies on the axis."""
+        eigenvalue, rounding = self._nearest(branch, *ends, share)
         size = float(np.abs(self.eigenvalues[list(ends), branch]).max())
-        if abs(found.real) > max(near * size, ASTRAY * rounding):
+        if abs(eigenvalue.real) > max(near * size, ASTRAY * rounding):
             return self._counted(branch, *ends, stabilizing)
-        return self._crossing(branch, ends, share, found.imag, stabilizing)
+        return self._crossing(branch, ends, share, eigenvalue.imag, stabilizing)
 
     def _counted(self, branch: int, a: int, b: int, stabilizing: bool) -> Crossing | None:
         """Return where the number of unstable eigenvalues changes between two values, if it does.
 
-        This needs no branches, but takes several crossings between the values for one.
+        This needs no branches, but reports several crossings between the values as one.
         """
 
         def unstable(share: float) -> int:
-            spectrum, rounding = self._between(a, b, share)
+            spectrum, rounding = self._eigenvalues_between(a, b, share)
             return int((spectrum.real > rounding).sum())
 
         before = unstable(0.0)
         if unstable(1.0) == before:
             return None
         share = _bisected(lambda share: unstable(share) != before)
-        spectrum = self._between(a, b, share)[0]
+        spectrum = self._eigenvalues_between(a, b, share)[0]
         frequency = abs(complex(spectrum[np.abs(spectrum.real).argmin()]).imag)
         return self._crossing(branch, (a, b), share, frequency, stabilizing)
 
@@ -257,7 +263,7 @@ class EigenvalueSweep:
             value=float(self.values[a] + share * (self.values[b] - self.values[a])),
             eigenvalue=complex(0.0, frequency),
             branch=branch,
-            oscillatory=abs(frequency) > float(self._nothing[[a, b], branch].max()),
+            oscillatory=abs(frequency) > float(self._zero_limits[[a, b], branch].max()),
             stabilizing=stabilizing,
         )
 
@@ -290,40 +296,40 @@ class EigenvalueSweep:
 
     def plot_root_locus(self, ax: Any = None, unit: str = "") -> Any:
         """Plot the branches in the complex plane, with the parameter as colour; return the Axes."""
-        ax, found = complex_plane(ax), self.eigenvalues
-        colours = np.broadcast_to(self.values[:, None], found.shape)
-        points = ax.scatter(found.real, found.imag, c=colours, s=6)
-        ax.scatter(found[0].real, found[0].imag, marker="x", color="k", linewidths=0.8)
+        ax, eigenvalues = complex_plane(ax), self.eigenvalues
+        colours = np.broadcast_to(self.values[:, None], eigenvalues.shape)
+        points = ax.scatter(eigenvalues.real, eigenvalues.imag, c=colours, s=6)
+        ax.scatter(eigenvalues[0].real, eigenvalues[0].imag, marker="x", color="k", linewidths=0.8)
         ax.figure.colorbar(points, ax=ax, label=with_unit(typeset(self.parameter, ""), unit))
         return ax
 
 
-def _bisected(beyond: Callable[[float], bool]) -> float:
-    """Return the first share of the way, up to rounding, from which a condition holds at 1."""
+def _bisected(condition: Callable[[float], bool]) -> float:
+    """Bisect [0, 1] for the smallest share at which a condition, true at 1, becomes true."""
     low, high = 0.0, 1.0
     while high - low > ROUNDED:
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if beyond(middle) else (middle, high)
+        low, high = (low, middle) if condition(middle) else (middle, high)
     return high
 
 
 def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return the eigenvalues of state matrices in branches, and the states that matter to others.
+    """Return the eigenvalues of state matrices in branches, the active states, and a zero count.
 
-    A column of zeros, such as that of a vehicle's position, is an eigenvalue of zero. Left in, it
-    would join others to one multiple eigenvalue, of which only half the digits can be had. What is
-    conserved otherwise is an eigenvalue of zero too, which a branch that passes zero must not be
-    taken for: how many of the states that matter have one is returned last. Their columns are
-    behind the branches.
+    A column of zeros, such as that of a vehicle's position, has an eigenvalue of zero. It is
+    removed: together with other zeros it would be a multiple eigenvalue, which is accurate to half
+    the digits only. The states that remain are active. Conserved quantities have eigenvalues of
+    zero, too, which must not be confused with a branch that crosses zero: their number is returned
+    last, and their columns follow the branches.
     """
     m, k = A.shape[:2]
-    # Parts of some milliseconds, between which a Ctrl-C is heard; no copy of all.
+    # Parts that take some milliseconds, so that Ctrl-C works; the full array is not copied.
     count = max(1, min(AT_ONCE, AT_ONCE * 1000 // max(k, 1) ** 3))
     parts = [A[first : first + count] for first in range(0, m, count)]
     largest = np.zeros((k, k))
     for part in parts:
         np.maximum(largest, np.abs(part).max(axis=0), out=largest)
-    # In units of their own, coordinates and speeds of 1e10 rad/s are alike.
+    # Balancing makes coordinates and speeds of 1e10 rad/s comparable.
     units = np.diag(scipy.linalg.matrix_balance(largest, permute=False)[1])
     scale = units / units[:, None]
     least = CROSSED * (largest * scale).max(initial=0.0)
@@ -334,11 +340,11 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
         matters |= (entries > ROUNDED * sizes).any(axis=0)
     active = np.arange(k)
     while True:
-        left = active[matters[np.ix_(active, active)].any(axis=0)]
-        if len(left) == len(active):
+        remaining = active[matters[np.ix_(active, active)].any(axis=0)]
+        if len(remaining) == len(active):
             break
-        active = left
-    found = np.zeros((m, k), dtype=complex)
+        active = remaining
+    eigenvalues = np.zeros((m, k), dtype=complex)
     zeros = 0
     if active.size:
         computed = [np.linalg.eigvals(part[:, active[:, None], active]) for part in parts]
@@ -347,20 +353,20 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
         order = np.argsort(-np.abs(spectra), axis=1, kind="stable")
         spectra = np.take_along_axis(spectra, order, axis=1)
         count = len(active) - zeros
-        found[:, :count] = _followed(spectra[:, :count])
-        found[:, count : len(active)] = spectra[:, count:]
-    return found, active, zeros
+        eigenvalues[:, :count] = _followed(spectra[:, :count])
+        eigenvalues[:, count : len(active)] = spectra[:, count:]
+    return eigenvalues, active, zeros
 
 
 def _always_zero(A: np.ndarray, active: np.ndarray, spectra: np.ndarray) -> int:
-    """Return how many eigenvalues are zero, up to rounding, in each of some matrices."""
+    """Return the number of eigenvalues that are zero, up to rounding, in all matrices."""
     most = CROSSED * float(np.abs(spectra).max(initial=0.0))
     count = int((np.abs(spectra) <= most).sum(axis=1).min())
     for k in np.unique(np.linspace(0, len(A) - 1, LOOKED_AT, dtype=int)):
         if count == 0:
             break
-        found, rounding = with_rounding(A[k][np.ix_(active, active)])
-        count = min(count, int((np.abs(found) <= np.minimum(most, ASTRAY * rounding)).sum()))
+        eigenvalues, rounding = with_rounding(A[k][np.ix_(active, active)])
+        count = min(count, int((np.abs(eigenvalues) <= np.minimum(most, ASTRAY * rounding)).sum()))
     return count
 
 
@@ -373,17 +379,17 @@ def with_rounding(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     if not A.size:
         return np.empty(0, dtype=complex), np.empty(0)
     balanced = scipy.linalg.matrix_balance(A)[0]
-    found, left, right = scipy.linalg.eig(balanced, left=True, right=True)
-    cosines = np.abs((left.conj() * right).sum(axis=0))
+    eigenvalues, left_vectors, right_vectors = scipy.linalg.eig(balanced, left=True, right=True)
+    cosines = np.abs((left_vectors.conj() * right_vectors).sum(axis=0))
     unit = 8.0 * len(A) * np.finfo(float).eps * np.linalg.norm(balanced)
-    return found, unit / np.maximum(cosines, np.finfo(float).eps)
+    return eigenvalues, unit / np.maximum(cosines, np.finfo(float).eps)
 
 
 def _followed(spectra: np.ndarray) -> np.ndarray:
-    """Return eigenvalues (m, k) in columns that are branches, each row in another order.
+    """Return eigenvalues (m, k) with each row reordered so that the columns are branches.
 
-    Each row is matched with what the two rows before lead to expect, so that branches that cross
-    are not mixed up.
+    Each row is matched with the linear extrapolation of the two rows before, so that branches that
+    cross are not exchanged.
     """
     order = np.lexsort((-spectra.imag, -spectra.real), axis=-1)
     followed = np.take_along_axis(spectra, order, axis=-1)

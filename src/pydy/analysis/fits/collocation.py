@@ -1,4 +1,4 @@
-"""Fits by collocation: the states of all trials are unknown, and the equations hold in the end."""
+"""Fits by collocation: the states of all trials are unknowns, the equations are constraints."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ def collocated(
     solver: tuple[str, dict[str, Any]],  # its name and options
     progress: bool,
 ) -> Minimum:
-    """Return the least squares from z on, by a nonlinear program."""
+    """Return the least-squares minimum, searched for from z by a nonlinear program."""
     disturbances = _disturbances(problem, process_noise)
     search = fitting_solver_of(*solver)
     experiments = [_experiment(problem, z, k) for k in range(len(problem.trials))]
-    places = problem.now.definition.places
-    shared = [(kind, places[kind].symbols.index(s)) for kind, s in problem.shared]
+    index_by_kind = problem.base.definition.places
+    shared = [(kind, index_by_kind[kind].symbols.index(s)) for kind, s in problem.shared]
     fit = Identification(experiments, shared, disturbances, problem.limits, problem.priors)
 
     def watch(iteration: Any) -> None:
@@ -72,13 +72,13 @@ def collocated(
 
 
 def _disturbances(problem: FitProblem, process_noise: Any) -> dict[int, float]:
-    """Return the intensities of white noise by places in r."""
-    places = problem.now.definition.places["specifieds"]
+    """Return the intensities of white noise, by the index of the specified."""
+    specifieds = problem.base.definition.places["specifieds"]
     process_noise = check_mapping("process_noise", process_noise)
-    columns = places.columns(process_noise, "process_noise").tolist()
+    columns = specifieds.columns(process_noise, "process_noise").tolist()
     intensities = {
-        place: positive(value, f"`process_noise[{key}]`", finite=True)
-        for place, (key, value) in zip(columns, process_noise.items(), strict=True)
+        index: positive(value, f"`process_noise[{key}]`", finite=True)
+        for index, (key, value) in zip(columns, process_noise.items(), strict=True)
     }
     if intensities and problem.noise_is_estimated:
         raise ValueError(
@@ -89,7 +89,7 @@ def _disturbances(problem: FitProblem, process_noise: Any) -> dict[int, float]:
 
 
 def _experiment(problem: FitProblem, z: np.ndarray, k: int) -> Experiment:
-    """Return a trial as an experiment, whose search begins with its samples."""
+    """Return a trial as an experiment whose initial guess follows from its samples."""
     d, order = problem.trials[k], problem.states
     times = np.unique(np.append(d.start, d.times))
     if len(times) < 2:
@@ -97,51 +97,52 @@ def _experiment(problem: FitProblem, z: np.ndarray, k: int) -> Experiment:
             f"`times` of {d.label} must hold a time after the start, got {float(times[0])!r} "
             "alone: collocation needs a motion."
         )
-    now, _, _ = problem.motion(z, k, times)
-    states = _guess(problem, k, now)
-    if now.inputs.functions:
+    motion_problem, _, _ = problem.motion(z, k, times)
+    states = _guess(problem, k, motion_problem)
+    if motion_problem.inputs.functions:
         raise ValueError(
-            f"`specifieds` gives a Python function for {now.inputs.functions[0][1].label}, which "
-            "has no derivatives. Give an expression of time and states, or samples."
+            "`specifieds` gives a Python function for "
+            f"{motion_problem.inputs.functions[0][1].label}, which has no derivatives. Give an "
+            "expression of time and states, or samples."
         )
     weights = np.where(np.isfinite(d.values), 1.0 / d.noise, 0.0)
     unknown, dependents = ([order.index(s) for s in p] for p in (d.unknown, problem.dependents))
     return Experiment(
-        now, d.start, d.times, tuple(d.keys), d.values, weights, tuple(unknown), tuple(dependents),
-        states, times,
+        motion_problem, d.start, d.times, tuple(d.keys), d.values, weights, tuple(unknown),
+        tuple(dependents), states, times,
     )  # fmt: skip
 
 
-def _guess(problem: FitProblem, k: int, now: Problem) -> np.ndarray:
-    """Return the states of a trial where the search begins, at the times of its Problem.
+def _guess(problem: FitProblem, k: int, motion_problem: Problem) -> np.ndarray:
+    """Return the initial guess of a trial's states at the times of its Problem.
 
-    States that are measured are their samples, and speeds that are rates of such coordinates the
-    slopes; the others are simulated if they can be, or stay where they are.
+    Measured states are interpolated samples. Speeds that are rates of measured coordinates are the
+    slopes of these. The others are simulated, or constant if the simulation fails.
     """
-    d, order, times = problem.trials[k], problem.states, now.settings.times
-    states = np.tile(now.x, (len(times), 1))
-    known = {}
+    d, order, times = problem.trials[k], problem.states, motion_problem.settings.times
+    states = np.tile(motion_problem.x, (len(times), 1))
+    columns_by_state = {}
     for key, column in zip(d.keys, d.values.T, strict=True):
-        there = np.isfinite(column)
-        if key in order and there.any():
-            known[key] = np.interp(times, d.times[there], column[there])
-    equations = now.definition.equations
+        finite = np.isfinite(column)
+        if key in order and finite.any():
+            columns_by_state[key] = np.interp(times, d.times[finite], column[finite])
+    equations = motion_problem.definition.equations
     derivatives = equations.kinematics.coordinate_derivatives
     rates = dict(zip(derivatives, equations.coordinates, strict=True))
     for speed, coordinate in rates.items():
-        if coordinate in known and speed in order and speed not in known:
-            known[speed] = np.gradient(known[coordinate], times)
-    if len(known) < len(order):
+        if coordinate in columns_by_state and speed in order and speed not in columns_by_state:
+            columns_by_state[speed] = np.gradient(columns_by_state[coordinate], times)
+    if len(columns_by_state) < len(order):
         options: dict[str, Any] = {"rtol": FIT, "atol": FIT}
         if problem.dependents:
             options["constraints"] = "project"
         try:
             solver = native_solver(problem.model.solver)
-            motion = simulate(now, now.settings.times, solver=solver, **options)
+            motion = simulate(motion_problem, motion_problem.settings.times, solver=solver, **options)
             if np.isfinite(motion.states).all():
                 states = motion.states.copy()
         except (IntegrationError, SingularMatrixError):
-            pass  # the search may begin with states that stand still
-    for symbol, column in known.items():
+            pass  # constant states are a possible guess, too
+    for symbol, column in columns_by_state.items():
         states[:, order.index(symbol)] = column
     return states

@@ -10,7 +10,7 @@ import numpy as np
 from pydy._checks import choice, flag, listed, shown, whole
 from pydy.analysis.fits.problem import FitProblem, FittedSystem
 from pydy.analysis.fits.result import FitResult, result_of
-from pydy.analysis.fits.shooting import Shooting
+from pydy.analysis.fits.shooting import ShootingFit
 from pydy.analysis.fits.trial import Trial
 
 
@@ -45,15 +45,17 @@ def fit(
         z = problem.read_known(problem.start, bounds, priors)
         progress = flag(progress, "`progress`")
         options = {"max_iter": min(most, 2**31 - 1), **options}
-        by = "ipopt" if solver is None else solver, options
-        return result_of(problem, collocated(problem, z, mesh, process_noise, by, progress))
-    shooting = Shooting(problem, segments, options)
+        solver_and_options = "ipopt" if solver is None else solver, options
+        return result_of(
+            problem, collocated(problem, z, mesh, process_noise, solver_and_options, progress)
+        )
+    shooting = ShootingFit(problem, segments, options)
     z = problem.read_known(shooting.guess(), bounds, priors)
     return result_of(problem, shooting.minimum(z, most, flag(progress, "`progress`")))
 
 
 def _listed(parameters: Any, trials: Any) -> list[Any]:
-    """Return the trials as a list; refuse them in the place of the parameters."""
+    """Return the trials as a list; raise an error if they were passed as `parameters`."""
     several = isinstance(parameters, (list, tuple)) and len(parameters) > 0
     first = parameters[0] if several else parameters
     if isinstance(first, Trial):
@@ -61,7 +63,7 @@ def _listed(parameters: Any, trials: Any) -> list[Any]:
             f"`parameters` must be symbols or names, such as 'k', got {shown(parameters)}. Trials "
             "are the second argument: system.fit(['k'], trials)."
         )
-    # Those that are iterated over entries or names are refused as they are.
+    # These would be iterated over by entries or names; the check of each trial reports them.
     alone = isinstance(trials, (Trial, np.ndarray, Mapping, str)) or hasattr(trials, "times")
     entries: list[Any] = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
     if not entries:
@@ -76,7 +78,7 @@ def _check_method(
     options: Mapping[str, Any],
     contacts: Any,
 ) -> None:
-    """Refuse arguments of the other method; those of collocation `only` are None by default."""
+    """Raise an error for arguments of the other method; `only` has those of collocation."""
     if collocation and segments > 1:
         raise ValueError(
             "`segments` belongs to method='shooting'. With collocation, `mesh` is the number of "

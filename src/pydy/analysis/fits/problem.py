@@ -1,7 +1,7 @@
-"""What a fit searches for: its unknown numbers z, and the Problem that they make of each trial.
+"""The unknowns z of a fit, and the Problem of each trial as a function of z.
 
-z has the parameters that all trials share, then the unknown initial conditions of each trial.
-Shooting appends the states at the beginnings of segments.
+z contains the parameters that all trials share, then the unknown initial conditions of each trial.
+Shooting appends the states at the starts of segments.
 """
 
 from __future__ import annotations
@@ -23,34 +23,28 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import unique_names
-from pydy._problem import (
-    AssumptionChecks,
-    CallArguments,
-    Problem,
-    with_settings,
-    with_unknowns,
-)
+from pydy._problem import AssumptionChecks, CallArguments, Problem, with_settings, with_unknowns
 from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
-from pydy.analysis.fits.samples import Samples, checked_trial
+from pydy.analysis.fits.samples import TrialSamples, checked_trial
 
 Numbers = dict[Any, Any]
 
 
 @dataclass(frozen=True, eq=False)
 class FittedSystem:
-    """A System as a fit takes it."""
+    """The functions and options of a System that a fit needs."""
 
-    # The Problem of the System, with the constants that events and the keys of a dictionary bring.
+    # (events, constants) → the System's Problem with the events and further constants
     problem: Callable[[Any, Mapping[Any, Any]], Problem]
-    # The Problem of events, further outputs, constants and specifieds; its numbers are only tried.
+    # (events, outputs, constants, specifieds) → a Problem of trial values, exempt from assumptions
     tried: Callable[[Any, Numbers, Numbers, Numbers], Problem]
     solver: Any  # the System's `ode_solver`
-    contacts: Any = None  # Contacts that simulate the Problems that are tried
+    contacts: Any = None  # the Contacts that simulate these Problems
 
 
 class FitProblem:
-    """The parameters, the samples, and what is known beside them."""
+    """The parameters, samples, bounds and priors of a fit."""
 
     def __init__(
         self, model: FittedSystem, parameters: Any, trials: Sequence[Any], events: Any
@@ -60,8 +54,8 @@ class FitProblem:
         constants: Numbers = dict.fromkeys(keys)
         for trial in trials:
             constants |= check_mapping("constants", getattr(trial, "constants", None))
-        self.now = model.problem(events, constants)
-        definition = self.now.definition
+        self.base = model.problem(events, constants)
+        definition = self.base.definition
         self._outputs: Numbers = {}  # names of measured expressions, and these
         self.trials = [
             checked_trial(k, trial, definition, self._outputs) for k, trial in enumerate(trials)
@@ -70,14 +64,14 @@ class FitProblem:
             raise ValueError("Give the `noise` of all trials, or of none.")
         self.noise_is_estimated = self.trials[0].trial.noise is None
         self.samples = sum(int(np.isfinite(d.values).sum()) for d in self.trials)
-        self.dependents = tuple(definition.states[k] for k in self.now.dependent)
+        self.dependents = tuple(definition.states[k] for k in self.base.dependent)
         self.states = definition.states
         equations = definition.equations
         movable = (*equations.coordinates, *equations.speeds)
         self.independent = [s for s in movable if s not in self.dependents]
-        places = [located(definition, key, "parameters") for key in keys]
-        self.shared = [(kind, definition.places[kind].symbols[place]) for kind, place in places]
-        start = [self._starting_value(kind, place) for kind, place in places]
+        slots = [located(definition, key, "parameters") for key in keys]
+        self.shared = [(kind, definition.places[kind].symbols[index]) for kind, index in slots]
+        start = [self.base.value(kind, index) for kind, index in slots]
         refuse_twice([symbol for _, symbol in self.shared], "parameters")
         self.names = list(unique_names([s for _, s in self.shared]))
         self.columns: list[int] = []  # of the first unknown initial condition of each trial
@@ -96,46 +90,36 @@ class FitProblem:
         self.limits = np.empty(0), np.empty(0)
         self.priors: list[tuple[int, float, float]] = []
 
-    def _starting_value(self, kind: str, column: int) -> float:
-        """Return the number of a state, constant or specified at the initial time."""
-        now = self.now
-        if kind == "specifieds":
-            return float(now.inputs.rows(now.x[None], np.array([now.t]))[0][column])
-        return float((now.x if kind == "states" else now.p)[column])
-
-    def _values(self, argument: str, d: Samples) -> Numbers:
-        """Return the values of a trial that are no parameters, by their symbols."""
-        places, label = self.now.definition.places[argument], f"{argument} of {d.label}"
+    def _values(self, argument: str, d: TrialSamples) -> Numbers:
+        """Return the values of a trial that are not parameters, by their symbols."""
+        symbol_index, label = self.base.definition.places[argument], f"{argument} of {d.label}"
         parameters = {symbol for _, symbol in self.shared}
         for symbol in parameters.intersection(d.unknown):
             raise ValueError(
                 f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
             )
-        system = merged(getattr(self.now.settings, argument))
-        values = places.by_symbol(system, argument, others=True)
+        system = merged(self.base.user[argument])
+        values = symbol_index.by_symbol(system, argument, others=True)
         trial = merged(check_mapping(label, getattr(d.trial, argument)))
-        alone = places.by_symbol(trial, label, others=True)
-        numbers = {s: v for s, v in alone.items() if isinstance(v, (int, float))}
-        AssumptionChecks(self.now).values(argument, numbers, f"`{label}` for ")
-        if len(self.trials) > 1 and (both := parameters & alone.keys()):
+        trial_values = symbol_index.by_symbol(trial, label, others=True)
+        numbers = {s: v for s, v in trial_values.items() if isinstance(v, (int, float))}
+        self.base.check_values(argument, numbers, f"`{label}` for ")
+        if len(self.trials) > 1 and (conflicts := parameters & trial_values.keys()):
             raise ValueError(
-                f"`{label}` gives {describe([*both])} a value of its own, but `parameters` names "
-                "it, for all trials. Leave one of them out."
+                f"`{label}` gives {describe([*conflicts])} a value of its own, but `parameters` "
+                "names it, for all trials. Leave one of them out."
             )
-        values |= alone
+        values |= trial_values
         return {key: value for key, value in values.items() if key not in parameters}
 
-    def _initial_conditions(self, d: Samples) -> dict[Any, float]:
-        now, argument = self.now, f"initial_conditions of {d.label}"
-        states = now.definition.places["states"]
+    def _initial_conditions(self, d: TrialSamples) -> dict[Any, float]:
+        base, argument = self.base, f"initial_conditions of {d.label}"
+        states = base.definition.places["states"]
         conditions = merged(check_mapping(argument, d.trial.initial_conditions))
-        x, chosen = (
-            CallArguments(now).states(conditions, argument),
-            states.chosen(conditions, argument),
-        )
+        x, chosen = base.x_with(conditions, argument), states.chosen(conditions, argument)
         numbers = {s: x[k] for k, s in enumerate(states.symbols) if s in chosen}
-        AssumptionChecks(now).values("states", numbers, f"`{argument}` for ")
-        start = with_unknowns(now.at(np.array([d.start]), x[None]), {}, now.inputs.rows)
+        base.check_values("states", numbers, f"`{argument}` for ")
+        start = base.at(np.array([d.start]), x[None]).with_unknowns({}, base.inputs.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 
     # -- motions ----------------------------------------------------------------------------------
@@ -145,8 +129,8 @@ class FitProblem:
     ) -> tuple[Problem, list[Any], list[int]]:
         """Return the Problem of a trial, the parameters that it depends on, and their columns.
 
-        The motion begins in the initial conditions of the trial, or in the independent states that
-        stand in z from a `column` on.
+        The motion starts from the initial conditions of the trial, or from the independent states
+        z[column:] if a `column` is given.
         """
         constants, specifieds = dict(self._constants[k]), dict(self._specifieds[k])
         initial = dict(self._initial[k])
@@ -172,29 +156,27 @@ class FitProblem:
         if k not in self._problems:
             tried = self.model.tried(self._events, self._outputs, constants, specifieds)
             self._problems[k] = tried
-        now = with_settings(
-            self._problems[k],
-            constants=constants,
-            specifieds=specifieds,
-            initial_conditions=initial,
-            times=times,
-        )
+        user = {"constants": constants, "specifieds": specifieds, "initial_conditions": initial}
+        trial_problem = replace(self._problems[k], user=user, times=times)
         if self.dependents:
-            now = with_dependents(now, self.dependents)
-        return now, symbols, columns
+            trial_problem = with_dependents(trial_problem, self.dependents)
+        return trial_problem, symbols, columns
 
-    # -- what is known of the parameters ----------------------------------------------------------
+    # -- bounds and priors of the parameters ------------------------------------------------------
 
     def read_known(self, z: np.ndarray, bounds: Any, priors: Any) -> np.ndarray:
-        """Read bounds and priors; return z, which may have more than the parameters, in bounds."""
+        """Read bounds and priors; return z, clipped to the bounds.
+
+        z may contain further unknowns after the parameters.
+        """
         low, high = np.full(len(z), -np.inf), np.full(len(z), np.inf)
-        for places, pair in self._pairs(bounds, "bounds", limits):
-            low[places], high[places] = pair
+        for columns, pair in self._pairs(bounds, "bounds", limits):
+            low[columns], high[columns] = pair
         self.limits = low, high
         pairs = self._pairs(priors, "priors", _mean_and_deviation)
-        self.priors = [(place, *pair) for places, pair in pairs for place in places]
+        self.priors = [(column, *pair) for columns, pair in pairs for column in columns]
         if self.priors and self.noise_is_estimated:
-            # Without it a residual would count as one in its unit, metre or millimetre, does.
+            # Without it, the weight of a residual would depend on its unit, metre or millimetre.
             raise ValueError(
                 "`priors` need the `noise` of each Trial: how much the samples count beside the "
                 "priors follows from it. If it is not known, fit without `priors` first: "
@@ -206,7 +188,7 @@ class FitProblem:
     def with_priors(
         self, values: np.ndarray, J: np.ndarray, z: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Append the priors' residuals and derivatives to those of the measurements."""
+        """Append the priors' residuals and Jacobian rows to those of the measurements."""
         pulls = [(z[k] - mean) / s for k, mean, s in self.priors]
         rows = np.zeros((len(pulls), len(z)))
         rows[np.arange(len(pulls)), [k for k, _, _ in self.priors]] = [
@@ -217,33 +199,33 @@ class FitProblem:
     def _pairs(
         self, pairs: Any, argument: str, read: Callable[[Any, str], tuple[float, float]]
     ) -> list[tuple[list[int], tuple[float, float]]]:
-        """Return pairs of numbers, and the parameters that each is for, none of them twice."""
+        """Return pairs of numbers with the columns of their parameters, none of them twice."""
         pairs = check_mapping(argument, pairs)
-        places = [self._places(key, argument) for key in pairs]
-        refuse_twice([self.names[k] for several in places for k in several], argument)
+        columns = [self._columns_of(key, argument) for key in pairs]
+        refuse_twice([self.names[k] for several in columns for k in several], argument)
         return [
             (several, read(pair, f"`{argument}[{key}]`"))
-            for several, (key, pair) in zip(places, pairs.items(), strict=True)
+            for several, (key, pair) in zip(columns, pairs.items(), strict=True)
         ]
 
-    def _places(self, key: Any, argument: str) -> list[int]:
-        """Return the parameters that a key means; a state means that of each trial."""
+    def _columns_of(self, key: Any, argument: str) -> list[int]:
+        """Return the columns of the parameters that a key names; a state is that of each trial."""
         shared = Places([s for _, s in self.shared], "parameters of the fit")
-        place = shared.get(key, argument)
-        if place is not None:
-            return [place]
-        places = []
+        index = shared.get(key, argument)
+        if index is not None:
+            return [index]
+        matches = []
         for d, column in zip(self.trials, self.columns, strict=True):
-            place = Places(d.unknown, "unknown initial conditions").get(key, argument)
-            if place is not None:
-                places.append(column + place)
-        if not places:
+            index = Places(d.unknown, "unknown initial conditions").get(key, argument)
+            if index is not None:
+                matches.append(column + index)
+        if not matches:
             unknown = {s: 0 for d in self.trials for s in d.unknown}
             Places([*shared.symbols, *unknown], "parameters of the fit").find(key, argument)
-        return places
+        return matches
 
     def sizes(self, states: np.ndarray) -> np.ndarray:
-        """Return sizes of parameters: first values; those of the states for initial conditions."""
+        """Return sizes of parameters: start values, and state sizes for initial conditions."""
         result: np.ndarray = np.abs(self.start)
         shared = [s if kind == "states" else None for kind, s in self.shared]
         for k, symbol in enumerate([*shared, *(s for d in self.trials for s in d.unknown)]):
@@ -252,11 +234,11 @@ class FitProblem:
         return result
 
 
-def _mean_and_deviation(value: Any, what: str) -> tuple[float, float]:
-    numbers = real_array(value, what)
+def _mean_and_deviation(value: Any, subject: str) -> tuple[float, float]:
+    numbers = real_array(value, subject)
     if numbers.shape != (2,) or not np.isfinite(numbers).all() or not numbers[1] > 0.0:
         raise ValueError(
-            f"{what} must be a pair of the mean and the positive standard deviation, got "
+            f"{subject} must be a pair of the mean and the positive standard deviation, got "
             f"{shown(value)}."
         )
     return float(numbers[0]), float(numbers[1])

@@ -27,48 +27,49 @@ from pydy.analysis.tuning import CHANCE, THINNED
 
 
 def autocorrelation(series: Sequence[np.ndarray]) -> tuple[float, float]:
-    """Return r of residuals in the order of time, and how many standard deviations that is.
+    """Return r of residuals in the order of time, and r in units of its standard deviation.
 
-    Missing samples, NaN, are left out. Both are zero where there is nothing to compare.
+    Missing samples (NaN) are ignored. Both are zero if all residuals are zero or missing.
     """
-    kept = [e[np.isfinite(e)] for e in series]
-    whole = sum(float(e @ e) for e in kept)
-    count = sum(map(len, kept))
-    if not whole > 0.0 or not np.isfinite(whole):
+    finite = [e[np.isfinite(e)] for e in series]
+    power = sum(float(e @ e) for e in finite)
+    count = sum(map(len, finite))
+    if not power > 0.0 or not np.isfinite(power):
         return 0.0, 0.0
-    r = sum(float(e[1:] @ e[:-1]) for e in kept) / whole
+    r = sum(float(e[1:] @ e[:-1]) for e in finite) / power
     return r, r * count**0.5
 
 
 def text_of_correlation(
-    residuals: Sequence[dict[str, np.ndarray]], least: dict[str, float], known: bool
+    residuals: Sequence[dict[str, np.ndarray]], least: dict[str, float], noise_is_known: bool
 ) -> str:
-    """Return what to say of quantities whose neighbouring residuals are alike, or ''.
+    """Return a warning about quantities with correlated neighbouring residuals, or ''.
 
-    They are in units of their noise; where that is `known`, it counts unless the residuals are
-    larger or alike. White noise is taken for correlated in `CHANCE` of all fits. Residuals whose
-    root mean square is below the `least` of a quantity are errors of the motion, not noise.
+    The residuals are in units of their noise. If `noise_is_known`, the warning applies only if
+    correlation and size together exceed that noise. White noise is reported as correlated in the
+    fraction `CHANCE` of all fits. Residuals with a root mean square below the quantity's `least`
+    are errors of the motion, not noise.
     """
     names = [*residuals[0]] if residuals else []
     limit = float(scipy.special.ndtri(1.0 - CHANCE / max(len(names), 1)))
-    found = []
+    correlated = []
     for name in names:
         series = [table[name] for table in residuals if name in table]
-        every = np.concatenate(series)
-        every = every[np.isfinite(every)]
+        combined = np.concatenate(series)
+        combined = combined[np.isfinite(combined)]
         r, deviations = autocorrelation(series)
         if not deviations > limit:
             continue
-        size = float(np.sqrt(np.mean(every**2)))
+        size = float(np.sqrt(np.mean(combined**2)))
         factor = ((1.0 + r) / (1.0 - r)) ** 0.5 if r < 1.0 else np.inf
-        factor = factor * size if known else factor
+        factor = factor * size if noise_is_known else factor
         if size > least.get(name, 0.0) and factor > 1.0:
-            found.append((factor, r, name, len(every)))
-    if not found:
+            correlated.append((factor, r, name, len(combined)))
+    if not correlated:
         return ""
-    factor, r, _, count = max(found)
+    factor, r, _, count = max(correlated)
     every_nth = int(min(np.ceil(np.log(THINNED) / np.log(min(r, 0.999))), count))
-    texts = [f"{name} by {r:.2g}" for _, r, name, _ in found]
+    texts = [f"{name} by {r:.2g}" for _, r, name, _ in correlated]
     return (
         f"The residuals are no white noise: neighbouring ones of {few(texts)} are correlated, of "
         f"{count} samples. Standard errors and confidence intervals assume independent samples, "

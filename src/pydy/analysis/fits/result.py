@@ -1,4 +1,4 @@
-"""The result of a fit: estimates, how well the samples determine them, and residuals.
+"""The result of a fit: estimates, their covariance, and residuals.
 
 The estimates minimise the sum of squares of the residuals, each divided by the standard deviation
 of its noise. Their covariance follows from the derivatives of the residuals at the minimum.
@@ -17,7 +17,7 @@ from pydy._checks import number
 from pydy._errors import warn_user
 from pydy._names import few, place_of, some, table_of
 from pydy._optional import require
-from pydy._problem import FIT, AssumptionChecks
+from pydy._problem import AssumptionChecks, FIT
 from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.fits.residuals import autocorrelation, text_of_correlation
@@ -26,7 +26,7 @@ from pydy.plot import rows_of_axes, typeset
 
 if TYPE_CHECKING:
     from pydy.analysis.fits.problem import FitProblem
-    from pydy.analysis.fits.samples import Samples
+    from pydy.analysis.fits.samples import TrialSamples
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,8 +125,8 @@ class FitResult:
     def fitted(self) -> list[dict[str, np.ndarray]]:
         """The model at the sampling times of each trial, by name of the measured quantity."""
         return [
-            {name: samples - missed[name] for name, samples in known.items()}
-            for known, missed in zip(self.measured, self.residuals, strict=True)
+            {name: samples - missed[name] for name, samples in table.items()}
+            for table, missed in zip(self.measured, self.residuals, strict=True)
         ]
 
     def to_dataframe(self, level: float = 0.95) -> Any:
@@ -203,23 +203,23 @@ class FitResult:
         missed, count = [], 0
         for name in quantities:
             series = [table[name] for table in self.residuals if name in table]
-            every = np.concatenate(series)
-            every = every[np.isfinite(every)]
-            count += len(every)
-            size = float(np.sqrt(np.mean(every**2))) if len(every) else np.nan
+            combined = np.concatenate(series)
+            combined = combined[np.isfinite(combined)]
+            count += len(combined)
+            size = float(np.sqrt(np.mean(combined**2))) if len(combined) else np.nan
             r = autocorrelation(series)[0]
-            missed.append((name, str(len(every)), f"{size:.4g}", f"{r:.2g}"))
-        other = ("quantity", "samples", "rms of residuals", "correlation of neighbours")
+            missed.append((name, str(len(combined)), f"{size:.4g}", f"{r:.2g}"))
+        quantity_heads = ("quantity", "samples", "rms of residuals", "correlation of neighbours")
         ended = "converged after" if self.success else "did not converge in"
         trials = f"{len(self.times)} trial{'s' if len(self.times) != 1 else ''}"
-        told = [f"warning: {one}" for one in self.warnings]
+        warnings = [f"warning: {text}" for text in self.warnings]
         label = "residuals divided by the given noise" if self.noise_given else "the noise"
         return "\n".join([
             f"Fit of {len(self.names)} parameter{'s' if len(self.names) != 1 else ''} to {count} "
             f"samples of {trials}: {ended} {self.evaluations} evaluations",
-            "", *table_of(heads, rows), "", *table_of(other, missed), "",
+            "", *table_of(heads, rows), "", *table_of(quantity_heads, missed), "",
             f"standard deviation of {label}: {self.noise:.4g}, {self.degrees} degrees of freedom",
-            *told,
+            *warnings,
         ])  # fmt: skip
 
     def plot_residuals(self, axes: Any = None) -> Any:
@@ -242,8 +242,8 @@ class FitResult:
                 self.names, self.estimates, self.standard_errors, strict=True
             )
         ]
-        more = f"; undetermined: {few(self.undetermined)}" if self.undetermined else ""
-        return f"Fit of {some(rows)}; residuals {self.noise:.4g}{more}"
+        suffix = f"; undetermined: {few(self.undetermined)}" if self.undetermined else ""
+        return f"Fit of {some(rows)}; residuals {self.noise:.4g}{suffix}"
 
     __repr__ = __str__
 
@@ -253,9 +253,9 @@ def covariance_of(
 ) -> tuple[np.ndarray, tuple[str, ...]]:
     """Return (JᵀJ)⁻¹, and combinations of parameters that J does not determine.
 
-    Parameters are compared by changes relative to their sizes, so that units do not matter; those
-    of combinations are relative to the `values`, unless these have become nearly zero. Those
-    that change the samples by no more than `least` have an effect that is not known.
+    The rank is determined in units of the parameters' `sizes`, so that it does not depend on the
+    user's units. Combinations are shown as changes relative to the `values`, unless these are
+    nearly zero. Combinations that change the samples by no more than `least` are undetermined.
     """
     sizes = or_one(sizes)
     relative = np.where(np.abs(values) > NAMED_IN_FIT * sizes, np.abs(values), sizes)
@@ -286,29 +286,29 @@ def parameters_at_bounds(
 
 @dataclass(frozen=True, eq=False)
 class Minimum:
-    """The least squares that a search ended at."""
+    """The least-squares minimum at the end of a search."""
 
-    z: np.ndarray  # the parameters, and what the search appended to them
+    z: np.ndarray  # the parameters, and further unknowns of the search
     values: np.ndarray  # (r,), residuals of the samples and priors, divided by their noise
     jacobian: np.ndarray  # (r, k), by the parameters
     residuals: list[dict[str, np.ndarray]]  # of each trial: sample minus model
-    sizes: np.ndarray  # (n,), how large each state becomes
+    sizes: np.ndarray  # (n,), sizes of the states
     tolerance: float  # of the motions
     success: bool
     message: str
     evaluations: int
-    equations: int = 1  # how many were solved for a motion
-    white: bool = True  # whether residuals are white noise: the motion is not disturbed
+    equations: int = 1  # number of equations that were solved for a motion
+    white: bool = True  # whether residuals should be white noise: there is no process noise
 
 
 def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
-    """Return the result of a fit; warn of what it does not determine."""
+    """Return the result of a fit; warn of undetermined parameters and correlated residuals."""
     names, k = tuple(problem.names), problem.count
     z, values, residuals = minimum.z, minimum.values, minimum.residuals
     degrees = problem.samples + len(problem.priors) - k
     noise = float(np.sqrt(values @ values / degrees)) if degrees > 0 else np.nan
     sizes = np.maximum(np.abs(z[:k]), problem.sizes(minimum.sizes))
-    # Motions are not more accurate than their tolerance, to which each equation is solved.
+    # The error of a motion is at least the tolerance to which each equation is solved.
     samples = [np.nan_to_num(d.values / d.noise).ravel() for d in problem.trials]
     least = FIT * minimum.equations**0.5 * float(np.linalg.norm(np.concatenate(samples)))
     covariance, undetermined = covariance_of(minimum.jacobian, z[:k], sizes, names, least)
@@ -324,9 +324,9 @@ def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
             messages.append(text)
             warn_user(text)
     shared = list(zip(problem.shared, z.tolist(), strict=False))
-    for what in ("constants", "states", "specifieds"):
-        estimates = {s: v for (kind, s), v in shared if kind == what}
-        AssumptionChecks(problem.now).values(what, estimates, "The estimate of ")
+    for group in ("constants", "states", "specifieds"):
+        estimates = {s: v for (kind, s), v in shared if kind == group}
+        problem.base.check_values(group, estimates, "The estimate of ")
     return FitResult(
         names=names,
         estimates=z[:k].copy(),
@@ -350,11 +350,11 @@ def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
 
 
 def in_units_of_noise(
-    trials: Sequence[Samples], residuals: Sequence[dict[str, np.ndarray]], tolerance: float
+    trials: Sequence[TrialSamples], residuals: Sequence[dict[str, np.ndarray]], tolerance: float
 ) -> tuple[list[dict[str, np.ndarray]], dict[str, float]]:
-    """Return residuals divided by their noise, and what errors of the motions are at most there.
+    """Return residuals divided by their noise, and bounds on the errors of the motions.
 
-    The motions are computed to some `tolerance`.
+    The motions are computed to the relative `tolerance`.
     """
     least: dict[str, float] = {}
     scaled: list[dict[str, np.ndarray]] = []
@@ -368,7 +368,7 @@ def in_units_of_noise(
 
 
 def warn_of_estimates(undetermined: Sequence[str], at_bounds: Sequence[str]) -> list[str]:
-    """Warn of estimates that the data do not determine or a bound does; return what was said."""
+    """Warn of estimates that are undetermined or at a bound; return the messages."""
     messages = []
     if undetermined:
         messages.append(

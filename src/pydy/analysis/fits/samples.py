@@ -26,21 +26,23 @@ from pydy.analysis.tuning import LARGEST_RESIDUAL
 
 
 @dataclass(frozen=True, eq=False)
-class Samples:
+class TrialSamples:
     """The samples of a Trial."""
 
     trial: Trial
     label: str
     times: np.ndarray  # (m,)
     start: float
-    keys: list[Any]  # what each measured quantity is in a trajectory
-    names: list[str]  # what the user called it
+    keys: list[Any]  # the key of each measured quantity in a trajectory
+    names: list[str]  # the user's name of each measured quantity
     values: np.ndarray  # (m, q)
     noise: np.ndarray  # (m, q)
-    unknown: list[Any]  # symbols of states
+    unknown: list[Any]  # states with unknown initial conditions
 
 
-def checked_trial(k: int, trial: Any, definition: Definition, outputs: dict[Any, Any]) -> Samples:
+def checked_trial(
+    k: int, trial: Any, definition: Definition, outputs: dict[Any, Any]
+) -> TrialSamples:
     """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
     states = definition.places["states"]
     measurable = Places([*definition.states, *definition.outputs_symbols],
@@ -61,13 +63,13 @@ def checked_trial(k: int, trial: Any, definition: Definition, outputs: dict[Any,
     refuse_twice(keys, f"measured of {label}")
     unknown = states.chosen(one_or_more("unknown", trial.unknown), f"unknown of {label}")
     names = list(unique_names(list(measured)))
-    given = trial.noise
-    if isinstance(given, Mapping):
-        known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
-        meant = [known.get(key, measurable.meaning(key, "noise")) for key in given]
-        refuse_twice(meant, f"noise of {label}")
-        given = dict(zip(meant, given.values(), strict=True))
-    noise = _noise(given, keys, names, values.shape, label)
+    noise_entries = trial.noise
+    if isinstance(noise_entries, Mapping):
+        key_of = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
+        noise_keys = [key_of.get(key, measurable.meaning(key, "noise")) for key in noise_entries]
+        refuse_twice(noise_keys, f"noise of {label}")
+        noise_entries = dict(zip(noise_keys, noise_entries.values(), strict=True))
+    noise = _noise(noise_entries, keys, names, values.shape, label)
     sizes = np.fmax.reduce(np.abs(values) / noise)
     if (far := np.flatnonzero(sizes > LARGEST_RESIDUAL)).size:
         raise ValueError(
@@ -75,25 +77,25 @@ def checked_trial(k: int, trial: Any, definition: Definition, outputs: dict[Any,
             f"units of `noise`, got {sizes[far[0]]:.3g}: powers of such residuals are beyond "
             "floats. Choose units in which they are smaller."
         )
-    return Samples(trial, label, times, begin, keys, names, values, noise, unknown)
+    return TrialSamples(trial, label, times, begin, keys, names, values, noise, unknown)
 
 
 def _key(
     key: Any, label: str, definition: Definition, measurable: Places, outputs: dict[Any, Any]
 ) -> Any:
-    place = measurable.get(key, "measured")
-    if place is not None:
-        return measurable.symbols[place]
+    index = measurable.get(key, "measured")
+    if index is not None:
+        return measurable.symbols[index]
     inside = find_symbols([key]) if hasattr(key, "free_symbols") else ()
     if isinstance(key, str) or not inside:
         measurable.find(key, f"measured of {label}")  # raises, with names that are alike
-    known = (*measurable.symbols, *definition.constants, *definition.specifieds)
-    held = [s for part in sort_out(definition.equations, [key], known) for s in part]
-    if held:
+    symbols = (*measurable.symbols, *definition.constants, *definition.specifieds)
+    unresolved = [s for part in sort_out(definition.equations, [key], symbols) for s in part]
+    if unresolved:
         raise ValueError(
-            f"`measured[{key}]` of {label} holds `{held[0]}`, but no argument provides it: it is "
-            "not one of the states, constants, specifieds and outputs of the system. Make the "
-            "expression one of the `outputs`, and give the value there."
+            f"`measured[{key}]` of {label} holds `{unresolved[0]}`, but no argument provides it: "
+            "it is not one of the states, constants, specifieds and outputs of the system. Make "
+            "the expression one of the `outputs`, and give the value there."
         )
     for name, expression in outputs.items():
         if expression == key:
@@ -104,23 +106,23 @@ def _key(
 
 
 def _noise(
-    given: Any,
+    noise_entries: Any,
     keys: list[Any],
     names: list[str],
     shape: tuple[int, ...],
     label: str,
 ) -> np.ndarray:
     noise = np.ones(shape)
-    if given is None:
+    if noise_entries is None:
         return noise
-    entries = [given] * len(keys)
-    if isinstance(given, Mapping):
-        if given.keys() != {*keys}:
+    entries = [noise_entries] * len(keys)
+    if isinstance(noise_entries, Mapping):
+        if noise_entries.keys() != {*keys}:
             raise ValueError(
                 f"`noise` of {label} must have an entry for each measured quantity, "
-                f"{some(names)}, got {describe([*given])}."
+                f"{some(names)}, got {describe([*noise_entries])}."
             )
-        entries = [given[key] for key in keys]
+        entries = [noise_entries[key] for key in keys]
     for k, entry in enumerate(entries):
         noise[:, k] = checked_noise(entry, shape[0], label)
     return noise

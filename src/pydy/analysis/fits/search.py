@@ -1,4 +1,4 @@
-"""Least squares with exact derivatives, in units in which all parameters count alike."""
+"""Least squares with exact derivatives, in units of the parameters' sizes."""
 
 from __future__ import annotations
 
@@ -20,25 +20,26 @@ def estimate(
     most: int,
     warns: bool = True,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, Any]:
-    """Minimise the sum of squares of residuals; `most` is the most evaluations.
+    """Minimise the sum of squares of residuals with at most `most` evaluations.
 
-    `evaluate` returns residuals (m,) and their Jacobian (m, k); NaN where the motion cannot be
-    computed. Return the estimates, both of these there, and SciPy's result. Ctrl-C is a
-    FitInterrupted that hands over the best estimates so far.
+    `evaluate` returns residuals (m,) and their Jacobian (m, k); NaN if the motion cannot be
+    computed. Return the estimates, their residuals and Jacobian, and SciPy's result. Ctrl-C raises
+    FitInterrupted with the best estimates so far.
 
-    SciPy compares the gradient, and a step with the parameters, as they are: in kg/s² a spring of
-    atoms or of planets would end at once. So they are searched for in units of their sizes at the
-    start, and again where these have become others, by more than half of FITTED's digits.
+    SciPy's tolerances of the gradient and of the step depend on units: a search for a stiffness
+    of atoms or of planets in kg/s² would end at once. Parameters are therefore searched for in
+    units of their sizes at the start. If these sizes change by more than half of FITTED's digits,
+    the search is repeated.
     """
-    known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
+    cache: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
     least, best = np.inf, start
 
     def at(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         nonlocal least, best
         key = z.tobytes()
-        if key not in known:
-            for old in known.keys() - {best.tobytes()}:
-                del known[old]
+        if key not in cache:
+            for old in cache.keys() - {best.tobytes()}:
+                del cache[old]
             with np.errstate(**outer):  # a user's function keeps its warnings
                 values, slopes = evaluate(z)
             far = np.abs(values).max(initial=0.0), np.abs(slopes).max(initial=0.0)
@@ -51,23 +52,31 @@ def estimate(
                         "constants or initial conditions, or set `segments`."
                     )
                 values = np.full_like(values, np.nan)  # no step of the search
-            known[key] = values, slopes
+            cache[key] = values, slopes
             cost = float(values @ values)
             if cost < least:
                 least, best = cost, z.copy()
-        return known[key]
+        return cache[key]
 
-    z, left, again, outer = start, most, True, np.geterr()
+    z, evaluations_left, repeats, outer = start, most, True, np.geterr()
     try:
-        # A step may lead to residuals whose squares are infinite: it is not taken then.
+        # A step may lead to residuals with infinite squares; SciPy then rejects it.
         with np.errstate(all="ignore"):
             size, units = _sizes(*at(z), z)
-            while again:
-                found = _search(at, z, bounds, size, units, left)
-                z, left, before = found.x * units, left - found.nfev, np.append(units, size)
+            while repeats:
+                result = _search(at, z, bounds, size, units, evaluations_left)
+                z, evaluations_left, before = (
+                    result.x * units,
+                    evaluations_left - result.nfev,
+                    np.append(units, size),
+                )
                 size, units = _sizes(*at(z), z)
                 change = np.abs(np.log2(before / np.append(units, size))).max()
-                again = found.status in (1, 3) and left > 0 and change > -0.5 * np.log2(FITTED)
+                repeats = (
+                    result.status in (1, 3)
+                    and evaluations_left > 0
+                    and change > -0.5 * np.log2(FITTED)
+                )
             residuals, jacobian = at(z)
     except (KeyboardInterrupt, MemoryError) as stop:
         values = dict(zip(names, best.tolist(), strict=True))
@@ -77,19 +86,19 @@ def estimate(
         raise FitInterrupted(
             "The fit was interrupted. Its best estimates so far are in `values`.", values
         ) from stop
-    if warns and found.status == 0:
+    if warns and result.status == 0:
         warn_user(
             f"The fit did not converge in {most} evaluations; the estimates are the last ones. "
             "Start closer to the solution, set `bounds`, or use `segments` for long or unstable "
             "motions."
         )
-    return z, residuals, jacobian, found
+    return z, residuals, jacobian, result
 
 
 def _sizes(
     residuals: np.ndarray, jacobian: np.ndarray, z: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the size of residuals, and changes of parameters that change them as much."""
+    """Return the size of the residuals, and the parameter changes that change them as much."""
     size = _power_of_two(np.linalg.norm(residuals), np.ones(()))
     # Parameters may have no effect, and residuals may not be finite.
     return size, _power_of_two(size / np.linalg.norm(jacobian, axis=0), np.abs(z))
@@ -103,7 +112,7 @@ def _search(
     units: np.ndarray,
     most: int,
 ) -> Any:
-    """Search by SciPy with residuals and parameters in units of their sizes."""
+    """Call SciPy's search with residuals and parameters in units of their sizes."""
     return scipy.optimize.least_squares(
         lambda w: at(w * units)[0] / size, z / units, lambda w: at(w * units)[1] * (units / size),
         (bounds[0] / units, bounds[1] / units), x_scale="jac",
@@ -112,8 +121,8 @@ def _search(
 
 
 def _power_of_two(sizes: Any, otherwise: np.ndarray) -> np.ndarray:
-    """Return powers of two that are near sizes, or near others where these are none; else 1."""
-    for given in (otherwise, np.ones(())):
-        sizes = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, given)
+    """Return powers of two near some sizes; invalid sizes are replaced by `otherwise`, or 1."""
+    for substitute in (otherwise, np.ones(())):
+        sizes = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, substitute)
     powers: np.ndarray = np.ldexp(1.0, np.frexp(sizes)[1])
     return powers

@@ -1,7 +1,7 @@
 """Fits by shooting: residuals and their derivatives from simulations with sensitivities.
 
-A trial may be divided into segments, each with an initial state of its own. The gaps between them
-are further residuals, whose weights grow from search to search (multiple shooting).
+A trial may be divided into segments, each with its own initial state (multiple shooting). The gaps
+between segments are additional residuals, whose weights grow from search to search.
 """
 
 from __future__ import annotations
@@ -21,28 +21,28 @@ from pydy._optional import progress_of
 from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
-from pydy.analysis.fits.samples import Samples
+from pydy.analysis.fits.samples import TrialSamples
 from pydy.analysis.fits.search import estimate
 from pydy.analysis.tuning import LEAST_SIZE
 from pydy.solvers import SOLVERS
 from pydy.trajectory import Trajectory
 
-# Weights of the gaps between segments, in shares of a state's spread, from search to search.
+# Weights of the gaps between segments, relative to the states' spread, from search to search.
 _WEIGHTS = (1e1, 1e3, 1e5)
 
 
 @dataclass(frozen=True)
-class _Segment:
-    """A part of a trial that is simulated at once: samples ``first <= k < last``."""
+class _TrialSegment:
+    """A part of a trial that is simulated by itself: samples ``first <= k < last``."""
 
     first: int
     last: int
-    begin: float  # its time
+    begin: float  # its first time
     end: float
-    column: int | None  # in z, of the states at its beginning; None for those of the trial
+    column: int | None  # of its initial states in z; None for the trial's initial conditions
 
 
-class Shooting:
+class ShootingFit:
     """The residuals of a fit as a function of z."""
 
     def __init__(self, problem: FitProblem, segments: int, options: dict[str, Any]) -> None:
@@ -54,9 +54,9 @@ class Shooting:
         if problem.dependents:
             self.options.setdefault("constraints", "project")
         self.names = list(problem.names)  # of all of z
-        self.segments = [self._divided(d, segments) for d in problem.trials]
-        self.places = [problem.states.index(s) for s in problem.independent]
-        self.spread = np.ones(len(problem.independent))
+        self.segments = [self._split_trial(d, segments) for d in problem.trials]
+        self.state_indices = [problem.states.index(s) for s in problem.independent]
+        self.state_spread = np.ones(len(problem.independent))
         n = len(problem.states)
         self.largest, self.sizes = np.zeros(n), np.ones(n)
         self.weight = 0.0  # of the gaps
@@ -65,7 +65,7 @@ class Shooting:
         if self._is_stiff():
             self.solver = SOLVERS["radau"]
 
-    def _divided(self, d: Samples, segments: int) -> list[_Segment]:
+    def _split_trial(self, d: TrialSamples, segments: int) -> list[_TrialSegment]:
         m = len(d.times)
         edges = np.unique(np.linspace(0, m - 1, segments + 1).round().astype(int))
         parts = []
@@ -78,14 +78,14 @@ class Shooting:
                 ]
             first = int(a) + 1 if j else 0
             begin = float(d.times[a]) if j else d.start
-            parts.append(_Segment(first, int(b) + 1, begin, float(d.times[b]), column))
-        return parts or [_Segment(0, m, d.start, float(d.times[-1]), None)]
+            parts.append(_TrialSegment(first, int(b) + 1, begin, float(d.times[b]), column))
+        return parts or [_TrialSegment(0, m, d.start, float(d.times[-1]), None)]
 
     def _is_stiff(self) -> bool:
-        """Return whether a user's solver is SciPy's, and implicit, or odeint goes over to that.
+        """Return whether the equations are stiff, which the user's solver shows.
 
-        Equations are stiff there: an explicit method takes as many steps as keep it stable,
-        whatever its tolerance.
+        It is an implicit method of SciPy, or odeint, which switches to an implicit method. An
+        explicit method would need steps that are limited by stability, whatever its tolerance.
         """
         solver, segment = self.problem.model.solver, self.segments[0][0]
         times = self.problem.trials[0].times[segment.first : segment.last]
@@ -94,37 +94,43 @@ class Shooting:
             return solver.method.__name__ in ("Radau", "BDF")
         if not is_odeint(solver) or "events" in self.options or len(times) < 2:
             return False
-        now, _, _ = self.problem.motion(self.problem.start, 0, times)
+        trial_problem, _, _ = self.problem.motion(self.problem.start, 0, times)
 
         def rates(x: np.ndarray, t: float) -> np.ndarray:
-            row: np.ndarray = now.at(np.array([t]), x[None]).rates()[0]
+            row: np.ndarray = trial_problem.at(np.array([t]), x[None]).rates()[0]
             return row
 
-        with suppress(RuntimeError, SingularMatrixError):  # which the fit itself reports
-            _, info = call_odeint(rates, now.x, times, (), self.problem.states, {})
+        with suppress(RuntimeError, SingularMatrixError):  # the fit itself will report these
+            _, info = call_odeint(rates, trial_problem.x, times, (), self.problem.states, {})
             return bool(np.mean(info["mused"] == 2) > 0.5)  # odeint's method for stiff equations
         return False
 
     # -- simulations ------------------------------------------------------------------------------
 
-    def simulate(self, now: Problem, parameters: list[Any]) -> Trajectory:
+    def simulate(self, trial_problem: Problem, parameters: list[Any]) -> Trajectory:
         """Simulate with sensitivities."""
         request = SensitivityRequest(parameters, self.controlled)
         motion = simulate(
-            now, now.settings.times, solver=self.solver, sensitivities=request, **self.options
+            trial_problem,
+            trial_problem.settings.times,
+            solver=self.solver,
+            sensitivities=request,
+            **self.options,
         )
         return motion.trajectory
 
-    def fly(self, z: np.ndarray, k: int, segment: _Segment) -> tuple[Trajectory, list[int], int]:
-        """Simulate a segment; return its motion, the columns, and the place of the first sample."""
+    def fly(
+        self, z: np.ndarray, k: int, segment: _TrialSegment
+    ) -> tuple[Trajectory, list[int], int]:
+        """Simulate a segment; return its motion, the columns, and the first sample's index."""
         d = self.problem.trials[k]
         times = d.times[segment.first : segment.last]
         skip = int(not len(times) or times[0] > segment.begin)
         times = np.append(segment.begin, times) if skip else times
         if len(times) < 2:
-            times = np.append(times, times)  # a single sample, where the segment begins
-        now, parameters, columns = self.problem.motion(z, k, times, segment.column)
-        motion = self.simulate(now, parameters)
+            times = np.append(times, times)  # a single sample, at the start of the segment
+        trial_problem, parameters, columns = self.problem.motion(z, k, times, segment.column)
+        motion = self.simulate(trial_problem, parameters)
         self.largest = np.maximum(self.largest, np.abs(motion.states).max(axis=0))
         if len(motion.times) < len(times):
             raise ValueError(
@@ -136,7 +142,7 @@ class Shooting:
     def evaluate(self, z: np.ndarray, *, first: bool = False) -> tuple[np.ndarray, np.ndarray]:
         """Return residuals and gaps of all trials, and their derivatives.
 
-        Where a search begins, at the `first` z, all must be finite.
+        At the `first` z of a search, all must be finite.
         """
         values, slopes, gaps = [], [], []
         for k, d in enumerate(self.problem.trials):
@@ -145,49 +151,51 @@ class Shooting:
                 run = slice(skip, skip + segment.last - segment.first)
                 noise = d.noise[segment.first : segment.last]
                 model = np.stack([motion[key][run] for key in d.keys], axis=1)
-                there = np.isfinite(d.values[segment.first : segment.last])
+                measured = np.isfinite(d.values[segment.first : segment.last])
                 J = np.zeros((*model.shape, len(z)))
-                with np.errstate(all="ignore"):  # what is not finite is no step of the search
+                with np.errstate(all="ignore"):  # the search rejects values that are not finite
                     missed = (model - d.values[segment.first : segment.last]) / noise
                     for q, key in enumerate(d.keys):
                         J[:, q, columns] = motion.sensitivity[key][run] / noise[:, q, None]
                 sound = np.isfinite(missed) & np.isfinite(J).all(axis=2)
-                if first and (there & ~sound).any():
-                    at, q = np.argwhere(there & ~sound)[0].tolist()
+                if first and (measured & ~sound).any():
+                    at, q = np.argwhere(measured & ~sound)[0].tolist()
                     raise ValueError(
                         f"`measured[{d.names[q]}]` of {d.label} has no finite value or "
                         "derivatives in the motion that the search begins with: at t = "
                         f"{d.times[segment.first + at]:g} it is {model[at, q]:g}. Begin with other "
                         "constants or initial conditions, or measure another expression."
                     )
-                values.append(missed[there])
-                slopes.append(J[there])
+                values.append(missed[measured])
+                slopes.append(J[measured])
                 gaps.append(np.zeros(len(values[-1]), dtype=bool))
                 if j + 1 < len(self.segments[k]):
                     ahead = self._states_of(self.segments[k][j + 1])
-                    scale = self.weight / self.spread
-                    G = np.zeros((len(self.places), len(z)))
+                    scale = self.weight / self.state_spread
+                    G = np.zeros((len(self.state_indices), len(z)))
                     with np.errstate(all="ignore"):
-                        values.append((motion.states[-1][self.places] - z[ahead]) * scale)
-                        G[:, columns] = motion.sensitivity.values[-1][self.places] * scale[:, None]
+                        values.append((motion.states[-1][self.state_indices] - z[ahead]) * scale)
+                        G[:, columns] = (
+                            motion.sensitivity.values[-1][self.state_indices] * scale[:, None]
+                        )
                     G[:, ahead] -= np.diag(scale)
                     slopes.append(G)
                     gaps.append(np.ones(len(G), dtype=bool))
         self.is_gap = np.concatenate(gaps)
         return np.concatenate(values), np.concatenate(slopes)
 
-    def _states_of(self, segment: _Segment) -> slice:
-        """Return the columns of the states at the beginning of a segment, but the first one."""
+    def _states_of(self, segment: _TrialSegment) -> slice:
+        """Return the columns of the initial states of a segment, which is not the first one."""
         assert segment.column is not None
-        return slice(segment.column, segment.column + len(self.places))
+        return slice(segment.column, segment.column + len(self.state_indices))
 
     def measure(self) -> bool:
         """Set the sizes of the states and tolerances; return whether these became much tighter.
 
-        A state that is small beside the other coordinates, or the other speeds, may be nothing but
-        their rounding.
+        A state that is much smaller than the other coordinates, or the other speeds, may be a
+        rounding error of these: sizes are at least a share of the largest.
         """
-        first = len(self.problem.now.definition.equations.coordinates)
+        first = len(self.problem.base.definition.equations.coordinates)
         for part in (slice(first), slice(first, None)):
             largest = self.largest[part]
             size = largest.max(initial=0.0)
@@ -200,7 +208,7 @@ class Shooting:
     # -- the search -------------------------------------------------------------------------------
 
     def guess(self) -> np.ndarray:
-        """Return the first z: at segments the measured states, else the motion so far."""
+        """Return the initial guess: segments start from measured or simulated states."""
         problem = self.problem
         z = np.append(problem.start, np.zeros(len(self.names) - problem.count))
         starts = []
@@ -214,19 +222,19 @@ class Shooting:
                     sample = d.values[segment.last - 1, q]
                     if key in problem.states and np.isfinite(sample):
                         end[problem.states.index(key)] = sample
-                z[self._states_of(following)] = end[self.places]
-                starts.append(end[self.places])
+                z[self._states_of(following)] = end[self.state_indices]
+                starts.append(end[self.state_indices])
         if starts:
             self.measure()
-            least = 1e-2 * self.sizes[self.places]  # the scales at which segments join, at least
-            self.spread = np.maximum(np.std(starts, axis=0), least)
+            least = 1e-2 * self.sizes[self.state_indices]  # lower bound of the gaps' scales
+            self.state_spread = np.maximum(np.std(starts, axis=0), least)
         return z
 
     def minimum(self, z: np.ndarray, most: int, progress: bool) -> Minimum:
-        """Return the least squares from z on, by at most so many evaluations."""
+        """Return the least-squares minimum, searched for from z by at most `most` evaluations."""
         problem, count = self.problem, 0
         size = problem.samples + (len(z) - problem.count)
-        # A search may try a gap that is negative at first, or a restitution above one.
+        # A search may try values that contacts reject: a negative gap, a restitution above one.
         contacts = problem.model.contacts
         refused = () if contacts is None else (contacts.infeasible,)
 
@@ -260,12 +268,12 @@ class Shooting:
     def _without_gaps(
         self, values: np.ndarray, J: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, list[dict[str, np.ndarray]]]:
-        """Return residuals without gaps, derivatives by the parameters, and tables of residuals."""
+        """Return residuals without gaps, their derivatives, and the tables of residuals."""
         k = self.problem.count
         gap = np.append(self.is_gap, np.zeros(len(values) - len(self.is_gap), dtype=bool))
         by_parameters = J[~gap, :k]
         if gap.any():
-            # The states between segments follow from the parameters: their gaps stay closed.
+            # The segments' initial states follow from the parameters if the gaps stay closed.
             follow = np.linalg.solve(J[gap, k:], -J[gap, :k])
             by_parameters = by_parameters + J[~gap, k:] @ follow
         residuals, start = [], 0
@@ -273,11 +281,11 @@ class Shooting:
             table = np.full(d.values.shape, np.nan)
             for j, segment in enumerate(segments):
                 run = slice(segment.first, segment.last)
-                there = np.isfinite(d.values[run])
-                block = np.full(there.shape, np.nan)
-                count = int(there.sum())
-                block[there] = -values[start : start + count]
+                measured = np.isfinite(d.values[run])
+                block = np.full(measured.shape, np.nan)
+                count = int(measured.sum())
+                block[measured] = -values[start : start + count]
                 table[run] = block * d.noise[run]
-                start += count + (len(self.places) if j + 1 < len(segments) else 0)
+                start += count + (len(self.state_indices) if j + 1 < len(segments) else 0)
             residuals.append(dict(zip(d.names, table.T, strict=True)))
         return values[~gap], by_parameters, residuals

@@ -120,15 +120,15 @@ def checked_samples(trial: Trial, label: str, times: np.ndarray) -> np.ndarray:
         raise ValueError(f"`measured` of {label} must hold at least one quantity.")
     columns = []
     for key, samples in measured.items():
-        what = f"`measured[{text_of(key)}]` of {label}"
-        column = real_array(samples, what)
+        subject = f"`measured[{text_of(key)}]` of {label}"
+        column = real_array(samples, subject)
         if column.shape != times.shape:
             raise ValueError(
-                f"{what} must have the shape {times.shape}, a sample for "
+                f"{subject} must have the shape {times.shape}, a sample for "
                 f"each of the `times`, got {column.shape}."
             )
         if np.isinf(column).any():
-            raise ValueError(f"{what} must be finite, or NaN where a sample is missing.")
+            raise ValueError(f"{subject} must be finite, or NaN where a sample is missing.")
         columns.append(column)
     values = np.stack(columns, axis=1)
     if np.isnan(values).all():
