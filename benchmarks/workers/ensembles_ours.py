@@ -17,7 +17,7 @@ from harness.serve import serve
 from pydy._backends.registry import compile_program
 from pydy._kernel import KernelCall
 from pydy.ensemble.engine import Ensemble
-from pydy.ensemble.model import Model
+from pydy.ensemble.model import EnsembleModel
 from pydy.ensemble.samples import Samples
 from pydy.ensemble.work import Work, read_reductions
 from pydy.solvers.options import read_options
@@ -41,7 +41,7 @@ class Ours:
     ) -> Ensemble:
         names = tuple(f"x{k}" for k in range(self.x.shape[1]))
         read = read_options(method, True, options)
-        model = Model(self.program, None, names, (), method, read, TIMES)
+        model = EnsembleModel(self.program, None, names, (), method, read, TIMES)
         work = Work(model, read_reductions(reduce, model, str), {})
         dims = {"sample": count}
         rows = (np.resize(self.x, (count, len(names))), np.resize(self.p, (count, len(self.p[0]))))

@@ -14,7 +14,7 @@ import loops
 from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy._program.interpret import run as interpret
-from pydy.ensemble.model import Batch, Model
+from pydy.ensemble.model import Batch, EnsembleModel
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
@@ -456,7 +456,7 @@ def told(ask):
         with pytest.MonkeyPatch.context() as patch, warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             if not lanes:
-                patch.setattr(Model, "in_lanes", False)
+                patch.setattr(EnsembleModel, "in_lanes", False)
             found.append((ask(), {str(warning.message) for warning in caught}))
         assert found[-1][0].attrs["lanes"] == (8 if lanes else 1)
     identical(found[0][0], found[1][0])

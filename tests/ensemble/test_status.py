@@ -9,7 +9,7 @@ import sympy as sm
 import zoo
 from cases import system_of
 from ensemble_cases import constant, runaway
-from pydy.ensemble.model import Model
+from pydy.ensemble.model import EnsembleModel
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
@@ -65,7 +65,7 @@ def test_lanes_and_single_integrations_give_the_same_codes(monkeypatch):
     start = {x: 0.0, v: [0.1, 1.0]}
     lanes = system.integrate_ensemble(initial_conditions=start, max_steps=1000)
     assert lanes.attrs["lanes"] == 8
-    monkeypatch.setattr(Model, "in_lanes", False)
+    monkeypatch.setattr(EnsembleModel, "in_lanes", False)
     single = system.integrate_ensemble(initial_conditions=start, max_steps=1000)
     assert single.attrs["lanes"] == 1
     assert names(lanes) == names(single) == ["finished", "step_underflow"]

@@ -7,7 +7,7 @@ import pytest
 
 from ensemble_cases import runaway
 from pydy.ensemble import engine
-from pydy.ensemble.model import Model
+from pydy.ensemble.model import EnsembleModel
 from pydy.ensemble.work import Work
 from pydy.models import multi_mass_spring_damper
 
@@ -48,7 +48,7 @@ def test_quick_samples_that_come_one_by_one_come_in_larger_blocks(monkeypatch, b
     monkeypatch.setattr(Work, "__call__", lambda *a: called.append(1) or own(*a))
     monkeypatch.setattr(engine, "BRIEF", brief)
     monkeypatch.setattr(engine, "_processors", lambda: 2)
-    monkeypatch.setattr(Model, "in_lanes", False)
+    monkeypatch.setattr(EnsembleModel, "in_lanes", False)
     system = multi_mass_spring_damper(1)
     system.ode_solver, system.times = "radau", [0.0, 1.0]
     x = np.linspace(0.1, 0.2, 200)

@@ -38,7 +38,7 @@ class Hybrid(Protocol):
         columns: Sequence[int],
         options: Mapping[str, Any],
     ) -> Any:
-        """Return the motions of the samples of an ensemble; see `pydy.ensemble.model.Motions`.
+        """Return the motions of an ensemble's samples; see `pydy.ensemble.model.SampleMotions`.
 
         The `specifieds` are those of all samples, `columns` the places of those that vary.
         """

@@ -1,8 +1,8 @@
 """Many trajectories of one model: the implementation of `System.integrate_ensemble`.
 
-`integration` makes a `Model` of Programs, names and options, and `Samples` of numbers, from a
-Problem and what varies; an engine runs them in blocks, in threads or as Dask tasks. Workers need
-these alone, without SymPy.
+`integration` turns a Problem and the varied numbers into an `EnsembleModel` (Programs, names and
+options) and `Samples` (arrays of numbers). An engine runs them in blocks, in threads or as Dask
+tasks. Workers need only these objects, and not SymPy.
 """
 
 import lazy_loader

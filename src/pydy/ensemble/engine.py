@@ -1,4 +1,4 @@
-"""Blocks of an ensemble in threads, as Dask tasks, and written to a Zarr store."""
+"""Runs the blocks of an ensemble in threads or as Dask tasks, or writes them to a Zarr store."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from pydy._optional import progress_of, require
 from pydy._processes import LOOK
 from pydy.ensemble import store as stores
 from pydy.ensemble.samples import (
+    ArrayForm,
     Block,
-    Form,
+    LabelledArray,
     Samples,
-    Variable,
     block_sizes,
     check_forms,
     to_dataset,
@@ -32,11 +32,11 @@ from pydy.ensemble.samples import (
 from pydy.ensemble.work import SMALLEST_BLOCK, Work
 from pydy.solvers import Outcome
 
-# Eight samples one after the other that take less, in seconds, come in larger blocks: each costs
-# 0.5 ms, and of 64 an interrupt loses 0.2 s at most.
+# If eight samples, integrated one by one, take less time than this (in seconds), blocks are larger:
+# a block costs 0.5 ms, and an interrupt loses at most 0.2 s of work in a block of 64.
 BRIEF = 0.02
 
-_ENDED: set[str] = set()  # runs of Dask in this process that have ended, or were interrupted
+_ENDED: set[str] = set()  # Dask runs of this process that have ended or were interrupted
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,22 +45,22 @@ class Ensemble:
 
     work: Work
     samples: Samples
-    chunks: Any  # sizes of blocks as the user gave them
+    chunks: Any  # sizes of blocks, as passed by the user
     attrs: dict[str, Any]  # of the Dataset
-    workers: int | None = None  # number of threads; None for one for each processor
+    workers: int | None = None  # number of threads; None means one for each processor
     progress: bool = False
 
     @cached_property
     def sizes(self) -> tuple[int, ...]:
         """The sizes of blocks along each dimension."""
         model = self.work.model
-        # Work with few samples goes to all threads; large results come in pieces.
+        # Few samples are distributed to all threads; large results are divided.
         row = 8.0 * len(self.work.names) * (8 if self.work.reductions else len(model.times))
         row *= 1 + len(model.columns)
-        # One by one takes long: an interrupt should find blocks that are finished.
-        # With more samples an interrupt waits, and threads end at different times.
+        # Integration one by one is slow: blocks are small, so that an interrupt loses little.
+        # In lanes, larger blocks would delay an interrupt and end at different times.
         most = 8192 if model.in_lanes else SMALLEST_BLOCK
-        # About 8 MB of results fit the cache that processors share.
+        # About 8 MB of results fit into the processors' shared cache.
         default = int(min(max(8e6 / row, SMALLEST_BLOCK), most))
         return block_sizes(self.samples.dims, self.chunks, default)
 
@@ -69,97 +69,104 @@ class Ensemble:
     def run(self) -> Any:
         """Return the Dataset, computed on threads."""
         shape, model = self.samples.shape, self.work.model
-        # Small enough that all threads end at about the same time; sizes decide no bit.
+        # Blocks are so small that all threads end at about the same time. Results do not depend on
+        # the sizes.
         if self.samples.size <= SMALLEST_BLOCK and model.in_lanes and not self.progress:
-            every = tuple(slice(0, size) for size in shape)  # interrupts are heeded here
-            done = _Here().submit(self.work, self.samples)
+            every = tuple(slice(0, size) for size in shape)  # Ctrl-C works in this thread
+            done = _SerialExecutor().submit(self.work, self.samples)
             _check(done, every, self.samples)
             return self._dataset(done.result())
         share = -(-self.samples.size // (4 * self._threads()))
-        # An interrupt keeps the finished blocks of what takes long.
+        # Slow integrations get small blocks: an interrupt preserves those that are finished.
         number = max(SMALLEST_BLOCK, min(prod(self.sizes), share)) if model.in_lanes else 8
-        left = self._blocks(number)
-        whole: dict[str, Variable] = {}
+        pending = self._blocks(number)
+        results: dict[str, LabelledArray] = {}
         lock = Lock()
         states = None
-        if not self.work.reductions:  # each block writes its states where they belong
+        if not self.work.reductions:  # each block writes its states into the full array
             states = np.empty((len(model.states), self.samples.size, len(model.times)))
         placed = {} if states is None else dict(zip(model.states, states, strict=True))
 
         def do(block: Block, stop: Callable[[], bool]) -> None:
-            part = self.samples.of(block)
-            here = None
-            if states is not None:  # blocks are runs of samples: see `block_sizes`
+            part = self.samples.in_block(block)
+            target = None
+            if states is not None:  # blocks are contiguous samples: see `block_sizes`
                 first = int(np.ravel_multi_index([s.start for s in block], shape)) if block else 0
-                here = states[:, first : first + part.size]
-            found = self.work(part, stop, here)
+                target = states[:, first : first + part.size]
+            block_results = self.work(part, stop, target)
             with lock:
-                if not whole:  # all of them at once: memory may end on the way
+                if not results:  # allocate all arrays at once, in case memory runs out
                     every = {}
-                    for name, v in found.items():
+                    for name, v in block_results.items():
                         sizes = (*shape, *v.values.shape[len(block) :])
-                        known = placed.get(name)
-                        values = np.empty(sizes, v.values.dtype) if known is None else known
-                        every[name] = Variable(v.dims, values.reshape(sizes), v.attrs)
-                    whole.update(every)
-            check_forms(found, self._forms(whole), block)
-            for name, v in found.items():
+                        preallocated = placed.get(name)
+                        values = (
+                            np.empty(sizes, v.values.dtype)
+                            if preallocated is None
+                            else preallocated
+                        )
+                        every[name] = LabelledArray(v.dims, values.reshape(sizes), v.attrs)
+                    results.update(every)
+            check_forms(block_results, self._forms(results), block)
+            for name, v in block_results.items():
                 if name not in placed:
-                    whole[name].values[block] = v.values
+                    results[name].values[block] = v.values
             with lock:
-                left.remove(block)
+                pending.remove(block)
 
         try:
-            if not model.in_lanes and share > number and self._is_brief(left[0], do):
-                left[:] = self._blocks(min(SMALLEST_BLOCK, share))
-            self._on_threads(tuple(left), do)
+            if not model.in_lanes and share > number and self._is_brief(pending[0], do):
+                pending[:] = self._blocks(min(SMALLEST_BLOCK, share))
+            self._on_threads(tuple(pending), do)
         except (KeyboardInterrupt, MemoryError) as error:
-            if not whole:
+            if not results:
                 raise
-            results = self._finished(whole, left)
+            finished = self._finished(results, pending)
             if isinstance(error, MemoryError):
-                note_finished(error, f"{results[0]} are finished,", results=results[1])
+                note_finished(error, f"{finished[0]} are finished,", results=finished[1])
                 raise
             raise EnsembleInterrupted(
-                f"The ensemble was interrupted: {results[0]} are finished. They are in the "
+                f"The ensemble was interrupted: {finished[0]} are finished. They are in the "
                 f"attribute `results` of this error; `status` is {Outcome.NOT_COMPUTED} for the "
                 "others.",
-                results[1],
+                finished[1],
             ) from None
-        return self._dataset(whole)
+        return self._dataset(results)
 
     def _blocks(self, number: int) -> list[Block]:
-        """Return blocks of so many samples, as nearly as whole rows allow."""
+        """Return blocks of at most so many samples, in complete rows."""
         sizes = block_sizes(self.samples.dims, number, number)
         return [block for _, block in self.samples.blocks(sizes)]
 
     def _is_brief(self, block: Block, do: Callable[[Block, Callable[[], bool]], None]) -> bool:
-        """Compute a block here; return whether that took so short that larger ones are better."""
+        """Compute a block in this thread; return whether it is so fast that larger ones pay off."""
         began = time.perf_counter()
-        _check(_Here().submit(do, block, lambda: False), block, self.samples)
+        _check(_SerialExecutor().submit(do, block, lambda: False), block, self.samples)
         return time.perf_counter() - began < BRIEF
 
-    def _finished(self, whole: dict[str, Variable], left: Sequence[Block]) -> tuple[str, Any]:
-        """Return the number of finished samples, in words, and their Dataset."""
-        for block in left:
-            for name, v in whole.items():
+    def _finished(
+        self, results: dict[str, LabelledArray], pending: Sequence[Block]
+    ) -> tuple[str, Any]:
+        """Return the number of finished samples as text, and their Dataset."""
+        for block in pending:
+            for name, v in results.items():
                 nothing = np.nan if v.values.dtype.kind in "fc" else np.zeros((), v.values.dtype)
                 v.values[block] = Outcome.NOT_COMPUTED if name == "status" else nothing
-        status = whole["status"].values
+        status = results["status"].values
         number = np.sum(status != Outcome.NOT_COMPUTED)
-        return f"{number} of {status.size} samples", self._dataset(whole)
+        return f"{number} of {status.size} samples", self._dataset(results)
 
-    def _forms(self, variables: Mapping[str, Variable]) -> dict[str, Form]:
+    def _forms(self, variables: Mapping[str, LabelledArray]) -> dict[str, ArrayForm]:
         first = len(self.samples.dims)
         return {
-            name: Form.of(v.dims, v.values.shape, v.values.dtype, first)
+            name: ArrayForm.from_array(v.dims, v.values.shape, v.values.dtype, first)
             for name, v in variables.items()
         }
 
     def _threads(self) -> int:
         return self.workers or _processors()
 
-    def _dataset(self, variables: dict[str, Variable]) -> Any:
+    def _dataset(self, variables: dict[str, LabelledArray]) -> Any:
         times = self.work.model.times
         labels = self.work.labels
         return to_dataset(variables, self.samples.coordinates, times, self.attrs, labels)
@@ -169,15 +176,15 @@ class Ensemble:
         blocks: Sequence[Block],
         do: Callable[[Block, Callable[[], bool]], None],
     ) -> None:
-        """Call ``do(block, stop)`` for each block; it ends soon when ``stop()`` is true."""
+        """Call ``do(block, stop)`` for each block; calls return soon after ``stop()`` is true."""
         stop, total = Event(), sum(map(_size, blocks))
         workers = _startable(min(self._threads(), len(blocks)))
         most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}
         with (
-            progress_of(self.progress, " samples", total) as told,
-            ThreadPoolExecutor(workers, "ensemble") if workers else _Here() as pool,
+            progress_of(self.progress, " samples", total) as report,
+            ThreadPoolExecutor(workers, "ensemble") if workers else _SerialExecutor() as pool,
         ):
             try:
                 while True:
@@ -188,16 +195,16 @@ class Ensemble:
                     for future in wait(running, LOOK, FIRST_COMPLETED).done:
                         block = running.pop(future)
                         _check(future, block, self.samples)
-                        told(_size(block))
+                        report(_size(block))
             finally:
-                stop.set()  # blocks that are under way end within a moment
+                stop.set()  # running blocks return soon
                 for future in running:
                     future.cancel()
 
     # -- lazily -------------------------------------------------------------------------------
 
     def lazy(self) -> Any:
-        """Return a Dataset of Dask arrays, a task for each block."""
+        """Return a Dataset of Dask arrays with a task for each block."""
         blocks = list(self.samples.blocks(self.sizes))
         dask = require("dask", "ensemble", "`chunks`")
         array = require("dask.array", "ensemble", "`chunks`")
@@ -206,27 +213,27 @@ class Ensemble:
         example = self._example()
         forms = self._forms(example)
         tasks: dict[tuple[int, ...], tuple[Any, Block]] = {}
-        for place, block in blocks:
-            tasks[place] = compute(work, self.samples.of(block), forms), block
+        for position, block in blocks:
+            tasks[position] = compute(work, self.samples.in_block(block), forms), block
         numbers = [
-            -(-whole // size) for whole, size in zip(self.samples.shape, self.sizes, strict=True)
+            -(-length // size) for length, size in zip(self.samples.shape, self.sizes, strict=True)
         ]
 
-        def gather(name: str, v: Variable, place: tuple[int, ...] = ()) -> Any:
-            if len(place) == len(numbers):
-                task, block = tasks[place]
+        def gather(name: str, v: LabelledArray, position: tuple[int, ...] = ()) -> Any:
+            if len(position) == len(numbers):
+                task, block = tasks[position]
                 shape = (*(s.stop - s.start for s in block), *v.values.shape[len(block) :])
                 return array.from_delayed(task[name], shape, v.values.dtype)
-            axis = len(place)
-            parts = [gather(name, v, (*place, k)) for k in range(numbers[axis])]
+            axis = len(position)
+            parts = [gather(name, v, (*position, k)) for k in range(numbers[axis])]
             return parts[0] if len(parts) == 1 else array.concatenate(parts, axis=axis)
 
-        variables = {n: Variable(v.dims, gather(n, v), v.attrs) for n, v in example.items()}
+        variables = {n: LabelledArray(v.dims, gather(n, v), v.attrs) for n, v in example.items()}
         return self._dataset(variables)
 
-    def _example(self) -> dict[str, Variable]:
-        """Return the results of the first sample, for the names, sizes and types of all."""
-        return self.work(self.samples.of(self._first()))
+    def _example(self) -> dict[str, LabelledArray]:
+        """Return the results of the first sample, which define names, sizes and types of all."""
+        return self.work(self.samples.in_block(self._first()))
 
     def _first(self) -> Block:
         return tuple(slice(0, 1) for _ in self.samples.dims)
@@ -247,35 +254,35 @@ class Ensemble:
         if stores.check(path, parts, bool(resume)):
             stores.write_coordinates(path, self.samples, times)
         else:
-            first = self.samples.of(self._first())
+            first = self.samples.in_block(self._first())
             example = to_dataset(self._example(), first.coordinates, times, self.attrs)
-            about = path, parts, example, self.samples, self.sizes, self.work.labels
-            # In a thread that is waited for: Zarr's own would go on writing after an exception
-            # that a signal handler raises here, while what is written there is being removed.
-            with ThreadPoolExecutor(1, "store") if _startable(1) else _Here() as pool:
-                pool.submit(stores.create, *about).result()
-        left = stores.missing(path, [block for _, block in self.samples.blocks(self.sizes)])
+            arguments = path, parts, example, self.samples, self.sizes, self.work.labels
+            # In a separate thread: after an exception from a signal handler in this thread, Zarr's
+            # threads would continue to write while the files are being removed.
+            with ThreadPoolExecutor(1, "store") if _startable(1) else _SerialExecutor() as pool:
+                pool.submit(stores.create, *arguments).result()
+        pending = stores.missing(path, [block for _, block in self.samples.blocks(self.sizes)])
         scheduler = self._scheduler()
         if scheduler is None:
             self._on_threads(
-                left,
+                pending,
                 lambda block, stop: stores.write(
-                    path, block, self.work(self.samples.of(block), stop)
+                    path, block, self.work(self.samples.in_block(block), stop)
                 ),
             )
-        elif left:
+        elif pending:
             dask = require("dask", "ensemble", "`store`")
             work = dask.delayed(self.work, traverse=False)
             write = dask.delayed(_compute_and_write, pure=False)
             run = uuid4().hex
             try:
-                dask.compute([write(work, self.samples.of(b), path, b, run) for b in left])
+                dask.compute([write(work, self.samples.in_block(b), path, b, run) for b in pending])
             finally:
                 _ENDED.add(run)
-        return stores.opened(path, {} if scheduler else None)
+        return stores.open_dataset(path, {} if scheduler else None)
 
     def _parts(self, resume: bool | str) -> dict[str, str]:
-        """Return what the store is compared by; see `stores.parts_of`."""
+        """Return the digests that identify the store; see `stores.parts_of`."""
         name = resume if isinstance(resume, str) else ""
         users = ["`reduce`"] if self.work.function else []
         users += ["`specifieds`"] if self.work.model.functions else []
@@ -302,14 +309,14 @@ def _size(block: Block) -> int:
 
 
 def _processors() -> int:
-    """Return how many processors this process may use."""
+    """Return the number of processors that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
 def _startable(number: int) -> int:
-    """Return how many threads can be started, up to a given number."""
+    """Return the number of threads that can be started, limited to `number`."""
     end, started = Event(), []
     try:
         for _ in range(number):
@@ -325,8 +332,8 @@ def _startable(number: int) -> int:
     return len(started)
 
 
-class _Here(Executor):
-    """Calls functions at once in the calling thread, where there is no use in another, or none."""
+class _SerialExecutor(Executor):
+    """Calls functions immediately in the calling thread, if another is not possible or useful."""
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         future: Future[Any] = Future()
@@ -337,11 +344,11 @@ class _Here(Executor):
         return future
 
 
-def _compute(work: Work, samples: Samples, forms: dict[str, Form]) -> dict[str, np.ndarray]:
+def _compute(work: Work, samples: Samples, forms: dict[str, ArrayForm]) -> dict[str, np.ndarray]:
     """Compute one block: the task of a lazy Dataset."""
-    found = work(samples)
-    check_forms(found, forms, tuple(samples.dims))
-    return {name: v.values for name, v in found.items()}
+    results = work(samples)
+    check_forms(results, forms, tuple(samples.dims))
+    return {name: v.values for name, v in results.items()}
 
 
 def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, run: str) -> None:
@@ -354,12 +361,12 @@ def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, ru
 
 
 def _check(future: Future[None], block: Block, samples: Samples) -> None:
-    """Raise the error that a block met, with the block's position."""
+    """Raise the error of a block, with a note of the block's position."""
     try:
         future.result()
     except Exception as error:
-        where = ", ".join(
+        position = ", ".join(
             f"{dim} {s.start} to {s.stop - 1}" for dim, s in zip(samples.dims, block, strict=True)
         )
-        error.add_note(f"This happened in the samples {where or 'given'} of the ensemble.")
+        error.add_note(f"This happened in the samples {position or 'given'} of the ensemble.")
         raise

@@ -26,7 +26,7 @@ from pydy._problem import (
 from pydy._version import __version__
 from pydy.codegen import SpecifiedsPlan
 from pydy.ensemble.engine import Ensemble
-from pydy.ensemble.model import EnsembleSensitivities, Kept, Model
+from pydy.ensemble.model import ConstraintChecks, EnsembleModel, EnsembleSensitivities
 from pydy.ensemble.names import ResultNames
 from pydy.ensemble.samples import PARAMETER, QUANTITY
 from pydy.ensemble.variations import read_samples, split_specifieds
@@ -61,7 +61,8 @@ def integrate_ensemble(
 ) -> Any:
     """Integrate a Problem with many different numbers; see `System.integrate_ensemble`.
 
-    What is not varied is as in the Problem. The symbols of `events` are constants of it already.
+    Values that are not varied are those of the Problem. Its constants already include the symbols
+    of `events`.
     """
     product, progress = flag(product, "`product`"), flag(progress, "`progress`")
     control = flag(control_sensitivities, "`control_sensitivities`")
@@ -75,10 +76,12 @@ def integrate_ensemble(
     definition, motions = problem.definition, None
     if problem.hybrid is not None:
         columns = definition.places["specifieds"].columns(varied, "specifieds").tolist()
-        wanted = {"sensitivities": sensitivities, "control_sensitivities": control}
-        motions = problem.hybrid.motions(problem, solver, common, columns, {**options, **wanted})
-        more = (SENSITIVITY, QUANTITY, PARAMETER) if motions.columns else ()
-        names = ResultNames(definition, more, motions.outputs)
+        sensitivity_options = {"sensitivities": sensitivities, "control_sensitivities": control}
+        motions = problem.hybrid.motions(
+            problem, solver, common, columns, {**options, **sensitivity_options}
+        )
+        reserved = (SENSITIVITY, QUANTITY, PARAMETER) if motions.columns else ()
+        names = ResultNames(definition, reserved, motions.outputs)
     else:
         names = ResultNames.latest(problem, sensitivities is not None)
     samples = read_samples(problem, plan, names, product, initial_conditions, constants, varied)
@@ -92,11 +95,13 @@ def integrate_ensemble(
         return StateSamples(definition, code, t, x, plan.inputs.rows(x, t), problem.p)
 
     if definition.equations.constraints.are_present:
-        mended = options.get("constraints") is not None
-        check_samples(at, float(times[0]), (samples.x, samples.r, samples.p), samples.shape, mended)
+        corrected = options.get("constraints") is not None
+        check_samples(
+            at, float(times[0]), (samples.x, samples.r, samples.p), samples.shape, corrected
+        )
         if motions is None:
             constraints = _constraint_checks(problem, code, plan, options)
-    if motions is not None:  # it has the events, and satisfies the constraints
+    if motions is not None:  # it handles events and constraints itself
         options = {k: v for k, v in options.items() if k not in _ABOUT_MODES}
     ready: PreparedIntegration | None = problem.model.code.latest.get("ensemble")
     if ready is None or not ready.is_compatible(plan, solver, options):
@@ -109,7 +114,7 @@ def integrate_ensemble(
         derivatives = ensemble_sensitivities(
             at(times[:1], problem.x[None]), augmented, compiled, control
         )
-        if "events" in compiled:  # workers need no SymPy
+        if "events" in compiled:  # without SymPy expressions, for the workers
             compiled = {**compiled, "events": replace(compiled["events"], sources=())}
     read = ready.read
     if read is None or derivatives is not None:
@@ -117,7 +122,7 @@ def integrate_ensemble(
     if derivatives is None:
         ready.read, problem.model.code.latest["ensemble"] = read, ready
     source = motions or derivatives
-    model = Model(
+    model = EnsembleModel(
         rates=ready.code.program("rates"),
         outputs=ready.code.program("outputs") if definition.outputs_symbols else None,
         states=names.states,
@@ -129,7 +134,7 @@ def integrate_ensemble(
         functions=plan.inputs.functions,
         jacobian=ready.code.jacobian_in_parts("rates", "x") if solver.name == "radau" else None,
         sensitivities=derivatives,
-        kept=constraints,
+        constraint_checks=constraints,
         motions=motions,
         columns=source.columns if source else (),
     )
@@ -149,11 +154,11 @@ def integrate_ensemble(
 
 
 def _plan_of(problem: Problem, varied: Iterable[Any], common: Mapping[Any, Any]) -> SpecifiedsPlan:
-    """Return how r is computed, with the specifieds of all samples; the varied ones are zero."""
+    """Return the plan of r with the specifieds that all samples share; varied ones are zero."""
     plan = problem.plan
     for values in filter(None, (common, dict.fromkeys(varied, 0.0))):
-        places = problem.definition.places["specifieds"]
-        update = SpecifiedsPlan(values, places, argument="specifieds")
+        specifieds = problem.definition.places["specifieds"]
+        update = SpecifiedsPlan(values, specifieds, argument="specifieds")
         if values is common:
             AssumptionChecks(problem).inputs(update)
         plan = plan.updated(update)
@@ -179,7 +184,7 @@ def _checked_times(problem: Problem, plan: SpecifiedsPlan, times: Any) -> np.nda
 
 
 def _native(solver: Any) -> Solver:
-    """Return a native solver, by itself or by name."""
+    """Return a native solver, from itself or its name."""
     native = SOLVERS.get(solver) if isinstance(solver, str) else solver
     if not isinstance(native, Solver) or native.name not in SOLVERS:
         raise ValueError(
@@ -191,10 +196,10 @@ def _native(solver: Any) -> Solver:
 
 def _constraint_checks(
     problem: Problem, code: CompiledModel, plan: SpecifiedsPlan, options: Mapping[str, Any]
-) -> Kept:
-    """Return the checks of whether motions satisfy the constraints and conserve energy."""
+) -> ConstraintChecks:
+    """Return the checks of the constraints and of the energy."""
     equations = problem.definition.equations
-    return Kept(
+    return ConstraintChecks(
         drift_programs(problem, code, plan),
         any(equations.constraints.redundant),
         equations.constraints.has_unprojected_rows,
@@ -204,7 +209,7 @@ def _constraint_checks(
 
 
 def _read(definition: Definition, solver: Solver, options: Mapping[str, Any]) -> Options:
-    """Return the options of a solver, of which some are compiled."""
+    """Return the checked options of a solver; events and constraints are compiled already."""
     numbers = {k: v for k, v in options.items() if k not in ("events", "constraints")}
     read = vars(read_options(solver.name, solver.adaptive, numbers))
     compiled = {k: v for k, v in options.items() if k not in numbers}
@@ -224,8 +229,8 @@ def _read(definition: Definition, solver: Solver, options: Mapping[str, Any]) ->
     return result
 
 
-def _attributes(model: Model) -> dict[str, Any]:
-    """Return the attributes of the Dataset: how its numbers were computed."""
+def _attributes(model: EnsembleModel) -> dict[str, Any]:
+    """Return the attributes of the Dataset, which document the solver."""
     from pydy.solvers import LaneSolver
 
     return {
@@ -246,7 +251,7 @@ def ensemble_sensitivities(
         assembly = at.model.assembly.fork()
         watch = replace(watch, nodes=assembly.lowered(watch.nodes(assembly), as_is=True))
     model, definition = sensitive.model, sensitive.definition
-    tied, wanted = sensitive.tied, sensitive.columns.wanted
+    tied, inputs = sensitive.tied, sensitive.columns.wanted
     events = options.get("events")
     return EnsembleSensitivities(
         columns=column_names({p.symbol: p.count for p in sensitive.parameters}),
@@ -257,14 +262,14 @@ def ensemble_sensitivities(
         gradients=tuple(model.jacobian_program(block, "x") for block in tied),
         unknowns=tuple(sensitive.unknowns),
         residuals=sensitive.tangent("holonomic", "velocity") if tied else None,
-        held=sensitive.whole.tangent("holonomic", "velocity") if tied else None,
+        projected_residuals=sensitive.whole.tangent("holonomic", "velocity") if tied else None,
         unsolved=sensitive.unsolved(),
         sampled=tuple(sensitive.weights()),
         sized=sensitive.sized(options),
         controlled=sensitive.controlled(control),
         sources=sensitive.columns.sources,
         jumps=tuple(
-            (program_of_event(model, event, wanted), changed_by(event, definition.states))
+            (program_of_event(model, event, inputs), changed_by(event, definition.states))
             for event in (() if events is None else events.sources)
         ),
         watched=watch,

@@ -1,4 +1,4 @@
-"""The model that an ensemble integrates, in a form that can be sent to other processes."""
+"""The compiled model of an ensemble, without SymPy, as it is sent to worker processes."""
 
 from __future__ import annotations
 
@@ -30,31 +30,30 @@ from pydy.trajectory import EventRecord
 if TYPE_CHECKING:
     from pydy.solvers import Integration, LaneTasks
 
-# -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
+# -- Sensitivities of an ensemble: Programs and numbers that are sent to the workers ---------------
 
 
 @dataclass(frozen=True, eq=False)
 class EnsembleSensitivities:
-    """Derivatives of all trajectories by the same parameters."""
+    """Derivatives of all trajectories with respect to the same parameters."""
 
     columns: tuple[str, ...]  # the names of the k columns
-    rates: Tangent  # the derivatives of states and columns by time
+    rates: Tangent  # the time derivatives of states and columns
     outputs: Program | None  # the derivatives of the outputs, shape (o, k)
     start: np.ndarray  # (n, k): those of the initial states; zero for the dependent ones
-    dependent: tuple[int, ...]  # the places of the initial conditions that follow from the others
+    dependent: tuple[int, ...]  # indices of the dependent initial conditions
     gradients: tuple[Program, ...]  # the derivatives of each block of constraints by the states
-    unknowns: tuple[range, ...]  # the places of the states that each block is solved for
+    unknowns: tuple[range, ...]  # indices of the states that each block is solved for
     residuals: Tangent | None  # the derivatives of the constraints, shape (c, k)
-    held: Any  # those of all constraints, as they are projected on
-    unsolved: str  # what to say where the dependent ones do not follow
-    # (places, SampledInput): the derivatives of sampled inputs by their samples, at the end
-    # of r
+    projected_residuals: Any  # the same for all constraints that projection satisfies
+    unsolved: str  # the message if the dependent initial conditions cannot be solved for
+    # (indices, SampledInput): the derivatives of sampled inputs by their samples, at the end of r
     sampled: tuple[tuple[np.ndarray, Any], ...]
     sized: tuple[ParameterSize, ...]  # the parameters
-    controlled: bool  # whether the step control looks at the sensitivities
+    controlled: bool  # whether the sensitivities take part in step-size control
     sources: np.ndarray  # (k, 2): see `solvers.sensitivities`
-    jumps: tuple[tuple[Program, tuple[int, ...]], ...]  # what each event does, and to which states
-    watched: Watched | None = None  # what derivatives do not know, if the rates switch at all
+    jumps: tuple[tuple[Program, tuple[int, ...]], ...]  # each event's Program and changed states
+    watched: Watched | None = None  # discontinuities that the derivatives miss, if there are any
 
     @property
     def programs(self) -> list[Any]:
@@ -63,21 +62,21 @@ class EnsembleSensitivities:
             self.rates,
             self.outputs,
             self.residuals,
-            self.held,
+            self.projected_residuals,
             *self.gradients,
             *(program for program, _ in self.jumps),
         ]
 
     @property
     def identity(self) -> Any:
-        """The data that identify it, in addition to the Programs."""
+        """The data that identify the sensitivities, in addition to the Programs."""
         samples = [(c, s.breaks, s.values, s.interpolation) for c, s in self.sampled]
         return self.columns, self.start, self.dependent, samples, self.sized, self.controlled
 
     @property
     def further(self) -> int:
-        """The number of further inputs at the end of r."""
-        return sum(len(places) for places, _ in self.sampled)
+        """The number of additional inputs at the end of r."""
+        return sum(len(columns) for columns, _ in self.sampled)
 
     def beginning(
         self,
@@ -87,9 +86,9 @@ class EnsembleSensitivities:
         p: np.ndarray,
         kernel: Callable[[Program | Tangent], Kernel],
     ) -> tuple[int, np.ndarray]:
-        """Return the sensitivities of one sample at the beginning, shape (n, k).
+        """Return an `Outcome` and the initial sensitivities of one sample, shape (n, k).
 
-        Before them comes an `Outcome`: whether there are any.
+        The `Outcome` is FINISHED if the dependent initial conditions could be solved for.
         """
         values = self.start.copy()
         if self.gradients:
@@ -98,9 +97,9 @@ class EnsembleSensitivities:
             s = self.gradients[0].num_specifieds
             rows = [kernel(g).evaluate(at, x[None], r[:, :s], p)[0][0] for g in self.gradients]
             gradients = [row.reshape(-1, len(x)) for row in rows]
-            whole = np.concatenate([x, values.ravel()])
-            moved = kernel(self.residuals).evaluate(at, whole[None], r, p)[0][0]
-            if not follow(values, gradients, moved, self.unknowns, self.dependent):
+            full_state = np.concatenate([x, values.ravel()])
+            residual_slopes = kernel(self.residuals).evaluate(at, full_state[None], r, p)[0][0]
+            if not follow(values, gradients, residual_slopes, self.unknowns, self.dependent):
                 return Outcome.DEPENDENTS_NOT_GIVEN, values
         return Outcome.FINISHED, values
 
@@ -111,7 +110,7 @@ class EnsembleSensitivities:
         p: np.ndarray,
         kernel: Callable[[Program | Tangent], Kernel],
     ) -> CompiledSensitivities:
-        """Return the sensitivities of one sample, for the solver."""
+        """Return the sensitivities of one sample in the solver's form."""
         n, columns = self.start.shape
         return CompiledSensitivities(
             n,
@@ -120,31 +119,31 @@ class EnsembleSensitivities:
             x[:n],
             self.controlled,
             lambda k: (kernel(self.jumps[k][0]), self.jumps[k][1]),
-            lambda: kernel(self.held),
+            lambda: kernel(self.projected_residuals),
         )
 
 
 @dataclass(frozen=True, eq=False)
-class Kept:
-    """The checks of whether motions kept their constraints and energy."""
+class ConstraintChecks:
+    """The checks of the drift from constraints and of the energy."""
 
-    # `DriftQuantities` by name, None where unknown; 'screen' is both rows and products.
+    # `DriftQuantities` by name, None if unknown; 'screen' computes both rows and products
     programs: Any
-    redundant: bool  # whether constraints were left out
-    every: bool  # whether rows that projection does not hold are looked at: see `check_drift`
-    mended: bool  # whether motions are brought back onto the constraints
+    redundant: bool  # whether there are redundant constraints
+    every: bool  # whether there are rows that projection does not satisfy: see `check_drift`
+    corrected: bool  # whether the integration corrects the drift from the constraints
     names: Sequence[str]  # of the rows
 
 
-class Motions(Protocol):
-    """The motions of samples that have transitions of their own, as with contacts."""
+class SampleMotions(Protocol):
+    """A function that simulates samples with mode transitions, such as contacts."""
 
-    events: tuple[str, ...]  # their names; records hold the places
-    columns: tuple[str, ...]  # what sensitivities are by
+    events: tuple[str, ...]  # names; records contain indices of these
+    columns: tuple[str, ...]  # the parameters of the sensitivities
 
     @property
     def identity(self) -> Any:
-        """The data that identify them, in addition to the Programs, numbers and options."""
+        """The data that identify the motions, in addition to Programs, numbers and options."""
 
     def __call__(
         self,
@@ -154,9 +153,9 @@ class Motions(Protocol):
         times: np.ndarray,
         stopped: Callable[[], bool],
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
-        """Return states and outputs up to where a motion came, and what `Results.note` needs.
+        """Return the states and outputs up to a motion's end, and the info for `Results.note`.
 
-        With sensitivities that has their ``'columns'``, (times, n + o, k).
+        With sensitivities, the info contains their ``'columns'``, (times, n + o, k).
         """
         ...
 
@@ -165,8 +164,11 @@ class Motions(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Model:
-    """A model with the options of its integration."""
+class EnsembleModel:
+    """The compiled equations with the options of their integration: all that workers need.
+
+    It contains Programs and numbers only, so that it can be pickled and needs no SymPy.
+    """
 
     rates: Program | Tangent  # the derivatives of the states
     outputs: Program | None
@@ -178,43 +180,47 @@ class Model:
     # (columns, SampledInput): the entries of r that are samples in time, the same for all
     # members of the ensemble
     sampled: tuple[tuple[np.ndarray, Any], ...] = ()
-    # (columns, function): the entries of r given by Python functions ``g(x, t)``, which are
-    # called at each evaluation
+    # (columns, function): the entries of r that Python functions ``g(x, t)`` compute at each
+    # evaluation
     functions: tuple[tuple[np.ndarray, Callable[..., Any]], ...] = ()
     jacobian: Program | Tangent | None = None  # ∂f/∂x, for an implicit method
     sensitivities: EnsembleSensitivities | None = None
-    kept: Kept | None = None  # what motions with constraints are judged by
-    motions: Motions | None = None  # in place of `rates` and `outputs`
-    columns: tuple[str, ...] = ()  # what sensitivities are by
+    constraint_checks: ConstraintChecks | None = None  # for motions with constraints
+    motions: SampleMotions | None = None  # replaces `rates` and `outputs`
+    columns: tuple[str, ...] = ()  # the parameters of the sensitivities
 
     @property
     def in_lanes(self) -> bool:
-        """Whether trajectories are integrated several at a time."""
+        """Whether the solver integrates several trajectories at a time."""
         from pydy.solvers import LaneSolver
 
-        beside, held = self.sensitivities, self.options.constraints is not None
-        watched = self.options.events is not None
-        asks = self.motions is not None or (watched and not self._watched_in_lanes)
-        asks = asks or (beside is not None and (held or beside.controlled))
-        large = beside is not None or len(self.states) > LaneSolver.MOST_IMPLICIT_STATES
-        asks = asks or (self.jacobian is not None and large)
-        return not self.functions and not asks
+        sensitivities, has_constraints = self.sensitivities, self.options.constraints is not None
+        has_events = self.options.events is not None
+        needs_scalar_solver = self.motions is not None or (
+            has_events and not self._watched_in_lanes
+        )
+        needs_scalar_solver = needs_scalar_solver or (
+            sensitivities is not None and (has_constraints or sensitivities.controlled)
+        )
+        large = sensitivities is not None or len(self.states) > LaneSolver.MOST_IMPLICIT_STATES
+        needs_scalar_solver = needs_scalar_solver or (self.jacobian is not None and large)
+        return not self.functions and not needs_scalar_solver
 
     @cached_property
     def switches(self) -> TimeSwitches | None:
-        """What switches by time alone in the rates, if anything does."""
+        """The branches of the rates that switch at times that do not depend on the states."""
         varying = frozenset(k for columns, *_ in self.sampled for k in columns.tolist())
         rates: Any = self.rates
         return TimeSwitches.of(getattr(rates, "shared", rates), varying)
 
     @property
     def _watched_in_lanes(self) -> bool:
-        """Whether events need Python for exceptions alone."""
+        """Whether events can be located in lanes; Python handles exceptional cases only."""
         options, events = self.options, self.options.events
         assert events is not None
         kernels = (events.values, events.rates, events.resets)
         native = all(k is None or k.functions is not None for k in kernels)
-        # acts on resets then
+        # Python then handles resets.
         python = self.sampled or self.switches is not None or options.constraints is not None
         acts = not (any(events.resetting) and python) and not any(events.turns)
         return native and acts and not (self.sensitivities or any(events.constant))
@@ -232,27 +238,27 @@ class Results:
     """The results of m samples."""
 
     states: np.ndarray  # (n, m, times)
-    # (m,): 'steps', 'rejected', 'evaluations' and 'status', 'end_time' up to which each was
-    # integrated, and 'nearness', how near constraints that projection holds came to losing rank
-    told: dict[str, np.ndarray]
+    # (m,) arrays: 'steps', 'rejected', 'evaluations', 'status', 'end_time' of the integration, and
+    # 'nearness': the smallest distance of the projected constraints from a loss of rank
+    statistics: dict[str, np.ndarray]
     records: dict[int, list[EventRecord]] = field(default_factory=dict)  # by sample
-    # (n, k, m, times): sensitivities of the states, and of the outputs of `Motions` after them.
+    # (n, k, m, times): sensitivities of the states, then of the outputs of `SampleMotions`
     columns: np.ndarray | None = None
-    outputs: np.ndarray | None = None  # (o, m, times), of `Motions`
-    stretches: list[str] = field(default_factory=list)  # what is to be told of events at zero
+    outputs: np.ndarray | None = None  # (o, m, times), of `SampleMotions`
+    event_warnings: list[str] = field(default_factory=list)
 
-    def take(self, places: np.ndarray, others: Results) -> None:
-        """Take the results of some samples from others."""
-        self.states[:, places] = others.states
-        for name in self.told.keys() & others.told.keys():
-            self.told[name][places] = others.told[name]
-        self.records |= {int(places[k]): records for k, records in others.records.items()}
-        self.stretches += others.stretches
+    def take(self, indices: np.ndarray, source: Results) -> None:
+        """Copy the results of some samples from `source`, which contains these alone."""
+        self.states[:, indices] = source.states
+        for name in self.statistics.keys() & source.statistics.keys():
+            self.statistics[name][indices] = source.statistics[name]
+        self.records |= {int(indices[k]): records for k, records in source.records.items()}
+        self.event_warnings += source.event_warnings
 
     def note(self, k: int, info: Mapping[str, Any]) -> None:
         """Record the outcome and statistics of sample k."""
         self.records[k] = info["events"]
-        for name, values in self.told.items():
+        for name, values in self.statistics.items():
             key = {"status": "code", "end_time": "time"}.get(name, name)
             values[k] = info.get(key, values[k])
 
@@ -267,14 +273,14 @@ _LOCK = _forks.Lock()
 
 
 def _kernel(program: Program | Tangent, lanes: int) -> Kernel:
-    """Return the Kernel of a Program, compiled or loaded once in a process."""
+    """Return the Kernel of a Program; a process compiles or loads it once."""
     key = (program.digest, lanes)
-    known = _KERNELS.get(key)
-    if known is not None:
-        return known
+    kernel = _KERNELS.get(key)
+    if kernel is not None:
+        return kernel
     with _LOCK:
         if key not in _KERNELS:
-            # Those of several models with all their events, for blocks that come one by one.
+            # Enough for several models with all their events.
             while len(_KERNELS) >= 64:
                 del _KERNELS[next(iter(_KERNELS))]
             _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
@@ -282,36 +288,36 @@ def _kernel(program: Program | Tangent, lanes: int) -> Kernel:
 
 
 def _single(program: Program | Tangent) -> Kernel:
-    """Return the Kernel of one state at a time."""
+    """Return the Kernel for one state at a time."""
     return _kernel(program, 1)
 
 
 @dataclass(frozen=True, eq=False)
 class Batch:
-    """Some samples of a model, with their numbers."""
+    """Some samples: a model with their initial states, specifieds and constants."""
 
-    model: Model
+    model: EnsembleModel
     x: np.ndarray  # (m, n)
     r: np.ndarray  # (m, s)
     p: np.ndarray  # (m, k)
-    stopped: Callable[[], bool]  # tells whether to give up
-    logs: bool = True  # whether to note events
+    stopped: Callable[[], bool]  # True if the computation is cancelled
+    logs: bool = True  # whether to record events
 
-    def some(self, places: np.ndarray) -> Batch:
-        """Return some of the samples."""
-        return replace(self, x=self.x[places], r=self.r[places], p=self.p[places])
+    def select(self, indices: np.ndarray) -> Batch:
+        """Return the batch of some of the samples."""
+        return replace(self, x=self.x[indices], r=self.r[indices], p=self.p[indices])
 
-    def beside(self) -> Batch:
+    def augmented(self) -> Batch:
         """Return the batch with the equations and inputs of the sensitivities."""
-        beside = self.model.sensitivities
-        assert beside is not None
-        sampled = (*self.model.sampled, *beside.sampled)
-        model = replace(self.model, rates=beside.rates, sampled=sampled)
-        r = np.concatenate([self.r, np.zeros((len(self.r), beside.further))], axis=1)
+        sensitivities = self.model.sensitivities
+        assert sensitivities is not None
+        sampled = (*self.model.sampled, *sensitivities.sampled)
+        model = replace(self.model, rates=sensitivities.rates, sampled=sampled)
+        r = np.concatenate([self.r, np.zeros((len(self.r), sensitivities.further))], axis=1)
         return replace(self, model=model, r=r)
 
     def inputs(self, k: int) -> Callable[[np.ndarray, float], np.ndarray]:
-        """Return the function that gives all specifieds of sample k."""
+        """Return the function ``g(x, t)`` that evaluates all specifieds of sample k."""
         every = Inputs(self.r[k], self.model.sampled, self.model.functions)
 
         def inputs(x: np.ndarray, t: float) -> np.ndarray:
@@ -322,27 +328,31 @@ class Batch:
         return inputs
 
     def run(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
-        """Integrate; into `states` (n, m, times) if given."""
+        """Integrate, and write the states into the array `states` (n, m, times) unless None."""
         if self.model.motions is not None:
-            return self._moved(self.model.motions, times, states)
+            return self._run_motions(self.model.motions, times, states)
         if self.model.sensitivities is not None:
             return self._with_columns(self.model.sensitivities, times, states)
         if states is None:
             states = np.empty((self.x.shape[1], len(self.x), len(times)))
         return self._integrated(times, states)
 
-    def _begun(self, times: np.ndarray, states: np.ndarray | None, width: int) -> Results:
-        """Return results of samples that have not been computed."""
+    def _empty_results(self, times: np.ndarray, states: np.ndarray | None, width: int) -> Results:
+        """Return results that are NaN and zero."""
         m = len(self.x)
         states = np.empty((width, m, len(times))) if states is None else states
         states[:] = np.nan
-        told: dict[str, np.ndarray] = {name: np.zeros(m, dtype=np.int64) for name in COUNTED}
-        return Results(states, {**told, "end_time": np.full(m, times[0]), "nearness": np.ones(m)})
+        statistics: dict[str, np.ndarray] = {name: np.zeros(m, dtype=np.int64) for name in COUNTED}
+        return Results(
+            states, {**statistics, "end_time": np.full(m, times[0]), "nearness": np.ones(m)}
+        )
 
-    def _moved(self, motions: Motions, times: np.ndarray, states: np.ndarray | None) -> Results:
-        """Compute the motions of samples one after another."""
+    def _run_motions(
+        self, motions: SampleMotions, times: np.ndarray, states: np.ndarray | None
+    ) -> Results:
+        """Simulate the samples one after another by `SampleMotions`."""
         m, n = self.x.shape
-        results = self._begun(times, states, n)
+        results = self._empty_results(times, states, n)
         results.outputs = np.full((len(self.model.output_names), m, len(times)), np.nan)
         if motions.columns:
             shape = n + len(results.outputs), len(motions.columns), m, len(times)
@@ -350,22 +360,22 @@ class Batch:
         for k in range(m):
             if self.stopped():
                 raise KeyboardInterrupt
-            own = self.x[k], self.r[k], self.p[k]
-            found, outputs, info = motions(*own, times, self.stopped)
-            results.states[:, k, : len(found)] = found.T
+            numbers = self.x[k], self.r[k], self.p[k]
+            computed, outputs, info = motions(*numbers, times, self.stopped)
+            results.states[:, k, : len(computed)] = computed.T
             results.outputs[:, k, : len(outputs)] = outputs.T
-            if results.columns is not None and len(found):
-                results.columns[:, :, k, : len(found)] = np.moveaxis(info["columns"], 0, -1)
+            if results.columns is not None and len(computed):
+                results.columns[:, :, k, : len(computed)] = np.moveaxis(info["columns"], 0, -1)
             results.note(k, info)
         return results
 
     def _bounds(self) -> tuple[np.ndarray, np.ndarray] | None:
         """Return the tolerances of sensitivities; see `LaneSolver.integrate`."""
-        if (beside := self.model.sensitivities) is None:
+        if (sensitivities := self.model.sensitivities) is None:
             return None
-        (n, columns), options = beside.start.shape, self.model.options
+        (n, columns), options = sensitivities.start.shape, self.model.options
         x = self.x[:, :n]
-        scales = ParameterSize.scales(beside.sized, x, self.r, self.p, columns)
+        scales = ParameterSize.scales(sensitivities.sized, x, self.r, self.p, columns)
         rtol, atol = (np.broadcast_to(a, n) for a in (options.rtol, options.atol))
         return CompiledSensitivities.bounding_tolerances(rtol, atol, x, scales)
 
@@ -379,13 +389,13 @@ class Batch:
         switched = None
         if (switches := self.model.switches) is not None:
             numbers = switches.numbers(self.p, self.r)
-            if (numbers != numbers[0]).any():  # each sample switches at times of its own
+            if (numbers != numbers[0]).any():  # samples switch at different times
                 return self._one_by_one(times, states)
             span = float(times[0]), float(times[-1])
-            found = switches.times(self.p[0], self.r[0], *span)
-            if found.unresolved:  # which a single trajectory warns of
+            switch_times = switches.times(self.p[0], self.r[0], *span)
+            if switch_times.unresolved:  # the solver of single trajectories warns of these
                 return self._one_by_one(times, states)
-            switched = found.rows
+            switched = switch_times.rows
         tasks: LaneTasks | None = None
         if model.options.constraints is not None or model.options.events is not None:
             tasks = self._lane_tasks(times)
@@ -404,18 +414,18 @@ class Batch:
         counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
         results = Results(states, {**counts, "end_time": reached})
         if tasks is not None:
-            results.told["nearness"] = tasks.nearness()
+            results.statistics["nearness"] = tasks.nearness()
             ended = tasks.ended(counts["status"], states[:, :, -1:])
-            results.stretches, results.records = tasks.event_warnings(ended), tasks.records()
-            lost = np.flatnonzero(~ended)
-            if lost.size:  # why, the solver of single trajectories tells
-                results.take(lost, self.some(lost)._one_by_one(times))
+            results.event_warnings, results.records = tasks.event_warnings(ended), tasks.records()
+            failed = np.flatnonzero(~ended)
+            if failed.size:  # the solver of single trajectories determines the reason
+                results.take(failed, self.select(failed)._one_by_one(times))
         return results
 
     def _too_exact(self) -> bool:
-        """Return whether the tolerances are too small for some of the beginnings.
+        """Return whether the tolerances are too small for some of the initial states.
 
-        Which, the solver of single trajectories tells.
+        The solver of single trajectories reports which.
         """
         options, k = self.model.options, int(np.argmin(self.model.options.rtol))
         least = 10.0 * ROUNDING * np.fmax(np.abs(self.x[:, k]), 1.0)
@@ -427,23 +437,23 @@ class Batch:
         from pydy._errors import IntegrationError
         from pydy.solvers import LaneSolver, LaneTasks
 
-        held, watched = self.model.options.constraints, self.model.options.events
-        one, tasks = self._single(0, times, None), LaneTasks(len(self.x))
+        constraints, events = self.model.options.constraints, self.model.options.events
+        first, tasks = self._single(0, times, None), LaneTasks(len(self.x))
         lanes = LaneSolver.LANES
-        if watched is not None:
+        if events is not None:
             samples, kernel = (self.r, self.p, self.model.sampled), partial(_kernel, lanes=lanes)
-            tasks = LaneTasks.with_events(one, samples, times, kernel, self.logs)
-        if held is not None:
-            with suppress(IntegrationError):  # redundant constraints are told of
-                one.begin(np.ascontiguousarray(self.x[0]))
-            tasks.add_constraints(held, _kernel(held.kernel.program, lanes))
+            tasks = LaneTasks.with_events(first, samples, times, kernel, self.logs)
+        if constraints is not None:
+            with suppress(IntegrationError):  # `begin` warns of redundant constraints
+                first.begin(np.ascontiguousarray(self.x[0]))
+            tasks.add_constraints(constraints, _kernel(constraints.kernel.program, lanes))
         return tasks
 
     def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
-        """Return the integration of sample k, which may be that of the sample before."""
+        """Return the integration of sample k; it may reuse that of the sample before."""
         from pydy.solvers import Integration
 
-        model, beside, n = self.model, self.model.sensitivities, self.x.shape[1]
+        model, sensitivities, n = self.model, self.model.sensitivities, self.x.shape[1]
         options, jacobian = model.options, model.jacobian
         x, r, p = (np.ascontiguousarray(part[k]) for part in (self.x, self.r, self.p))
         call = KernelCall(
@@ -455,93 +465,95 @@ class Batch:
             lambda: model.states,
             None if jacobian is None else lambda: _kernel(jacobian, 1),
         )
-        if beside is not None:
-            options = replace(options, sensitivities=beside.compiled(x, r, p, _single))
+        if sensitivities is not None:
+            options = replace(options, sensitivities=sensitivities.compiled(x, r, p, _single))
         elif before is not None and before.reusable and before.rebind(call, times):
             return before
         return Integration(model.method, call, n, times, (), options, self.stopped)
 
     def _with_columns(
-        self, beside: EnsembleSensitivities, times: np.ndarray, states: np.ndarray | None
+        self, sensitivities: EnsembleSensitivities, times: np.ndarray, states: np.ndarray | None
     ) -> Results:
-        """Integrate states with their sensitivities, where these are determined at the start."""
+        """Integrate states and sensitivities; samples without initial sensitivities are NaN."""
         from pydy._errors import warn_user
 
-        (m, n), columns = self.x.shape, len(beside.columns)
-        whole = np.empty((n * (1 + columns), m, len(times)))
-        batch, codes = self._begun_with_columns(beside, float(times[0]))
+        (m, n), columns = self.x.shape, len(sensitivities.columns)
+        full_states = np.empty((n * (1 + columns), m, len(times)))
+        batch, codes = self._augmented_start(sensitivities, float(times[0]))
         started = codes == Outcome.FINISHED
         if started.all():
-            results = batch._integrated(times, whole)
+            results = batch._integrated(times, full_states)
         else:
-            warn_user(f"In one sample or more, {beside.unsolved}")
-            results = batch._begun(times, whole, len(whole))
-            whole[:n, :, 0], results.told["status"] = self.x.T, codes
-            part = np.empty((len(whole), int(started.sum()), len(times)))
-            others = batch.some(started)._integrated(times, part)
-            results.take(np.flatnonzero(started), others)
-        results.states = whole[:n]
-        results.columns = whole[n:].reshape(n, columns, m, len(times))
+            warn_user(f"In one sample or more, {sensitivities.unsolved}")
+            results = batch._empty_results(times, full_states, len(full_states))
+            full_states[:n, :, 0], results.statistics["status"] = self.x.T, codes
+            part = np.empty((len(full_states), int(started.sum()), len(times)))
+            started_results = batch.select(started)._integrated(times, part)
+            results.take(np.flatnonzero(started), started_results)
+        results.states = full_states[:n]
+        results.columns = full_states[n:].reshape(n, columns, m, len(times))
         if states is not None:
             states[:] = results.states
             results.states = states
         return results
 
-    def _begun_with_columns(
-        self, beside: EnsembleSensitivities, t: float
+    def _augmented_start(
+        self, sensitivities: EnsembleSensitivities, t: float
     ) -> tuple[Batch, np.ndarray]:
-        """Return samples that begin with their sensitivities, and whether there are any."""
-        (m, n), batch = self.x.shape, self.beside()
-        start, codes = np.empty((m, n + beside.start.size)), np.zeros(m, dtype=np.int64)
+        """Return the batch with initial sensitivities, and an `Outcome` for each sample."""
+        (m, n), batch = self.x.shape, self.augmented()
+        start, codes = np.empty((m, n + sensitivities.start.size)), np.zeros(m, dtype=np.int64)
         for k in range(m):
             inputs = Inputs(batch.r[k], batch.model.sampled)
-            codes[k], values = beside.beginning(self.x[k], t, inputs, self.p[k], _single)
+            codes[k], values = sensitivities.beginning(self.x[k], t, inputs, self.p[k], _single)
             start[k, :n], start[k, n:] = self.x[k], values.ravel()
         return replace(batch, x=start), codes
 
     def passed(self, k: int, times: np.ndarray) -> tuple[Passed, Any] | None:
-        """Integrate sample k; return its motion and the function of its states, or None."""
+        """Integrate sample k; return its motion and its interpolated states, or None."""
         from pydy._errors import IntegrationError
 
-        beside, n = self.model.sensitivities, self.x.shape[1]
-        assert beside is not None
-        batch, codes = self.some(np.array([k]))._begun_with_columns(beside, float(times[0]))
+        sensitivities, n = self.model.sensitivities, self.x.shape[1]
+        assert sensitivities is not None
+        batch, codes = self.select(np.array([k]))._augmented_start(sensitivities, float(times[0]))
         options = replace(batch.model.options, dense_output=True, progress=False)
-        one = replace(batch, model=replace(batch.model, options=options))._single(0, times, None)
+        integration = replace(batch, model=replace(batch.model, options=options))._single(
+            0, times, None
+        )
         if codes[0] != Outcome.FINISHED:
             return None
         try:
-            reached = len(one.run(batch.x[0]))
+            reached = len(integration.run(batch.x[0]))
         except IntegrationError:
             return None
-        info = one.info()
-        dense, own = info["dense_output"], times[: min(reached, info["reached"])]
+        info = integration.info()
+        dense, sample_times = info["dense_output"], times[: min(reached, info["reached"])]
 
         def columns(t: np.ndarray) -> np.ndarray:
-            found: np.ndarray = dense(t)[:, n:].reshape(len(t), n, -1)
-            return found
+            values: np.ndarray = dense(t)[:, n:].reshape(len(t), n, -1)
+            return values
 
-        if dense is None or not len(own):
+        if dense is None or not len(sample_times):
             return None
-        return Passed.of(own, dense, info["events"], columns), lambda t: dense(t)[:, :n]
+        return Passed.of(sample_times, dense, info["events"], columns), lambda t: dense(t)[:, :n]
 
     def _one_by_one(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
         """Integrate with the solver of single trajectories."""
         from pydy._errors import IntegrationError
 
-        one = None
-        results = self._begun(times, states, self.x.shape[1])
+        integration = None
+        results = self._empty_results(times, states, self.x.shape[1])
         for k, x in enumerate(self.x):
             if self.stopped():
                 raise KeyboardInterrupt
-            one = self._single(k, times, one)
+            integration = self._single(k, times, integration)
             try:
-                found = one.run(np.ascontiguousarray(x))
-                info = one.info()
-                results.stretches += one.event_warnings()
+                computed = integration.run(np.ascontiguousarray(x))
+                info = integration.info()
+                results.event_warnings += integration.event_warnings()
             except IntegrationError as error:
-                found, info = one.reached(), error.info
-            results.states[:, k, : len(found)] = found.T
+                computed, info = integration.reached(), error.info
+            results.states[:, k, : len(computed)] = computed.T
             results.note(k, info)
         return results
 
@@ -572,10 +584,10 @@ class Batch:
         self, times: np.ndarray, states: np.ndarray, columns: np.ndarray
     ) -> np.ndarray:
         """Return the sensitivities of the outputs, (o, k, m, times), from those of the states."""
-        beside = self.model.sensitivities
-        if beside is None:  # those of `Motions` have them
+        sensitivities = self.model.sensitivities
+        if sensitivities is None:  # `SampleMotions` computes them itself
             return columns[:0]
         n, k, m, number = columns.shape
-        whole = np.concatenate([states, columns.reshape(n * k, m, number)])
-        found = self.beside().evaluate(beside.outputs, times, whole)
-        return found.reshape(len(found) // k, k, m, number)
+        full_states = np.concatenate([states, columns.reshape(n * k, m, number)])
+        values = self.augmented().evaluate(sensitivities.outputs, times, full_states)
+        return values.reshape(len(values) // k, k, m, number)

@@ -1,4 +1,4 @@
-"""What quantities are called in the results of an ensemble."""
+"""The names of quantities in the results of an ensemble."""
 
 from __future__ import annotations
 
@@ -17,33 +17,33 @@ from pydy.ensemble.work import COUNTS
 class ResultNames:
     """The names of a definition's states, outputs and constants in results.
 
-    A result holds some names beside states, outputs and `COUNTS`: `more`.
+    `reserved` lists further names of a result, besides states, outputs and `COUNTS`.
     """
 
     def __init__(
-        self, definition: Definition, more: Iterable[str], outputs: Iterable[Any] | None = None
+        self, definition: Definition, reserved: Iterable[str], outputs: Iterable[Any] | None = None
     ) -> None:
         equations, n = definition.equations, len(definition.states)
         outputs = definition.outputs_symbols if outputs is None else outputs
         variables = (*definition.states, *outputs)
-        self._places = Places(variables, "states and outputs of the system")
+        self._variables = Places(variables, "states and outputs of the system")
         names = unique_names(variables)
         self._name_of = dict(zip(variables, names, strict=True))
         self.states, self.outputs = names[:n], names[n:]
-        self.taken = {*names}  # that variables of the result have
-        for name in ("time", "occurrence", *COUNTS, *more):
-            if name in self.taken:
+        self.used_names = {*names}  # names of the result's variables
+        for name in ("time", "occurrence", *COUNTS, *reserved):
+            if name in self.used_names:
                 raise ValueError(
                     f"The result of an ensemble has a variable or dimension `{name}` of its own, "
                     "but that is the name of a state or output too. Rename that."
                 )
-            self.taken.add(name)
-        # The names of coordinates; of a constant, also their attributes.
+            self.used_names.add(name)
+        # The names of xarray coordinates; for constants, also their attributes.
         self.labels = {s: f"initial_{self._name_of[s]}" for s in definition.states}
-        self.labels |= {s: f"{v} (state)" for s, v in self.labels.items() if v in self.taken}
-        others = (*definition.constants, *definition.specifieds)
-        for s, name in zip(others, unique_names(others), strict=True):
-            self.labels[s] = f"{name} (constant)" if name in self.taken else name
+        self.labels |= {s: f"{v} (state)" for s, v in self.labels.items() if v in self.used_names}
+        symbols = (*definition.constants, *definition.specifieds)
+        for s, name in zip(symbols, unique_names(symbols), strict=True):
+            self.labels[s] = f"{name} (constant)" if name in self.used_names else name
         self.constants = tuple(
             (self.labels[s], {"role": "constant", "latex": latex_of(s)})
             for s in definition.constants
@@ -58,21 +58,21 @@ class ResultNames:
 
     @staticmethod
     def latest(problem: Problem, sensitive: bool) -> ResultNames:
-        """Return those of a model, made once."""
+        """Return the names of a Problem's results, cached in its model."""
         key = "names beside sensitivities" if sensitive else "names"
-        more = (SENSITIVITY, QUANTITY, PARAMETER) if sensitive else ()
+        reserved = (SENSITIVITY, QUANTITY, PARAMETER) if sensitive else ()
         names: ResultNames | None = problem.model.code.latest.get(key)
         if names is None:
-            names = problem.model.code.latest[key] = ResultNames(problem.definition, more)
+            names = problem.model.code.latest[key] = ResultNames(problem.definition, reserved)
         return names
 
     def name(self, key: Any) -> str:
-        """Return the name of a state or output, of which it may be the symbol."""
-        symbol = self._places.meaning(key, "reduce")
+        """Return the name of a state or output, from its symbol or name."""
+        symbol = self._variables.meaning(key, "reduce")
         return self._name_of[symbol] if symbol in self._name_of else name_of(key)
 
     def described(self, units: Mapping[Any, str]) -> dict[str, dict[str, Any]]:
-        """Return the attributes of variables, with their units."""
+        """Return the attributes of variables, including their units."""
         result = {name: dict(attributes) for name, attributes in self.attributes.items()}
         units = check_mapping("units", units)
         names = [self.name(key) for key in units]

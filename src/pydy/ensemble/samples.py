@@ -1,4 +1,4 @@
-"""What goes into an ensemble and what comes out: arrays along named dimensions, in blocks."""
+"""Input and output of an ensemble: arrays along named dimensions, in blocks."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ import numpy as np
 from pydy._checks import shown
 from pydy._optional import require
 
-# -- What comes out, as an `xarray.Dataset` -------------------------------------------------------
+# -- Output, an `xarray.Dataset` ------------------------------------------------------------------
 
 
 PARAMETER, QUANTITY = "parameter", "quantity"  # the dimensions of sensitivities
 
 
 @dataclass(frozen=True, eq=False)
-class Variable:
+class LabelledArray:
     """An array with names for its axes."""
 
     dims: tuple[Any, ...]
@@ -29,14 +29,16 @@ class Variable:
 
 
 @dataclass(frozen=True)
-class Form:
+class ArrayForm:
     """The dimensions, sizes and type that the results of all samples share."""
 
     sizes: dict[str, int]  # of the axes after those of the samples, in order
     dtype: np.dtype[Any]
 
     @classmethod
-    def of(cls, dims: Sequence[Any], shape: Sequence[int], dtype: Any, first: int) -> Form:
+    def from_array(
+        cls, dims: Sequence[Any], shape: Sequence[int], dtype: Any, first: int
+    ) -> ArrayForm:
         """Return the form of an array whose axes before `first` are those of samples."""
         return cls(dict(zip(map(str, dims[first:]), shape[first:], strict=True)), np.dtype(dtype))
 
@@ -45,34 +47,34 @@ class Form:
 
 
 def check_forms(
-    found: Mapping[str, Variable], expected: Mapping[str, Form], samples: Sequence[Any]
+    results: Mapping[str, LabelledArray], expected: Mapping[str, ArrayForm], samples: Sequence[Any]
 ) -> None:
-    """Raise if results do not match the forms of others: assigning them would broadcast them.
+    """Raise an error if results do not match the forms of other blocks.
 
-    The dimensions of the `samples` come first.
+    An assignment would broadcast them. The dimensions of the `samples` come first.
     """
     rule = "`reduce` must return the same variables for all blocks of samples"
-    for name in dict.fromkeys((*expected, *found)):
-        if name not in found or name not in expected:
+    for name in dict.fromkeys((*expected, *results)):
+        if name not in results or name not in expected:
             raise ValueError(f"{rule}: `{name}` exists for some samples only.")
-        v, form = found[name], expected[name]
-        own = Form.of(v.dims, v.values.shape, v.values.dtype, len(samples))
-        if list(own.sizes.items()) != list(form.sizes.items()) or not np.can_cast(
-            own.dtype, form.dtype
+        v, form = results[name], expected[name]
+        actual = ArrayForm.from_array(v.dims, v.values.shape, v.values.dtype, len(samples))
+        if list(actual.sizes.items()) != list(form.sizes.items()) or not np.can_cast(
+            actual.dtype, form.dtype
         ):
-            raise ValueError(f"{rule}: `{name}` is {form} for some, {own} for others.")
+            raise ValueError(f"{rule}: `{name}` is {form} for some, {actual} for others.")
 
 
 def to_dataset(
-    variables: Mapping[str, Variable],
-    coordinates: Mapping[str, Variable],
+    variables: Mapping[str, LabelledArray],
+    coordinates: Mapping[str, LabelledArray],
     times: np.ndarray,
     attrs: Mapping[str, Any] | None = None,
     labels: Mapping[str, Sequence[str]] | None = None,
 ) -> Any:
-    """Return the Dataset of some variables; it has times only where a variable does.
+    """Return the Dataset of some variables.
 
-    The same goes for the labels of other dimensions.
+    Times, and labels of other dimensions, are included only if a variable has the dimension.
     """
     xarray = require("xarray", "ensemble", "System.integrate_ensemble")
     coords: dict[str, Any] = {
@@ -80,15 +82,15 @@ def to_dataset(
     }
     if any("time" in v.dims for v in variables.values()):
         coords["time"] = ("time", times)
-    along = {d for v in variables.values() for d in v.dims}
+    used_dims = {d for v in variables.values() for d in v.dims}
     for dim, names in (labels or {}).items():
-        if dim in along:
+        if dim in used_dims:
             coords[dim] = (dim, list(names))
     data = {name: (v.dims, v.values, dict(v.attrs)) for name, v in variables.items()}
     return xarray.Dataset(data, coords, dict(attrs or {}))
 
 
-# -- What goes in ----------------------------------------------------------------------------------
+# -- Input -----------------------------------------------------------------------------------------
 
 
 Block = tuple[slice, ...]
@@ -99,13 +101,13 @@ class Samples:
     """Initial states, specifieds and constants of all samples."""
 
     dims: dict[str, int]  # names and sizes of the sample dimensions, in order
-    # x, r, p: one array for each state, specified or constant, with one axis for each
-    # dimension, of its size, or of size 1 where the value does not depend on it
+    # x, r, p: one array for each state, specified or constant, with one axis for each dimension,
+    # which has the dimension's size, or 1 if the value does not vary along it
     x: tuple[np.ndarray, ...]
     r: tuple[np.ndarray, ...]
     p: tuple[np.ndarray, ...]
     # Values that distinguish samples, for the labels of results.
-    coordinates: dict[str, Variable] = field(default_factory=dict)
+    coordinates: dict[str, LabelledArray] = field(default_factory=dict)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -117,7 +119,7 @@ class Samples:
         """The number of samples."""
         return prod(self.shape)
 
-    def of(self, block: Block) -> Samples:
+    def in_block(self, block: Block) -> Samples:
         """Return the samples of a block."""
         dims = {d: s.stop - s.start for d, s in zip(self.dims, block, strict=True)}
         part = dict(zip(self.dims, block, strict=True))
@@ -129,7 +131,7 @@ class Samples:
             )
 
         coordinates = {
-            name: Variable(c.dims, c.values[tuple(part[d] for d in c.dims)], c.attrs)
+            name: LabelledArray(c.dims, c.values[tuple(part[d] for d in c.dims)], c.attrs)
             for name, c in self.coordinates.items()
         }
         return Samples(dims, cut(self.x), cut(self.r), cut(self.p), coordinates)
@@ -147,21 +149,21 @@ class Samples:
         return table(self.x), table(self.r), table(self.p)
 
     def blocks(self, sizes: Sequence[int]) -> Iterator[tuple[tuple[int, ...], Block]]:
-        """Return the places and slices of blocks of some sizes along each dimension."""
+        """Return the positions and slices of all blocks, for block sizes along each dimension."""
         axes = [
-            [slice(start, min(start + size, whole)) for start in range(0, whole, size)]
-            for whole, size in zip(self.shape, sizes, strict=True)
+            [slice(start, min(start + size, length)) for start in range(0, length, size)]
+            for length, size in zip(self.shape, sizes, strict=True)
         ]
-        for place in product(*(range(len(axis)) for axis in axes)):
-            yield place, tuple(axis[k] for axis, k in zip(axes, place, strict=True))
+        for position in product(*(range(len(axis)) for axis in axes)):
+            yield position, tuple(axis[k] for axis, k in zip(axes, position, strict=True))
 
 
 def block_sizes(dims: Mapping[str, int], chunks: Any, default: int) -> tuple[int, ...]:
     """Return the size of blocks along each dimension.
 
-    A number is that of samples in a block, as nearly as whole rows of the last dimensions allow;
-    None and 'auto' stand for the `default`. A mapping gives sizes by dimension, all of it where one
-    is not named.
+    A number is the largest number of samples in a block of complete rows of the last dimensions.
+    None and 'auto' mean the `default`. A mapping contains sizes by dimension; a dimension that it
+    does not name is not divided.
     """
     if isinstance(chunks, Mapping):
         unknown = [d for d in chunks if d not in dims]
@@ -173,22 +175,22 @@ def block_sizes(dims: Mapping[str, int], chunks: Any, default: int) -> tuple[int
         sizes = {d: chunks.get(d, size) for d, size in dims.items()}
         for d, size in sizes.items():
             _check_size(size, f"`chunks[{d!r}]`")
-        return tuple(max(1, min(sizes[d], whole)) for d, whole in dims.items())
+        return tuple(max(1, min(sizes[d], length)) for d, length in dims.items())
     if chunks is None or (isinstance(chunks, str) and chunks == "auto"):
         chunks = default
     _check_size(chunks, "`chunks`")
-    left, result = int(chunks), []
-    for whole in reversed(list(dims.values())):
-        size = max(1, min(whole, left))
+    remaining, result = int(chunks), []
+    for length in reversed(list(dims.values())):
+        size = max(1, min(length, remaining))
         result.append(size)
-        left //= max(1, whole)
+        remaining //= max(1, length)
     return tuple(reversed(result))
 
 
-def _check_size(size: Any, what: str) -> None:
-    whole = isinstance(size, int | np.integer) and not isinstance(size, bool | np.timedelta64)
-    if not whole or not 1 <= size < 2**62:
+def _check_size(size: Any, subject: str) -> None:
+    is_integer = isinstance(size, int | np.integer) and not isinstance(size, bool | np.timedelta64)
+    if not is_integer or not 1 <= size < 2**62:
         raise ValueError(
-            f"{what} must be a positive whole number of samples, got {shown(size)}. Or pass "
+            f"{subject} must be a positive whole number of samples, got {shown(size)}. Or pass "
             "chunks='auto', or sizes by dimension such as {'sample': 1000}."
         )

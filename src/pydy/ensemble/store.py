@@ -1,8 +1,8 @@
-"""The Zarr store of an ensemble: one chunk for each block, so that any process may write its own.
+"""The Zarr store of an ensemble: one chunk for each block, so that processes write independently.
 
-A block is complete if all its chunks are there with the checksums that are written last. These say
-to which ensemble, variable and block a chunk belongs, too: one that was put in the place of another
-is as good as damaged. What is not complete is written again. What describes the arrays has
+A block is complete if all its chunks exist and match their checksums, which are written last. A
+checksum includes the ensemble, variable and block of its chunk: a chunk that was exchanged with
+another counts as damaged. Incomplete blocks are written again. The metadata of the arrays have
 checksums as well, in the attributes of the store.
 """
 
@@ -25,7 +25,7 @@ from pydy._names import few
 from pydy._optional import require
 from pydy._version import __version__
 from pydy.ensemble.content import digest
-from pydy.ensemble.samples import Block, Form, Samples, Variable, check_forms
+from pydy.ensemble.samples import ArrayForm, Block, LabelledArray, Samples, check_forms
 from pydy.ensemble.work import Work
 from pydy.solvers import Outcome
 
@@ -36,7 +36,8 @@ from pydy.solvers import Outcome
 # copied anywhere.
 
 
-# Not in names of files on some system; blanks separate the names in the attribute `coordinates`.
+# Characters that some system forbids in file names, and blanks, which separate the names in the
+# attribute `coordinates`.
 _REFUSED = re.compile(r'[\x00-\x1f<>:"/\\|?*\s]')
 _DEVICE = re.compile(r"(aux|con|nul|prn|com\d|lpt\d)(\..*)?")
 _OF_ZARR = "zarr.json"
@@ -44,21 +45,23 @@ _OF_ZARR = "zarr.json"
 
 def file_names(names: Iterable[str]) -> dict[str, str]:
     """Return a file name for each name; the same one if it is valid everywhere."""
-    given = list(dict.fromkeys(names))
-    plain = {name for name in given if _serves(name)}
-    found: dict[str, str] = {}
-    taken: set[str] = set()
-    for name in sorted(given, key=lambda name: name not in plain):  # these keep theirs if they can
-        stem = name if name in plain else _REFUSED.sub("_", name).strip(".")
+    unique = list(dict.fromkeys(names))
+    valid = {name for name in unique if _serves(name)}
+    files: dict[str, str] = {}
+    used: set[str] = set()
+    for name in sorted(
+        unique, key=lambda name: name not in valid
+    ):  # valid names first: they stay unchanged
+        stem = name if name in valid else _REFUSED.sub("_", name).strip(".")
         if not _serves(stem):
             stem = "_" + stem.lstrip("_")
         chosen, number = stem, 2
-        while chosen.casefold() in taken:
+        while chosen.casefold() in used:
             chosen = f"{stem}_{number}"
             number += 1
-        taken.add(chosen.casefold())
-        found[name] = chosen
-    for file in found.values():
+        used.add(chosen.casefold())
+        files[name] = chosen
+    for file in files.values():
         try:
             os.fsencode(file)
         except UnicodeEncodeError:
@@ -67,7 +70,7 @@ def file_names(names: Iterable[str]) -> dict[str, str]:
                 f"{sys.getfilesystemencoding()!r} of this locale has no letters for. Start Python "
                 "with the environment variable PYTHONUTF8=1, or give the output another name."
             ) from None
-    return {name: found[name] for name in given}
+    return {name: files[name] for name in unique}
 
 
 def _serves(name: str) -> bool:
@@ -86,17 +89,17 @@ def _serves(name: str) -> bool:
 
 
 _TOKEN = "pydy_ensemble"
-_PARTS = "pydy_ensemble_parts"  # digests of what the token is made of
+_PARTS = "pydy_ensemble_parts"  # the digests from which the token is computed
 _VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
-_FILES = "pydy_names"  # in the store, of those variables and dimensions that have another one there
+_FILES = "pydy_names"  # file names of variables and dimensions, where they differ
 _LABELS = "pydy_labels"
-_CHECKSUMS = "pydy_checksums"  # of what describes each array, by its place in the store
-_CHUNKS = "pydy_chunks", "checksums"  # of chunks: a group and its array, for each block a row
-_SETTING = Lock()  # zarr's configuration belongs to all threads
+_CHECKSUMS = "pydy_checksums"  # of each array's metadata, by its path in the store
+_CHUNKS = "pydy_chunks", "checksums"  # group and array of the chunks' checksums, a row per block
+_SETTING = Lock()  # all threads share zarr's configuration
 
 
 def _zarr() -> Any:
-    """Return the package zarr, which can read groups also under ``python -O``.
+    """Return the package zarr, patched so that it can read groups under ``python -O``, too.
 
     Zarr 3.1 removes a key of a group's metadata within an `assert`: without asserts, no group of
     version 3 can be opened.
@@ -119,9 +122,9 @@ def _zarr() -> Any:
 
 
 def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "") -> dict[str, str]:
-    """Return digests of all that determines an ensemble, by what it is called in messages.
+    """Return digests of all that determines an ensemble, by the names used in messages.
 
-    Of functions nothing is read: the user's `name` stands for them.
+    The content of functions is not read: the user's `name` identifies them.
     """
     for label, coordinate in samples.coordinates.items():
         if coordinate.values.dtype.hasobject:
@@ -136,9 +139,9 @@ def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     if events is not None:
         kernels += [events.values, events.resets]
         about_events = events.names, events.directions, events.terminal, events.resetting
-    beside, motions = model.sensitivities, model.motions
+    sensitivities, motions = model.sensitivities, model.motions
     programs = [model.rates, model.outputs, model.jacobian]
-    programs += [] if beside is None else beside.programs
+    programs += [] if sensitivities is None else sensitivities.programs
     programs += [None if k is None else k.program for k in kernels]
     functions = [(columns, getattr(f, "identity", None)) for columns, f in model.functions]
     parts = {
@@ -146,7 +149,7 @@ def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
         "equations": (
             [None if program is None else program.digest for program in programs],
             (model.states, model.output_names, about_events),
-            None if beside is None else beside.identity,
+            None if sensitivities is None else sensitivities.identity,
         ),
         "contacts": None if motions is None else motions.identity,
         "options": (
@@ -168,11 +171,11 @@ def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
         "which specifieds are functions": functions,
         "the name of its functions (`resume`)": name,
     }
-    return {what: digest(part) for what, part in parts.items()}
+    return {part_name: digest(part) for part_name, part in parts.items()}
 
 
 def check(path: str, parts: Mapping[str, str], resume: bool) -> bool:
-    """Return whether there is a store to resume, and nothing else in its place."""
+    """Return whether there is a store to resume; raise an error if the path has other content."""
     if not Path(path).exists():
         target = Path(os.path.realpath(path))
         above = next(folder for folder in target.parents if folder.exists())
@@ -188,37 +191,40 @@ def check(path: str, parts: Mapping[str, str], resume: bool) -> bool:
     zarr = _zarr()
     try:
         attrs = dict(zarr.open_group(path, mode="r").attrs)
-    except Exception:  # noqa: BLE001 - whatever is there, it cannot be read
+    except Exception:  # noqa: BLE001 - a path that Zarr cannot read
         attrs = {}
     if attrs.get(_TOKEN) != digest(parts):
-        known = attrs.get(_PARTS)
-        if not isinstance(known, dict):
+        stored_parts = attrs.get(_PARTS)
+        if not isinstance(stored_parts, dict):
             raise ValueError(
                 f"`store` '{path}' is not the store of an ensemble, or its `{_OF_ZARR}` is "
                 "damaged. Pass another path."
             )
-        differing = [what for what in parts if known.get(what) != parts[what]]
+        differing = [
+            part_name for part_name in parts if stored_parts.get(part_name) != parts[part_name]
+        ]
         raise ValueError(
             f"`store` '{path}' was written by another ensemble, or its `{_OF_ZARR}` is damaged. "
             f"What differs: {', '.join(differing) or 'nothing but its mark'}. Pass another path."
         )
-    kept, found = attrs.get(_CHECKSUMS, {}), _checksums(path)
-    if wrong := [name for name in (*kept, *found) if kept.get(name) != found.get(name)]:
-        what = f"has lost its array `{wrong[0]}`, or " if wrong[0] else ""
+    stored, actual = attrs.get(_CHECKSUMS, {}), _checksums(path)
+    if wrong := [name for name in (*stored, *actual) if stored.get(name) != actual.get(name)]:
+        part_name = f"has lost its array `{wrong[0]}`, or " if wrong[0] else ""
         raise ValueError(
-            f"`store` '{path}' {what}has another `{Path(wrong[0], _OF_ZARR)}` than was written: it "
-            "is damaged, or was edited. Restore it, or remove the store and compute all again."
+            f"`store` '{path}' {part_name}has another `{Path(wrong[0], _OF_ZARR)}` than was "
+            "written: it is damaged, or was edited. Restore it, or remove the store and compute "
+            "all again."
         )
-    _check_consolidated(path, found)
+    _check_consolidated(path, actual)
     return True
 
 
 def _check_consolidated(path: str, arrays: Iterable[str]) -> None:
-    """Refuse a store whose consolidated metadata, which Zarr reads first, lack some array."""
-    about = json.loads(Path(path, _OF_ZARR).read_bytes()).get("consolidated_metadata")
-    if not about:
+    """Raise an error if arrays are missing in consolidated metadata, which Zarr reads first."""
+    metadata = json.loads(Path(path, _OF_ZARR).read_bytes()).get("consolidated_metadata")
+    if not metadata:
         return
-    if lacking := [name for name in arrays if name and name not in about["metadata"]]:
+    if lacking := [name for name in arrays if name and name not in metadata["metadata"]]:
         raise ValueError(
             f"`store` '{path}' has consolidated metadata without {few(lacking)}, in its "
             f"`{_OF_ZARR}`: Zarr finds no other arrays. Write them again by "
@@ -234,15 +240,15 @@ def create(
     sizes: Sequence[int],
     labels: Mapping[str, Sequence[str]],
 ) -> None:
-    """Make a store with all coordinates and no results; an interrupted call leaves nothing.
+    """Create a store with all coordinates and no results; an interrupted call leaves no files.
 
-    The `example` is a Dataset of one sample with all attributes and coordinates; its own sizes do
-    not count. The `labels` of further dimensions are attributes: Zarr has no settled form for
-    arrays of text.
+    The `example` is a Dataset of one sample with all attributes and coordinates; its sizes are
+    ignored. The `labels` of further dimensions are stored as attributes: Zarr has no stable format
+    for arrays of text.
     """
     zarr = _zarr()
     files = file_names(map(str, (*example.variables, *example.dims)))
-    about = {
+    attributes = {
         _TOKEN: digest(parts),
         _PARTS: dict(parts),
         _VARIABLES: list(map(str, example.data_vars)),
@@ -254,30 +260,30 @@ def create(
     target = Path(os.path.realpath(path))
     target.parent.mkdir(parents=True, exist_ok=True)
     with folder_beside(target) as folder:
-        aside = folder / target.name
-        group = zarr.open_group(str(aside), mode="w", attributes=about)
+        temporary = folder / target.name
+        group = zarr.open_group(str(temporary), mode="w", attributes=attributes)
         for name, variable in example.variables.items():
-            file, along = files[str(name)], [files[str(d)] for d in variable.dims]
+            file, file_dims = files[str(name)], [files[str(d)] for d in variable.dims]
             if name in example.coords:
                 shape = tuple(samples.dims.get(d, variable.sizes[d]) for d in variable.dims)
-                _array(group, file, shape, shape, along, variable)
+                _array(group, file, shape, shape, file_dims, variable)
                 continue
-            rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
-            shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
-            _array(group, file, shape, chunks, along, variable)
+            further_sizes = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
+            shape, chunks = (*samples.shape, *further_sizes), (*sizes, *further_sizes)
+            _array(group, file, shape, chunks, file_dims, variable)
         blocks = [
-            -(-whole // max(1, size)) for whole, size in zip(samples.shape, sizes, strict=True)
+            -(-length // max(1, size)) for length, size in zip(samples.shape, sizes, strict=True)
         ]
-        row, inner = len(about[_VARIABLES]), group.create_group(_CHUNKS[0])
+        row, inner = len(attributes[_VARIABLES]), group.create_group(_CHUNKS[0])
         shape, chunks = (*blocks, row), (*(1 for _ in blocks), row)
-        checksums = Variable(dims, np.zeros(0, np.uint32), {})
+        checksums = LabelledArray(dims, np.zeros(0, np.uint32), {})
         _array(inner, _CHUNKS[1], shape, chunks, [*map(files.get, dims), "variable"], checksums)
         coordinates = " ".join(files[name] for name in samples.coordinates)
         group.attrs.update({**example.attrs, "coordinates": coordinates})
-        write_coordinates(str(aside), samples, example.coords.get("time"))
-        group.attrs[_CHECKSUMS] = _checksums(str(aside))
+        write_coordinates(str(temporary), samples, example.coords.get("time"))
+        group.attrs[_CHECKSUMS] = _checksums(str(temporary))
         try:
-            os.rename(aside, target)
+            os.rename(temporary, target)
         except OSError:
             if not target.exists():
                 raise
@@ -289,17 +295,17 @@ def create(
 
 def _checksums(path: str) -> dict[str, int]:
     """Return the checksums of the metadata of a store's arrays, and of its other attributes."""
-    about = json.loads(Path(path, _OF_ZARR).read_bytes())["attributes"]
-    about.pop(_CHECKSUMS, None)
-    parts = {"": json.dumps(about, sort_keys=True).encode()}
+    attributes = json.loads(Path(path, _OF_ZARR).read_bytes())["attributes"]
+    attributes.pop(_CHECKSUMS, None)
+    parts = {"": json.dumps(attributes, sort_keys=True).encode()}
     for depth in ("*", "*/*"):
         for file in Path(path).glob(f"{depth}/{_OF_ZARR}"):
             parts[file.parent.relative_to(path).as_posix()] = file.read_bytes()
     return {name: zlib.crc32(part) for name, part in sorted(parts.items())}
 
 
-def opened(path: str, chunks: Any) -> Any:
-    """Return a store as a Dataset, under the names that its variables have outside."""
+def open_dataset(path: str, chunks: Any) -> Any:
+    """Return a store as a Dataset, with the original names of its variables."""
     xarray = require("xarray", "ensemble", "System.integrate_ensemble")
     dataset = xarray.open_zarr(path, consolidated=False, chunks=chunks)
     labels = dataset.attrs.pop(_LABELS, {})
@@ -320,10 +326,10 @@ def _array(
     dims: Any,
     variable: Any,
 ) -> Any:
-    """Make an array for the values of a variable, or for others of the same type."""
+    """Create an array with the type and attributes of a variable."""
     dtype = np.dtype(variable.values.dtype)
     fill = int(Outcome.NOT_COMPUTED) if name == "status" else np.nan if dtype.kind == "f" else 0
-    # Whatever is damaged in a chunk, its checksum tells: a flipped bit may decompress to numbers.
+    # The checksum detects damage that decompression does not: a flipped bit may yield numbers.
     codecs = require("zarr.codecs", "ensemble", "`store`")
     return group.create_array(
         name,
@@ -338,17 +344,17 @@ def _array(
 
 
 def write_coordinates(path: str, samples: Samples, times: Any) -> None:
-    """Write the coordinates that are not there yet."""
+    """Write the coordinates that are missing or differ."""
     group = _zarr().open_group(path, mode="r+")
     for name in group.attrs[_COORDINATES]:
         values = np.asarray(
             samples.coordinates[name].values if name in samples.coordinates else times
         )
         try:
-            there = np.array_equal(np.asarray(_stored(group, name)[...]), values)
+            is_written = np.array_equal(np.asarray(_stored(group, name)[...]), values)
         except Exception:  # noqa: BLE001 - a chunk that does not decode
-            there = False
-        if not there:
+            is_written = False
+        if not is_written:
             _stored(group, name)[...] = values
 
 
@@ -356,60 +362,60 @@ def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
     """Return the blocks that are missing from the store or damaged."""
     zarr = _zarr()
     group = zarr.open_group(path, mode="r")
-    arrays, known = _arrays(group), group["/".join(_CHUNKS)]
+    arrays, stored = _arrays(group), group["/".join(_CHUNKS)]
 
     def complete(block: Block) -> bool:
         try:
-            place, found = _checksums_of(path, group, arrays, block)
-            return np.array_equal(np.asarray(known[place]), found)
-        except Exception:  # noqa: BLE001 - no such chunk, or half of one, which no decoder takes
+            position, checksums = _checksums_of(path, group, arrays, block)
+            return np.array_equal(np.asarray(stored[position]), checksums)
+        except Exception:  # noqa: BLE001 - a missing or truncated chunk
             return False
 
     return [block for block in blocks if not complete(block)]
 
 
 def _arrays(group: Any) -> dict[str, Any]:
-    """Return the arrays of the results by the names of their variables."""
+    """Return the arrays of the results by name of the variable."""
     return {name: _stored(group, name) for name in group.attrs[_VARIABLES]}
 
 
 def _checksums_of(
     path: str, group: Any, arrays: Mapping[str, Any], block: Block
 ) -> tuple[tuple[int, ...], np.ndarray]:
-    """Return the place of a block, and the checksums of its chunks with where they belong."""
+    """Return a block's position, and the checksums of its chunks including their identity."""
     sizes = arrays["status"].chunks
-    place = tuple(s.start // size for s, size in zip(block, sizes, strict=True))
-    found = []
+    position = tuple(s.start // size for s, size in zip(block, sizes, strict=True))
+    checksums = []
     for name, array in arrays.items():
-        cell = *place, *(0 for _ in array.chunks[len(place) :])
+        cell = *position, *(0 for _ in array.chunks[len(position) :])
         file = Path(path, array.basename, array.metadata.encode_chunk_key(cell))
-        belongs = zlib.crc32(repr((group.attrs[_TOKEN], name, place)).encode())
-        found.append(zlib.crc32(file.read_bytes(), belongs))
-    return place, np.array(found, dtype=np.uint32)
+        belongs = zlib.crc32(repr((group.attrs[_TOKEN], name, position)).encode())
+        checksums.append(zlib.crc32(file.read_bytes(), belongs))
+    return position, np.array(checksums, dtype=np.uint32)
 
 
-def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
+def write(path: str, block: Block, results: Mapping[str, LabelledArray]) -> None:
     """Write the results of a block."""
     zarr = _zarr()
-    # Otherwise a chunk of nothing but fill values would not be there, like one that was lost.
+    # Zarr would omit a chunk that contains fill values only, which would count as missing.
     with _SETTING, zarr.config.set({"array.write_empty_chunks": True}):
         group = zarr.open_group(path, mode="r+")
         arrays, checksums = _arrays(group), group["/".join(_CHUNKS)]
     names = {file: name for name, file in group.attrs.get(_FILES, {}).items()}
 
-    def form(a: Any) -> Form:
+    def form(a: Any) -> ArrayForm:
         dims = [names.get(d, d) for d in a.metadata.dimension_names]
-        return Form.of(dims, a.shape, a.dtype, len(block))
+        return ArrayForm.from_array(dims, a.shape, a.dtype, len(block))
 
     forms = {name: form(a) for name, a in arrays.items()}
-    check_forms(found, forms, block)
-    rest = [(name, v) for name, v in found.items() if name != "status"]
+    check_forms(results, forms, block)
+    remaining = [(name, v) for name, v in results.items() if name != "status"]
     try:
-        for name, variable in (*rest, ("status", found["status"])):
+        for name, variable in (*remaining, ("status", results["status"])):
             arrays[name][block] = variable.values
-        place, known = _checksums_of(path, group, arrays, block)
-        checksums[place] = known
+        position, block_checksums = _checksums_of(path, group, arrays, block)
+        checksums[position] = block_checksums
     except OSError as error:
-        if error.filename is None and error.errno is not None:  # a full disk is told without a name
+        if error.filename is None and error.errno is not None:  # a full disk: the error has no path
             raise type(error)(error.errno, error.strerror, path) from error
         raise

@@ -1,4 +1,4 @@
-"""One block of an ensemble: integrated, reduced, and given names."""
+"""The work on one block of an ensemble: integrate, check, reduce, and name the results."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._program import run as interpret
 from pydy._rank import DIGITS
-from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
-from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
+from pydy.ensemble.model import COUNTED, Batch, ConstraintChecks, EnsembleModel, Results
+from pydy.ensemble.samples import PARAMETER, QUANTITY, LabelledArray, Samples, to_dataset
 from pydy.solvers import (
     ConstraintResiduals,
     DriftCheck,
@@ -28,13 +28,13 @@ from pydy.solvers import (
 )
 
 SMALLEST_BLOCK = 64
-"""Samples in a block: with fewer, lanes idle at its end for too long a part of the time."""
+"""Fewest samples in a block: in smaller ones, lanes are idle too long at the end."""
 
 _OCCURRENCES = 8
-_INTERPRETED = 8_000_000  # values that are interpreted at a time
+_INTERPRETED = 8_000_000  # largest number of values that are interpreted at a time
 
 COUNTS = (*COUNTED, "end_time")
-"""What the result tells of each sample beside its states and outputs."""
+"""Variables of the result for each sample, besides states and outputs."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class _Final:
 
 @dataclass(frozen=True)
 class _EventTimes:
-    """The first times at which events happened."""
+    """The times of the first occurrences of each event."""
 
     occurrences: int
 
@@ -69,30 +69,32 @@ def _refusal(entry: Any) -> str:
     )
 
 
-def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tuple[Reduction, ...]:
+def read_reductions(
+    reduce: Any, model: EnsembleModel, name: Callable[[Any], str]
+) -> tuple[Reduction, ...]:
     """Check the argument `reduce`; `name` turns a symbol into its name."""
     if reduce is None:
         return ()
-    wanted = reduce if isinstance(reduce, list) else [reduce]
+    entries = reduce if isinstance(reduce, list) else [reduce]
     names = (*model.states, *model.output_names)
     result: list[Reduction] = []
-    for entry in wanted:
-        kind, *rest = entry if isinstance(entry, tuple) and entry else (entry,)
-        if callable(kind) and not rest:
+    for entry in entries:
+        kind, *arguments = entry if isinstance(entry, tuple) and entry else (entry,)
+        if callable(kind) and not arguments:
             result.append(kind)
         elif not isinstance(kind, str):
             raise ValueError(_refusal(entry))
-        elif kind == "final" and not rest:
+        elif kind == "final" and not arguments:
             result.append(_Final())
-        elif kind in ("max", "min") and len(rest) == 1:
-            if name(rest[0]) not in names:
+        elif kind in ("max", "min") and len(arguments) == 1:
+            if name(arguments[0]) not in names:
                 raise ValueError(
-                    f"`reduce` asks for the {kind} of `{rest[0]}`, which is neither a state nor an "
-                    f"output: {some(names)}."
+                    f"`reduce` asks for the {kind} of `{arguments[0]}`, which is neither a state "
+                    f"nor an output: {some(names)}."
                 )
-            result.append(Extreme(kind, name(rest[0])))
-        elif kind == "events" and len(rest) < 2:
-            number = rest[0] if rest else _OCCURRENCES
+            result.append(Extreme(kind, name(arguments[0])))
+        elif kind == "events" and len(arguments) < 2:
+            number = arguments[0] if arguments else _OCCURRENCES
             if not model.event_names:
                 raise ValueError("`reduce='events'` needs `events`, a list of pydy.solvers.Event.")
             if isinstance(number, bool) or not isinstance(number, int) or number < 1:
@@ -110,8 +112,8 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
     return tuple(result)
 
 
-def _produced(entry: Reduction, model: Model) -> Sequence[str]:
-    """Return the names of a reduction's results; a function's are known when it has run."""
+def _produced(entry: Reduction, model: EnsembleModel) -> Sequence[str]:
+    """Return the names of a reduction's results; those of a function are unknown beforehand."""
     if isinstance(entry, Extreme):
         return [f"{entry.name}_{entry.kind}"]
     if isinstance(entry, _Final):
@@ -121,10 +123,10 @@ def _produced(entry: Reduction, model: Model) -> Sequence[str]:
 
 
 def _refuse_twice(produced: Sequence[tuple[str, Reduction]]) -> None:
-    """Refuse reductions of which one would overwrite the other's results."""
-    known: dict[str, Reduction] = {}
+    """Raise an error if two reductions have results of the same name."""
+    by_name: dict[str, Reduction] = {}
     for name, entry in produced:
-        if known.setdefault(name, entry) != entry or name in COUNTS:
+        if by_name.setdefault(name, entry) != entry or name in COUNTS:
             raise ValueError(
                 f"`reduce` gives two results the name `{name}`. Rename the output or the event "
                 "that it comes from."
@@ -133,14 +135,14 @@ def _refuse_twice(produced: Sequence[tuple[str, Reduction]]) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Work:
-    """The work on each block, which is sent to the workers."""
+    """The work on each block; this object is sent to the workers."""
 
-    model: Model
-    reductions: tuple[Reduction, ...]  # none: all times are kept
+    model: EnsembleModel
+    reductions: tuple[Reduction, ...]  # empty: the result contains all times
     attrs: dict[str, dict[str, Any]]  # attributes of variables, by name
-    told: dict[str, object] = field(default_factory=dict)  # what was warned of
-    assumed: Assumptions | None = None  # what SymPy assumed of the states
-    contradicted: set[str] | None = None  # symbols that were warned of by that; None: not judged
+    warned: dict[str, object] = field(default_factory=dict)  # the kinds of warnings so far
+    assumed: Assumptions | None = None  # SymPy's assumptions of the states
+    contradicted: set[str] | None = None  # symbols already warned of; None: assumptions not checked
 
     @property
     def function(self) -> Callable[[Any], Any] | None:
@@ -157,50 +159,50 @@ class Work:
         samples: Samples,
         stopped: Callable[[], bool] = lambda: False,
         states: np.ndarray | None = None,
-    ) -> dict[str, Variable]:
-        """Return the results for some samples, dimensions of samples first.
+    ) -> dict[str, LabelledArray]:
+        """Return the results for some samples, with the dimensions of samples first.
 
-        The states of all times lie in the array `states` (n, m, times), if there is one.
+        The states at all times are written into the array `states` (n, m, times) unless None.
         """
         model, times = self.model, self.model.times
         if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
-            # Steps do not depend on the outputs. A few show what assumptions the states leave.
+            # Steps do not depend on the times. A few times suffice to check assumptions.
             times = times[evenly(len(times), 2 if self.assumed is None else DriftCheck.MOST_STATES)]
-        logs = model.kept is not None or _EventTimes in map(type, self.reductions)
+        logs = model.constraint_checks is not None or _EventTimes in map(type, self.reductions)
         batch = Batch(model, *samples.rows(), stopped, logs)
         results = batch.run(times, states)
-        if model.kept is not None:
-            if not (model.kept.mended or model.options.constraints is not None):
-                self._tell_resets(batch, results, model.kept)
+        if model.constraint_checks is not None:
+            if not (model.constraint_checks.corrected or model.options.constraints is not None):
+                self._tell_resets(batch, results, model.constraint_checks)
             refuse(batch, results, times)
-        if number := int((results.told["status"] == Outcome.START_OFF_CONSTRAINTS).sum()):
+        if number := int((results.statistics["status"] == Outcome.START_OFF_CONSTRAINTS).sum()):
             self._tell_start(number, batch)
         if model.sensitivities is not None and (watched := model.sensitivities.watched) is not None:
             self._tell_jumps(batch, times, watched)
-        if results.stretches and self._first("stretches"):
-            warn_user(results.stretches[0])
+        if results.event_warnings and self._first("stretches"):
+            warn_user(results.event_warnings[0])
         if self.assumed is not None and self.contradicted is not None:
             self._tell_assumptions(self.assumed, self.contradicted, results.states, times)
         outputs: _Outputs = partial(batch.evaluate, model.outputs)
-        if (known := results.outputs) is not None:
-            outputs = lambda some, _: known[:, :, np.searchsorted(times, some)]  # noqa: E731
-        found = self._reduced(results, times, outputs, batch.output_columns)
+        if (values := results.outputs) is not None:
+            outputs = lambda at, _: values[:, :, np.searchsorted(times, at)]  # noqa: E731
+        reduced = self._reduced(results, times, outputs, batch.output_columns)
         for name in COUNTS:
-            found[name] = Variable((), results.told[name])
+            reduced[name] = LabelledArray((), results.statistics[name])
         shape, dims = samples.shape, tuple(samples.dims)
         variables = {
-            name: Variable(
+            name: LabelledArray(
                 (*dims, *v.dims), v.values.reshape((*shape, *v.values.shape[1:])), v.attrs
             )
-            for name, v in found.items()
+            for name, v in reduced.items()
         }
         variables = self._described(variables)
         return self._by_function(variables, samples) if self.function else variables
 
-    def _first(self, what: str) -> bool:
-        """Return whether this is the first warning of its kind: one for all blocks is enough."""
+    def _first(self, kind: str) -> bool:
+        """Return whether this is the first warning of its kind in all blocks."""
         mine = object()
-        return self.told.setdefault(what, mine) is mine
+        return self.warned.setdefault(kind, mine) is mine
 
     def _tell_start(self, number: int, batch: Batch) -> None:
         """Warn of samples that did not start."""
@@ -215,46 +217,50 @@ class Work:
             )
 
     def _tell_assumptions(
-        self, assumed: Assumptions, told: set[str], states: np.ndarray, times: np.ndarray
+        self, assumed: Assumptions, warned: set[str], states: np.ndarray, times: np.ndarray
     ) -> None:
         """Warn once of the states (n, m, times) that contradict their assumptions."""
         options = self.model.options
         for k in assumed.suspects(states):
-            if {assumed.names[column] for column in assumed.columns} <= told:
+            if {assumed.names[column] for column in assumed.columns} <= warned:
                 return
             rows = states[:, k].T
             allowed = errors_of(rows, options.rtol, options.atol)
             if options.step is not None:
                 allowed = errors_of(rows, 1.0)  # a method without error control
 
-            def where(row: int) -> str:
+            def position(row: int) -> str:
                 return f" at t = {times[row]:g} in one sample or more"
 
-            assumed.tell(rows, told, "", where=where, allowed=allowed, in_time=True)
+            assumed.tell(rows, warned, "", where=position, allowed=allowed, in_time=True)
 
-    def _tell_resets(self, batch: Batch, results: Results, kept: Kept) -> None:
-        """Warn of the first reset of each event that leaves the constraints."""
+    def _tell_resets(self, batch: Batch, results: Results, checks: ConstraintChecks) -> None:
+        """Warn of the first reset of each event that violates the constraints."""
         records = [(k, e) for k in sorted(results.records) for e in results.resets(k)]
         if not records:
             return
         samples, t = [k for k, _ in records], np.array([[e.time] for _, e in records])
         before, after = (
-            _values(batch, kept.programs, "bounds", samples, t, np.array(states)[:, None])
+            _values(batch, checks.programs, "bounds", samples, t, np.array(states)[:, None])
             for states in zip(*((e.before, e.after) for _, e in records), strict=True)
         )
         for k, (_, record) in enumerate(records):
-            own = {name: values[k] for name, values in after.items()}
-            rounding = ConstraintResiduals.rounding(own, own["sizes"], record.after[None])
-            residuals = ConstraintResiduals(own["rows"][0], (DIGITS * own["sizes"] + rounding)[0])
-            off = residuals.after_reset(before["rows"][k][0]).describe(record.time, kept.names)
+            quantities = {name: values[k] for name, values in after.items()}
+            rounding = ConstraintResiduals.rounding(
+                quantities, quantities["sizes"], record.after[None]
+            )
+            residuals = ConstraintResiduals(
+                quantities["rows"][0], (DIGITS * quantities["sizes"] + rounding)[0]
+            )
+            off = residuals.after_reset(before["rows"][k][0]).describe(record.time, checks.names)
             if off and self._first(f"reset of {record.name}"):
-                where = "In one sample or more, the"
-                ConstraintResiduals.warn_of_reset(record.name, off, where)
+                subject = "In one sample or more, the"
+                ConstraintResiduals.warn_of_reset(record.name, off, subject)
 
     def _tell_jumps(self, batch: Batch, times: np.ndarray, watched: Watched) -> None:
-        """Warn of the first of some samples that pass a jump, of which derivatives know nothing."""
+        """Warn of the first of some samples with a discontinuity that its derivatives miss."""
         for k in evenly(len(batch.x), DriftCheck.MOST_STATES).tolist():
-            if "jumps" in self.told or batch.stopped():
+            if "jumps" in self.warned or batch.stopped():
                 return
             motion = batch.passed(k, times)
             if motion is None:
@@ -262,11 +268,11 @@ class Work:
             passed, states = motion
 
             def evaluate(t: np.ndarray, k: int = k, states: Any = states) -> dict[str, np.ndarray]:
-                found = _values(batch, {"nodes": watched.nodes}, "nodes", [k], t, states(t)[None])
-                return {name: values[0] for name, values in found.items()}
+                blocks = _values(batch, {"nodes": watched.nodes}, "nodes", [k], t, states(t)[None])
+                return {name: values[0] for name, values in blocks.items()}
 
-            if (told := jump_message(passed, watched, evaluate)) and self._first("jumps"):
-                warn_user(f"In one sample or more: {told[0].lower()}{told[1:]}")
+            if (message := jump_message(passed, watched, evaluate)) and self._first("jumps"):
+                warn_user(f"In one sample or more: {message[0].lower()}{message[1:]}")
 
     def _tell_outputs(self, outputs: np.ndarray, times: np.ndarray, states: np.ndarray) -> None:
         """Warn of outputs (o, m, times) that are not finite where states (n, m, times) are."""
@@ -274,17 +280,17 @@ class Work:
         if not wrong.any() or not self._first("outputs"):
             return
 
-        def place(k: int) -> tuple[str, None]:
+        def position(k: int) -> tuple[str, None]:
             sample, time = divmod(k, len(times))
             state = numbers_of(self.model.states, states[:, sample, time])
             return f"t = {float(times[time])!r} in the state {state}", None
 
-        warn_not_finite(wrong.reshape(len(outputs), -1).T, self.model.output_names, place)
+        warn_not_finite(wrong.reshape(len(outputs), -1).T, self.model.output_names, position)
 
-    def _described(self, variables: dict[str, Variable]) -> dict[str, Variable]:
-        own = {**self.attrs, **_STATISTICS}
+    def _described(self, variables: dict[str, LabelledArray]) -> dict[str, LabelledArray]:
+        attributes = {**self.attrs, **_STATISTICS}
         return {
-            name: Variable(v.dims, v.values, {**v.attrs, **own.get(name, {})})
+            name: LabelledArray(v.dims, v.values, {**v.attrs, **attributes.get(name, {})})
             for name, v in variables.items()
         }
 
@@ -294,72 +300,73 @@ class Work:
         """Return states and outputs by name, each of the shape (m, times)."""
         values = dict(zip(self.model.states, states, strict=True))
         if not set(names) <= set(values):
-            found = outputs(times, states)
-            if not np.isfinite(found).all():
-                self._tell_outputs(found, times, states)
-            values |= dict(zip(self.model.output_names, found, strict=True))
+            computed = outputs(times, states)
+            if not np.isfinite(computed).all():
+                self._tell_outputs(computed, times, states)
+            values |= dict(zip(self.model.output_names, computed, strict=True))
         return values
 
     def _reduced(
         self, results: Results, times: np.ndarray, outputs: _Outputs, slopes: _Slopes
-    ) -> dict[str, Variable]:
+    ) -> dict[str, LabelledArray]:
         """Return the reductions of states and outputs, and their sensitivities.
 
-        The derivative of an extreme is that at its time: the time has none of its own among those
-        that are kept.
+        The derivative of an extreme value is the derivative at its time, which is one of the times.
         """
         states, columns = results.states, results.columns
-        found: dict[str, Variable] = {}
+        reduced: dict[str, LabelledArray] = {}
         rows: list[np.ndarray] = []  # of sensitivities, (k, m)
 
         def derivatives(part: slice) -> np.ndarray:
             """Return the sensitivities of all states and outputs, shape (q, k, m, times)."""
             assert columns is not None
-            own = columns[..., part]
-            return np.concatenate([own, slopes(times[part], states[..., part], own)])
+            selected = columns[..., part]
+            return np.concatenate([selected, slopes(times[part], states[..., part], selected)])
 
-        def kept(dims: tuple[str, ...], table: np.ndarray) -> Variable:
-            whole = np.ascontiguousarray(table)
-            return Variable((*dims, QUANTITY, PARAMETER), whole, {"role": SENSITIVITY})
+        def as_variable(dims: tuple[str, ...], table: np.ndarray) -> LabelledArray:
+            contiguous = np.ascontiguousarray(table)
+            return LabelledArray((*dims, QUANTITY, PARAMETER), contiguous, {"role": SENSITIVITY})
 
         if not self.reductions or self.function:
             values = self._values(self.names, states, times, outputs)
-            found = {name: Variable(("time",), values[name]) for name in self.names}
+            reduced = {name: LabelledArray(("time",), values[name]) for name in self.names}
             if columns is not None:
                 every = derivatives(slice(None))
                 for name, slope in zip(self.names, every, strict=True):
                     _drop_where_unknown(slope, values[name])
-                found[SENSITIVITY] = kept(("time",), every.transpose(2, 3, 0, 1))
-            return found
+                reduced[SENSITIVITY] = as_variable(("time",), every.transpose(2, 3, 0, 1))
+            return reduced
         extremes = [e for e in self.reductions if isinstance(e, Extreme)]
-        along = self._values([e.name for e in extremes], states, times, outputs)
-        whole = derivatives(slice(None)) if extremes and columns is not None else None
+        values_by_name = self._values([e.name for e in extremes], states, times, outputs)
+        all_derivatives = derivatives(slice(None)) if extremes and columns is not None else None
         for entry in self.reductions:
             if isinstance(entry, Extreme):
-                values_along = along[entry.name]
-                take = np.fmax if entry.kind == "max" else np.fmin  # NaN is where there is nothing
+                values_along = values_by_name[entry.name]
+                take = np.fmax if entry.kind == "max" else np.fmin  # NaN if all are NaN
                 attrs = dict(self.attrs.get(entry.name, {}))
-                extreme = Variable((), take.reduce(values_along, axis=1), attrs)
-                found[f"{entry.name}_{entry.kind}"] = extreme
-                if whole is not None:
+                extreme = LabelledArray((), take.reduce(values_along, axis=1), attrs)
+                reduced[f"{entry.name}_{entry.kind}"] = extreme
+                if all_derivatives is not None:
                     upward = values_along if entry.kind == "max" else -values_along
                     when = np.where(np.isnan(upward), -np.inf, upward).argmax(axis=1)
-                    slope = whole[self.names.index(entry.name)][:, np.arange(len(when)), when]
+                    slope = all_derivatives[self.names.index(entry.name)][
+                        :, np.arange(len(when)), when
+                    ]
                     _drop_where_unknown(slope, extreme.values)
                     rows.append(slope)
             elif isinstance(entry, _Final):
                 last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
-                found |= {name: Variable((), last[name][:, 0]) for name in self.names}
+                reduced |= {name: LabelledArray((), last[name][:, 0]) for name in self.names}
                 if columns is not None:
                     ends = derivatives(slice(-1, None))[..., 0]
                     for name, slope in zip(self.names, ends, strict=True):
                         _drop_where_unknown(slope, last[name][:, 0])
                     rows += list(ends)
             elif isinstance(entry, _EventTimes):
-                found |= self._events(results, entry.occurrences)
+                reduced |= self._events(results, entry.occurrences)
         if rows:
-            found[SENSITIVITY] = kept((), np.array(rows).transpose(2, 0, 1))
-        return found
+            reduced[SENSITIVITY] = as_variable((), np.array(rows).transpose(2, 0, 1))
+        return reduced
 
     @property
     def labels(self) -> dict[str, list[str]]:
@@ -368,14 +375,14 @@ class Work:
             return {}
         quantities = [*self.names]
         if self.reductions and not self.function:
-            others = [e for e in self.reductions if not isinstance(e, _EventTimes)]
-            quantities = [name for entry in others for name in _produced(entry, self.model)]
+            reductions = [e for e in self.reductions if not isinstance(e, _EventTimes)]
+            quantities = [name for entry in reductions for name in _produced(entry, self.model)]
         return {QUANTITY: quantities, PARAMETER: list(self.model.columns)}
 
-    def _events(self, results: Results, occurrences: int) -> dict[str, Variable]:
-        """Return how often each event happened, its first times, and their derivatives."""
-        m, columns = len(results.told["status"]), len(self.model.columns)
-        found = {}
+    def _events(self, results: Results, occurrences: int) -> dict[str, LabelledArray]:
+        """Return the number of occurrences of each event, the first times, their derivatives."""
+        m, columns = len(results.statistics["status"]), len(self.model.columns)
+        variables = {}
         for index, name in enumerate(self.model.event_names):
             when = np.full((m, occurrences), np.nan)
             slopes = np.full((m, occurrences, columns), np.nan)
@@ -383,19 +390,21 @@ class Work:
             for k, records in results.records.items():
                 mine = [record for record in records if record.index == index]
                 count[k] = len(mine)
-                for place, record in enumerate(mine[:occurrences]):
-                    when[k, place] = record.time
+                for occurrence, record in enumerate(mine[:occurrences]):
+                    when[k, occurrence] = record.time
                     if record.time_sensitivity is not None:
-                        slopes[k, place] = record.time_sensitivity
-            found[f"{name}_count"] = Variable((), count, {"role": "event"})
-            found[f"{name}_times"] = Variable(("occurrence",), when, {"role": "event"})
+                        slopes[k, occurrence] = record.time_sensitivity
+            variables[f"{name}_count"] = LabelledArray((), count, {"role": "event"})
+            variables[f"{name}_times"] = LabelledArray(("occurrence",), when, {"role": "event"})
             if columns:
-                found[f"{name}_times_{SENSITIVITY}"] = Variable(
+                variables[f"{name}_times_{SENSITIVITY}"] = LabelledArray(
                     ("occurrence", PARAMETER), slopes, {"role": SENSITIVITY}
                 )
-        return found
+        return variables
 
-    def _by_function(self, variables: dict[str, Variable], samples: Samples) -> dict[str, Variable]:
+    def _by_function(
+        self, variables: dict[str, LabelledArray], samples: Samples
+    ) -> dict[str, LabelledArray]:
         """Call the user's function and check its result."""
         assert self.function is not None
         dataset = to_dataset(variables, samples.coordinates, self.model.times, labels=self.labels)
@@ -411,13 +420,13 @@ class Work:
             raise TypeError(
                 f"`reduce` must return an xarray.Dataset or DataArray, got {type(result).__name__}."
             )
-        if moved := [name for name, given in labels.items() if _moved(result, name, given)]:
+        if moved := [name for name, expected in labels.items() if _differs(result, name, expected)]:
             raise ValueError(
                 f"`reduce` must leave samples and times in their places: `{moved[0]}` differs in "
                 "what it returns. Rename a dimension along which it selects or sorts."
             )
         dims = tuple(samples.dims)
-        found = {}
+        reduced = {}
         for name, array in result.data_vars.items():
             missing = [d for d in dims if array.sizes.get(d) != samples.dims[d]]
             if missing:
@@ -426,26 +435,28 @@ class Work:
                     f"returns: `{name}` has {dict(array.sizes)}."
                 )
             array = array.transpose(*dims, ...)
-            found[str(name)] = Variable(array.dims, np.asarray(array), dict(array.attrs))
-        return {**{name: variables[name] for name in COUNTS}, **found}
+            reduced[str(name)] = LabelledArray(array.dims, np.asarray(array), dict(array.attrs))
+        return {**{name: variables[name] for name in COUNTS}, **reduced}
 
 
 def _drop_where_unknown(slopes: np.ndarray, values: np.ndarray) -> None:
     """Set the derivatives (k, ...) of values (...) that are NaN to NaN, in place.
 
-    A Piecewise without a branch there is a NaN that depends on nothing.
+    A Piecewise without a matching branch is a constant NaN, with the derivative 0.
     """
     unknown = np.isnan(values)
     if unknown.any():
         slopes[:, unknown] = np.nan
 
 
-def _moved(result: Any, name: Any, given: Any) -> bool:
-    """Return whether a Dataset has other labels than given, or other sizes for them."""
+def _differs(result: Any, name: Any, expected: Any) -> bool:
+    """Return whether a Dataset's labels, or their sizes, differ from the expected ones."""
     if name in result.coords:
-        own = result.variables[name]
-        return set(own.dims) == set(given.dims) and not own.transpose(*given.dims).equals(given)
-    return any(result.sizes.get(d, size) != size for d, size in given.sizes.items())
+        actual = result.variables[name]
+        return set(actual.dims) == set(expected.dims) and not actual.transpose(
+            *expected.dims
+        ).equals(expected)
+    return any(result.sizes.get(d, size) != size for d, size in expected.sizes.items())
 
 
 _STATISTICS: dict[str, dict[str, Any]] = {
@@ -461,83 +472,83 @@ _STATISTICS: dict[str, dict[str, Any]] = {
 }
 
 
-# -- Samples that left their constraints, or changed their energy, are lost alone ------------------
+# -- Checks of constraints and energy, sample by sample --------------------------------------------
 
 
 def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
-    """Set samples to NaN after the last time at which they were sound; leave the others alone.
+    """Set samples that fail the drift checks to NaN after the last valid time.
 
-    The model has constraints.
+    The model has constraints. Other samples are not affected.
     """
-    model, kept = batch.model, batch.model.kept
-    assert kept is not None
+    model, checks = batch.model, batch.model.constraint_checks
+    assert checks is not None
     projected = model.options.constraints is not None
-    told = results.told
-    ended = np.isin(told["status"], (Outcome.FINISHED, Outcome.TERMINATED))
+    statistics = results.statistics
+    ended = np.isin(statistics["status"], (Outcome.FINISHED, Outcome.TERMINATED))
     if projected:
-        ended &= kept.every | (told["nearness"] < DriftCheck.NEAR_SINGULAR)
+        ended &= checks.every | (statistics["nearness"] < DriftCheck.NEAR_SINGULAR)
     suspects = np.flatnonzero(ended)
     if not projected:
-        suspects = _suspects(batch, kept.programs, suspects, results.states, times)
+        suspects = _suspects(batch, checks.programs, suspects, results.states, times)
     for samples in _alike(results.states, suspects):
-        places = DriftCheck.selected(results.states[:, samples[0]].T, projected)
-        at, own = times[places], samples
-        if projected and len(places):
-            own = own[_unsure(batch, results, own, places, at)]
-        for start in range(0, len(own), SMALLEST_BLOCK):
-            some = own[start : start + SMALLEST_BLOCK]
-            states = _along(results, some, places)
-            part_of = _together(batch.some(some), kept.programs, at, states)
-            for j, k in enumerate(some.tolist()):
+        time_indices = DriftCheck.selected(results.states[:, samples[0]].T, projected)
+        at, examined = times[time_indices], samples
+        if projected and len(time_indices):
+            examined = examined[_unsure(batch, results, examined, time_indices, at)]
+        for start in range(0, len(examined), SMALLEST_BLOCK):
+            chunk = examined[start : start + SMALLEST_BLOCK]
+            states = _states_at(results, chunk, time_indices)
+            part_of = _together(batch.select(chunk), checks.programs, at, states)
+            for j, k in enumerate(chunk.tolist()):
                 check = DriftCheck(
                     at,
                     states[j],
-                    float(told["steps"][k]) if model.options.step is None else None,
+                    float(statistics["steps"][k]) if model.options.step is None else None,
                     model.options.rtol,
                     model.options.atol,
-                    float(told["nearness"][k]) if projected else None,
-                    projected or kept.mended,
+                    float(statistics["nearness"][k]) if projected else None,
+                    projected or checks.corrected,
                     [(e.time, e.after) for e in results.resets(k)],
-                    kept.redundant,
+                    checks.redundant,
                 )
                 report = check.report(partial(part_of, j))
                 if report is not None:
-                    reached = places[max(0, report.state_index - 1)] + 1
+                    reached = time_indices[max(0, report.state_index - 1)] + 1
                     _lose(results, k, times, reached, report.outcome)
 
 
 def _alike(states: np.ndarray, samples: np.ndarray) -> list[np.ndarray]:
-    """Return groups of samples that have states at the same times."""
+    """Return groups of samples with finite states at the same times."""
     finite = np.isfinite(states).all(axis=0)[samples]
     group = np.unique(finite, axis=0, return_inverse=True)[1].reshape(-1)
     return [samples[group == k] for k in range(group.max(initial=-1) + 1)]
 
 
-def _along(results: Results, samples: np.ndarray, places: np.ndarray) -> np.ndarray:
+def _states_at(results: Results, samples: np.ndarray, time_indices: np.ndarray) -> np.ndarray:
     """Return the states (m, f, n) of some samples at some times."""
-    return results.states[:, samples][:, :, places].transpose(1, 2, 0).copy()
+    return results.states[:, samples][:, :, time_indices].transpose(1, 2, 0).copy()
 
 
 def _unsure(
-    batch: Batch, results: Results, samples: np.ndarray, places: np.ndarray, times: np.ndarray
+    batch: Batch, results: Results, samples: np.ndarray, time_indices: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
-    """Return which projected samples `DriftCheck.report` must examine; most are sound.
+    """Return which projected samples `DriftCheck.report` must examine.
 
-    Those kept all constraints to six digits, far from where they lose rank.
+    The others satisfy all constraints to six digits, far from a loss of rank.
     """
-    kept = batch.model.kept
-    assert kept is not None
-    unsure: np.ndarray = results.told["nearness"][samples] < DriftCheck.NEAR_SINGULAR
-    if kept.programs["contradictions"] is not None:
+    checks = batch.model.constraint_checks
+    assert checks is not None
+    unsure: np.ndarray = results.statistics["nearness"][samples] < DriftCheck.NEAR_SINGULAR
+    if checks.programs["contradictions"] is not None:
         return np.ones(len(samples), dtype=bool)
-    if (program := kept.programs["rows"]) is not None and kept.redundant:
+    if (program := checks.programs["rows"]) is not None and checks.redundant:
         number = max(SMALLEST_BLOCK, _INTERPRETED // (len(times) * len(program.ops)))
         for start in range(0, len(samples), number):
-            some = samples[start : start + number]
-            states = _along(results, some, places)
-            found = _values(batch, kept.programs, "rows", some.tolist(), times, states)
+            chunk = samples[start : start + number]
+            states = _states_at(results, chunk, time_indices)
+            blocks = _values(batch, checks.programs, "rows", chunk.tolist(), times, states)
             unsure[start : start + number] |= DriftCheck.exceeds_six_digits(
-                found["rows"], found["sizes"]
+                blocks["rows"], blocks["sizes"]
             )
     return unsure
 
@@ -545,20 +556,20 @@ def _unsure(
 def _together(
     batch: Batch, programs: Any, times: np.ndarray, states: np.ndarray
 ) -> Callable[..., dict[str, np.ndarray]]:
-    """Return functions that give `DriftQuantities` for each of m samples, of states (m, f, n).
+    """Return a function that evaluates `DriftQuantities` of one of m samples, states (m, f, n).
 
-    What is asked of one at these times is found for all.
+    Quantities at these times are evaluated for all samples at once.
     """
-    known: dict[str, dict[str, np.ndarray]] = {}
+    cache: dict[str, dict[str, np.ndarray]] = {}
 
     def part(j: int, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
         if t is not times:
-            found, place = _values(batch, programs, name, [j], t, x[None]), 0
+            blocks, row = _values(batch, programs, name, [j], t, x[None]), 0
         else:
-            if name not in known:
-                known[name] = _values(batch, programs, name, range(len(states)), t, states)
-            found, place = known[name], j
-        return {name: values[place] for name, values in found.items()}
+            if name not in cache:
+                cache[name] = _values(batch, programs, name, range(len(states)), t, states)
+            blocks, row = cache[name], j
+        return {name: values[row] for name, values in blocks.items()}
 
     return part
 
@@ -567,58 +578,58 @@ def _values(
     batch: Batch,
     programs: Any,
     name: str,
-    places: Sequence[int],
+    samples: Sequence[int],
     t: np.ndarray,
     x: np.ndarray,
 ) -> dict[str, np.ndarray]:
     """Return the values (m, f, ·) of a Program along m of the samples; times are (f,) or (m, f)."""
-    program, own = programs[name], list(places)
+    program, sample_indices = programs[name], list(samples)
     if program is None:
         return {}
     (m, f, n), t = x.shape, np.broadcast_to(t, x.shape[:2])
-    r, p = (np.repeat(rows[own], f, axis=0) for rows in (batch.r, batch.p))
+    r, p = (np.repeat(rows[sample_indices], f, axis=0) for rows in (batch.r, batch.p))
     if batch.model.sampled or batch.model.functions:
-        for k, (j, states, times) in enumerate(zip(own, x, t, strict=True)):
+        for k, (j, states, times) in enumerate(zip(sample_indices, x, t, strict=True)):
             inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
             r[k * f : (k + 1) * f] = inputs.rows(states, times)
     flat, _ = interpret(program, t.ravel(), x.reshape(m * f, n), r, p)
-    found: dict[str, np.ndarray] = program.by_block(flat.reshape(m, f, -1))
-    return found
+    blocks: dict[str, np.ndarray] = program.by_block(flat.reshape(m, f, -1))
+    return blocks
 
 
 def _suspects(
     batch: Batch, programs: Any, ended: np.ndarray, states: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
-    """Return which of some samples need a closer look; all are examined together.
+    """Return the samples that need a full check, from a vectorised check of all.
 
-    Those have residuals beyond six digits, or come near to losing rank.
+    These have constraint residuals beyond six digits, or come near a loss of rank.
     """
-    whole = ended[np.isfinite(states[:, ended, -1]).all(axis=0)]
-    if not len(whole):
+    complete = ended[np.isfinite(states[:, ended, -1]).all(axis=0)]
+    if not len(complete):
         return ended
     program = programs["screen"]
     assert program is not None
-    few = DriftCheck.selected(states[:, whole[0]].T, projected=False)
-    # A million residuals and derivatives at a time.
-    number = max(1, 1_000_000 // (len(few) * max(1, len(program.outputs))))
-    suspects = [np.setdiff1d(ended, whole)]
-    for start in range(0, len(whole), number):
-        places = whole[start : start + number]
-        x = np.ascontiguousarray(states[:, places][:, :, few])
-        out = batch.some(places).evaluate(program, times[few], x)
-        found = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
-        suspect = DriftCheck.exceeds_six_digits(found["rows"], found["sizes"])
+    time_indices = DriftCheck.selected(states[:, complete[0]].T, projected=False)
+    # A million residuals and derivatives are evaluated at a time.
+    number = max(1, 1_000_000 // (len(time_indices) * max(1, len(program.outputs))))
+    suspects = [np.setdiff1d(ended, complete)]
+    for start in range(0, len(complete), number):
+        chunk = complete[start : start + number]
+        x = np.ascontiguousarray(states[:, chunk][:, :, time_indices])
+        out = batch.select(chunk).evaluate(program, times[time_indices], x)
+        blocks = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
+        suspect = DriftCheck.exceeds_six_digits(blocks["rows"], blocks["sizes"])
         if batch.model.options.step is None:
-            suspect |= DriftCheck.nearly_loses_rank(found["products"])
-        suspects.append(places[suspect])
+            suspect |= DriftCheck.nearly_loses_rank(blocks["products"])
+        suspects.append(chunk[suspect])
     return np.unique(np.concatenate(suspects))
 
 
 def _lose(results: Results, k: int, times: np.ndarray, reached: int, code: int) -> None:
-    """Set a sample to NaN from a time on, with an error's code as its status."""
+    """Set a sample to NaN from a time on, and its status to an error code."""
     results.states[:, k, reached:] = np.nan
     if results.columns is not None:
         results.columns[:, :, k, reached:] = np.nan
-    end = results.told["end_time"][k] = times[reached - 1]
-    results.told["status"][k] = code
+    end = results.statistics["end_time"][k] = times[reached - 1]
+    results.statistics["status"][k] = code
     results.records[k] = [record for record in results.records.get(k, ()) if record.time <= end]
