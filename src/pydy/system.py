@@ -114,7 +114,7 @@ from pydy.analysis import (
 )
 from pydy.codegen import rates_function
 from pydy.ensemble import integrate_ensemble
-from pydy.layers import Functions, Layer
+from pydy.layers import Layer, LayerFunctions
 from pydy.solvers import Event, Solver
 from pydy.trajectory import Trajectory
 
@@ -2670,12 +2670,12 @@ class System:
 
     # -- JAX and PyTorch ---------------------------------------------------------------------------
 
-    def _layer_functions(self, contacts: Any, options: dict[str, Any]) -> Functions:
+    def _layer_functions(self, contacts: Any, options: dict[str, Any]) -> LayerFunctions:
         """Return the functions of the System as it is now."""
         if contacts is not None:
             self._checked_contacts(contacts)
         problem = self._now(options.get("events"), contacts=contacts)
-        return Functions(problem, native_solver(self.ode_solver), options)
+        return LayerFunctions(problem, native_solver(self.ode_solver), options)
 
     def as_jax(self, *, contacts: Any = None, **solver_kwargs: Any) -> Layer:
         """Return the equations and simulations as functions of JAX.

@@ -12,7 +12,7 @@ from pydy.contact import Contacts
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.layers import motions
-from pydy.layers.layer import Part
+from pydy.layers.layer import ArgumentPart
 from pydy.mechanics import Definition, Implicit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
@@ -483,7 +483,7 @@ def test_the_way_back_tells_of_jumps_that_derivatives_miss():
     definition = Definition(frame, [x], bodies=[me.Particle("b", point, 1)], loads=loads)
     system = System(definition, {force: 1.0}, initial_conditions={x: 1.0}, times=[0.0, 2.0])
     functions = system._layer_functions(None, {})
-    function = functions.function("final", (Part("p", (0,), (1,), False),))
+    function = functions.function("final", (ArgumentPart("p", (0,), (1,), False),))
     with pytest.warns(PyDyUserWarning, match="the load on .* jumps by 2,"):
         function.backward((0,), (np.ones(1),), np.ones(2))
 

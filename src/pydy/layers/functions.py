@@ -1,4 +1,4 @@
-"""The functions of a Problem that a Layer hands to its library."""
+"""The functions of a Problem that a Layer offers to its library."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from pydy._checks import Places
 from pydy._judges import warn_of_missing_derivatives
 from pydy._problem import Problem, refuse_descending
-from pydy.layers.layer import KINDS, Function, Part
+from pydy.layers.layer import KINDS, ArgumentPart, LayerFunction
 from pydy.layers.motions import MotionFunction
 from pydy.layers.values import BlockFunction
 from pydy.solvers import Solver
@@ -17,43 +17,46 @@ from pydy.solvers import Solver
 _BLOCKS = {"ode": "rates", "outputs": "outputs"}
 
 
-class Functions:
-    """The functions of a Problem: equations, and motions by a solver with its options."""
+class LayerFunctions:
+    """Creates and caches the functions of a Problem: its equations, and motions by a solver."""
 
     def __init__(self, problem: Problem, solver: Solver, options: dict[str, Any]) -> None:
         warn_of_missing_derivatives(problem)
         self.problem, self._solver, self._options = problem, solver, options
-        self._functions: dict[Any, Function] = {}
+        self._functions: dict[Any, LayerFunction] = {}
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_functions": {}}  # which hold locks, and are made again
+        return {
+            **self.__dict__,
+            "_functions": {},
+        }  # functions contain locks; they are created again
 
-    def places(self, group: str) -> Places:
+    def symbol_index(self, group: str) -> Places:
         """Return the symbols of x, r or p."""
-        places: Places = self.problem.definition.places[KINDS[group]]
-        return places
+        index: Places = self.problem.definition.places[KINDS[group]]
+        return index
 
-    def counts(self, kind: str, group: str, places: tuple[int, ...]) -> tuple[int, ...]:
-        """Return how many numbers each entry is; those of a motion's sampled input are several."""
-        numbers = dict.fromkeys(places, 1)
+    def counts(self, kind: str, group: str, indices: tuple[int, ...]) -> tuple[int, ...]:
+        """Return the number of numbers per entry: a motion's sampled input has several."""
+        numbers = dict.fromkeys(indices, 1)
         if group == "r" and kind in ("simulate", "final"):
             for columns, samples in self.problem.inputs.sampled:
                 numbers |= {k: len(samples.times) for k in columns.tolist() if k in numbers}
-        return tuple(numbers[k] for k in places)
+        return tuple(numbers[k] for k in indices)
 
     def start(self) -> np.ndarray:
         """Return the initial state."""
         x: np.ndarray = self.problem.x
         return x
 
-    def function(self, kind: str, parts: tuple[Part, ...]) -> Function:
-        """Return the function of a Layer's method, made once."""
+    def function(self, kind: str, parts: tuple[ArgumentPart, ...]) -> LayerFunction:
+        """Return the function of a Layer's method, from the cache if possible."""
         function = self._functions.get((kind, parts))
         if function is None:
             function = self._functions[kind, parts] = self._make(kind, parts)
         return function
 
-    def _make(self, kind: str, parts: tuple[Part, ...]) -> Function:
+    def _make(self, kind: str, parts: tuple[ArgumentPart, ...]) -> LayerFunction:
         problem = self.problem
         if kind == "outputs" and not problem.definition.outputs_symbols:
             raise ValueError("The system has no outputs to evaluate. Set `system.outputs`.")

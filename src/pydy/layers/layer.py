@@ -1,8 +1,8 @@
 """A Layer: functions of a system that another library differentiates through.
 
-On this side a function takes and returns NumPy arrays, with products of its Jacobian and vectors.
-On the other side stand the arrays of a library. A Layer only reads arguments, so that each library
-takes one file.
+A `LayerFunction` takes and returns NumPy arrays, and computes products of its Jacobian with
+vectors. An adapter (`JaxArrays`, `TorchArrays`) connects it to the arrays of a library, one file
+for each library. A Layer reads the arguments and calls the adapter.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ import numpy as np
 from pydy._checks import describe, merged
 
 KINDS = {"x": "states", "r": "specifieds", "p": "constants"}
-"""The kinds of symbols that the arrays of arguments hold."""
+"""The kinds of symbols in the arrays of arguments."""
 
 
 @dataclass(frozen=True)
-class Part:
-    """Which entries of x, t, r or p are arguments of a function."""
+class ArgumentPart:
+    """The entries of x, t, r or p that are an argument of a function."""
 
     group: str  # 'x', 't', 'r' or 'p'
-    places: tuple[int, ...]
-    counts: tuple[int, ...]  # how many numbers each is: samples of an input are several
-    whole: bool = False  # all of the group, as one array
+    indices: tuple[int, ...]
+    counts: tuple[int, ...]  # numbers per entry: a sampled input has one for each sample
+    is_full: bool = False  # True if the argument is the array of the complete group
 
     @property
     def size(self) -> int:
@@ -34,43 +34,43 @@ class Part:
         return sum(self.counts)
 
 
-Given = tuple[np.ndarray, ...]
+Arrays = tuple[np.ndarray, ...]
 
 
-class Function(Protocol):
+class LayerFunction(Protocol):
     """A function of some float64 arrays, and its derivatives, shape (…, *shape).
 
-    All arrays have the same leading axes, one cell of them a sample; ``given[i]`` has one more,
-    of the length of part i.
+    All arrays have the same leading axes, which are those of samples. ``arrays[i]`` has one more
+    axis, of the size of part i. `wrt` lists the arguments to differentiate by, as indices of parts.
     """
 
     shape: tuple[int, ...]  # of a value
-    parts: tuple[Part, ...]
+    parts: tuple[ArgumentPart, ...]
 
-    def value(self, *given: np.ndarray) -> np.ndarray:
+    def value(self, *arrays: np.ndarray) -> np.ndarray:
         """Return the values."""
 
-    def forward(self, wanted: tuple[int, ...], given: Given, along: Given) -> np.ndarray:
-        """Return the derivatives along directions of the wanted arguments."""
+    def forward(self, wrt: tuple[int, ...], arrays: Arrays, directions: Arrays) -> np.ndarray:
+        """Return the Jacobian-vector product, with a direction for each argument of `wrt`."""
 
-    def backward(self, wanted: tuple[int, ...], given: Given, weights: np.ndarray) -> Given:
-        """Return the derivatives of the weighted sum of the values by the wanted arguments."""
+    def backward(self, wrt: tuple[int, ...], arrays: Arrays, weights: np.ndarray) -> Arrays:
+        """Return the vector-Jacobian products of the weights, one for each argument of `wrt`."""
 
 
 class Layer:
     """Functions of a system for another library; see `System.as_jax` and `System.as_torch`.
 
-    They are of the system as it was when the Layer was made. Arguments that are not given have the
-    values of then. A dictionary gives some entries, by symbol or name. Arrays may have further axes
-    in front, which are broadcast against each other: each cell of these is a sample.
+    The Layer uses the system's equations and values from the time of its creation. These values are
+    the defaults of all arguments. A dictionary replaces some entries, by symbol or name. Arrays may
+    have additional leading axes, which are broadcast against each other and number samples.
     """
 
-    # The `functions` of a system as it was; the `arrays` of a library, as `JaxArrays` are.
+    # `functions`: `LayerFunctions`; `arrays`: the adapter of a library, such as `JaxArrays`.
     def __init__(self, functions: Any, arrays: Any, library: str) -> None:
         self._functions, self._arrays, self._library = functions, arrays, library
 
     def __repr__(self) -> str:
-        names = describe(self._functions.places("x").symbols)
+        names = describe(self._functions.symbol_index("x").symbols)
         return f"Layer for {self._library} of the states {names}"
 
     def ode(self, x: Any = None, t: Any = None, r: Any = None, p: Any = None) -> Any:
@@ -151,19 +151,19 @@ class Layer:
     def _call(self, kind: str, **arguments: Any) -> Any:
         if all(value is None for value in arguments.values()):
             arguments["x"] = self._functions.start()
-        parts, given = [], []
+        parts, arrays = [], []
         for group, value in arguments.items():
             if value is not None:
                 part, array = self._read(kind, group, value)
                 parts.append(part)
-                given.append(array)
+                arrays.append(array)
         function = self._functions.function(kind, tuple(parts))
         try:
-            alike = self._arrays.alike(given)
+            alike = self._arrays.alike(arrays)
         except ValueError:
             shapes = [
                 f"`{part.group}` {tuple(array.shape[:-1])}"
-                for part, array in zip(parts, given, strict=True)
+                for part, array in zip(parts, arrays, strict=True)
             ]
             raise ValueError(
                 "The axes in front of arguments must be broadcast against each other, got "
@@ -171,23 +171,23 @@ class Layer:
             ) from None
         return self._arrays.call(function, alike)
 
-    def _read(self, kind: str, group: str, value: Any) -> tuple[Part, Any]:
+    def _read(self, kind: str, group: str, value: Any) -> tuple[ArgumentPart, Any]:
         if group == "t":
-            return Part("t", (0,), (1,), True), self._arrays.array(value, "`t`")[..., None]
-        places = self._functions.places(group)
+            return ArgumentPart("t", (0,), (1,), True), self._arrays.array(value, "`t`")[..., None]
+        symbol_index = self._functions.symbol_index(group)
         if not isinstance(value, Mapping):
-            array, n = self._arrays.array(value, f"`{group}`"), len(places)
+            array, n = self._arrays.array(value, f"`{group}`"), len(symbol_index)
             if array.ndim == 0 or array.shape[-1] != n:
                 raise ValueError(
                     f"`{group}` must have the shape (…, {n}), one entry for each of "
-                    f"{describe(places.symbols)}, got {tuple(array.shape)}."
+                    f"{describe(symbol_index.symbols)}, got {tuple(array.shape)}."
                 )
-            return Part(group, (*range(n),), (1,) * n, True), array
+            return ArgumentPart(group, (*range(n),), (1,) * n, True), array
         if not value:
             raise ValueError(f"`{group}` must have at least one entry, got an empty dictionary.")
         value = merged(value)
-        found = tuple(places.columns(value, group).tolist())
-        counts = self._functions.counts(kind, group, found)
+        indices = tuple(symbol_index.columns(value, group).tolist())
+        counts = self._functions.counts(kind, group, indices)
         columns = []
         for (key, entry), count in zip(value.items(), counts, strict=True):
             column = self._arrays.array(entry, f"`{group}[{key}]`")
@@ -199,4 +199,4 @@ class Layer:
                     f"samples, got {tuple(column.shape)}."
                 )
             columns.append(column)
-        return Part(group, found, counts), self._arrays.together(columns)
+        return ArgumentPart(group, indices, counts), self._arrays.together(columns)

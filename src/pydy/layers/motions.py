@@ -1,4 +1,4 @@
-"""The states of a simulation, with products of their Jacobian and vectors."""
+"""The states of a simulation as a function, with products of its Jacobian and vectors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pydy._states import with_dependents
 from pydy.analysis import explicit_solver, motion_and_gradient
 from pydy.ensemble import integrate_ensemble
 from pydy.inputs import SampledInput
-from pydy.layers.layer import KINDS, Given, Part
+from pydy.layers.layer import KINDS, ArgumentPart, Arrays
 from pydy.layers.values import plan_without
 from pydy.solvers import Outcome, Solver
 
@@ -26,14 +26,14 @@ _ARGUMENTS = {"x": "initial_conditions", "r": "specifieds", "p": "constants"}
 
 
 class MotionFunction:
-    """The states of a motion, or the last of them, of x, r and p: see `layer.Function`."""
+    """All states of a motion, or the last one, as a function of x, r and p: a `LayerFunction`."""
 
     def __init__(
         self,
         problem: Problem,
         solver: Solver,
         final: bool,
-        parts: tuple[Part, ...],
+        parts: tuple[ArgumentPart, ...],
         options: dict[str, Any],
     ) -> None:
         self.parts, self._solver, self._final, self._options = parts, solver, final, options
@@ -51,18 +51,18 @@ class MotionFunction:
         self._solved_for = problem.settings.solved_for or ()
         following = [states[k] for k in problem.dependent]
         self._symbols: list[tuple[Any, ...]] = []  # of each part
-        self._by: list[list[Any]] = []  # those to differentiate by
+        self._wrt: list[list[Any]] = []  # symbols of each part to differentiate by
         for part in parts:
-            places = definition.places[KINDS[part.group]]
-            symbols = tuple(places.symbols[k] for k in part.places)
+            symbol_index = definition.places[KINDS[part.group]]
+            symbols = tuple(symbol_index.symbols[k] for k in part.indices)
             self._symbols.append(symbols)
-            if part.group == "x" and part.whole:
-                self._solved_for = ()  # as they are given
-                self._by.append([s for s in symbols if s not in following])
+            if part.group == "x" and part.is_full:
+                self._solved_for = ()  # the caller's states are used without changes
+                self._wrt.append([s for s in symbols if s not in following])
             else:
-                self._by.append([*symbols])
+                self._wrt.append([*symbols])
         self._names = unique_names(states)
-        self._lock = Lock()  # calls in several threads share what a model has prepared
+        self._lock = Lock()  # threads share the model's prepared integration
 
     # -- samples ----------------------------------------------------------------------------------
 
@@ -71,30 +71,28 @@ class MotionFunction:
         changes: dict[str, dict[Any, Any]] = {}
         for part, symbols, values in zip(self.parts, self._symbols, row, strict=True):
             argument = _ARGUMENTS[part.group]
-            whole = part.group == "r" and part.whole
-            before = (
-                {} if whole else changes.get(argument, getattr(self._problem.settings, argument))
-            )
-            pieces = np.split(values, np.cumsum(part.counts)[:-1])
+            replaces_all = part.group == "r" and part.is_full
+            before = {} if replaces_all else user[argument]
+            entries = np.split(values, np.cumsum(part.counts)[:-1])
             new: dict[Any, Any] = {}
-            for symbol, piece in zip(symbols, pieces, strict=True):
+            for symbol, entry in zip(symbols, entries, strict=True):
                 samples = before.get(symbol)
                 if isinstance(samples, SampledInput):
-                    new[symbol] = SampledInput(samples.times, piece, samples.interpolation)
+                    new[symbol] = SampledInput(samples.times, entry, samples.interpolation)
                 else:
-                    new[symbol] = float(piece[0])
-            changes[argument] = {**before, **new}
-        problem = with_settings(self._problem, **changes)
+                    new[symbol] = float(entry[0])
+            user[argument] = {**before, **new}
+        problem = replace(self._problem, user=user)
         return with_dependents(problem, self._solved_for) if self._solved_for else problem
 
-    def _flat(self, given: Given) -> list[np.ndarray]:
-        return [array.reshape(-1, array.shape[-1]) for array in given]
+    def _flat(self, arrays: Arrays) -> list[np.ndarray]:
+        return [array.reshape(-1, array.shape[-1]) for array in arrays]
 
     def _together(self, m: int) -> bool:
-        """Return whether samples are integrated side by side."""
+        """Return whether the samples are integrated as an ensemble."""
         sampled = any(count > 1 for part in self.parts for count in part.counts)
-        whole = any(part.group == "r" and part.whole for part in self.parts)
-        return m > 1 and not (sampled or whole or self._solved_for)
+        full_r = any(part.group == "r" and part.is_full for part in self.parts)
+        return m > 1 and not (sampled or full_r or self._solved_for)
 
     def _ensemble(self, flat: list[np.ndarray], sensitivities: Any = None) -> Any:
         """Integrate all samples as an ensemble."""
@@ -115,19 +113,19 @@ class MotionFunction:
             options=options,
         )
 
-    def _motion(self, row: list[np.ndarray], by: list[Any] | None = None) -> Motion:
-        """Integrate one sample, with the derivatives by some parameters if there are any."""
+    def _motion(self, row: list[np.ndarray], parameters: list[Any] | None = None) -> Motion:
+        """Integrate one sample, with sensitivities to the `parameters` unless None."""
         problem, options = self._at(row), dict(self._options)
         controlled = flag(options.pop("control_sensitivities", False), "`control_sensitivities`")
         if problem.hybrid is None:
             options = {"dense_output": False, **options}
-        request = None if by is None else SensitivityRequest(by, controlled)
+        request = None if parameters is None else SensitivityRequest(parameters, controlled)
         return simulate(
             problem, problem.settings.times, solver=self._solver, sensitivities=request, **options
         )
 
     def _or_nan(self, lead: tuple[int, ...], function: Callable[..., Any], *sample: Any) -> Any:
-        """Return a function of one sample; NaN where that fails and is one of several."""
+        """Return a function of one sample; NaN if it fails and there are several samples."""
         try:
             return function(*sample)
         except (IntegrationError, SingularMatrixError):
@@ -136,7 +134,7 @@ class MotionFunction:
             return np.nan
 
     def _late(self, results: Any) -> np.ndarray:
-        """Return which times of an ensemble's samples are after their last event, (m, times)."""
+        """Return which times are after the end of each sample's motion, (m, times)."""
         ended = np.isin(results["status"].values, (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE))
         after = self._problem.settings.times > results["end_time"].values[:, None]
         late: np.ndarray = ended[:, None] & after
@@ -144,19 +142,19 @@ class MotionFunction:
 
     # -- values -----------------------------------------------------------------------------------
 
-    def value(self, *given: np.ndarray) -> np.ndarray:
+    def value(self, *arrays: np.ndarray) -> np.ndarray:
         """Return the states."""
-        flat, lead = self._flat(given), given[0].shape[:-1]
+        flat, lead = self._flat(arrays), arrays[0].shape[:-1]
         m = len(flat[0])
         with self._lock:
             if self._together(m):
                 results = self._ensemble(flat)
                 states = np.stack([results[name].values for name in self._names], axis=-1)
                 values = states[:, -1].copy() if self._final else states
-                rest = np.flatnonzero(self._late(results)[:, -1] & self._final).tolist()
+                remaining = np.flatnonzero(self._late(results)[:, -1] & self._final).tolist()
             else:
-                values, rest = np.empty((m, *self.shape)), [*range(m)]
-            for k in rest:
+                values, remaining = np.empty((m, *self.shape)), [*range(m)]
+            for k in remaining:
                 values[k] = self._or_nan(lead, self._states, [array[k] for array in flat])
         return values.reshape(*lead, *self.shape)
 
@@ -171,67 +169,75 @@ class MotionFunction:
 
     # -- derivatives ------------------------------------------------------------------------------
 
-    def forward(self, wanted: tuple[int, ...], given: Given, along: Given) -> np.ndarray:
-        """Return the derivatives along directions of the wanted arguments."""
-        by, places = self._columns(wanted)
-        lead = given[0].shape[:-1]
-        distinct, back = _distinct(self._flat(given))
+    def forward(self, wrt: tuple[int, ...], arrays: Arrays, directions: Arrays) -> np.ndarray:
+        """Return the Jacobian-vector product, with a direction for each argument of `wrt`."""
+        parameters, columns = self._columns(wrt)
+        lead = arrays[0].shape[:-1]
+        distinct, back = _distinct(self._flat(arrays))
         with self._lock:
-            slopes = self._jacobian(by, distinct, lead, sum(map(len, places)))
+            slopes = self._jacobian(parameters, distinct, lead, sum(map(len, columns)))
         slopes = slopes[:, -1] if self._final else slopes
-        directions = [d.reshape(-1, d.shape[-1])[:, k] for d, k in zip(along, places, strict=True)]
-        product = np.einsum("m...k,mk->m...", slopes[back], np.concatenate(directions, axis=-1))
+        direction_columns = [
+            d.reshape(-1, d.shape[-1])[:, k] for d, k in zip(directions, columns, strict=True)
+        ]
+        product = np.einsum(
+            "m...k,mk->m...", slopes[back], np.concatenate(direction_columns, axis=-1)
+        )
         result: np.ndarray = product
         return result.reshape(*lead, *self.shape)
 
-    def backward(self, wanted: tuple[int, ...], given: Given, weights: np.ndarray) -> Given:
-        """Return the derivatives of the weighted sum of the states by the wanted arguments."""
-        by, places = self._columns(wanted)
-        flat, lead = self._flat(given), given[0].shape[:-1]
+    def backward(self, wrt: tuple[int, ...], arrays: Arrays, weights: np.ndarray) -> Arrays:
+        """Return the vector-Jacobian products of the weights, one for each argument of `wrt`."""
+        parameters, columns = self._columns(wrt)
+        flat, lead = self._flat(arrays), arrays[0].shape[:-1]
         weights = weights.reshape(len(flat[0]), *self.shape)
         with self._lock:
             if self._final and self._problem.hybrid is None:
-                slopes = np.empty((len(weights), sum(map(len, places))))
+                slopes = np.empty((len(weights), sum(map(len, columns))))
                 for k, w in enumerate(weights):
-                    slopes[k] = self._or_nan(lead, self._adjoint, by, [a[k] for a in flat], w)
+                    slopes[k] = self._or_nan(
+                        lead, self._adjoint, parameters, [a[k] for a in flat], w
+                    )
             else:
                 distinct, back = _distinct(flat)
-                states = self._jacobian(by, distinct, lead, sum(map(len, places)))[back]
+                states = self._jacobian(parameters, distinct, lead, sum(map(len, columns)))[back]
                 if self._final:
                     states, weights = states[:, -1:], weights[:, None]
                 slopes = np.einsum("mtnk,mtn->mk", states, weights)
-        ends = np.cumsum([len(k) for k in places])[:-1]
+        ends = np.cumsum([len(k) for k in columns])[:-1]
         result = []
-        for k, entries, columns in zip(wanted, places, np.split(slopes, ends, axis=1), strict=True):
+        for k, entries, part_slopes in zip(
+            wrt, columns, np.split(slopes, ends, axis=1), strict=True
+        ):
             table = np.zeros((len(flat[0]), self.parts[k].size))
-            table[:, entries] = columns
-            result.append(table.reshape(given[k].shape))
+            table[:, entries] = part_slopes
+            result.append(table.reshape(arrays[k].shape))
         return tuple(result)
 
-    def _columns(self, wanted: tuple[int, ...]) -> tuple[list[Any], list[np.ndarray]]:
+    def _columns(self, wrt: tuple[int, ...]) -> tuple[list[Any], list[np.ndarray]]:
         """Return the parameters to differentiate by, and their columns in each argument."""
-        by: list[Any] = []
-        places = []
-        for k in wanted:
+        parameters: list[Any] = []
+        columns = []
+        for k in wrt:
             starts = np.cumsum([0, *self.parts[k].counts])
-            by += self._by[k]
-            columns = [
+            parameters += self._wrt[k]
+            part_columns = [
                 np.arange(starts[j], starts[j + 1])
                 for j, symbol in enumerate(self._symbols[k])
-                if symbol in self._by[k]
+                if symbol in self._wrt[k]
             ]
-            places.append(np.concatenate(columns) if columns else np.zeros(0, dtype=int))
-        return by, places
+            columns.append(np.concatenate(part_columns) if part_columns else np.zeros(0, dtype=int))
+        return parameters, columns
 
     def _jacobian(
-        self, by: list[Any], flat: list[np.ndarray], lead: tuple[int, ...], columns: int
+        self, parameters: list[Any], flat: list[np.ndarray], lead: tuple[int, ...], columns: int
     ) -> np.ndarray:
         """Return the sensitivities of the states, (m, times, n, k)."""
         m, n, steps = len(flat[0]), len(self._names), len(self._problem.settings.times)
-        if not by:
+        if not parameters:
             return np.zeros((m, steps, n, 0))
         if self._together(m):
-            results = self._ensemble(flat, sensitivities=by)
+            results = self._ensemble(flat, sensitivities=parameters)
             table = results["sensitivity"].sel(quantity=list(self._names))
             slopes = table.transpose("sample", "time", "quantity", "parameter").values
             late = self._late(results)
@@ -239,7 +245,7 @@ class MotionFunction:
             return np.where(late[:, :, None, None], 0.0, slopes)
 
         def slopes_of(row: list[np.ndarray]) -> np.ndarray:
-            slopes = self._motion(row, by).sensitivities
+            slopes = self._motion(row, parameters).sensitivities
             assert slopes is not None
             missing = steps - len(slopes)
             self._check_reached(missing > 0)
@@ -260,15 +266,17 @@ class MotionFunction:
                 f"motion. {remedy}"
             )
 
-    def _adjoint(self, by: list[Any], row: list[np.ndarray], weights: np.ndarray) -> np.ndarray:
-        """Return the derivatives of the weighted sum of the last state."""
-        if not by:
+    def _adjoint(
+        self, parameters: list[Any], row: list[np.ndarray], weights: np.ndarray
+    ) -> np.ndarray:
+        """Return the gradient of the weighted sum of the last state."""
+        if not parameters:
             return np.zeros(0)
         problem = self._at(row)
         _, _, slopes, _ = motion_and_gradient(
             problem,
             problem.settings.times,
-            by,
+            parameters,
             final=None,
             integral=None,
             solver=explicit_solver(self._solver),
@@ -279,10 +287,10 @@ class MotionFunction:
         return result
 
 
-def _one_by_one(problem: Problem, parts: tuple[Part, ...]) -> dict[Any, Any]:
-    """Return the specifieds by single symbols, so that each may be replaced.
+def _one_by_one(problem: Problem, parts: tuple[ArgumentPart, ...]) -> dict[Any, Any]:
+    """Return the specifieds by single symbols, so that each can be replaced.
 
-    Those of a Python function stay together, unless an argument replaces some of them.
+    The specifieds of one Python function have a common entry, unless an argument replaces some.
     """
     plan = problem.plan
     numbers = dict(zip(plan.symbols, plan.inputs.values.tolist(), strict=True))
@@ -300,7 +308,7 @@ def _one_by_one(problem: Problem, parts: tuple[Part, ...]) -> dict[Any, Any]:
 
 
 def _distinct(flat: list[np.ndarray]) -> tuple[list[np.ndarray], np.ndarray]:
-    """Return the samples without repetitions, and which of them each sample is."""
+    """Return the distinct samples, and the index of each sample among these."""
     table = np.concatenate(flat, axis=1)
     _, first, back = np.unique(table, axis=0, return_index=True, return_inverse=True)
     return [array[first] for array in flat], back.reshape(-1)

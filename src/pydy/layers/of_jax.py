@@ -1,8 +1,8 @@
-"""Functions of a system in JAX: primitives with rules for vmap and for both ways to differentiate.
+"""Functions of a system in JAX: primitives with rules for vmap, forward and reverse derivatives.
 
-`jax.pure_callback` would do with a custom_vjp, but moves its arguments through JAX's Python twice:
-a call costs 150 µs where the callback that XLA makes by itself takes 10. A primitive also has
-derivatives in both directions, which custom_vjp has not.
+The alternative, `jax.pure_callback` with a custom_vjp, passes its arguments through JAX's Python
+code twice: a call takes 150 µs, and XLA's own callback 10 µs. A custom_vjp also has no forward
+derivatives.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ import numpy as np
 
 from pydy._checks import check_copied, real_array, shown
 from pydy._optional import require
-from pydy.layers.layer import Function
+from pydy.layers.layer import LayerFunction
 
 
 class JaxArrays:
-    """Arrays of JAX."""
+    """The adapter of JAX's arrays."""
 
     def __init__(self) -> None:
         self.jax = require("jax", "jax", "`as_jax`")
@@ -46,11 +46,11 @@ class JaxArrays:
             traced = any(isinstance(leaf, self.jax.Array) for leaf in leaves)
         except RecursionError:
             traced = False
-        plain = value if traced else _plain(value, argument)
+        numbers = value if traced else _checked_numbers(value, argument)
         try:
-            array = jnp.asarray(plain)
+            array = jnp.asarray(numbers)
         except (TypeError, ValueError, OverflowError, RecursionError):
-            # JAX names neither the argument nor what it may be; its tracers raise other errors.
+            # JAX's message does not name the argument; its tracers raise other errors.
             raise TypeError(
                 f"{argument} must be an array of JAX, of float64, or numbers, got {shown(value)}."
             ) from None
@@ -64,7 +64,7 @@ class JaxArrays:
         return array
 
     def together(self, columns: list[Any]) -> Any:
-        """Return arrays (…, k) side by side."""
+        """Return arrays (…, k), broadcast and concatenated along the last axis."""
         return self.jax.numpy.concatenate(self.alike(columns), axis=-1)
 
     def alike(self, arrays: list[Any]) -> list[Any]:
@@ -73,16 +73,17 @@ class JaxArrays:
         lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
         return [jnp.broadcast_to(a, (*lead, a.shape[-1])) for a in arrays]
 
-    def call(self, function: Function, given: list[Any]) -> Any:
-        """Return the value of a Function."""
+    def call(self, function: LayerFunction, arrays: list[Any]) -> Any:
+        """Return the value of a LayerFunction."""
         value, _, _ = _primitives()
-        return value.bind(*given, function=function)
+        return value.bind(*arrays, function=function)
 
 
-def _plain(value: Any, argument: str) -> np.ndarray:
-    """Return numbers as an array, or name the argument that holds others.
+def _checked_numbers(value: Any, argument: str) -> np.ndarray:
+    """Return numbers as an array; raise an error that names the argument for other objects.
 
-    An array of fewer digits stays one, which is refused: they may have been lost by mistake.
+    The type of a float32 array is not changed, so that the caller rejects it: digits may have been
+    lost by mistake.
     """
     numbers = real_array(value, argument)
     narrow = getattr(getattr(value, "dtype", None), "kind", "") == "f"
@@ -91,10 +92,10 @@ def _plain(value: Any, argument: str) -> np.ndarray:
 
 @cache
 def _primitives() -> tuple[Any, Any, Any]:
-    """Return the primitives of values, and of products with the Jacobian from both sides.
+    """Return the primitives of values, Jacobian-vector and vector-Jacobian products.
 
     The operands of all have the same leading axes. After the arguments of the function, `forward`
-    takes a direction for each that is wanted, and `backward` one array of weights.
+    takes a direction for each argument of `wrt`, and `backward` takes one array of weights.
     """
     from jax.core import ShapedArray
     from jax.extend.core import Primitive
@@ -104,94 +105,108 @@ def _primitives() -> tuple[Any, Any, Any]:
     backward.multiple_results = True
 
     def rules(primitive: Any, host: Any, back: bool) -> None:
-        def shaped(*given: Any, function: Function, wanted: tuple[int, ...] = ()) -> Any:
+        def abstract_value(
+            *operands: Any, function: LayerFunction, wrt: tuple[int, ...] = ()
+        ) -> Any:
             if back:
-                return [given[k].update() for k in wanted]
-            return ShapedArray((*given[0].shape[:-1], *function.shape), np.dtype(float))
+                return [operands[k].update() for k in wrt]
+            return ShapedArray((*operands[0].shape[:-1], *function.shape), np.dtype(float))
 
-        def lowered(ctx: Any, *given: Any, **told: Any) -> Any:
-            def called(*arrays: Any) -> Any:
-                found = host(tuple(map(np.asarray, arrays)), **told)
-                return found if back else (found,)
+        def lowering(ctx: Any, *operands: Any, **params: Any) -> Any:
+            def callback(*arrays: Any) -> Any:
+                outputs = host(tuple(map(np.asarray, arrays)), **params)
+                return outputs if back else (outputs,)
 
             result, _, _ = mlir.emit_python_callback(
-                ctx, called, None, given, ctx.avals_in, ctx.avals_out, has_side_effect=False
+                ctx, callback, None, operands, ctx.avals_in, ctx.avals_out, has_side_effect=False
             )
             return result
 
-        def batched(given: Any, axes: Any, **told: Any) -> Any:
-            sizes = [a.shape[k] for a, k in zip(given, axes, strict=True) if k is not None]
-            found = primitive.bind(
-                *(batching.bdim_at_front(a, k, sizes[0]) for a, k in zip(given, axes, strict=True)),
-                **told,
+        def batching_rule(operands: Any, axes: Any, **params: Any) -> Any:
+            sizes = [a.shape[k] for a, k in zip(operands, axes, strict=True) if k is not None]
+            outputs = primitive.bind(
+                *(
+                    batching.bdim_at_front(a, k, sizes[0])
+                    for a, k in zip(operands, axes, strict=True)
+                ),
+                **params,
             )
-            return found, ([0] * len(found) if back else 0)
+            return outputs, ([0] * len(outputs) if back else 0)
 
-        primitive.def_abstract_eval(shaped)
+        primitive.def_abstract_eval(abstract_value)
         primitive.def_impl(
-            lambda *given, **told: _jit(primitive, tuple(sorted(told.items())))(*given)
+            lambda *operands, **params: _jit(primitive, tuple(sorted(params.items())))(*operands)
         )
-        mlir.register_lowering(primitive, lowered)
-        batching.primitive_batchers[primitive] = batched
+        mlir.register_lowering(primitive, lowering)
+        batching.primitive_batchers[primitive] = batching_rule
 
     for primitive, host in zip((value, forward, backward), _HOSTS.values(), strict=True):
         rules(primitive, host, primitive is backward)
 
-    def differentiated(given: Any, along: Any, function: Function) -> Any:
-        wanted = tuple(k for k, d in enumerate(along) if not isinstance(d, ad.Zero))
-        directions = [ad.instantiate_zeros(along[k]) for k in wanted]
-        slope = forward.bind(*given, *directions, function=function, wanted=wanted)
-        return value.bind(*given, function=function), slope
+    def value_jvp(operands: Any, tangents: Any, function: LayerFunction) -> Any:
+        wrt = tuple(k for k, d in enumerate(tangents) if not isinstance(d, ad.Zero))
+        directions = [ad.instantiate_zeros(tangents[k]) for k in wrt]
+        slope = forward.bind(*operands, *directions, function=function, wrt=wrt)
+        return value.bind(*operands, function=function), slope
 
-    def moved(primitive: Any) -> Any:
-        """Return the rule for a function that is linear in its tangents."""
+    def linear_rule(primitive: Any) -> Any:
+        """Return the JVP rule of a primitive that is linear in its last operands."""
 
-        def rule(given: Any, along: Any, function: Function, wanted: tuple[int, ...]) -> Any:
+        def rule(
+            operands: Any, tangents: Any, function: LayerFunction, wrt: tuple[int, ...]
+        ) -> Any:
             k = len(function.parts)
-            if not all(isinstance(d, ad.Zero) for d in along[:k]):
+            if not all(isinstance(d, ad.Zero) for d in tangents[:k]):
                 raise NotImplementedError(
                     "Functions of as_jax have first derivatives only. For second ones of a "
                     "quantity use system.evaluate_hessian_vector."
                 )
-            linear = [ad.instantiate_zeros(d) for d in along[k:]]
-            told = {"function": function, "wanted": wanted}
-            return primitive.bind(*given, **told), primitive.bind(*given[:k], *linear, **told)
+            linear = [ad.instantiate_zeros(d) for d in tangents[k:]]
+            params = {"function": function, "wrt": wrt}
+            return primitive.bind(*operands, **params), primitive.bind(
+                *operands[:k], *linear, **params
+            )
 
         return rule
 
-    def turned(weights: Any, *given: Any, function: Function, wanted: tuple[int, ...]) -> Any:
+    def transpose_forward(
+        weights: Any, *operands: Any, function: LayerFunction, wrt: tuple[int, ...]
+    ) -> Any:
         k = len(function.parts)
         if isinstance(weights, ad.Zero):
-            return [None] * len(given)
-        found = backward.bind(*given[:k], weights, function=function, wanted=wanted)
-        return [None] * k + [*found]
+            return [None] * len(operands)
+        cotangents = backward.bind(*operands[:k], weights, function=function, wrt=wrt)
+        return [None] * k + [*cotangents]
 
-    def turned_back(along: Any, *given: Any, function: Function, wanted: tuple[int, ...]) -> Any:
+    def transpose_backward(
+        cotangents: Any, *operands: Any, function: LayerFunction, wrt: tuple[int, ...]
+    ) -> Any:
         k = len(function.parts)
-        directions = [ad.instantiate_zeros(d) for d in along]
-        return [None] * k + [
-            forward.bind(*given[:k], *directions, function=function, wanted=wanted)
-        ]
+        directions = [ad.instantiate_zeros(d) for d in cotangents]
+        return [None] * k + [forward.bind(*operands[:k], *directions, function=function, wrt=wrt)]
 
-    ad.primitive_jvps[value] = differentiated
-    ad.primitive_jvps[forward], ad.primitive_jvps[backward] = moved(forward), moved(backward)
-    ad.primitive_transposes[forward] = turned
-    ad.primitive_transposes[backward] = turned_back
+    ad.primitive_jvps[value] = value_jvp
+    ad.primitive_jvps[forward], ad.primitive_jvps[backward] = (
+        linear_rule(forward),
+        linear_rule(backward),
+    )
+    ad.primitive_transposes[forward] = transpose_forward
+    ad.primitive_transposes[backward] = transpose_backward
     return value, forward, backward
 
 
 @lru_cache(maxsize=64)
-def _jit(primitive: Any, told: tuple[tuple[str, Any], ...]) -> Any:
-    """Return the compiled form for a call that nothing traces."""
+def _jit(primitive: Any, params: tuple[tuple[str, Any], ...]) -> Any:
+    """Return the compiled primitive, for calls outside of transformations."""
     import jax
 
-    return jax.jit(lambda *given: primitive.bind(*given, **dict(told)))
+    return jax.jit(lambda *operands: primitive.bind(*operands, **dict(params)))
 
 
 _HOSTS = {
-    "value": lambda given, function: function.value(*given),
-    "forward": lambda given, function, wanted: function.forward(
-        wanted, given[: len(function.parts)], given[len(function.parts) :]
+    "value": lambda operands, function: function.value(*operands),
+    "forward": lambda operands, function, wrt: function.forward(
+        wrt, operands[: len(function.parts)], operands[len(function.parts) :]
     ),
-    "backward": lambda given, function, wanted: function.backward(wanted, given[:-1], given[-1]),
+    "backward": lambda operands, function, wrt: function.backward(wrt, operands[:-1], operands[-1]),
 }

@@ -1,4 +1,4 @@
-"""Functions of a system in PyTorch: autograd.Functions of values and of both products."""
+"""Functions of a system in PyTorch: autograd.Functions of values and both Jacobian products."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import numpy as np
 
 from pydy._checks import real_array
 from pydy._optional import require
-from pydy.layers.layer import Function
+from pydy.layers.layer import LayerFunction
 
 
 class TorchArrays:
-    """Tensors of PyTorch."""
+    """The adapter of PyTorch's tensors."""
 
     def __init__(self) -> None:
         self.torch = require("torch", "torch", "`as_torch`")
@@ -37,7 +37,7 @@ class TorchArrays:
         return value
 
     def _numbers(self, value: Any, argument: str) -> np.ndarray:
-        """Return numbers as an array; a list may hold tensors of one number."""
+        """Return numbers as an array; a list may contain tensors with one number."""
         if isinstance(value, (list, tuple)) and any(
             isinstance(entry, self.torch.Tensor) for entry in value
         ):
@@ -48,7 +48,7 @@ class TorchArrays:
             raise TypeError(f"{error} Pass a tensor of float64.") from None
 
     def together(self, columns: list[Any]) -> Any:
-        """Return tensors (…, k) side by side."""
+        """Return tensors (…, k), broadcast and concatenated along the last axis."""
         return self.torch.cat(self.alike(columns), dim=-1)
 
     def alike(self, arrays: list[Any]) -> list[Any]:
@@ -56,97 +56,97 @@ class TorchArrays:
         lead = np.broadcast_shapes(*(tuple(a.shape[:-1]) for a in arrays))
         return [a.expand(*lead, a.shape[-1]) for a in arrays]
 
-    def call(self, function: Function, given: list[Any]) -> Any:
-        """Return the value of a Function."""
+    def call(self, function: LayerFunction, arrays: list[Any]) -> Any:
+        """Return the value of a LayerFunction."""
         direct, call, transformed = _calls()
-        return (call if transformed() else direct).apply(function, *given)
+        return (call if transformed() else direct).apply(function, *arrays)
 
 
 @cache
 def _calls() -> tuple[Any, Any, Any]:
-    """Return the autograd.Functions of a value, and the rule that selects one of them.
+    """Return two autograd.Functions of a value, and the function that selects one of them.
 
-    The second one is for the transformations of torch.func. PyTorch binds the arguments of such a
-    Function to its signature at each call, which takes longer than most of what is computed.
+    The second one supports the transformations of torch.func. It is slower: PyTorch binds its
+    arguments to its signature at each call, which takes longer than most evaluations.
     """
     import torch
 
-    # Whether a transformation of torch.func is at work; where PyTorch does not tell, one may be.
+    # Whether a transformation of torch.func is active; True if PyTorch has no such function.
     transformed = getattr(torch._C, "_are_functorch_transforms_active", lambda: True)
     tangent_of = torch.autograd.forward_ad.unpack_dual
 
-    def numbers(given: Any) -> tuple[np.ndarray, ...]:
-        return tuple(a.detach().cpu().numpy() for a in given)
+    def numbers(tensors: Any) -> tuple[np.ndarray, ...]:
+        return tuple(a.detach().cpu().numpy() for a in tensors)
 
     def tensor(array: np.ndarray, like: Any) -> Any:
         return torch.from_numpy(np.ascontiguousarray(array)).to(like.device)
 
-    def in_front(given: Any, axes: Any, size: int) -> list[Any]:
+    def batched_in_front(tensors: Any, axes: Any, size: int) -> list[Any]:
         return [
             a.movedim(k, 0) if k is not None else a.expand(size, *a.shape)
-            for a, k in zip(given, axes, strict=True)
+            for a, k in zip(tensors, axes, strict=True)
         ]
 
-    def products(function: Function, wanted: tuple[int, ...], *given: Any) -> tuple[Any, ...]:
-        *arrays, weights = numbers(given)
-        found = function.backward(wanted, tuple(arrays), weights)
-        return tuple(tensor(one, given[0]) for one in found)
+    def products(function: LayerFunction, wrt: tuple[int, ...], *tensors: Any) -> tuple[Any, ...]:
+        *arrays, weights = numbers(tensors)
+        gradients = function.backward(wrt, tuple(arrays), weights)
+        return tuple(tensor(gradient, tensors[0]) for gradient in gradients)
 
-    def keep(ctx: Any, function: Function, given: Any) -> None:
+    def keep(ctx: Any, function: LayerFunction, tensors: Any) -> None:
         ctx.function = function
-        ctx.save_for_backward(*given)
-        ctx.save_for_forward(*given)
+        ctx.save_for_backward(*tensors)
+        ctx.save_for_forward(*tensors)
 
     class Value(torch.autograd.Function):  # type: ignore[misc]
-        """The value of a Function."""
+        """The value of a LayerFunction."""
 
         @staticmethod
         def backward(ctx: Any, weights: Any) -> Any:
-            wanted = tuple(k for k, need in enumerate(ctx.needs_input_grad[1:]) if need)
-            given = ctx.saved_tensors
-            # A product that is to be differentiated in turn, and so refused, is a Function too.
+            wrt = tuple(k for k, need in enumerate(ctx.needs_input_grad[1:]) if need)
+            tensors = ctx.saved_tensors
+            # If the product may be differentiated again, it is a Function, which raises an error.
             differentiated = torch.is_grad_enabled() or transformed()
             if not differentiated:
-                differentiated = any(tangent_of(a).tangent is not None for a in (*given, weights))
-            product = Back.apply if differentiated else products
-            found = product(ctx.function, wanted, *given, weights)
-            result: list[Any] = [None] * (1 + len(given))
-            for k, one in zip(wanted, found, strict=True):
-                result[1 + k] = one
+                differentiated = any(tangent_of(a).tangent is not None for a in (*tensors, weights))
+            product = BackwardProduct.apply if differentiated else products
+            gradients = product(ctx.function, wrt, *tensors, weights)
+            result: list[Any] = [None] * (1 + len(tensors))
+            for k, gradient in zip(wrt, gradients, strict=True):
+                result[1 + k] = gradient
             return tuple(result)
 
         @staticmethod
-        def jvp(ctx: Any, _: Any, *along: Any) -> Any:
-            wanted = tuple(k for k, d in enumerate(along) if d is not None)
-            return Ahead.apply(
-                ctx.function, wanted, *ctx.saved_tensors, *(along[k] for k in wanted)
+        def jvp(ctx: Any, _: Any, *tangents: Any) -> Any:
+            wrt = tuple(k for k, d in enumerate(tangents) if d is not None)
+            return ForwardProduct.apply(
+                ctx.function, wrt, *ctx.saved_tensors, *(tangents[k] for k in wrt)
             )
 
     class Direct(Value):
-        """The same without torch.func."""
+        """The value outside of torch.func."""
 
         @staticmethod
-        def forward(ctx: Any, function: Function, *given: Any) -> Any:
-            keep(ctx, function, given)
-            return tensor(function.value(*numbers(given)), given[0])
+        def forward(ctx: Any, function: LayerFunction, *tensors: Any) -> Any:
+            keep(ctx, function, tensors)
+            return tensor(function.value(*numbers(tensors)), tensors[0])
 
     class Call(Value):
-        """The same under torch.func."""
+        """The value within transformations of torch.func."""
 
         @staticmethod
-        def forward(function: Function, *given: Any) -> Any:
-            return tensor(function.value(*numbers(given)), given[0])
+        def forward(function: LayerFunction, *tensors: Any) -> Any:
+            return tensor(function.value(*numbers(tensors)), tensors[0])
 
         @staticmethod
         def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
             keep(ctx, inputs[0], inputs[1:])
 
         @staticmethod
-        def vmap(info: Any, axes: Any, function: Function, *given: Any) -> Any:
-            return Call.apply(function, *in_front(given, axes[1:], info.batch_size)), 0
+        def vmap(info: Any, axes: Any, function: LayerFunction, *tensors: Any) -> Any:
+            return Call.apply(function, *batched_in_front(tensors, axes[1:], info.batch_size)), 0
 
     class Product(torch.autograd.Function):  # type: ignore[misc]
-        """A product with the Jacobian of a Function."""
+        """A product with the Jacobian of a LayerFunction."""
 
         @staticmethod
         def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
@@ -159,28 +159,32 @@ def _calls() -> tuple[Any, Any, Any]:
                 "use system.evaluate_hessian_vector."
             )
 
-    class Ahead(Product):
-        """The Jacobian of a Function times directions, which come last."""
+    class ForwardProduct(Product):
+        """The Jacobian-vector product; the directions are the last arguments."""
 
         @staticmethod
-        def forward(function: Function, wanted: tuple[int, ...], *given: Any) -> Any:
-            arrays, k = numbers(given), len(function.parts)
-            return tensor(function.forward(wanted, arrays[:k], arrays[k:]), given[0])
+        def forward(function: LayerFunction, wrt: tuple[int, ...], *tensors: Any) -> Any:
+            arrays, k = numbers(tensors), len(function.parts)
+            return tensor(function.forward(wrt, arrays[:k], arrays[k:]), tensors[0])
 
         @staticmethod
-        def vmap(info: Any, axes: Any, function: Function, wanted: Any, *given: Any) -> Any:
-            return Ahead.apply(function, wanted, *in_front(given, axes[2:], info.batch_size)), 0
+        def vmap(info: Any, axes: Any, function: LayerFunction, wrt: Any, *tensors: Any) -> Any:
+            return ForwardProduct.apply(
+                function, wrt, *batched_in_front(tensors, axes[2:], info.batch_size)
+            ), 0
 
-    class Back(Product):
-        """Weights, which come last, times the Jacobian of a Function."""
-
-        @staticmethod
-        def forward(function: Function, wanted: tuple[int, ...], *given: Any) -> Any:
-            return products(function, wanted, *given)
+    class BackwardProduct(Product):
+        """The vector-Jacobian product; the weights are the last argument."""
 
         @staticmethod
-        def vmap(info: Any, axes: Any, function: Function, wanted: Any, *given: Any) -> Any:
-            found = Back.apply(function, wanted, *in_front(given, axes[2:], info.batch_size))
-            return found, (0,) * len(found)
+        def forward(function: LayerFunction, wrt: tuple[int, ...], *tensors: Any) -> Any:
+            return products(function, wrt, *tensors)
+
+        @staticmethod
+        def vmap(info: Any, axes: Any, function: LayerFunction, wrt: Any, *tensors: Any) -> Any:
+            gradients = BackwardProduct.apply(
+                function, wrt, *batched_in_front(tensors, axes[2:], info.batch_size)
+            )
+            return gradients, (0,) * len(gradients)
 
     return Direct, Call, transformed

@@ -1,4 +1,4 @@
-"""The values of a block of the equations, with products of their Jacobian and vectors."""
+"""A block of the equations as a function, with products of its Jacobian and vectors."""
 
 from __future__ import annotations
 
@@ -14,37 +14,37 @@ from pydy._kernel import Kernel
 from pydy._problem import Problem
 from pydy._program import Program
 from pydy.codegen import SpecifiedsPlan
-from pydy.layers.layer import Given, Part
+from pydy.layers.layer import ArgumentPart, Arrays
 
 
-def plan_without(problem: Problem, part: Part | None) -> SpecifiedsPlan:
-    """Return how r is computed, with zeros for the specifieds that a layer's argument gives."""
+def plan_without(problem: Problem, part: ArgumentPart | None) -> SpecifiedsPlan:
+    """Return the plan of r with zeros for the specifieds that a layer's argument replaces."""
     if part is None:
         return problem.plan
-    places = problem.definition.places["specifieds"]
-    zeros = dict.fromkeys((places.symbols[k] for k in part.places), 0.0)
-    return problem.plan.updated(SpecifiedsPlan(zeros, places, argument="r"))
+    specifieds = problem.definition.places["specifieds"]
+    zeros = dict.fromkeys((specifieds.symbols[k] for k in part.indices), 0.0)
+    return problem.plan.updated(SpecifiedsPlan(zeros, specifieds, argument="r"))
 
 
-def _rows(base: np.ndarray, part: Part | None, values: Any, m: int) -> np.ndarray:
-    """Return m rows of `base`, or of (m, n), with the entries of a part replaced."""
+def _rows(base: np.ndarray, part: ArgumentPart | None, values: Any, m: int) -> np.ndarray:
+    """Return m copies of `base` (n,), or a copy of (m, n), with the entries of a part replaced."""
     rows: np.ndarray = np.array(np.broadcast_to(base, (m, base.shape[-1])), order="C")
     if part is not None:
-        rows[:, list(part.places)] = values
+        rows[:, list(part.indices)] = values
     return rows
 
 
 def _runs(rows: np.ndarray) -> Iterator[slice]:
-    """Return stretches of equal rows."""
+    """Return the slices of consecutive equal rows."""
     ends = np.flatnonzero((rows[1:] != rows[:-1]).any(axis=1)) + 1
     for start, stop in zip([0, *ends], [*ends, len(rows)], strict=True):
         yield slice(start, stop)
 
 
 class BlockFunction:
-    """A block of the equations as a function of x, t, r and p: see `layer.Function`."""
+    """A block of the equations as a function of x, t, r and p: a `LayerFunction`."""
 
-    def __init__(self, problem: Problem, block: str, parts: tuple[Part, ...]) -> None:
+    def __init__(self, problem: Problem, block: str, parts: tuple[ArgumentPart, ...]) -> None:
         self.problem, self.block, self.parts = problem, block, parts
         self._part_of = {part.group: part for part in parts}
         self._plan = plan_without(problem, self._part_of.get("r"))
@@ -52,59 +52,61 @@ class BlockFunction:
         self._check_unknowns()
         self._kernel = self._code.compiled(block)
         self.shape: tuple[int, ...] = (len(self._kernel.program.outputs),)
-        self._products: dict[Any, tuple[Kernel, list[Part]]] = {}
+        self._products: dict[Any, tuple[Kernel, list[ArgumentPart]]] = {}
 
     def _check_unknowns(self) -> None:
-        """Refuse to take the unknowns of an `Implicit` from before, where others follow."""
+        """Raise an error if an argument would change the unknowns of an `Implicit`."""
         blocks = self.problem.definition.equations.constraints.residuals.blocks
-        if not blocks or ("x" in self._part_of and self._part_of["x"].whole):
+        if not blocks or ("x" in self._part_of and self._part_of["x"].is_full):
             return
         assembly, states = self._code.assembly, self.problem.definition.states
         g, rows = assembly.graph, [assembly.holonomic[k] for block, _ in blocks for k in block]
         inputs = {g.args[n] for n in g.inputs(rows)}
-        if any((part.group, k) in inputs for part in self.parts for k in part.places):
-            unknowns = [states[k] for _, places in blocks for k in places]
+        if any((part.group, k) in inputs for part in self.parts for k in part.indices):
+            unknowns = [states[k] for _, columns in blocks for k in columns]
             raise ValueError(
                 f"`x` must be an array of whole states where the values of a call change what the "
                 f"residuals of `implicit` give, {describe(unknowns)}: layers solve for that in "
                 "`simulate` and `final` alone. `evaluate_ode` and `evaluate_outputs` solve for it."
             )
 
-    def _evaluate(self, kernel: Kernel, given: Given, more: np.ndarray | None = None) -> np.ndarray:
-        """Return the outputs of a Kernel, (…, o); `more` are inputs after r."""
-        lead = given[0].shape[:-1]
+    def _evaluate(
+        self, kernel: Kernel, arrays: Arrays, extra_inputs: np.ndarray | None = None
+    ) -> np.ndarray:
+        """Return the outputs of a Kernel, (…, o); `extra_inputs` follow r."""
+        lead = arrays[0].shape[:-1]
         if not lead:
-            return self._at(kernel, given, more)
+            return self._at(kernel, arrays, extra_inputs)
         if 0 in lead:
             return np.empty((*lead, len(kernel.program.outputs)))
-        flat = [array.reshape(-1, array.shape[-1]) for array in given]
+        flat = [array.reshape(-1, array.shape[-1]) for array in arrays]
         values = {part.group: array for part, array in zip(self.parts, flat, strict=True)}
         m, problem, part_of = len(flat[0]), self.problem, self._part_of
         x = _rows(problem.x, part_of.get("x"), values.get("x"), m)
         t = np.ascontiguousarray(values["t"][:, 0]) if "t" in values else np.full(m, problem.t)
         self._plan.check_times(t, "t")
         r = _rows(self._plan.inputs.rows(x, t), part_of.get("r"), values.get("r"), m)
-        if more is not None:
-            r = np.hstack([r, more.reshape(m, -1)])
+        if extra_inputs is not None:
+            r = np.hstack([r, extra_inputs.reshape(m, -1)])
         p = _rows(problem.p, part_of.get("p"), values.get("p"), m)
         outputs = [self._code.evaluate(kernel, t[k], x[k], r[k], p[k.start]) for k in _runs(p)]
         table = outputs[0] if len(outputs) == 1 else np.concatenate(outputs)
         return table.reshape(*lead, -1)
 
-    def _at(self, kernel: Kernel, given: Given, more: np.ndarray | None) -> np.ndarray:
-        """Do the same at one state, where the time of a call counts."""
+    def _at(self, kernel: Kernel, arrays: Arrays, extra_inputs: np.ndarray | None) -> np.ndarray:
+        """Return the outputs of a Kernel at one state, with less overhead than `_evaluate`."""
         problem, plan = self.problem, self._plan
         values = {"x": problem.x, "p": problem.p}
         t = problem.t
-        for part, array in zip(self.parts, given, strict=True):
+        for part, array in zip(self.parts, arrays, strict=True):
             group = part.group
             if group == "t":
                 t = float(array[0])
-            elif part.whole:
+            elif part.is_full:
                 values[group] = array
             elif group != "r":
                 values[group] = values[group].copy()
-                values[group][list(part.places)] = array
+                values[group][list(part.indices)] = array
         x, p = values["x"], values["p"]
         r = values.get("r")
         if r is None:
@@ -112,75 +114,77 @@ class BlockFunction:
                 plan.check_times(np.array([t]), "t")
             r = plan.inputs(x, t)
             if "r" in self._part_of:
-                r[list(self._part_of["r"].places)] = given[self.parts.index(self._part_of["r"])]
-        if more is not None:
-            r = np.concatenate([r, more])
+                r[list(self._part_of["r"].indices)] = arrays[self.parts.index(self._part_of["r"])]
+        if extra_inputs is not None:
+            r = np.concatenate([r, extra_inputs])
         out = np.empty(len(kernel.program.outputs))
         if kernel.at(x, t, r, p, out):
             raise self._code.singular(t, x)
         return out
 
-    def value(self, *given: np.ndarray) -> np.ndarray:
+    def value(self, *arrays: np.ndarray) -> np.ndarray:
         """Return the values."""
-        return self._evaluate(self._kernel, given)
+        return self._evaluate(self._kernel, arrays)
 
-    def _product(self, kind: str, wanted: tuple[int, ...]) -> tuple[Kernel, list[Part]]:
-        """Return the Kernel of a product with the Jacobian, and the variables it is taken by."""
-        known = self._products.get((kind, wanted))
-        if known is not None:
-            return known
+    def _product(self, kind: str, wrt: tuple[int, ...]) -> tuple[Kernel, list[ArgumentPart]]:
+        """Return the Kernel of a product with the Jacobian, and the parts of its inputs."""
+        compiled = self._products.get((kind, wrt))
+        if compiled is not None:
+            return compiled
         for _, function in self._plan.inputs.functions:
             raise ValueError(
                 f"Derivatives need those of the specifieds, but {function.label} is a Python "
                 "function, which has none. Give it as a SymPy expression of states, time and "
                 "constants, as samples, pydy.inputs.SampledInput(times, values), or in `r`."
             )
-        parts = [self.parts[k] for k in wanted]
+        parts = [self.parts[k] for k in wrt]
         s = len(self.problem.definition.specifieds)
         if self._plan.inputs.sampled and any(part.group == "t" for part in parts):
-            parts.append(Part("r", (*range(s),), (1,) * s, True))  # samples change with time
-        by = tuple((part.group, k) for part in parts for k in part.places)
+            parts.append(
+                ArgumentPart("r", (*range(s),), (1,) * s, True)
+            )  # samples change with time
+        inputs = tuple((part.group, k) for part in parts for k in part.indices)
         code, block = self._code, self.block
         assembly = code.assembly
 
         def program() -> Program:
             graph, nodes = assembly.simplified(block)
-            return derivative_program(graph, nodes, by, kind, assembly.sizes)
+            return derivative_program(graph, nodes, inputs, kind, assembly.sizes)
 
-        kernel = code.compiled_by(("product", kind, block, (), by, 1), program)
-        self._products[kind, wanted] = kernel, parts
+        kernel = code.compiled_by(("product", kind, block, (), inputs, 1), program)
+        self._products[kind, wrt] = kernel, parts
         return kernel, parts
 
-    def _slopes(self, wanted: tuple[int, ...], given: Given) -> np.ndarray:
-        """Return the derivatives of sampled specifieds by time, (…, s)."""
-        t = np.full(given[0].shape[:-1], self.problem.t)
-        for part, array in zip(self.parts, given, strict=True):
+    def _slopes(self, wrt: tuple[int, ...], arrays: Arrays) -> np.ndarray:
+        """Return the time derivatives of sampled specifieds, (…, s)."""
+        t = np.full(arrays[0].shape[:-1], self.problem.t)
+        for part, array in zip(self.parts, arrays, strict=True):
             t = array[..., 0] if part.group == "t" else t
         slopes = np.zeros((*t.shape, len(self.problem.definition.specifieds)))
         for columns, samples in self._plan.inputs.sampled:
             rows = [samples.slopes_at(float(instant)) for instant in t.ravel()]
             slopes[..., columns] = np.reshape(rows, (*t.shape, len(columns)))
         if "r" in self._part_of:
-            slopes[..., list(self._part_of["r"].places)] = 0.0
+            slopes[..., list(self._part_of["r"].indices)] = 0.0
         return slopes
 
-    def forward(self, wanted: tuple[int, ...], given: Given, along: Given) -> np.ndarray:
-        """Return the derivatives along directions of the wanted arguments."""
-        kernel, parts = self._product("jacobian-vector", wanted)
-        directions = [*along]
-        if len(parts) > len(wanted):
+    def forward(self, wrt: tuple[int, ...], arrays: Arrays, directions: Arrays) -> np.ndarray:
+        """Return the Jacobian-vector product, with a direction for each argument of `wrt`."""
+        kernel, parts = self._product("jacobian-vector", wrt)
+        inputs = [*directions]
+        if len(parts) > len(wrt):
             k = next(k for k, part in enumerate(parts) if part.group == "t")
-            directions.append(along[k] * self._slopes(wanted, given))
-        return self._evaluate(kernel, given, np.concatenate(directions, axis=-1))
+            inputs.append(directions[k] * self._slopes(wrt, arrays))
+        return self._evaluate(kernel, arrays, np.concatenate(inputs, axis=-1))
 
-    def backward(self, wanted: tuple[int, ...], given: Given, weights: np.ndarray) -> Given:
-        """Return the derivatives of the weighted sum of the values by the wanted arguments."""
-        kernel, parts = self._product("vector-jacobian", wanted)
-        products = self._evaluate(kernel, given, weights)
+    def backward(self, wrt: tuple[int, ...], arrays: Arrays, weights: np.ndarray) -> Arrays:
+        """Return the vector-Jacobian products of the weights, one for each argument of `wrt`."""
+        kernel, parts = self._product("vector-jacobian", wrt)
+        products = self._evaluate(kernel, arrays, weights)
         stops = [*accumulate(part.size for part in parts)]
         columns = [products[..., a:b] for a, b in zip([0, *stops], stops, strict=False)]
-        if len(parts) > len(wanted):
+        if len(parts) > len(wrt):
             k = next(k for k, part in enumerate(parts) if part.group == "t")
-            extra = (columns.pop() * self._slopes(wanted, given)).sum(axis=-1, keepdims=True)
+            extra = (columns.pop() * self._slopes(wrt, arrays)).sum(axis=-1, keepdims=True)
             columns[k] = columns[k] + extra
         return tuple(columns)
