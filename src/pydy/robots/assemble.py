@@ -1,4 +1,4 @@
-"""A tree of links as bodies, loads and kinematics, with symbols for its numbers."""
+"""Converts a tree of links into bodies, loads and kinematics, with symbols for its numbers."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ import sympy.physics.mechanics as me
 
 from pydy._names import untaken
 from pydy.mechanics import Definition
-from pydy.robots.tree import Joint, Link, Motor, Tendon, Tie, Tree
+from pydy.robots.tree import EqualityConstraint, Link, Motor, RobotJoint, Tendon, Tree
 
 
-class Place(NamedTuple):
-    """Where a link is: its axes and its origin."""
+class LinkFrame(NamedTuple):
+    """The frame of a link: its axes and its origin."""
 
     frame: Any
     point: Any
@@ -25,10 +25,10 @@ class Place(NamedTuple):
 class JointSymbols(NamedTuple):
     """The symbols of a joint.
 
-    The coordinates of a free joint are its place x, y, z in the axes of the world and a quaternion,
-    scalar part first; its speeds are the velocity in the axes of the world and the angular velocity
-    in the axes of the link. A ball joint has the quaternion and the angular velocity alone. The
-    coordinate of a joint that mimics another is an expression.
+    The coordinates of a free joint are its position x, y, z in the axes of the world and a
+    quaternion, scalar part first; its speeds are the velocity in the axes of the world and the
+    angular velocity in the axes of the link. A ball joint has only the quaternion and the angular
+    velocity. The coordinate of a joint that mimics another is an expression.
     """
 
     coordinates: tuple[Any, ...]
@@ -46,10 +46,10 @@ class TendonSymbols(NamedTuple):
 
 
 class _Step(NamedTuple):
-    """From one frame of a chain to the next: ``x = place + turn · x_next``."""
+    """From one frame of a chain to the next: ``x = offset + rotation · x_next``."""
 
-    place: Any
-    turn: Any
+    offset: Any
+    rotation: Any
 
 
 class _Axis(NamedTuple):
@@ -57,17 +57,18 @@ class _Axis(NamedTuple):
 
     kind: str
     vector: Any
-    inner: Place
-    outer: Place
+    inner: LinkFrame
+    outer: LinkFrame
     coordinate: Any
     speed: Any
-    reference: float  # the coordinate in the pose that the file shows
+    reference: float  # the coordinate in the file's pose
 
 
-class Assembly:
-    """The bodies, loads and kinematics of a tree of links; `symbolic` masses, lengths and the like.
+class RobotAssembly:
+    """The bodies, loads and kinematics of a tree of links.
 
-    Where a `friction_speed` is given, dry friction f acts as ``-f tanh(u / friction_speed)``.
+    If `symbolic`, masses, lengths and other numbers become symbols. With a `friction_speed`, dry
+    friction f acts as ``-f tanh(u / friction_speed)``.
     """
 
     def __init__(self, tree: Tree, symbolic: bool, friction_speed: float | None) -> None:
@@ -79,11 +80,11 @@ class Assembly:
         self.tendons: dict[str, TendonSymbols] = {}
         self.actuators: dict[str, Any] = {}
         self.input_ranges: dict[str, tuple[float, float]] = {}
-        self.places = [Place(self.world, self.origin)]  # the world's, then those of the links
-        self._taken: set[str] = {"t"}
+        self.link_frames = [LinkFrame(self.world, self.origin)]  # of the world, then of the links
+        self._used_names: set[str] = {"t"}
         self._bodies: list[Any] = []
         self._loads: list[Any] = []
-        # From the parent's place to that of each link, in the order of `places`, and the parents.
+        # Steps from the parent's frame to that of each link, in the order of `link_frames`.
         self._steps: list[list[_Step]] = [[]]
         self._parents: list[int | None] = [None]
         self._axes: dict[str, _Axis] = {}
@@ -106,22 +107,24 @@ class Assembly:
         self.definition = self._definition()
 
     @property
-    def frames(self) -> dict[str, Place]:
-        """The places of the world and of the links by name."""
+    def frames(self) -> dict[str, LinkFrame]:
+        """The frames of the world and of the links by name."""
         names = ["world", *(link.name for link in self.tree.links)]
-        return dict(zip(names, self.places, strict=True))
+        return dict(zip(names, self.link_frames, strict=True))
 
     # -- names and numbers -------------------------------------------------------------------------
 
     def _name(self, prefix: str, name: str) -> str:
-        """Return a name that nothing else has, of letters, digits and underscores."""
+        """Return a unique name of letters, digits and underscores."""
         clean = re.sub(r"\W+", "_", name).strip("_")
-        wanted = untaken(f"{prefix}_{clean}" if prefix and clean else prefix or clean, self._taken)
-        self._taken.add(wanted)
-        return wanted
+        unique = untaken(
+            f"{prefix}_{clean}" if prefix and clean else prefix or clean, self._used_names
+        )
+        self._used_names.add(unique)
+        return unique
 
     def _number(self, prefix: str, name: str, value: float, factor: float = 1.0) -> Any:
-        """Return a symbol with this value times a factor, or the number; zero stays zero."""
+        """Return a symbol for this value, times a factor, or the number; zero stays zero."""
         if not value or not factor:
             return sm.S.Zero
         if not self.symbolic:
@@ -133,23 +136,23 @@ class Assembly:
     def _vector(self, prefix: str, name: str, values: np.ndarray) -> list[Any]:
         return [self._number(f"{prefix}{a}", name, v) for a, v in zip("xyz", values, strict=True)]
 
-    def _name_joints(self, joints: Sequence[Joint]) -> None:
-        """Give each joint its coordinates and speeds; joints that mimic others come last."""
+    def _name_joints(self, joints: Sequence[RobotJoint]) -> None:
+        """Create the coordinates and speeds of each joint; joints that mimic others come last."""
         t, waiting = me.dynamicsymbols._t, [j for j in joints if j.mimics is not None]
         for joint in joints:
             if joint.mimics is not None:
                 continue
             turning = joint.kind in ("ball", "free")
-            places = ("x", "y", "z") if joint.kind == "free" else ()
-            ends = (*places, "e0", "e1", "e2", "e3") if turning else ("",)
-            rates = (*(f"v{a}" for a in places), "wx", "wy", "wz") if turning else ("",)
+            positions = ("x", "y", "z") if joint.kind == "free" else ()
+            ends = (*positions, "e0", "e1", "e2", "e3") if turning else ("",)
+            rates = (*(f"v{a}" for a in positions), "wx", "wy", "wz") if turning else ("",)
             self.joints[joint.name] = JointSymbols(
                 tuple(sm.Function(self._name("q", f"{joint.name}_{e}"))(t) for e in ends),
                 tuple(sm.Function(self._name("u", f"{joint.name}_{e}"))(t) for e in rates),
                 joint.limits,
                 joint.effort,
             )
-        for joint in _masters_first(waiting):
+        for joint in _mimicked_first(waiting):
             assert joint.mimics is not None
             master, factor, constant = joint.mimics
             (q,), (u,) = self.joints[master][:2]
@@ -160,63 +163,65 @@ class Assembly:
             )
 
     def _start(self) -> dict[Any, float]:
-        """Return the coordinates in the pose that the file shows."""
-        found: dict[Any, float] = {}
+        """Return the coordinates in the file's pose."""
+        coordinates: dict[Any, float] = {}
         for link in self.tree.links:
             for joint in link.joints:
                 if joint.mimics is not None:
                     continue
                 symbols = self.joints[joint.name].coordinates
-                given = self.tree.start.get(joint.name)
-                if given is None:
-                    given = np.zeros(len(symbols))
+                values = self.tree.start.get(joint.name)
+                if values is None:
+                    values = np.zeros(len(symbols))
                     if joint.kind in ("ball", "free"):
-                        given[-4] = 1.0
-                found.update((q, float(v)) for q, v in zip(symbols, given, strict=True))
-        return found
+                        values[-4] = 1.0
+                coordinates.update((q, float(v)) for q, v in zip(symbols, values, strict=True))
+        return coordinates
 
     # -- links -------------------------------------------------------------------------------------
 
     def _add_link(self, link: Link) -> None:
-        frame, point = self.places[link.parent + 1]
+        frame, point = self.link_frames[link.parent + 1]
         chain: list[_Step] = []
         self._steps.append(chain)
         free = [joint.kind for joint in link.joints] == ["free"]
         self._parents.append(0 if free else link.parent + 1)  # a free joint starts from the world
         if free:
-            own = self._free(link.joints[0], chain)
+            link_frame = self._free(link.joints[0], chain)
         else:
-            own = self._fixed(link, frame, point, chain)
+            link_frame = self._fixed(link, frame, point, chain)
             for k, joint in enumerate(link.joints):
                 last = k == len(link.joints) - 1
-                own = self._joint(joint, own, link.name if last else joint.name, chain)
-        self.places.append(own)
+                link_frame = self._joint(
+                    joint, link_frame, link.name if last else joint.name, chain
+                )
+        self.link_frames.append(link_frame)
         if link.mass or link.inertia.any():
-            self._add_body(link, own)
+            self._add_body(link, link_frame)
 
-    def _fixed(self, link: Link, frame: Any, point: Any, chain: list[_Step]) -> Place:
-        """Return where a link is as long as its joints do not move."""
-        place = self._vector("p", link.name, link.place)
-        turn = sm.Matrix(3, 3, lambda i, j: _exact(float(link.turn[i, j])))
-        if (link.turn != np.eye(3)).any():
+    def _fixed(self, link: Link, frame: Any, point: Any, chain: list[_Step]) -> LinkFrame:
+        """Return the frame of a link before the motion of its joints."""
+        offset = self._vector("p", link.name, link.origin)
+        rotation = sm.Matrix(3, 3, lambda i, j: _exact(float(link.rotation[i, j])))
+        if (link.rotation != np.eye(3)).any():
             fixed = _new_frame(self._name("at", link.name))
-            fixed.orient_explicit(frame, turn)
+            fixed.orient_explicit(frame, rotation)
         else:
             fixed = frame
-        chain.append(_Step(sm.Matrix(place), turn))
-        if any(place):
-            point = point.locatenew(self._name("at", f"{link.name}_o"), _in(frame, place))
-        return Place(fixed, point)
+        chain.append(_Step(sm.Matrix(offset), rotation))
+        if any(offset):
+            point = point.locatenew(self._name("at", f"{link.name}_o"), _in(frame, offset))
+        return LinkFrame(fixed, point)
 
-    def _free(self, joint: Joint, chain: list[_Step]) -> Place:
+    def _free(self, joint: RobotJoint, chain: list[_Step]) -> LinkFrame:
         coordinates, speeds, *_ = self.joints[joint.name]
-        own = _new_frame(self._name("", joint.name))
-        own.orient_quaternion(self.world, coordinates[3:])
-        own.set_ang_vel(self.world, _in(own, speeds[3:]))
-        place = _in(self.world, coordinates[:3])
-        point = self.origin.locatenew(self._name("", f"{joint.name}_o"), place)
-        chain.append(_Step(sm.Matrix(coordinates[:3]), own.dcm(self.world).T))
-        found = Place(own, point)
+        frame = _new_frame(self._name("", joint.name))
+        frame.orient_quaternion(self.world, coordinates[3:])
+        frame.set_ang_vel(self.world, _in(frame, speeds[3:]))
+        offset = _in(self.world, coordinates[:3])
+        point = self.origin.locatenew(self._name("", f"{joint.name}_o"), offset)
+        chain.append(_Step(sm.Matrix(coordinates[:3]), frame.dcm(self.world).T))
+        link_frame = LinkFrame(frame, point)
         if joint.armature:
             size = self._number("armature", joint.name, joint.armature)
             for axis, q in zip("xyz", coordinates[:3], strict=True):
@@ -224,10 +229,12 @@ class Assembly:
             self._add_rotor(joint, size, coordinates[3:], speeds[3:])
         if drag := self._drag(joint, speeds):
             self._loads.append((point, _in(self.world, drag[:3])))
-            self._loads.append((own, _in(own, drag[3:])))
-        return found
+            self._loads.append((frame, _in(frame, drag[3:])))
+        return link_frame
 
-    def _joint(self, joint: Joint, inner: Place, name: str, chain: list[_Step]) -> Place:
+    def _joint(
+        self, joint: RobotJoint, inner: LinkFrame, name: str, chain: list[_Step]
+    ) -> LinkFrame:
         coordinates, speeds, *_ = self.joints[joint.name]
         frame, point = inner
         anchor = [_exact(v) for v in joint.anchor]
@@ -237,35 +244,40 @@ class Assembly:
             axis = [_exact(v) for v in joint.axis]
             move = coordinates[0] - _exact(joint.reference)
             vector = _in(frame, axis)
-            outer = Place(frame, point.locatenew(self._name("", f"{name}_o"), move * vector))
+            outer = LinkFrame(frame, point.locatenew(self._name("", f"{name}_o"), move * vector))
             chain.append(_Step(sm.Matrix(axis) * move, sm.eye(3)))
         else:
-            own = _new_frame(self._name("", name))
+            rotating = _new_frame(self._name("", name))
             if joint.kind == "ball":
-                own.orient_quaternion(frame, coordinates)
-                own.set_ang_vel(frame, _in(own, speeds))
+                rotating.orient_quaternion(frame, coordinates)
+                rotating.set_ang_vel(frame, _in(rotating, speeds))
                 vector = None
             else:
                 vector = _in(frame, [_exact(v) for v in joint.axis])
-                own.orient_axis(frame, vector, coordinates[0] - _exact(joint.reference))
-                own.set_ang_vel(frame, speeds[0] * vector)
-            turn, about = own.dcm(frame).T, sm.Matrix(anchor)
-            chain.append(_Step(about - turn * about if any(anchor) else sm.zeros(3, 1), turn))
+                rotating.orient_axis(frame, vector, coordinates[0] - _exact(joint.reference))
+                rotating.set_ang_vel(frame, speeds[0] * vector)
+            rotation, anchor_vector = rotating.dcm(frame).T, sm.Matrix(anchor)
+            chain.append(
+                _Step(
+                    anchor_vector - rotation * anchor_vector if any(anchor) else sm.zeros(3, 1),
+                    rotation,
+                )
+            )
             if any(anchor):
                 hinge = point.locatenew(self._name("at", joint.name), _in(frame, anchor))
-                point = hinge.locatenew(self._name("", f"{name}_o"), -_in(own, anchor))
-            outer = Place(own, point)
+                point = hinge.locatenew(self._name("", f"{name}_o"), -_in(rotating, anchor))
+            outer = LinkFrame(rotating, point)
         if joint.kind == "ball":
             self._resist_ball(joint, inner, outer)
         else:
-            made = _Axis(
+            joint_axis = _Axis(
                 joint.kind, vector, inner, outer, coordinates[0], speeds[0], joint.reference
             )
-            self._axes[joint.name] = made
-            self._resist(joint, made)
+            self._axes[joint.name] = joint_axis
+            self._resist(joint, joint_axis)
         return outer
 
-    def _add_body(self, link: Link, own: Place) -> None:
+    def _add_body(self, link: Link, link_frame: LinkFrame) -> None:
         mass = self._number("m", link.name, link.mass)
         centre = self._vector("c", link.name, link.centre)
         point = me.Point(self._name("", f"{link.name}_centre"))
@@ -277,20 +289,20 @@ class Assembly:
             )
         ]
         if any(parts):
-            inertia = (_inertia(own.frame, *parts), point)
-            body = me.RigidBody(link.name, point, own.frame, mass, inertia)
+            inertia = (_inertia(link_frame.frame, *parts), point)
+            body = me.RigidBody(link.name, point, link_frame.frame, mass, inertia)
         else:
             body = me.Particle(link.name, point, mass)
-        # After the body is made: SymPy's class looks for a path from the mass centre to itself, in
-        # a time that grows faster than the number of connected points.
-        point.set_pos(own.point, _in(own.frame, centre))
+        # Only after the body is created: SymPy's class searches for a path from the mass centre to
+        # itself, in a time that grows faster than the number of connected points.
+        point.set_pos(link_frame.point, _in(link_frame.frame, centre))
         self._bodies.append(body)
         self._weigh(point, _exact(1.0 - link.lightened) * mass)
 
     # -- forces along joints -----------------------------------------------------------------------
 
     def _push(self, axis: _Axis, force: Any) -> None:
-        """Let a force act along a joint, and its reaction on the body within."""
+        """Add a force along a joint, and its reaction on the inner body."""
         if not force:
             return
         if axis.kind == "hinge":
@@ -300,8 +312,8 @@ class Assembly:
             self._loads += [(axis.outer.point, force * axis.vector)]
             self._loads += [(axis.inner.point, -force * axis.vector)]
 
-    def _resist(self, joint: Joint, axis: _Axis) -> None:
-        """Add a hinge's or slide's own loads: spring, damper, friction, rotor."""
+    def _resist(self, joint: RobotJoint, axis: _Axis) -> None:
+        """Add the passive loads of a hinge or slide: spring, damper, friction, rotor."""
         q, u, force = axis.coordinate, axis.speed, sm.S.Zero
         if joint.stiffness:
             stretch = q - _exact(joint.relaxed)
@@ -313,7 +325,7 @@ class Assembly:
             self._add_slider(joint.name, size, q)
 
     def _add_tendon(self, tendon: Tendon) -> None:
-        """Add a tendon's own loads; it pulls at each joint with the coefficient times its force."""
+        """Add the passive loads of a tendon; at each joint it pulls with coefficient × force."""
         self._shares[tendon.name] = shares = [
             (self._factor("coef", f"{tendon.name}_{joint}", coefficient), self._axes[joint])
             for joint, coefficient in tendon.shares
@@ -338,29 +350,29 @@ class Assembly:
             self._push(axis, coefficient * force)
 
     def _factor(self, prefix: str, name: str, value: float) -> Any:
-        """Return a number as `_number` does, but 1 and −1 as such."""
+        """Return a number as `_number` does, but 1 and −1 without a symbol."""
         sign = float(np.sign(value))
         return _exact(value) if abs(value) == 1.0 else self._number(prefix, name, abs(value), sign)
 
-    def _drag(self, joint: Joint | Tendon, speeds: Sequence[Any]) -> list[Any]:
-        """Return damping and dry friction along each axis of a joint, nothing if it has neither."""
+    def _drag(self, joint: RobotJoint | Tendon, speeds: Sequence[Any]) -> list[Any]:
+        """Return damping and dry friction along each axis of a joint; an empty list if none."""
         if not joint.damping and not joint.friction:
             return []
         size = self._number("damping", joint.name, joint.damping)
-        found = [-size * u for u in speeds]
+        forces = [-size * u for u in speeds]
         if joint.friction and self._creep is None:
-            kind = "joint" if isinstance(joint, Joint) else "tendon"
+            kind = "joint" if isinstance(joint, RobotJoint) else "tendon"
             self.tree.left_out.append(
                 f"the dry friction of the {kind} '{joint.name}' (give `friction_speed` to have it)"
             )
         elif joint.friction:
             size = self._number("friction", joint.name, joint.friction)
-            found = [
-                f - size * sm.tanh(u / self._creep) for f, u in zip(found, speeds, strict=True)
+            forces = [
+                f - size * sm.tanh(u / self._creep) for f, u in zip(forces, speeds, strict=True)
             ]
-        return found if any(found) else []
+        return forces if any(forces) else []
 
-    def _resist_ball(self, joint: Joint, inner: Place, outer: Place) -> None:
+    def _resist_ball(self, joint: RobotJoint, inner: LinkFrame, outer: LinkFrame) -> None:
         coordinates, speeds, *_ = self.joints[joint.name]
         if drag := self._drag(joint, speeds):
             torque = _in(outer.frame, drag)
@@ -370,15 +382,15 @@ class Assembly:
             self._add_rotor(joint, size, coordinates, speeds)
 
     def _add_slider(self, name: str, size: Any, q: Any) -> None:
-        """Add a particle that moves along an axis of the world as a coordinate does.
+        """Add a particle that moves along an axis of the world, with a coordinate as its position.
 
-        It has the kinetic energy of the rotor, and adds its inertia to the coordinate's entry of
-        the mass matrix. On a level axis its weight does no work, and gravity is what all masses
-        have in common.
+        It has the kinetic energy of the rotor, and adds the armature to the coordinate's entry of
+        the mass matrix. On a horizontal axis its weight does no work; it has a weight because
+        gravity is recognised as a load that is proportional to all masses.
         """
         level = [e for e, pull in zip(self.world, self._gravity, strict=True) if not pull]
-        way = q * (level or [self.world.x])[0]
-        point = self.origin.locatenew(self._name("rotor", name), way)
+        offset = q * (level or [self.world.x])[0]
+        point = self.origin.locatenew(self._name("rotor", name), offset)
         self._bodies.append(me.Particle(f"armature of {name}", point, size))
         if level:
             self._weigh(point, size)
@@ -387,10 +399,10 @@ class Assembly:
         if mass and any(self._gravity):
             self._loads.append((point, _in(self.world, [mass * g for g in self._gravity])))
 
-    def _add_rotor(self, joint: Joint, size: Any, turn: Any, spin: Any) -> None:
-        """Add a ball in the world that turns as the joint does."""
+    def _add_rotor(self, joint: RobotJoint, size: Any, quaternion: Any, spin: Any) -> None:
+        """Add a ball at the world's origin that rotates with the joint."""
         frame = _new_frame(self._name("rotor", joint.name))
-        frame.orient_quaternion(self.world, turn)
+        frame.orient_quaternion(self.world, quaternion)
         frame.set_ang_vel(self.world, _in(frame, spin))
         inertia = (me.inertia(frame, size, size, size), self.origin)
         name = f"armature of {joint.name}, turning"
@@ -413,7 +425,9 @@ class Assembly:
             (-motor.stiffness, "servo_stiffness", coordinate),
             (-motor.damping, "servo_damping", speed),
         )
-        force = sm.Add(*(self._factor(prefix, motor.name, v) * what for v, prefix, what in parts))
+        force = sm.Add(
+            *(self._factor(prefix, motor.name, v) * variable for v, prefix, variable in parts)
+        )
         if motor.tendon is not None:
             self._pull(motor.tendon, force)
         else:
@@ -421,7 +435,7 @@ class Assembly:
 
     # -- equations ---------------------------------------------------------------------------------
 
-    def _kinematic(self, joint: Joint) -> Iterator[Any]:
+    def _kinematic(self, joint: RobotJoint) -> Iterator[Any]:
         t, half = me.dynamicsymbols._t, sm.Rational(1, 2)
         coordinates, speeds, *_ = self.joints[joint.name]
         if joint.kind in ("hinge", "slide"):
@@ -440,55 +454,65 @@ class Assembly:
             yield q.diff(t) - rate
 
     def _definition(self) -> Definition:
-        own = [j for link in self.tree.links for j in link.joints if j.mimics is None]
-        rows = [row for tie in self.tree.ties for row in self._rows(tie)]
-        for joint in own:
-            if joint.kind in ("ball", "free"):  # a start that is no rotation is told, and mended
-                turn = self.joints[joint.name].coordinates[-4:]
-                rows.append(sm.Add(*(e**2 for e in turn)) - 1)
-        known: set[Any] = set()
+        joints = [j for link in self.tree.links for j in link.joints if j.mimics is None]
+        rows = [row for equality in self.tree.equalities for row in self._rows(equality)]
+        for joint in joints:
+            if joint.kind in (
+                "ball",
+                "free",
+            ):  # a start that is no unit quaternion is reported and corrected
+                quaternion = self.joints[joint.name].coordinates[-4:]
+                rows.append(sm.Add(*(e**2 for e in quaternion)) - 1)
+        symbols: set[Any] = set()
         for row in rows:
-            known |= row.free_symbols | row.atoms(sm.core.function.AppliedUndef)
+            symbols |= row.free_symbols | row.atoms(sm.core.function.AppliedUndef)
         near = {**self.values, **self.start}
         return Definition(
             self.world,
-            [q for joint in own for q in self.joints[joint.name].coordinates],
-            [u for joint in own for u in self.joints[joint.name].speeds],
+            [q for joint in joints for q in self.joints[joint.name].coordinates],
+            [u for joint in joints for u in self.joints[joint.name].speeds],
             bodies=self._bodies,
             loads=self._loads,
-            kinematic_equations=[e for joint in own for e in self._kinematic(joint)],
+            kinematic_equations=[e for joint in joints for e in self._kinematic(joint)],
             holonomic_constraints=rows,
-            configuration={key: value for key, value in near.items() if key in known},
+            configuration={key: value for key, value in near.items() if key in symbols},
             frames=self.frames,
             values=self.values,
         )
 
-    def _rows(self, tie: Tie) -> Iterator[Any]:
-        """Yield the residuals by which two links, or two coordinates, are tied together."""
-        if tie.kind in ("joint", "tendon"):
-            other = sm.S.Zero if tie.other is None else self._moved(tie.kind, tie.other)
-            yield self._moved(tie.kind, tie.one) - sum(
-                (_exact(c) * other**k for k, c in enumerate(tie.polynomial) if c), sm.S.Zero
+    def _rows(self, equality: EqualityConstraint) -> Iterator[Any]:
+        """Yield the residuals of an equality constraint of two links, joints or tendons."""
+        if equality.kind in ("joint", "tendon"):
+            second = (
+                sm.S.Zero
+                if equality.second is None
+                else self._displacement(equality.kind, equality.second)
+            )
+            yield self._displacement(equality.kind, equality.first) - sum(
+                (_exact(c) * second**k for k, c in enumerate(equality.polynomial) if c), sm.S.Zero
             )
             return
-        name = f"{self._link_name(tie.one)}_{self._link_name(tie.other)}"
-        ends = [self._vector(f"tie{k}_", name, p) for k, p in enumerate(tie.places, 1)]
-        chains = [self._chain(k) for k in (tie.one, tie.other)]
+        name = f"{self._link_name(equality.first)}_{self._link_name(equality.second)}"
+        ends = [self._vector(f"tie{k}_", name, p) for k, p in enumerate(equality.points, 1)]
+        chains = [self._chain(k) for k in (equality.first, equality.second)]
         above = _shared(*chains)
         chains = [chain[above:] for chain in chains]
-        at = [_carried(chain, sm.Matrix(end)) for chain, end in zip(chains, ends, strict=True)]
+        at = [
+            _point_in_base(chain, sm.Matrix(end)) for chain, end in zip(chains, ends, strict=True)
+        ]
         yield from at[0] - at[1]
-        if tie.kind == "weld":
-            # Each axis of the one is normal to the next axis of the other.
+        if equality.kind == "weld":
+            # Each axis of the first frame is normal to the next axis of the second.
             axes = [
-                _turned(chains[0], sm.Matrix([_exact(float(v)) for v in a])) for a in tie.turn.T
+                _vector_in_base(chains[0], sm.Matrix([_exact(float(v)) for v in a]))
+                for a in equality.rotation.T
             ]
-            others = [_turned(chains[1], sm.eye(3)[:, k]) for k in range(3)]
+            second_axes = [_vector_in_base(chains[1], sm.eye(3)[:, k]) for k in range(3)]
             for a, b in ((0, 1), (1, 2), (2, 0)):
-                yield axes[a].dot(others[b])
+                yield axes[a].dot(second_axes[b])
 
-    def _moved(self, kind: str, name: str) -> Any:
-        """Return how far a joint or tendon has moved from the pose that the file shows."""
+    def _displacement(self, kind: str, name: str) -> Any:
+        """Return the displacement of a joint or tendon from the file's pose."""
         shares = self._shares[name] if kind == "tendon" else [(sm.S.One, self._axes[name])]
         return sm.Add(*(c * (axis.coordinate - _exact(axis.reference)) for c, axis in shares))
 
@@ -497,25 +521,25 @@ class Assembly:
 
     def _chain(self, link: int) -> list[_Step]:
         """Return the steps from the world to a link."""
-        place: int | None = link + 1
+        index: int | None = link + 1
         steps: list[_Step] = []
-        while place is not None:
-            steps += reversed(self._steps[place])
-            place = self._parents[place]
+        while index is not None:
+            steps += reversed(self._steps[index])
+            index = self._parents[index]
         return steps[::-1]
 
 
-def _shared(one: Sequence[_Step], other: Sequence[_Step]) -> int:
-    """Return how many steps from the world two chains have in common."""
-    pairs = zip(one, other, strict=False)
-    return next((k for k, (a, b) in enumerate(pairs) if a is not b), min(len(one), len(other)))
+def _shared(first: Sequence[_Step], second: Sequence[_Step]) -> int:
+    """Return the number of steps from the world that two chains have in common."""
+    pairs = zip(first, second, strict=False)
+    return next((k for k, (a, b) in enumerate(pairs) if a is not b), min(len(first), len(second)))
 
 
 def _new_frame(name: str) -> Any:
-    """Return a frame that knows its cosines with itself.
+    """Return a frame with its cached direction cosines to itself.
 
-    SymPy looks for a path to a frame, itself too, in a time that grows faster than the number of
-    connected frames, and keeps what it found: look while the frame is alone.
+    SymPy searches for a path to a frame, even to itself, in a time that grows faster than the
+    number of connected frames, and caches the result: search before the frame is connected.
     """
     frame = me.ReferenceFrame(name)
     frame.dcm(frame)
@@ -523,19 +547,19 @@ def _new_frame(name: str) -> Any:
 
 
 def _inertia(frame: Any, xx: Any, yy: Any, zz: Any, xy: Any, yz: Any, xz: Any) -> Any:
-    """Return what `me.inertia` does, made at once, in a fraction of the time."""
+    """Return the result of `me.inertia`, constructed directly in a fraction of the time."""
     moments = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     axes = tuple(frame)
     parts = [(moments[i][j], axes[i], axes[j]) for i in range(3) for j in range(3)]
     return me.Dyadic([part for part in parts if part[0] != 0])
 
 
-def _masters_first(mimics: Sequence[Joint]) -> list[Joint]:
-    """Return joints that mimic others in the order given, but each after the one it mimics."""
+def _mimicked_first(mimics: Sequence[RobotJoint]) -> list[RobotJoint]:
+    """Return joints that mimic others, each after the one that it mimics."""
     waiting = {joint.name: joint for joint in mimics}
-    order: list[Joint] = []
+    order: list[RobotJoint] = []
     for joint in mimics:
-        path: list[Joint] = []
+        path: list[RobotJoint] = []
         name: str | None = joint.name
         while name in waiting:
             path.append(waiting.pop(name))
@@ -545,23 +569,23 @@ def _masters_first(mimics: Sequence[Joint]) -> list[Joint]:
 
 
 def _exact(value: float) -> Any:
-    """Return a number for SymPy: whole ones as such, which lets terms vanish."""
+    """Return a number for SymPy: integers are exact, so that terms can cancel."""
     return sm.Integer(int(value)) if float(value).is_integer() else sm.Float(float(value))
 
 
 def _in(frame: Any, components: Sequence[Any]) -> Any:
-    # Made at once: the products and sums of SymPy's vectors take four times as long.
+    # Constructed directly: products and sums of SymPy's vectors take four times as long.
     return me.Vector([(sm.ImmutableMatrix(3, 1, [*components]), frame)])
 
 
-def _carried(chain: Sequence[_Step], place: Any) -> Any:
-    """Return a place in the frame that a chain starts from."""
+def _point_in_base(chain: Sequence[_Step], point: Any) -> Any:
+    """Return a point of a chain's last frame in its first frame."""
     for step in reversed(chain):
-        place = step.place + step.turn * place
-    return place
+        point = step.offset + step.rotation * point
+    return point
 
 
-def _turned(chain: Sequence[_Step], vector: Any) -> Any:
+def _vector_in_base(chain: Sequence[_Step], vector: Any) -> Any:
     for step in reversed(chain):
-        vector = step.turn * vector
+        vector = step.rotation * vector
     return vector

@@ -1,7 +1,7 @@
 """MJCF files, compiled by the `mujoco` package: defaults, includes, meshes and inertias resolved.
 
-The compiled model says what its documentation ("Computation", "XML reference") describes; what has
-no counterpart here is said in one list.
+The fields of the compiled model are described in MuJoCo's documentation ("Computation", "XML
+reference"). Properties without a counterpart in pydy are listed in `Tree.left_out`.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from pydy._errors import RobotFileError
 from pydy._names import untaken
 from pydy._optional import require
 from pydy.robots.tree import (
-    Joint,
+    EqualityConstraint,
     Link,
-    Look,
     Motor,
+    RobotJoint,
     Tendon,
-    Tie,
     Tree,
+    VisualShape,
     of_quaternion,
-    turned,
+    rotated_inertia,
 )
 from pydy.viz import Box, Capsule, Cylinder, Mesh, Sphere
 
@@ -61,59 +61,59 @@ _NUMBERS = [
     "eq_data",
 ]
 _CONSTRAINTS = {"CONTACT", "EQUALITY", "FRICTIONLOSS", "LIMIT"}
-"""What MuJoCo counts as constraints, which a file may turn off all at once."""
+"""MuJoCo's kinds of constraints, which a file can disable together."""
 
 
 def read_mjcf(path: Path) -> Tree:
     """Read an MJCF file into a Tree."""
     mujoco = require("mujoco", "robots", "Reading MJCF files")
-    said: list[str] = []
+    messages: list[str] = []
     before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(said.append)  # it would write them into a file of its own
+    mujoco.set_mju_user_warning(messages.append)  # instead of writing them to a log file
     try:
         model = mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:
         reason = " ".join(str(error).split())
-        # MuJoCo has no line of a file that is missing.
+        # MuJoCo reports no line for a missing file.
         name = re.search(r"Error opening file '(.*)'$", reason)
-        where = _line(path, rf"file\s*=\s*[\"']{re.escape(name[1])}[\"']") if name else path
-        raise RobotFileError(f"{where}: MuJoCo does not read this file: {reason}") from None
+        location = _line(path, rf"file\s*=\s*[\"']{re.escape(name[1])}[\"']") if name else path
+        raise RobotFileError(f"{location}: MuJoCo does not read this file: {reason}") from None
     finally:
         mujoco.set_mju_user_warning(before)
-    tree = _Model(mujoco, model, path).tree()
-    tree.left_out += [f"MuJoCo says: {' '.join(text.split())}" for text in said]
+    tree = _MjcfReader(mujoco, model, path).tree()
+    tree.left_out += [f"MuJoCo says: {' '.join(text.split())}" for text in messages]
     return tree
 
 
 def _line(path: Path, pattern: str) -> str:
-    """Return the file with its first line that holds something, if one of its own does."""
+    """Return the path with the number of the first line that matches, if there is one."""
     lines = path.read_text("utf-8", "replace").splitlines()
-    found = (k for k, line in enumerate(lines, 1) if re.search(pattern, line, re.IGNORECASE))
-    line = next(found, None)
+    line_numbers = (k for k, line in enumerate(lines, 1) if re.search(pattern, line, re.IGNORECASE))
+    line = next(line_numbers, None)
     return f"{path}" if line is None else f"{path}:{line}"
 
 
-class _Model:
-    """A compiled model with names in place of numbers."""
+class _MjcfReader:
+    """Reads a compiled model; elements are identified by names instead of indices."""
 
     def __init__(self, mujoco: Any, model: Any, path: Path) -> None:
         self.mujoco, self.model, self.path = mujoco, model, path
         self.off = model.opt.disableflags
         self.left_out: list[str] = []
         self._names: dict[str, list[str]] = {}
-        for what, values in {
+        for field, values in {
             "gravity": model.opt.gravity,
             **{n: getattr(model, n) for n in _NUMBERS},
         }.items():
             if not np.isfinite(values).all():
-                where = _line(path, r"[\"'\s][+-]?(nan|inf|infinity)[\"'\s]")
+                location = _line(path, r"[\"'\s][+-]?(nan|inf|infinity)[\"'\s]")
                 raise RobotFileError(
-                    f"{where}: a number that is not finite became part of MuJoCo's `{what}`. Look "
-                    "for 'nan' and 'inf' in the file."
+                    f"{location}: a number that is not finite became part of MuJoCo's `{field}`. "
+                    "Look for 'nan' and 'inf' in the file."
                 )
 
     def name(self, kind: str, k: int) -> str:
-        """Return the name of the k-th thing of a kind, or one of its own that nothing else has."""
+        """Return the name of the k-th element of a kind, or a new unique name if it has none."""
         if kind not in self._names:
             count = {
                 "BODY": "nbody",
@@ -137,10 +137,10 @@ class _Model:
                 names[i] = names[i] or untaken(self.without_name(kind, i), names)
         return self._names[kind][k]
 
-    def disabled(self, what: str) -> bool:
-        if what in _CONSTRAINTS and self.disabled("CONSTRAINT"):
+    def disabled(self, feature: str) -> bool:
+        if feature in _CONSTRAINTS and self.disabled("CONSTRAINT"):
             return True
-        return bool(self.off & getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{what}"))
+        return bool(self.off & getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{feature}"))
 
     def tree(self) -> Tree:
         model = self.model
@@ -149,7 +149,9 @@ class _Model:
         tree = Tree(self.path.stem, links, gravity=np.array(model.opt.gravity))
         tree.tendons = [self.tendon(k) for k in range(model.ntendon) if self.is_fixed(k)]
         tree.motors = [m for k in range(model.nactuator) if (m := self.motor(k)) is not None]
-        tree.ties = [tie for k in range(model.neq) if (tie := self.tie(k)) is not None]
+        tree.equalities = [
+            equality for k in range(model.neq) if (equality := self.equality(k)) is not None
+        ]
         tree.start = {
             self.joint_name(j): self.start(j)
             for j in range(model.njnt)
@@ -157,33 +159,33 @@ class _Model:
         }
         if self.disabled("GRAVITY"):
             tree.gravity = np.zeros(3)
-        self.note_the_rest()
+        self.note_omissions()
         tree.left_out = self.left_out
         tree.looks = list(self.looks(0))
         return tree
 
-    def where(self, what: str) -> str:
-        return f"{self.path}, {what}"
+    def location(self, element: str) -> str:
+        return f"{self.path}, {element}"
 
     def link(self, k: int) -> Link:
-        model, where = self.model, self.where(f"body '{self.name('BODY', k)}'")
+        model, location = self.model, self.location(f"body '{self.name('BODY', k)}'")
         if model.body_mocapid[k] >= 0:
             self.left_out.append(f"the body '{self.name('BODY', k)}' is moved by data: it rests")
-        turn = of_quaternion(model.body_iquat[k])
+        rotation = of_quaternion(model.body_iquat[k])
         link = Link(
             name=self.name("BODY", k),
             parent=int(model.body_parentid[k]) - 1,
-            place=np.array(model.body_pos[k]),
-            turn=of_quaternion(model.body_quat[k]),
+            origin=np.array(model.body_pos[k]),
+            rotation=of_quaternion(model.body_quat[k]),
             mass=float(model.body_mass[k]),
             centre=np.array(model.body_ipos[k]),
-            inertia=turned(np.diag(model.body_inertia[k]), turn),
+            inertia=rotated_inertia(np.diag(model.body_inertia[k]), rotation),
             # Without springs and dampers, MuJoCo leaves out this passive force, too.
             lightened=float(model.body_gravcomp[k])
             if not (self.disabled("SPRING") and self.disabled("DAMPER"))
             else 0.0,
             looks=list(self.looks(k)),
-            where=where,
+            location=location,
         )
         first = int(model.body_jntadr[k])
         link.joints = [self.joint(j) for j in range(first, first + int(model.body_jntnum[k]))]
@@ -207,17 +209,17 @@ class _Model:
         kind = _KINDS[self.mujoco.mjtJoint(model.jnt_type[j]).name]
         return np.array(model.qpos0[first : first + {"free": 7, "ball": 4}.get(kind, 1)])
 
-    def joint(self, j: int) -> Joint:
+    def joint(self, j: int) -> RobotJoint:
         model, name = self.model, self.joint_name(j)
         kind = _KINDS[self.mujoco.mjtJoint(model.jnt_type[j]).name]
-        first, place = int(model.jnt_dofadr[j]), int(model.jnt_qposadr[j])
+        first, position_index = int(model.jnt_dofadr[j]), int(model.jnt_qposadr[j])
         count = {"free": 6, "ball": 3}.get(kind, 1)
-        own = slice(first, first + count)
-        joint = Joint(name, kind, where=self.where(f"joint '{name}'"))
+        dofs = slice(first, first + count)
+        joint = RobotJoint(name, kind, location=self.location(f"joint '{name}'"))
         joint.axis, joint.anchor = np.array(model.jnt_axis[j]), np.array(model.jnt_pos[j])
-        joint.armature = self.same(model.dof_armature[own], name, "armature")
-        joint.damping = self.same(model.dof_damping[own], name, "damping")
-        joint.friction = self.same(model.dof_frictionloss[own], name, "frictionloss")
+        joint.armature = self.common_value(model.dof_armature[dofs], name, "armature")
+        joint.damping = self.common_value(model.dof_damping[dofs], name, "damping")
+        joint.friction = self.common_value(model.dof_frictionloss[dofs], name, "frictionloss")
         joint.stiffness = float(model.jnt_stiffness[j])
         if self.disabled("SPRING"):
             joint.stiffness = 0.0
@@ -226,15 +228,15 @@ class _Model:
         if self.disabled("FRICTIONLOSS"):
             joint.friction = 0.0
         if kind in ("hinge", "slide"):
-            joint.reference = float(model.qpos0[place])
-            joint.relaxed = float(model.qpos_spring[place])
+            joint.reference = float(model.qpos0[position_index])
+            joint.relaxed = float(model.qpos_spring[position_index])
             if model.jnt_limited[j] and not self.disabled("LIMIT"):
                 low, high = model.jnt_range[j]
                 joint.limits = (float(low), float(high))
-        self.note_of_joint(j, joint, own)
+        self.note_of_joint(j, joint, dofs)
         return joint
 
-    def note_of_joint(self, j: int, joint: Joint, own: slice) -> None:
+    def note_of_joint(self, j: int, joint: RobotJoint, dofs: slice) -> None:
         """List properties of a joint that have no counterpart here."""
         model, name, kind = self.model, joint.name, joint.kind
         sprung = not self.disabled("SPRING")
@@ -246,7 +248,7 @@ class _Model:
         elif sprung and model.jnt_stiffness[j] and model.jnt_springyield[j]:
             self.left_out.append(f"the yield of the spring of the joint '{name}'")
         if (sprung and model.jnt_stiffnesspoly[j].any()) or (
-            damped and model.dof_dampingpoly[own].any()
+            damped and model.dof_dampingpoly[dofs].any()
         ):
             self.left_out.append(f"the polynomial stiffness or damping of the joint '{name}'")
         if kind == "ball" and model.jnt_limited[j] and not self.disabled("LIMIT"):
@@ -270,7 +272,7 @@ class _Model:
         tendon = Tendon(
             name,
             [(self.joint_name(model.wrap_objid[w]), float(model.wrap_prm[w])) for w in parts],
-            where=self.where(f"tendon '{name}'"),
+            location=self.location(f"tendon '{name}'"),
         )
         tendon.armature = float(model.tendon_armature[k])
         if not self.disabled("SPRING"):
@@ -299,16 +301,16 @@ class _Model:
         if not self.disabled("ACTUATION") and model.nactuator > 0 and model.tendon_actfrclimited[k]:
             self.left_out.append(f"the limits of the actuators' force on the tendon '{name}'")
 
-    def same(self, values: np.ndarray, joint: str, what: str) -> float:
-        """Return the one value that all axes of a joint have in a file."""
+    def common_value(self, values: np.ndarray, joint: str, quantity: str) -> float:
+        """Return the value that all axes of a joint share; note values that differ."""
         if (values != values[0]).any():
-            self.left_out.append(f"different {what} along the axes of the joint '{joint}'")
+            self.left_out.append(f"different {quantity} along the axes of the joint '{joint}'")
         return float(values[0])
 
-    def not_taken(self, k: int, kinds: tuple[str, ...]) -> str | None:
-        """Return why an actuator has no counterpart here, None if it has one."""
+    def reason_to_omit(self, k: int, kinds: tuple[str, ...]) -> str | None:
+        """Return the reason why an actuator has no counterpart here, None if it has one."""
         model, mujoco = self.model, self.mujoco
-        # These act at its joint even where the actuator is turned off.
+        # These act at its joint even if the actuator is disabled.
         if (
             model.actuator_damping[k]
             or model.actuator_dampingpoly[k].any()
@@ -321,11 +323,11 @@ class _Model:
             0 <= group <= 30 and model.opt.disableactuator & (1 << group)
         ):
             return "which the file turns off"
-        way = mujoco.mjtTrn(model.actuator_trntype[k]).name.removeprefix("mjTRN_").lower()
-        if way not in ("joint", "jointinparent", "tendon"):
-            return f"which acts by '{way}'"
+        transmission = mujoco.mjtTrn(model.actuator_trntype[k]).name.removeprefix("mjTRN_").lower()
+        if transmission not in ("joint", "jointinparent", "tendon"):
+            return f"which acts by '{transmission}'"
         j = int(model.actuator_trnid[k][0])
-        if way == "tendon":
+        if transmission == "tendon":
             if not self.is_fixed(j):
                 return f"which acts by the spatial tendon '{self.name('TENDON', j)}'"
         elif _KINDS[mujoco.mjtJoint(model.jnt_type[j]).name] not in ("hinge", "slide"):
@@ -344,9 +346,9 @@ class _Model:
             mujoco.mjtBias(model.actuator_biastype[k]),
         )
         kinds = tuple(kind.name.partition("_")[2].lower() for kind in (dynamics, gain, bias))
-        why = self.not_taken(k, kinds)
-        if why is not None:
-            self.left_out.append(f"the actuator '{name}', {why}")
+        reason = self.reason_to_omit(k, kinds)
+        if reason is not None:
+            self.left_out.append(f"the actuator '{name}', {reason}")
             return None
         if model.actuator_forcelimited[k]:
             self.left_out.append(f"the limits of the force of the actuator '{name}'")
@@ -371,20 +373,24 @@ class _Model:
             input_range=(float(low), float(high)) if bounded else None,
         )
 
-    def tie(self, k: int) -> Tie | None:
+    def equality(self, k: int) -> EqualityConstraint | None:
         model, mujoco, name = self.model, self.mujoco, self.name("EQUALITY", k)
         kind = mujoco.mjtEq(model.eq_type[k]).name.removeprefix("mjEQ_").lower()
         if self.disabled("EQUALITY") or not model.eq_active0[k]:
             self.left_out.append(f"the equality '{name}', which is not active")
             return None
-        one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
+        first, second = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
         data = np.array(model.eq_data[k])
         if kind == "joint":
-            names = [self.joint_name(j) if j >= 0 else None for j in (one, other)]
-            return Tie("joint", names[0], names[1], polynomial=tuple(data[:5].tolist()))
-        if kind == "tendon" and all(self.is_fixed(t) for t in (one, other) if t >= 0):
-            names = [self.name("TENDON", t) if t >= 0 else None for t in (one, other)]
-            return Tie("tendon", names[0], names[1], polynomial=tuple(data[:5].tolist()))
+            names = [self.joint_name(j) if j >= 0 else None for j in (first, second)]
+            return EqualityConstraint(
+                "joint", names[0], names[1], polynomial=tuple(data[:5].tolist())
+            )
+        if kind == "tendon" and all(self.is_fixed(t) for t in (first, second) if t >= 0):
+            names = [self.name("TENDON", t) if t >= 0 else None for t in (first, second)]
+            return EqualityConstraint(
+                "tendon", names[0], names[1], polynomial=tuple(data[:5].tolist())
+            )
         if kind == "tendon":
             self.left_out.append(f"the equality '{name}', of spatial tendons")
             return None
@@ -393,25 +399,30 @@ class _Model:
             return None
         if model.eq_objtype[k] == mujoco.mjtObj.mjOBJ_SITE:
             ends = [
-                (int(model.site_bodyid[s]) - 1, np.array(model.site_pos[s])) for s in (one, other)
+                (int(model.site_bodyid[s]) - 1, np.array(model.site_pos[s]))
+                for s in (first, second)
             ]
-            turns = [of_quaternion(model.site_quat[s]) for s in (one, other)]
-            turn = turns[0] @ turns[1].T
+            rotations = [of_quaternion(model.site_quat[s]) for s in (first, second)]
+            rotation = rotations[0] @ rotations[1].T
         else:
-            places = (data[0:3], data[3:6]) if kind == "connect" else (data[3:6], data[0:3])
-            ends = [(one - 1, places[0]), (other - 1, places[1])]
-            turn = of_quaternion(data[6:10]) if kind == "weld" else np.eye(3)
-        held = kind if data[10] else "connect"  # a weld without a scale of torques lets bodies turn
-        return Tie(held, ends[0][0], ends[1][0], (ends[0][1], ends[1][1]), turn)
+            points = (data[0:3], data[3:6]) if kind == "connect" else (data[3:6], data[0:3])
+            ends = [(first - 1, points[0]), (second - 1, points[1])]
+            rotation = of_quaternion(data[6:10]) if kind == "weld" else np.eye(3)
+        constraint_kind = (
+            kind if data[10] else "connect"
+        )  # a weld without a scale of torques lets bodies turn
+        return EqualityConstraint(
+            constraint_kind, ends[0][0], ends[1][0], (ends[0][1], ends[1][1]), rotation
+        )
 
-    def looks(self, body: int) -> Iterator[Look]:
+    def looks(self, body: int) -> Iterator[VisualShape]:
         model, mujoco = self.model, self.mujoco
         first = int(model.body_geomadr[body])
         for g in range(first, first + int(model.body_geomnum[body])):
             rgba = np.array(model.geom_rgba[g])
             if (material := int(model.geom_matid[g])) >= 0:
                 rgba = np.array(model.mat_rgba[material])
-            # Groups from 3 on are for contacts, as in MuJoCo's own viewer.
+            # Groups from 3 on are collision geometry, as in MuJoCo's viewer.
             if model.geom_group[g] >= 3 or not rgba[3] > 0.0:
                 continue
             kind = mujoco.mjtGeom(model.geom_type[g]).name.removeprefix("mjGEOM_").lower()
@@ -419,7 +430,7 @@ class _Model:
             shape = self.shape(kind, g, model.geom_size[g].tolist(), options)
             if shape is None:
                 continue
-            yield Look(shape, np.array(model.geom_pos[g]), of_quaternion(model.geom_quat[g]))
+            yield VisualShape(shape, np.array(model.geom_pos[g]), of_quaternion(model.geom_quat[g]))
 
     def shape(self, kind: str, g: int, size: list[float], options: dict[str, Any]) -> Any:
         model = self.model
@@ -437,12 +448,12 @@ class _Model:
             vertices = np.array(model.mesh_vert[first : first + count], dtype=float)
             first, count = int(model.mesh_faceadr[k]), int(model.mesh_facenum[k])
             return Mesh((vertices, np.array(model.mesh_face[first : first + count])), **options)
-        if kind == "plane":  # the ground; a page has its own
+        if kind == "plane":  # the ground, which the viewer draws itself
             return None
         self.left_out.append(f"the look of a geom of the kind '{kind}'")
         return None
 
-    def note_the_rest(self) -> None:
+    def note_omissions(self) -> None:
         model = self.model
         if model.ngeom and not self.disabled("CONTACT"):
             touching = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
@@ -453,13 +464,13 @@ class _Model:
             for k in range(model.ntendon)
             if not self.is_fixed(k)
         ]
-        for count, what in (
+        for count, element in (
             (model.nsensor, "sensors"),
             (model.nflex, "flexible bodies"),
             (model.nplugin, "plugins"),
             (model.nkey, "keyframes"),
         ):
             if count:
-                self.left_out.append(what)
+                self.left_out.append(element)
         if model.opt.density or model.opt.viscosity:
             self.left_out.append("the forces of the fluid around")

@@ -11,7 +11,7 @@ from pydy._errors import RobotFileError
 from pydy._files import path_of
 from pydy._names import few
 from pydy.mechanics import Definition
-from pydy.robots.assemble import Assembly, JointSymbols, Place, TendonSymbols
+from pydy.robots.assemble import JointSymbols, LinkFrame, RobotAssembly, TendonSymbols
 from pydy.robots.mjcf import read_mjcf
 from pydy.robots.tree import Tree
 from pydy.robots.urdf import read_urdf
@@ -48,34 +48,34 @@ class Robot:
         What the file has and this robot has not, and what no real one could have.
     """
 
-    def __init__(self, tree: Tree, made: Assembly) -> None:
+    def __init__(self, tree: Tree, assembly: RobotAssembly) -> None:
         self.name = tree.name
-        self.definition: Definition = made.definition
-        self.values: dict[Any, float] = made.values
-        self.start: dict[Any, float] = made.start
-        self.frames: dict[str, Place] = made.frames
+        self.definition: Definition = assembly.definition
+        self.values: dict[Any, float] = assembly.values
+        self.start: dict[Any, float] = assembly.start
+        self.frames: dict[str, LinkFrame] = assembly.frames
         # The root of a URDF file is often called 'world', too.
         names = ["world", *(link.name for link in tree.links)]
-        self._places = list(zip(names, made.places, strict=True))
-        self.joints: dict[str, JointSymbols] = made.joints
-        self.tendons: dict[str, TendonSymbols] = made.tendons
-        self.actuators: dict[str, Any] = made.actuators
-        self.input_ranges: dict[str, tuple[float, float]] = made.input_ranges
+        self._link_frames = list(zip(names, assembly.link_frames, strict=True))
+        self.joints: dict[str, JointSymbols] = assembly.joints
+        self.tendons: dict[str, TendonSymbols] = assembly.tendons
+        self.actuators: dict[str, Any] = assembly.actuators
+        self.input_ranges: dict[str, tuple[float, float]] = assembly.input_ranges
         self.left_out = tuple(dict.fromkeys(tree.left_out))
         self._looks = [tree.looks, *(link.looks for link in tree.links)]
 
     def __repr__(self) -> str:
         definition = self.definition
         parts = (
-            f"{len(self._places) - 1} links",
+            f"{len(self._link_frames) - 1} links",
             f"{len(self.joints)} joints",
             f"{len(definition.coordinates)} coordinates",
             f"{len(definition.speeds)} speeds",
             f"{len(self.actuators)} actuators",
             f"{len(definition.holonomic_constraints)} constraints",
         )
-        rest = f"; left out: {few(self.left_out)}" if self.left_out else ""
-        return f"<Robot '{self.name}': {', '.join(parts)}{rest}>"
+        omissions = f"; left out: {few(self.left_out)}" if self.left_out else ""
+        return f"<Robot '{self.name}': {', '.join(parts)}{omissions}>"
 
     def system(self, **options: Any) -> System:
         """Return a System of this robot, with the file's values, in the pose that it shows.
@@ -102,23 +102,25 @@ class Robot:
         # What cancels, such as the height of a base, counts in energies, places and outputs.
         options.setdefault("constants_symbols", list(self.values) or None)
         system = System(self.definition, **options)
-        own = {s: v for s, v in self.values.items() if s in system.constants_symbols}
-        system.constants = _replaced(own, constants)
+        values = {s: v for s, v in self.values.items() if s in system.constants_symbols}
+        system.constants = _replaced(values, constants)
         system.initial_conditions = _replaced(self.start, start)
         return system
 
     @property
     def limits(self) -> list[Event]:
         """Events that end a simulation where a joint or tendon reaches the end of its range."""
-        found = []
+        events = []
         ranges = [(name, j.coordinates[0], j.limits) for name, j in self.joints.items()]
         ranges += [(f"tendon {name}", t.length, t.limits) for name, t in self.tendons.items()]
         for name, length, limits in ranges:
             if limits is not None:
-                for value, way, where in zip(limits, (-1, 1), ("lower", "upper"), strict=True):
-                    label = f"{name} at its {where} limit"
-                    found.append(Event(length - value, direction=way, terminal=True, name=label))
-        return found
+                for value, direction, end in zip(limits, (-1, 1), ("lower", "upper"), strict=True):
+                    label = f"{name} at its {end} limit"
+                    events.append(
+                        Event(length - value, direction=direction, terminal=True, name=label)
+                    )
+        return events
 
     def scene(self, **options: Any) -> Scene:
         """Return a scene of the robot's shapes, to be animated with a trajectory.
@@ -143,31 +145,31 @@ class Robot:
 
         from pydy.viz import Scene, Visual
 
-        _, world = self._places[0]
+        _, world = self._link_frames[0]
         visuals: list[Any] = []
-        for (name, place), looks in zip(self._places, self._looks, strict=True):
-            for k, look in enumerate(looks):
-                frame, point = place
-                if (look.turn != [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).any():
+        for (name, link_frame), looks in zip(self._link_frames, self._looks, strict=True):
+            for k, shape in enumerate(looks):
+                frame, point = link_frame
+                if (shape.rotation != [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).any():
                     frame = ReferenceFrame(f"look {k} of {name}")
-                    frame.orient_explicit(place.frame, sm.Matrix(look.turn.tolist()))
-                if look.place.any():
-                    x, y, z = look.place.tolist()
-                    own = place.frame
+                    frame.orient_explicit(link_frame.frame, sm.Matrix(shape.rotation.tolist()))
+                if shape.origin.any():
+                    x, y, z = shape.origin.tolist()
+                    axes = link_frame.frame
                     point = point.locatenew(
-                        f"look {k} of {name}", x * own.x + y * own.y + z * own.z
+                        f"look {k} of {name}", x * axes.x + y * axes.y + z * axes.z
                     )
-                visuals.append(Visual(look.read(), frame, point, name=name))
+                visuals.append(Visual(shape.read(), frame, point, name=name))
         if not visuals:
             visuals = [body for body in self.definition.bodies if "armature of" not in body.name]
         options.setdefault("up", "z")
         return Scene(world.frame, world.point, *visuals, **options)
 
 
-def _replaced(own: Mapping[Any, float], given: Mapping[Any, float]) -> dict[Any, float]:
-    """Return own values and given ones, whose keys may be names, and which come first."""
-    known = {key for s in own for key in (s, s.name) if key in given}
-    return {s: v for s, v in own.items() if not known & {s, s.name}} | dict(given)
+def _replaced(defaults: Mapping[Any, float], replacements: Mapping[Any, float]) -> dict[Any, float]:
+    """Return the defaults, updated with replacements, whose keys may be symbols or names."""
+    replaced = {key for s in defaults for key in (s, s.name) if key in replacements}
+    return {s: v for s, v in defaults.items() if not replaced & {s, s.name}} | dict(replacements)
 
 
 def read(
@@ -241,4 +243,4 @@ def read(
     if not any(link.joints for link in tree.links):
         remedy = " `floating=True` lets it move as a whole." if urdf else ""
         raise RobotFileError(f"{file}: the robot has no joint that moves.{remedy}")
-    return Robot(tree, Assembly(tree, parameters == "symbols", friction_speed))
+    return Robot(tree, RobotAssembly(tree, parameters == "symbols", friction_speed))

@@ -1,8 +1,8 @@
-"""URDF files: links, joints and looks, read from their XML.
+"""URDF files: links, joints and visual shapes, read from their XML.
 
-The format is that of the ROS package ``urdf``. MuJoCo's own reader refuses a third of the robots
-that are in use (inertias that break the triangle inequality, moving links without mass, missing
-meshes), all of which have well-defined equations of motion: these files are read here.
+The format is that of the ROS package ``urdf``. MuJoCo's reader rejects a third of the published
+robots (inertias that violate the triangle inequality, moving links without mass, missing meshes).
+They have well-defined equations of motion, and this module reads them.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from pydy._errors import RobotFileError, warn_user
 from pydy._names import untaken
 from pydy._rank import ROUNDED
 from pydy.robots.tree import (
-    Joint,
     Link,
-    Look,
     Motor,
+    RobotJoint,
     Tree,
+    VisualShape,
     of_roll_pitch_yaw,
+    rotated_inertia,
     to_quaternion,
-    turned,
 )
 from pydy.viz import Box, Cylinder, Mesh, Sphere, read_mesh
 
@@ -39,7 +39,7 @@ _MOVING = {
     "floating": "free",
     "spherical": "ball",  # not in the format's description; written by some exporters
 }
-_SHOWN = (".stl", ".obj")
+_MESH_SUFFIXES = (".stl", ".obj")
 _SIZES: dict[str, list[tuple[str, None, int]]] = {  # attributes, as `_Reader.numbers` takes them
     "box": [("size", None, 3)],
     "sphere": [("radius", None, 1)],
@@ -47,8 +47,8 @@ _SIZES: dict[str, list[tuple[str, None, int]]] = {  # attributes, as `_Reader.nu
 }
 
 
-class _Reader:
-    """Elements with the lines where they stand."""
+class _UrdfReader:
+    """The XML elements of a file, with their line numbers."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -66,7 +66,7 @@ class _Reader:
         return {material.get("name"): material.find("color") for material in materials}
 
     def _parsed(self, data: bytes) -> ElementTree.Element:
-        """Parse the file as other readers of URDF do, which are less strict than XML.
+        """Parse the file like other URDF readers, which are less strict than XML.
 
         NUL characters may follow the last element, and blank lines and comments may precede the XML
         declaration.
@@ -99,7 +99,7 @@ class _Reader:
             self.lines[id(element)] = parser.CurrentLineNumber
             if tag.startswith("xacro:"):
                 raise RobotFileError(
-                    f"{self.where(element)}: <{tag}> is a macro. Expand them first, with ROS's "
+                    f"{self.location(element)}: <{tag}> is a macro. Expand them first, with ROS's "
                     "command `xacro`."
                 )
 
@@ -116,36 +116,36 @@ class _Reader:
             ) from None
         return builder.close()
 
-    def where(self, element: ElementTree.Element) -> str:
+    def location(self, element: ElementTree.Element) -> str:
         return f"{self.path}:{self.lines.get(id(element), 1)}"
 
     def text(self, element: ElementTree.Element, attribute: str) -> str:
-        found = element.get(attribute)
-        if not found:
+        value = element.get(attribute)
+        if not value:
             raise RobotFileError(
-                f"{self.where(element)}: <{element.tag}> must have the attribute '{attribute}'."
+                f"{self.location(element)}: <{element.tag}> must have the attribute '{attribute}'."
             )
-        return found
+        return value
 
     def only(self, element: ElementTree.Element, tag: str) -> ElementTree.Element | None:
-        """Return the child of this kind, or None; of two that differ, none is to be preferred."""
-        found = element.findall(tag)
-        if any(_content(other) != _content(found[0]) for other in found[1:]):
+        """Return the child with this tag, or None; raise an error if there are different ones."""
+        children = element.findall(tag)
+        if any(_content(child) != _content(children[0]) for child in children[1:]):
             raise RobotFileError(
-                f"{self.where(found[1])}: <{element.tag}> holds more than one <{tag}>, and they "
-                "differ. Keep one of them."
+                f"{self.location(children[1])}: <{element.tag}> holds more than one <{tag}>, and "
+                "they differ. Keep one of them."
             )
-        return found[0] if found else None
+        return children[0] if children else None
 
     def child(self, element: ElementTree.Element, tag: str) -> ElementTree.Element:
-        found = self.only(element, tag)
-        if found is None:
+        child = self.only(element, tag)
+        if child is None:
             name = element.get("name")
             of_name = f" of '{name}'" if name else ""
             raise RobotFileError(
-                f"{self.where(element)}: <{element.tag}>{of_name} must hold a <{tag}>."
+                f"{self.location(element)}: <{element.tag}>{of_name} must hold a <{tag}>."
             )
-        return found
+        return child
 
     def numbers(
         self, element: ElementTree.Element | None, attribute: str, default: Any, count: int
@@ -157,47 +157,47 @@ class _Reader:
                 self.text(element, attribute)
             return np.full(count, default, float) if np.isscalar(default) else np.array(default)
         try:
-            found = np.array([float(part) for part in text.split()])
+            values = np.array([float(part) for part in text.split()])
         except ValueError:
-            found = np.empty(0)
-        if "_" in text or not text.isascii():  # numbers in Python alone
-            found = np.empty(0)
-        for part, value in zip(text.split(), found, strict=False):
-            if not value and re.search("[1-9]", part.lower().partition("e")[0]):
+            values = np.empty(0)
+        if "_" in text or not text.isascii():  # numbers in Python, but not in URDF
+            values = np.empty(0)
+        for part, number in zip(text.split(), values, strict=False):
+            if not number and re.search("[1-9]", part.lower().partition("e")[0]):
                 raise RobotFileError(
-                    f"{self.where(element)}: '{attribute}' of <{element.tag}> has the number "
+                    f"{self.location(element)}: '{attribute}' of <{element.tag}> has the number "
                     f"{part}, which is smaller than any floating-point number. Write 0 for it."
                 )
-        if len(found) != count or not np.isfinite(found).all():
-            what = "a finite number" if count == 1 else f"{count} finite numbers"
+        if len(values) != count or not np.isfinite(values).all():
+            requirement = "a finite number" if count == 1 else f"{count} finite numbers"
             raise RobotFileError(
-                f"{self.where(element)}: '{attribute}' of <{element.tag}> must be {what}, got "
-                f"{text!r}."
+                f"{self.location(element)}: '{attribute}' of <{element.tag}> must be "
+                f"{requirement}, got {text!r}."
             )
-        return found
+        return values
 
     def number(self, element: ElementTree.Element | None, attribute: str, default: Any) -> float:
         return float(self.numbers(element, attribute, default, 1)[0])
 
     def pose(self, element: ElementTree.Element) -> tuple[np.ndarray, np.ndarray]:
         origin = self.only(element, "origin")
-        place = self.numbers(origin, "xyz", 0.0, 3)
-        return place, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
+        position = self.numbers(origin, "xyz", 0.0, 3)
+        return position, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
 
 
 def _content(element: ElementTree.Element) -> Any:
-    """Return what an element says: two of equal content are one that was written twice."""
+    """Return the content of an element, to recognise an element that was written twice."""
     attributes = {key: value.split() for key, value in element.attrib.items()}
     return element.tag, attributes, [_content(child) for child in element]
 
 
 def read_urdf(path: Path, floating: bool = False) -> Tree:
     """Read a URDF file into a Tree; the root link is fixed in the world, or floats."""
-    reader = _Reader(path)
+    reader = _UrdfReader(path)
     root = reader.root
     if root.tag != "robot":
         raise RobotFileError(
-            f"{reader.where(root)}: the outermost element of a URDF file must be <robot>, got "
+            f"{reader.location(root)}: the outermost element of a URDF file must be <robot>, got "
             f"<{root.tag}>."
         )
     links = {reader.text(e, "name"): e for e in root.findall("link")}
@@ -205,19 +205,19 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     for kind, elements in (("link", root.findall("link")), ("joint", joints)):
         _check_once(reader, kind, elements)
     if not links:
-        raise RobotFileError(f"{reader.where(root)}: <robot> holds no <link>.")
+        raise RobotFileError(f"{reader.location(root)}: <robot> holds no <link>.")
     above = _joints_above(reader, links, joints)
     left_out: list[str] = []
-    found: list[Link] = []
+    tree_links: list[Link] = []
     numbers: dict[str | None, int] = {}
     for name in _in_order(reader, links, above):
-        numbers[name] = len(found)
-        found.append(_link(reader, name, links[name], above.get(name), numbers, left_out))
+        numbers[name] = len(tree_links)
+        tree_links.append(_link(reader, name, links[name], above.get(name), numbers, left_out))
     _warn_of_inertias(reader, links)
-    _warn_of_ball_joints(found)
+    _warn_of_ball_joints(tree_links)
     if floating:
         name = untaken("root", [joint.get("name", "") for joint in joints])
-        found[0].joints = [Joint(name, "free", where=found[0].where)]
+        tree_links[0].joints = [RobotJoint(name, "free", location=tree_links[0].location)]
     if root.find("transmission") is not None:
         left_out.append("transmissions: each joint has a force of its own")
     motors = [
@@ -226,62 +226,66 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
             joint.name,
             input_range=None if joint.effort is None else (-joint.effort, joint.effort),
         )
-        for link in found
+        for link in tree_links
         for joint in link.joints
         if joint.kind in ("hinge", "slide") and joint.mimics is None
     ]
-    _check_mimics(found)
-    tree = Tree(root.get("name") or path.stem, found, motors, left_out=left_out)
+    _check_mimics(tree_links)
+    tree = Tree(root.get("name") or path.stem, tree_links, motors, left_out=left_out)
     _set_free(tree)
     return tree
 
 
 def _set_free(tree: Tree) -> None:
-    """Let floating links start where the file shows them."""
+    """Set the start of floating links to the file's pose."""
     for link in tree.links:
         if [joint.kind for joint in link.joints] != ["free"]:
             continue
-        place, turn, above = link.place, link.turn, link.parent
+        position, rotation, above = link.origin, link.rotation, link.parent
         while above >= 0:
             parent = tree.links[above]
             if parent.joints:
                 raise RobotFileError(
-                    f"{link.joints[0].where}: the floating joint '{link.joints[0].name}' hangs on "
-                    f"the link '{parent.name}', which moves; it must hang on one that rests."
+                    f"{link.joints[0].location}: the floating joint '{link.joints[0].name}' hangs "
+                    f"on the link '{parent.name}', which moves; it must hang on one that rests."
                 )
-            place, turn = parent.place + parent.turn @ place, parent.turn @ turn
+            position, rotation = (
+                parent.origin + parent.rotation @ position,
+                parent.rotation @ rotation,
+            )
             above = parent.parent
-        tree.start[link.joints[0].name] = np.concatenate([place, to_quaternion(turn)])
+        tree.start[link.joints[0].name] = np.concatenate([position, to_quaternion(rotation)])
 
 
-def _check_once(reader: _Reader, kind: str, elements: list[ElementTree.Element]) -> None:
+def _check_once(reader: _UrdfReader, kind: str, elements: list[ElementTree.Element]) -> None:
     counts = Counter(reader.text(e, "name") for e in elements)
     for element in reversed(elements):
         if counts[element.get("name", "")] > 1:
             raise RobotFileError(
-                f"{reader.where(element)}: there is more than one {kind} '{element.get('name')}'."
+                f"{reader.location(element)}: there is more than one {kind} "
+                f"'{element.get('name')}'."
             )
 
 
 def _joints_above(
-    reader: _Reader,
+    reader: _UrdfReader,
     links: dict[str, ElementTree.Element],
     joints: list[ElementTree.Element],
 ) -> dict[str, ElementTree.Element]:
-    """Return the joint that each link hangs on."""
+    """Return the joint between each link and its parent."""
     above: dict[str, ElementTree.Element] = {}
     for joint in joints:
         for end in ("parent", "child"):
             element = reader.child(joint, end)
             if reader.text(element, "link") not in links:
                 raise RobotFileError(
-                    f"{reader.where(element)}: there is no link '{element.get('link')}', which "
+                    f"{reader.location(element)}: there is no link '{element.get('link')}', which "
                     f"the joint '{joint.get('name')}' has as its {end}."
                 )
         name = reader.child(joint, "child").get("link", "")
         if name in above:
             raise RobotFileError(
-                f"{reader.where(joint)}: the link '{name}' is the child of two joints, "
+                f"{reader.location(joint)}: the link '{name}' is the child of two joints, "
                 f"'{above[name].get('name')}' and '{joint.get('name')}'; URDF knows trees alone. "
                 "Close a loop with a constraint of the System, or use an MJCF file."
             )
@@ -290,21 +294,21 @@ def _joints_above(
 
 
 def _in_order(
-    reader: _Reader,
+    reader: _UrdfReader,
     links: dict[str, ElementTree.Element],
     above: dict[str, ElementTree.Element],
 ) -> list[str]:
-    """Return the names of the links, each after its parent, in the file's order otherwise."""
+    """Return the names of the links in depth-first order, each after its parent."""
     roots = [name for name in links if name not in above]
     if len(roots) != 1:
         if not roots:
             first = next(iter(links.values()))
             raise RobotFileError(
-                f"{reader.where(first)}: there is no root: each link is the child of a joint, so "
-                "that they form a ring."
+                f"{reader.location(first)}: there is no root: each link is the child of a joint, "
+                "so that they form a ring."
             )
         raise RobotFileError(
-            f"{reader.where(links[roots[1]])}: there is more than one root: no joint has "
+            f"{reader.location(links[roots[1]])}: there is more than one root: no joint has "
             f"{' or '.join(map(repr, roots[:3]))} as its child."
         )
     below: dict[str, list[str]] = {}
@@ -315,56 +319,59 @@ def _in_order(
         order.append(waiting.pop())
         waiting += reversed(below.get(order[-1], []))
     reached = set(order)
-    lost = [name for name in links if name not in reached]
-    if lost:
+    unreachable = [name for name in links if name not in reached]
+    if unreachable:
         raise RobotFileError(
-            f"{reader.where(above[lost[0]])}: the links {', '.join(map(repr, lost[:3]))} form a "
-            "ring that hangs on nothing."
+            f"{reader.location(above[unreachable[0]])}: the links "
+            f"{', '.join(map(repr, unreachable[:3]))} form a ring that hangs on nothing."
         )
     return order
 
 
 def _link(
-    reader: _Reader,
+    reader: _UrdfReader,
     name: str,
     element: ElementTree.Element,
     above: ElementTree.Element | None,
     numbers: dict[str | None, int],
     left_out: list[str],
 ) -> Link:
-    link = Link(name, -1, np.zeros(3), np.eye(3), where=reader.where(element))
+    link = Link(name, -1, np.zeros(3), np.eye(3), location=reader.location(element))
     if above is not None:
         link.parent = numbers[reader.child(above, "parent").get("link")]
-        link.place, link.turn = reader.pose(above)
+        link.origin, link.rotation = reader.pose(above)
         link.joints = _joints(reader, above, left_out)
     inertial = reader.only(element, "inertial")
     if inertial is not None:
         link.mass = reader.number(reader.child(inertial, "mass"), "value", None)
-        link.centre, turn = reader.pose(inertial)
-        about = reader.only(inertial, "inertia")
+        link.centre, rotation = reader.pose(inertial)
+        inertia_element = reader.only(inertial, "inertia")
         xx, yy, zz, xy, xz, yz = (
-            reader.number(about, f"i{axes}", 0.0) for axes in ("xx", "yy", "zz", "xy", "xz", "yz")
+            reader.number(inertia_element, f"i{axes}", 0.0)
+            for axes in ("xx", "yy", "zz", "xy", "xz", "yz")
         )
         inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-        link.inertia = turned(inertia, turn)
+        link.inertia = rotated_inertia(inertia, rotation)
     for visual in element.findall("visual"):
-        look = _look(reader, visual, left_out)
-        if look is not None:
-            link.looks.append(look)
+        shape = _visual_shape(reader, visual, left_out)
+        if shape is not None:
+            link.looks.append(shape)
     return link
 
 
-def _warn_of_inertias(reader: _Reader, links: dict[str, ElementTree.Element]) -> None:
-    """Warn, once, of inertias that no body has, by more than the digits that are not written.
+def _warn_of_inertias(reader: _UrdfReader, links: dict[str, ElementTree.Element]) -> None:
+    """Warn once of inertias that violate the triangle inequality by more than rounded digits.
 
-    Negative principal moments are told elsewhere.
+    `Tree.check` warns of negative principal moments.
     """
-    found = []
+    descriptions = []
     for name, element in links.items():
-        about = element.find("inertial/inertia")
-        if about is None:
+        inertia_element = element.find("inertial/inertia")
+        if inertia_element is None:
             continue
-        texts = [about.get(f"i{axes}", "0") for axes in ("xx", "xy", "yy", "xz", "yz", "zz")]
+        texts = [
+            inertia_element.get(f"i{axes}", "0") for axes in ("xx", "xy", "yy", "xz", "yz", "zz")
+        ]
         matrix, unsure = np.zeros((2, 3, 3))
         for (i, j), text in zip(
             ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)), texts, strict=True
@@ -374,25 +381,31 @@ def _warn_of_inertias(reader: _Reader, links: dict[str, ElementTree.Element]) ->
                 unsure[i, j] = unsure[j, i] = 0.5 * _last_digit(text)
         a, b, c = np.linalg.eigvalsh(matrix)
         if a >= 0.0 and c - a - b > 3.0 * np.linalg.norm(unsure) + ROUNDED * c:
-            found.append(f"'{name}' ({reader.where(about)}; {c:.6g} > {a:.6g} + {b:.6g})")
-    if found:
+            descriptions.append(
+                f"'{name}' ({reader.location(inertia_element)}; {c:.6g} > {a:.6g} + {b:.6g})"
+            )
+    if descriptions:
         warn_user(
-            f"No body has the inertia of the link {found[0]}: a principal moment is larger than "
-            "the other two together"
-            + (f"; nor those of {len(found) - 1} other links of this file" if found[1:] else "")
+            f"No body has the inertia of the link {descriptions[0]}: a principal moment is larger "
+            "than the other two together"
+            + (
+                f"; nor those of {len(descriptions) - 1} other links of this file"
+                if descriptions[1:]
+                else ""
+            )
             + ". They are taken as they are. Correct them in the file."
         )
 
 
 def _warn_of_ball_joints(links: list[Link]) -> None:
-    """Warn, once, of joints that move otherwise in programs that do not know their type."""
-    found = [joint for link in links for joint in link.joints if joint.kind == "ball"]
-    if found:
-        others = f", as are {len(found) - 1} others" if found[1:] else ""
+    """Warn once of the joint type 'spherical', which other programs may not support."""
+    ball_joints = [joint for link in links for joint in link.joints if joint.kind == "ball"]
+    if ball_joints:
+        others_text = f", as are {len(ball_joints) - 1} others" if ball_joints[1:] else ""
         warn_user(
-            f"The joint '{found[0].name}' ({found[0].where}){others} is of the type 'spherical', "
-            "which the URDF format does not have. It is read as a ball joint, with a quaternion "
-            "and three components of the angular velocity."
+            f"The joint '{ball_joints[0].name}' ({ball_joints[0].location}){others_text} is of the "
+            "type 'spherical', which the URDF format does not have. It is read as a ball joint, "
+            "with a quaternion and three components of the angular velocity."
         )
 
 
@@ -402,34 +415,36 @@ def _last_digit(text: str) -> float:
     return float(10.0 ** (float(exponent or 0) - len(mantissa.partition(".")[2])))
 
 
-def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) -> list[Joint]:
+def _joints(
+    reader: _UrdfReader, element: ElementTree.Element, left_out: list[str]
+) -> list[RobotJoint]:
     name, kind = reader.text(element, "name"), reader.text(element, "type")
-    where = reader.where(element)
+    location = reader.location(element)
     if kind == "fixed":
         return []
     if kind in ("planar", "floating", "spherical"):
-        more = [tag for tag in ("limit", "dynamics", "mimic") if element.find(tag) is not None]
+        ignored = [tag for tag in ("limit", "dynamics", "mimic") if element.find(tag) is not None]
         if kind == "spherical":
-            more = [tag for tag in more if tag != "dynamics"]
-        left_out += [f"the <{tag}> of the {kind} joint '{name}'" for tag in more]
+            ignored = [tag for tag in ignored if tag != "dynamics"]
+        left_out += [f"the <{tag}> of the {kind} joint '{name}'" for tag in ignored]
     if kind == "planar":
         normal = _axis(reader, element, [1.0, 0.0, 0.0])
-        along = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
-        along /= np.linalg.norm(along)
-        taken = reader.joint_names
-        x, y, turn = (untaken(f"{name}_{end}", taken) for end in ("x", "y", "turn"))
+        first_axis = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+        first_axis /= np.linalg.norm(first_axis)
+        used_names = reader.joint_names
+        x, y, turn = (untaken(f"{name}_{end}", used_names) for end in ("x", "y", "turn"))
         return [
-            Joint(x, "slide", along, where=where),
-            Joint(y, "slide", np.cross(normal, along), where=where),
-            Joint(turn, "hinge", normal, where=where),
+            RobotJoint(x, "slide", first_axis, location=location),
+            RobotJoint(y, "slide", np.cross(normal, first_axis), location=location),
+            RobotJoint(turn, "hinge", normal, location=location),
         ]
     if kind not in _MOVING:
         raise RobotFileError(
-            f"{where}: the joint '{name}' is of the type {kind!r}; known are "
+            f"{location}: the joint '{name}' is of the type {kind!r}; known are "
             f"{', '.join(map(repr, ('fixed', *_MOVING, 'planar')))}. Replace it in the file by the "
             "one that moves in the same way."
         )
-    joint = Joint(name, _MOVING[kind], where=where)
+    joint = RobotJoint(name, _MOVING[kind], location=location)
     if joint.kind == "free":
         return [joint]
     limit, dynamics = (reader.only(element, tag) for tag in ("limit", "dynamics"))
@@ -442,7 +457,7 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
         joint.effort = reader.number(limit, "effort", 0.0) or None
         if joint.effort is not None and joint.effort < 0.0:
             raise RobotFileError(
-                f"{reader.where(limit)}: the effort of the joint '{name}' must not be negative, "
+                f"{reader.location(limit)}: the effort of the joint '{name}' must not be negative, "
                 f"got {joint.effort:g}."
             )
         low, high = reader.number(limit, "lower", 0.0), reader.number(limit, "upper", 0.0)
@@ -466,18 +481,18 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
     return [joint]
 
 
-def _axis(reader: _Reader, element: ElementTree.Element, default: list[float]) -> np.ndarray:
+def _axis(reader: _UrdfReader, element: ElementTree.Element, default: list[float]) -> np.ndarray:
     axis = reader.only(element, "axis")
-    found = reader.numbers(axis, "xyz", default, 3)
-    found = found / (np.abs(found).max() or 1.0)  # squares of tiny and huge ones are no floats
-    size = np.linalg.norm(found)
+    components = reader.numbers(axis, "xyz", default, 3)
+    components = components / (np.abs(components).max() or 1.0)  # avoids overflow of squares
+    size = np.linalg.norm(components)
     if not size > 0.0:
         assert axis is not None
         raise RobotFileError(
-            f"{reader.where(axis)}: the axis of the joint '{element.get('name')}' has no "
+            f"{reader.location(axis)}: the axis of the joint '{element.get('name')}' has no "
             f"direction, got {axis.get('xyz')!r}."
         )
-    direction: np.ndarray = found / size
+    direction: np.ndarray = components / size
     return direction
 
 
@@ -485,39 +500,41 @@ def _check_mimics(links: list[Link]) -> None:
     joints = {joint.name: joint for link in links for joint in link.joints}
     checked: set[str] = set()
     for joint in joints.values():
-        seen = {joint.name: None}  # in order
+        visited = {joint.name: None}  # in order
         while joint.mimics is not None and joint.name not in checked:
             name = joint.mimics[0]
             if name not in joints or joints[name].kind not in ("hinge", "slide"):
                 raise RobotFileError(
-                    f"{joint.where}: the joint '{joint.name}' mimics '{name}', which is no "
+                    f"{joint.location}: the joint '{joint.name}' mimics '{name}', which is no "
                     "revolute, continuous or prismatic joint of this robot."
                 )
-            if name in seen:
+            if name in visited:
                 raise RobotFileError(
-                    f"{joint.where}: joints mimic each other in a ring: {', '.join(seen)}."
+                    f"{joint.location}: joints mimic each other in a ring: {', '.join(visited)}."
                 )
-            seen[name] = None
+            visited[name] = None
             joint = joints[name]
-        checked.update(seen)
+        checked.update(visited)
 
 
-# -- looks -----------------------------------------------------------------------------------------
+# -- visual shapes ---------------------------------------------------------------------------------
 
 
-def _look(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) -> Look | None:
+def _visual_shape(
+    reader: _UrdfReader, visual: ElementTree.Element, left_out: list[str]
+) -> VisualShape | None:
     geometry = reader.child(visual, "geometry")
     try:
         shape = _shape(reader, visual, geometry, left_out)
     except RobotFileError:
         raise
     except (OSError, ValueError) as error:
-        raise RobotFileError(f"{reader.where(geometry)}: {error}") from None
-    return None if shape is None else Look(shape, *reader.pose(visual))
+        raise RobotFileError(f"{reader.location(geometry)}: {error}") from None
+    return None if shape is None else VisualShape(shape, *reader.pose(visual))
 
 
 def _shape(
-    reader: _Reader,
+    reader: _UrdfReader,
     visual: ElementTree.Element,
     geometry: ElementTree.Element,
     left_out: list[str],
@@ -527,7 +544,7 @@ def _shape(
     for element in geometry:
         if element.tag in _SIZES:
             size = np.concatenate([reader.numbers(element, *a) for a in _SIZES[element.tag]])
-            if (size == 0.0).any():  # a mark for a point, in files that are in use
+            if (size == 0.0).any():  # marks a point in some published files
                 left_out.append(f"a <{element.tag}> without size, which is not shown")
             elif element.tag == "box":
                 shape = Box(*size.tolist(), **options)
@@ -542,7 +559,9 @@ def _shape(
     return shape
 
 
-def _colours(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) -> dict[str, Any]:
+def _colours(
+    reader: _UrdfReader, visual: ElementTree.Element, left_out: list[str]
+) -> dict[str, Any]:
     """Return the options of a shape: its material, or the robot's material of that name."""
     material = visual.find("material")
     if material is None:
@@ -561,14 +580,14 @@ def _colours(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) 
 
 
 def _mesh(
-    reader: _Reader, element: ElementTree.Element, options: dict[str, Any], left_out: list[str]
+    reader: _UrdfReader, element: ElementTree.Element, options: dict[str, Any], left_out: list[str]
 ) -> partial[Mesh] | None:
     name = reader.text(element, "filename")
     path = _file_of(reader.path, name)
     if path is None:
-        left_out.append(f"the mesh {name}, which is not found ({reader.where(element)})")
+        left_out.append(f"the mesh {name}, which is not found ({reader.location(element)})")
         return None
-    if path.suffix.lower() not in _SHOWN:
+    if path.suffix.lower() not in _MESH_SUFFIXES:
         left_out.append(f"the mesh {name}: STL and OBJ files are shown")
         return None
     try:
@@ -576,28 +595,28 @@ def _mesh(
     except RobotFileError as error:  # the mechanics need no mesh
         left_out.append(f"the mesh {name}: {error}")
         return None
-    return partial(_read_mesh, reader.where(element), path, scale, options)
+    return partial(_read_mesh, reader.location(element), path, scale, options)
 
 
-def _read_mesh(where: str, path: Path, scale: np.ndarray, options: dict[str, Any]) -> Mesh:
+def _read_mesh(location: str, path: Path, scale: np.ndarray, options: dict[str, Any]) -> Mesh:
     try:
         vertices, faces = read_mesh(path)
         return Mesh((vertices * scale, faces), **options)
     except (OSError, ValueError) as error:
-        raise RobotFileError(f"{where}: {error}") from None
+        raise RobotFileError(f"{location}: {error}") from None
 
 
 def _file_of(robot: Path, name: str) -> Path | None:
-    """Return the file that a URDF file names, or None where there is none.
+    """Return the file that a URDF file refers to, or None if it does not exist.
 
-    ROS looks packages up among those installed; here they are looked for around the file: a package
-    is a folder above it, or beside one above it.
+    ROS searches for packages among those installed. Here a package is a folder that contains the
+    URDF file, or a sibling of such a folder.
     """
-    scheme, _, rest = name.rpartition("://")
+    scheme, _, location = name.rpartition("://")
     if scheme in ("", "file"):
-        found = robot.parent / rest
-        return found if found.is_file() else None
-    package, _, inside = rest.partition("/")
+        file = robot.parent / location
+        return file if file.is_file() else None
+    package, _, inside = location.partition("/")
     for folder in robot.resolve().parents:
         for start in (folder / package, folder if folder.name == package else None):
             if start is not None and (start / inside).is_file():
