@@ -14,7 +14,7 @@ from pydy._assembly import Assembly, CompiledModel, Definition, every_input
 from pydy._checks import listed, one_or_more, real_array, shown
 from pydy._evaluation.function import Function
 from pydy._graph import Graph, derivative_program, simplify
-from pydy._judges import warn_of_left_out, warn_of_missing_derivatives
+from pydy._judges import warn_of_missing_derivatives, warn_of_redundant
 from pydy._kernel import Kernel
 from pydy._mechanics import find_symbols
 from pydy._problem import Problem
@@ -132,7 +132,7 @@ def evaluate_block(
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
     look = None
     if wrt is None and any(blocks) and any(problem.definition.equations.constraints.redundant):
-        look = partial(warn_of_left_out, blocks=blocks)
+        look = partial(warn_of_redundant, blocks=blocks)
     x, t, r, p = given
     return Function(problem, kernel, names, wrt or (), look=look)(t, x, r, p)
 

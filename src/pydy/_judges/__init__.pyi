@@ -5,7 +5,7 @@ from .constraint_drift import (
     drift_programs as drift_programs,
     first_violation as first_violation,
     rates as rates,
-    warn_of_left_out as warn_of_left_out,
+    warn_of_redundant as warn_of_redundant,
 )
 from .diagnostics import (
     diagnosis_of as diagnosis_of,
@@ -23,5 +23,9 @@ from .discontinuities import (
 )
 from .judges import judge_motion as judge_motion, judge_start as judge_start
 from .missing_derivatives import warn_of_missing_derivatives as warn_of_missing_derivatives
-from .passages import Passed as Passed, Watched as Watched, jump_message as jump_message
+from .passages import (
+    MotionPath as MotionPath,
+    WatchedQuantities as WatchedQuantities,
+    jump_message as jump_message,
+)
 from .sliding import stuck_at as stuck_at

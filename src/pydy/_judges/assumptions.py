@@ -1,7 +1,7 @@
 """Check a computed motion against the assumptions of its symbols, such as `positive=True`.
 
-Also whether a motion starts where the matrices that orient frames are rotations, as those of
-quaternions are at unit length.
+Also check that the matrices that orient frames are rotations at the start. Those of quaternions are
+rotations only at unit length.
 """
 
 from __future__ import annotations
@@ -31,30 +31,30 @@ from pydy.solvers import Options
 def check_assumptions(motion: Motion) -> None:
     """Warn once of states and specifieds along a motion that contradict their assumptions.
 
-    Between the requested times a motion is known by the steps of a solver, or by where odeint
-    evaluated: its predictions are near the solution, which RK stages are not.
+    Between the requested times, the steps of the solver are checked, or the states at which odeint
+    evaluated: its predictions are near the solution, unlike RK stages.
     """
     times, states = motion.times, motion.states
     n = states.shape[1]
-    starts, between = getattr(motion.dense, "starts", None), (times[:0], states[:0])
+    starts, step_samples = getattr(motion.dense, "starts", None), (times[:0], states[:0])
     if motion.dense is not None and starts is not None:
-        between = starts, motion.dense(starts)[:, :n]
+        step_samples = starts, motion.dense(starts)[:, :n]
     elif motion.evaluated is not None and is_odeint(motion.solver) and motion.evaluated.times:
-        between = _accepted(motion.evaluated, times, n)
-    every = np.concatenate([times, between[0]])
+        step_samples = _accepted(motion.evaluated, times, n)
+    every = np.concatenate([times, step_samples[0]])
     order = np.argsort(every, kind="stable")
-    rows = np.concatenate([states, between[1]])[order]
+    rows = np.concatenate([states, step_samples[1]])[order]
     AssumptionChecks(motion.problem).motion(every[order], rows, *_tolerances(motion))
 
 
 def _tolerances(motion: Motion) -> tuple[Any, Any]:
-    """Return the tolerances; without error control an error of the size of the states."""
+    """Return rtol and atol; without error control, the states may be wrong by their own size."""
     options = motion.options
     if not motion.errors_known or "step" in options:
         return 1.0, 0.0
-    given = (options.get("rtol"), options.get("atol"))
+    requested = (options.get("rtol"), options.get("atol"))
     rtol, atol = (
-        d if g is None else g for g, d in zip(given, (Options.rtol, Options.atol), strict=True)
+        d if g is None else g for g, d in zip(requested, (Options.rtol, Options.atol), strict=True)
     )
     return rtol, atol
 
@@ -62,16 +62,16 @@ def _tolerances(motion: Motion) -> tuple[Any, Any]:
 def _accepted(
     evaluated: EvaluationRecorder, times: np.ndarray, n: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the times and states at which a solver evaluated, without steps that it rejected.
+    """Return the times and states at which a solver evaluated, without rejected steps.
 
-    After a rejected step it goes on from an earlier time.
+    After a rejected step the solver continues from an earlier time.
     """
     t = np.array(evaluated.times)
     forward = times[-1] >= times[0]
     ahead = t if forward else -t
     later = np.minimum.accumulate(ahead[::-1])[::-1]
-    within = (t <= times.max()) & (t >= times.min())
-    rows = np.flatnonzero((ahead <= later) & within)
+    in_range = (t <= times.max()) & (t >= times.min())
+    rows = np.flatnonzero((ahead <= later) & in_range)
     return t[rows], np.array([evaluated.states[k][:n] for k in rows]).reshape(len(rows), n)
 
 
@@ -81,29 +81,29 @@ _UNITS = [[sm.Rational(n, 10) for n in numbers] for numbers in ((5, 5, 5, 5), (1
 
 
 def orientations(equations: Equations) -> tuple[Any, ...]:
-    """Return the matrices of orientations by four coordinates, at unit length rotations."""
+    """Return the direction cosine matrices of quaternions: rotations only at unit length."""
     made_from = equations.mechanism or equations.multibody
     matrices = () if made_from is None else FrameTree(made_from.frame).rotation_matrices()
     return tuple(m for m in matrices if _is_of_quaternion(m, equations.coordinates))
 
 
 def _is_of_quaternion(matrix: Any, coordinates: Sequence[Any]) -> bool:
-    """Return whether a matrix is one; those of small angles are rotations nowhere else."""
-    if matrix.has(sm.sin, sm.cos):  # most are, and this is quick
+    """Return whether a matrix is a quaternion's; matrices of small angles are not rotations."""
+    if matrix.has(sm.sin, sm.cos):  # a quick test that excludes most matrices
         return False
-    held = find_symbols(matrix)
-    if len(held) != 4 or not held.keys() <= {*coordinates}:
+    symbols = find_symbols(matrix)
+    if len(symbols) != 4 or not symbols.keys() <= {*coordinates}:
         return False
     for numbers in _UNITS:
-        turned = matrix.xreplace(dict(zip(held, numbers, strict=True)))
-        if turned * turned.T != sm.eye(3):
+        rotation = matrix.xreplace(dict(zip(symbols, numbers, strict=True)))
+        if rotation * rotation.T != sm.eye(3):
             return False
     return True
 
 
 @dataclass(frozen=True)
 class _Orientations:
-    """The rows that vanish where each of some matrices is a rotation."""
+    """The residuals that vanish if the matrices are rotations."""
 
     matrices: tuple[Any, ...]
 
@@ -113,30 +113,30 @@ class _Orientations:
 
 
 def check_orientations(at: StateSamples, matrices: tuple[Any, ...]) -> None:
-    """Warn of a state where an orientation is no rotation: a quaternion of another length."""
+    """Warn of a state where a quaternion is not of unit length."""
     rows = at.interpret(_Orientations(matrices))
     for k, matrix in enumerate(matrices):
-        apart = float(np.abs(rows[str(k)]).max(initial=0.0))
-        if not apart > TYPED:
+        deviation = float(np.abs(rows[str(k)]).max(initial=0.0))
+        if not deviation > TYPED:
             continue
-        held = find_symbols(matrix)
-        places = [i for i, q in enumerate(at.definition.equations.coordinates) if q in held]
-        names, values = [at.definition.states[i] for i in places], at.x[0, places]
+        symbols = find_symbols(matrix)
+        indices = [i for i, q in enumerate(at.definition.equations.coordinates) if q in symbols]
+        names, values = [at.definition.states[i] for i in indices], at.x[0, indices]
         remedy, scalar = "Scale them to unit length.", _scalar_part(matrix, names)
         if not values.any() and scalar is not None:
             remedy = f"Set {name_of(scalar)} = 1 for a frame that is not turned."
         warn_user(
             f"The initial conditions {numbers_of(map(name_of, names), values)} orient no frame: "
-            f"their direction cosine matrix is no rotation, by {apart:.2g}. A quaternion must be "
-            f"of unit length. {remedy}"
+            f"their direction cosine matrix is no rotation, by {deviation:.2g}. A quaternion must "
+            f"be of unit length. {remedy}"
         )
         return  # one is enough
 
 
 def _scalar_part(matrix: Any, names: Sequence[Any]) -> Any:
-    """Return the coordinate that is one in the unit quaternion of no rotation, or None."""
-    for one in names:
-        numbers = {name: sm.Integer(name == one) for name in names}
+    """Return the scalar part of a quaternion, the coordinate that is 1 at zero angle, or None."""
+    for candidate in names:
+        numbers = {name: sm.Integer(name == candidate) for name in names}
         if matrix.xreplace(numbers) == sm.eye(3).as_immutable():
-            return one
+            return candidate
     return None

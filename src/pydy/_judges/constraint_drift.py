@@ -20,7 +20,7 @@ from pydy._graph import Graph, directional, jacobian, per_unit, rounding_bounds,
 from pydy._interpolation import evenly
 from pydy._mechanics import Equations, find_symbols
 from pydy._motion import ConstraintNames, Motion, constraint_names
-from pydy._problem import TOGETHER, EnergyModel, Problem, StateSamples
+from pydy._problem import EnergyModel, Problem, StateSamples, TOGETHER
 from pydy._program import Program
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy.codegen import SpecifiedsPlan
@@ -34,28 +34,31 @@ from pydy.trajectory import EventRecord
 
 NO_INPUTS: Mapping[int, int | None] = {}
 
-# -- where a motion begins, and after resets -------------------------------------------------------
+# -- At the start of a motion, and after resets ----------------------------------------------------
 
 
-def check_start(at: StateSamples, whose: str = "", mended: bool = False) -> bool:
-    """Warn where a motion starts off the constraints; return whether it does."""
-    held = satisfied_to_rounding(at)[0]
-    if not held:
+def check_start(at: StateSamples, whose: str = "", corrected: bool = False) -> bool:
+    """Warn if the initial state violates the constraints; return whether it does.
+
+    There is no warning if the motion is `corrected`, that is, projected onto the constraints.
+    """
+    satisfied = satisfied_to_rounding(at)[0]
+    if not satisfied:
         _check_constant(at)
-    # What is brought back onto the constraints is not reported: its rows need no names.
-    look: Callable[..., Any] = violates_constraints if mended else violations
-    told = not held and look(at, redundant=False)
+    # A corrected motion is not reported, so its violated rows need no names.
+    find: Callable[..., Any] = violates_constraints if corrected else violations
+    violation = not satisfied and find(at, redundant=False)
     equations = at.definition.equations
-    unimplied = () if told else equations.constraints.unenforced_holonomic
+    unimplied = () if violation else equations.constraints.unenforced_holonomic
     if unimplied and (report := DriftReport.contradiction(at.interpret(rates))):
         why = contradiction(equations, float(at.t[0]), **report.details)
         raise ValueError(f"No motion satisfies all constraints. {why}")
-    if held and not any(equations.constraints.redundant):
+    if satisfied and not any(equations.constraints.redundant):
         return False
-    if not told:
+    if not violation:
         check_redundant(at)
-        told = look(at)
-    if told and not mended:
+        violation = find(at)
+    if violation and not corrected:
         remedy = "Call `system.set_dependent_initial_conditions()` first."
         if whose:
             remedy = (
@@ -65,13 +68,13 @@ def check_start(at: StateSamples, whose: str = "", mended: bool = False) -> bool
             )
         warn_user(
             f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
-            f"the motion back onto them. {told} {remedy}"
+            f"the motion back onto them. {violation} {remedy}"
         )
-    return bool(told)
+    return bool(violation)
 
 
 def _check_constant(at: StateSamples) -> None:
-    """Refuse a constraint of constants alone that is not zero: no motion can satisfy it."""
+    """Raise if a constraint depends only on constants and is not zero: it cannot be satisfied."""
     equations = at.definition.equations
     constraints = equations.constraints
     closed, redundant = constraints.redundant
@@ -90,32 +93,30 @@ def _check_constant(at: StateSamples) -> None:
 def check_resets(
     records: Iterable[EventRecord], at: Callable[[np.ndarray, np.ndarray], StateSamples]
 ) -> None:
-    """Warn of the first reset of each event that leaves the constraints."""
-    told: set[str] = set()
+    """Warn of the first reset of each event that moves the state off the constraints."""
+    warned: set[str] = set()
     for record in records:
-        if record.name in told or (record.after == record.before).all():
+        if record.name in warned or (record.after == record.before).all():
             continue
         time = np.array([record.time])
         if off := violations(at(time, record.after[None]), before=at(time, record.before[None])):
-            told.add(record.name)
+            warned.add(record.name)
             ConstraintResiduals.warn_of_reset(record.name, off)
 
 
 def satisfied_to_rounding(at: StateSamples) -> np.ndarray:
-    """Return which of m states have no `violations`, as far as the last operations tell."""
+    """Return a mask of the m states whose residuals are within rounding of their last sums."""
     residuals, sizes = evaluated_rows(at, "sizes")
-    held: np.ndarray = (np.abs(residuals) <= DIGITS * sizes).all(axis=1)  # NaN is not
-    return held
+    satisfied: np.ndarray = (np.abs(residuals) <= DIGITS * sizes).all(axis=1)  # NaN is not
+    return satisfied
 
 
-def first_violation(
-    at: StateSamples, blocks: tuple[bool, bool] = (True, True)
-) -> tuple[int, str] | None:
-    """Return the first tried state that has `violations`, and these."""
+def first_violation(at: StateSamples, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
+    """Return the index and the description of the first tested state with `violations`, or None."""
     tried = evenly(len(at.x), DriftCheck.MOST_STATES)
     for k in tried[~satisfied_to_rounding(at.subset(tried))]:
-        if told := violations(at.subset([k]), blocks=blocks):
-            return int(k), told
+        if violation := violations(at.subset([k]), blocks=blocks):
+            return int(k), violation
     return None
 
 
@@ -125,12 +126,11 @@ def violations(
     before: StateSamples | None = None,
     blocks: tuple[bool, bool] = (True, True),
 ) -> str:
-    """Name the residuals of a state that is farther from the constraints than six digits are.
+    """Describe the residuals that exceed the rounding error of six-digit arithmetic, or return ''.
 
-    A residual is compared with the bound on its rounding errors, if six digits were computed with.
-    Constraints that were left out as `redundant` are judged too. What there was `before` a reset
-    counts as drift that it has not made. The `blocks` say whether holonomic constraints are looked
-    at, and velocity constraints. What is returned is a sentence, or nothing.
+    With `redundant`, the constraints that were left out as redundant are checked too. Residuals
+    that were present `before` a reset count as drift that the reset has not caused. The two flags
+    in `blocks` select the holonomic constraints and the velocity constraints.
     """
     if satisfied_to_rounding(at)[0]:
         return ""
@@ -139,7 +139,7 @@ def violations(
 
 
 def violates_constraints(at: StateSamples, redundant: bool = True) -> bool:
-    """Return whether a state has `violations`, without naming them: printing takes long."""
+    """Return whether a state has `violations`, without the cost of printing their names."""
     residuals, allowed = _judged(at, redundant)
     return not (np.abs(residuals) <= allowed).all()
 
@@ -150,7 +150,7 @@ def _judged(
     before: StateSamples | None = None,
     blocks: tuple[bool, bool] = (True, True),
 ) -> ConstraintResiduals:
-    """Return the residuals of a state, zero where rows do not count, and the allowed ones."""
+    """Return the residuals of a state and their limits; rows that do not count are zero."""
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     inherited = None if before is None else evaluated_rows(before, "bounds")[0][0]
     equations, (q, v) = at.definition.equations, blocks
@@ -159,33 +159,39 @@ def _judged(
     return judged.after_reset(inherited)
 
 
-def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
-    """Tell which rows are wanted: holonomic, of these left out, velocity, of these left out."""
+def _rows_of(equations: Equations, *selected: bool) -> np.ndarray:
+    """Return a mask of the rows whose group is selected.
+
+    The groups are: holonomic, redundant holonomic, velocity, redundant velocity.
+    """
     constraints = equations.constraints
     closed, redundant = constraints.redundant
     parts = constraints.holonomic, closed, constraints.velocity, redundant
-    return np.repeat(wanted, [len(part) for part in parts])
+    return np.repeat(selected, [len(part) for part in parts])
 
 
 @dataclass(frozen=True, eq=False)
-class _Among(StateSamples):
-    """One of some states: what is `known` of them is found for all together."""
+class _StateInBatch(StateSamples):
+    """One state of a batch. Its values are evaluated for the full batch and `cached`."""
 
-    whole: StateSamples
-    place: int
-    known: dict[Callable[[Assembly], Any], dict[str, np.ndarray]]
+    batch: StateSamples
+    index: int
+    cached: dict[Callable[[Assembly], Any], dict[str, np.ndarray]]
 
     def values(self, parts: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
-        """Return the values of nodes here, shape (1, o) for each name."""
-        if parts not in self.known:
-            self.known[parts] = self.whole.interpret(parts)
-        return {name: values[[self.place]] for name, values in self.known[parts].items()}
+        """Return the values of nodes at this state, shape (1, o) for each name."""
+        if parts not in self.cached:
+            self.cached[parts] = self.batch.values(parts)
+        return {name: values[[self.index]] for name, values in self.cached[parts].items()}
 
 
-def _each(whole: StateSamples) -> list[_Among]:
-    known: dict[Any, dict[str, np.ndarray]] = {}
-    some = (vars(whole.subset([k])) for k in range(len(whole.x)))
-    return [_Among(**own, whole=whole, place=k, known=known) for k, own in enumerate(some)]
+def _states_of(batch: StateSamples) -> list[_StateInBatch]:
+    cached: dict[Any, dict[str, np.ndarray]] = {}
+    single = (vars(batch.some([k])) for k in range(len(batch.x)))
+    return [
+        _StateInBatch(**fields, batch=batch, index=k, cached=cached)
+        for k, fields in enumerate(single)
+    ]
 
 
 def check_samples(
@@ -193,16 +199,16 @@ def check_samples(
     t: float,
     columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
     shape: tuple[int, ...],
-    mended: bool,
+    corrected: bool,
 ) -> None:
-    """Warn of a sample of an ensemble that is off the constraints, of the worst.
+    """Warn of the sample of an ensemble that violates the constraints most.
 
-    Constraints that were left out, and rates that contradict others, are looked at for 64.
+    Redundant constraints and contradicting rates are checked for 64 samples.
     """
     total = int(np.prod(shape))
     varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
 
-    def some(numbers: np.ndarray) -> StateSamples:
+    def select(numbers: np.ndarray) -> StateSamples:
         m, parts = len(numbers), []
         for part in columns:
             values = [np.broadcast_to(a, shape).flat[numbers] for a in part]
@@ -211,37 +217,40 @@ def check_samples(
         common = at(np.full(m, t), x)
         return replace(common, r=np.where(varied, r, common.r), p=p)
 
-    def told(numbers: np.ndarray) -> bool:
+    def warned_of(numbers: np.ndarray) -> bool:
         if not len(numbers):
             return False
         numbers = numbers[evenly(len(numbers), DriftCheck.MOST_STATES)]
-        for number, own in zip(numbers, _each(some(numbers)), strict=True):
-            places = np.unravel_index(number, shape)
-            whose = f" of sample {', '.join(map(str, places))}" if shape else ""
-            if check_start(own, whose, mended):
+        for number, state in zip(numbers, _states_of(select(numbers)), strict=True):
+            indices = np.unravel_index(number, shape)
+            whose = f" of sample {', '.join(map(str, indices))}" if shape else ""
+            if check_start(state, whose, corrected):
                 return True
         return False
 
     for start in range(0, total, TOGETHER):
         numbers = np.arange(start, min(start + TOGETHER, total))
-        looked_at = some(numbers)
-        residuals, sizes = evaluated_rows(looked_at, "sizes")
-        with np.errstate(invalid="ignore"):  # what overflows is off
+        states = select(numbers)
+        residuals, sizes = evaluated_rows(states, "sizes")
+        with np.errstate(invalid="ignore"):  # an overflow counts as a violation
             shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)
         off = np.flatnonzero(shares > DIGITS)
         worst = np.argsort(-shares[off], kind="stable")[: DriftCheck.MOST_STATES]
-        if told(numbers[off[worst]]):
+        if warned_of(numbers[off[worst]]):
             return
-    equations = looked_at.definition.equations
+    equations = states.definition.equations
     if equations.constraints.unenforced_holonomic or any(equations.constraints.redundant):
-        told(np.arange(total))
+        warned_of(np.arange(total))
 
 
-# -- Velocity constraints that do not keep the holonomic ones --------------------------------------
+# -- Velocity constraints that do not imply the holonomic ones -------------------------------------
 
 
 def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -> str:
-    """Say that velocity constraints hold, but do not keep one of the `unimplied` holonomic ones."""
+    """Describe a holonomic constraint, number `unimplied`, whose `rate` is not zero.
+
+    The state satisfies the velocity constraints.
+    """
     name = constraint_names(equations)[equations.constraints.unenforced_holonomic[unimplied]]
     return (
         f"At t = {t!r} the velocity constraints hold, but with these speeds the rate of the "
@@ -253,27 +262,31 @@ def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -
 def rates_along(
     assembly: Assembly, rows: Sequence[int], inputs: Mapping[int, int | None] = NO_INPUTS
 ) -> list[int]:
-    """Return rates of rows of coordinates, time, and inputs whose rates are inputs, or zero."""
+    """Return the time derivatives of rows of coordinates, time and inputs.
+
+    `inputs` maps an input to the input that is its rate, or to None where the rate is zero.
+    """
     graph = assembly.graph
     first = graph.args[assembly.speeds[0]][1]
-    along = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
-    along[graph.input("t", 0)] = {0: graph.one}
+    derivatives = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
+    derivatives[graph.input("t", 0)] = {0: graph.one}
     for k, rate in inputs.items():
-        along[graph.input("r", k)] = {} if rate is None else {0: graph.input("r", rate)}
-    return directional(graph, known_rows(graph, rows, inputs), along).flat()
+        derivatives[graph.input("r", k)] = {} if rate is None else {0: graph.input("r", rate)}
+    return directional(graph, known_rows(graph, rows, inputs), derivatives).flat()
 
 
 def known_rows(graph: Graph, rows: Sequence[int], inputs: Mapping[int, int | None]) -> list[int]:
-    """Replace rows that contain other inputs, whose rates are not known, by zeros."""
-    held = {n: graph.args[n] for n in graph.inputs(rows)}
-    others = {n for n, (group, k) in held.items() if group == "r" and k not in inputs}
-    return [n if others.isdisjoint(graph.reachable([n])) else graph.zero for n in rows]
+    """Replace rows by zero if they contain an input whose rate is not known."""
+    inputs_by_node = {n: graph.args[n] for n in graph.inputs(rows)}
+    unknown = {n for n, (group, k) in inputs_by_node.items() if group == "r" and k not in inputs}
+    return [n if unknown.isdisjoint(graph.reachable([n])) else graph.zero for n in rows]
 
 
 def slopes_of(definition: Definition, plan: SpecifiedsPlan) -> Slopes:
-    """Return the slopes where inputs are as planned.
+    """Return the slopes for the inputs of a plan.
 
-    Samples are interpolated each for itself: their rates are not those of their derivatives.
+    Sampled inputs are excluded: an input and its rate are interpolated separately, so that one is
+    not the derivative of the other.
     """
     sampled, functions = (
         {k for part in parts for k in part[0].tolist()}
@@ -304,28 +317,28 @@ def rates(assembly: Assembly) -> dict[str, list[int]]:
 
 
 # -- Constraints that were left out as redundant ---------------------------------------------------
-# They were chosen at random states. A linkage may be assembled in other ways than in those, and a
-# constraint may contradict others in a length that was random there.
+# Redundancy was decided at random states. A linkage may be assembled in a configuration that was
+# not among them, and a constraint may contradict others with the actual lengths.
 
 
 def check_redundant(at: StateSamples) -> None:
-    """Refuse a state where constraints left out do not hold, or not follow from others."""
+    """Raise if redundant constraints are violated at a state, or are independent there."""
     equations, t = at.definition.equations, float(at.t[0])
     left_out = equations.constraints.redundant
     if not any(left_out):
         return
     n = len(equations.coordinates)
-    places = _rows_of(equations, False, True, False, False)
-    closed, bounds = (part[0, places] for part in evaluated_rows(at, "bounds"))
-    if (far := ~(np.abs(closed) <= DIGITS * bounds)).any():
-        k = int(np.argmax(far))
+    rows = _rows_of(equations, False, True, False, False)
+    closed, bounds = (part[0, rows] for part in evaluated_rows(at, "bounds"))
+    if (violated := ~(np.abs(closed) <= DIGITS * bounds)).any():
+        k = int(np.argmax(violated))
         raise ValueError(
             f"The holonomic constraint `{left_out[0][k]}` was left out as redundant, but with "
             f"these numbers it contradicts the others: at t = {t!r} it is {closed[k]:.3g} where "
             "the others hold. Correct it, or the constants and initial conditions."
         )
     slopes = at.interpret(_velocity_slopes)["slopes"].reshape(-1, at.x.shape[1])[:, n:]
-    # The state is known to six digits: what is singular there leaves half of them.
+    # The state is accurate to six digits; a singular matrix leaves half of them.
     needed = rank(slopes, least=DIGITS**0.5)
     if needed > len(equations.constraints.velocity):
         raise ValueError(
@@ -337,19 +350,19 @@ def check_redundant(at: StateSamples) -> None:
         )
 
 
-def warn_of_left_out(at: StateSamples, blocks: tuple[bool, bool]) -> None:
+def warn_of_redundant(at: StateSamples, blocks: tuple[bool, bool]) -> None:
     """Warn of states that violate only constraints that were left out as redundant."""
     equations = at.definition.equations
-    kept = _rows_of(equations, True, False, True, False)
-    left = _rows_of(equations, False, blocks[0], False, blocks[1])
-    if not left.any() or satisfied_to_rounding(at).all():
+    enforced = _rows_of(equations, True, False, True, False)
+    left_out = _rows_of(equations, False, blocks[0], False, blocks[1])
+    if not left_out.any() or satisfied_to_rounding(at).all():
         return
     residuals, sizes = evaluated_rows(at, "bounds")
     off = np.abs(residuals) > DIGITS * sizes
-    states = np.flatnonzero(off[:, left].any(axis=1) & ~off[:, kept].any(axis=1))
+    states = np.flatnonzero(off[:, left_out].any(axis=1) & ~off[:, enforced].any(axis=1))
     if states.size:
         k, names = states[0], constraint_names(equations, redundant=True)
-        row = int(np.argmax(off[k] & left))
+        row = int(np.argmax(off[k] & left_out))
         warn_user(
             f"A constraint that was left out as redundant does not hold at t = {float(at.t[k])!r} "
             f"although the others do: the residual is {residuals[k, row]:.3g} in the {names[row]}. "
@@ -357,20 +370,18 @@ def warn_of_left_out(at: StateSamples, blocks: tuple[bool, bool]) -> None:
         )
 
 
-def evaluated_rows(
-    at: StateSamples, what: Literal["sizes", "bounds"]
-) -> tuple[np.ndarray, np.ndarray]:
+def evaluated_rows(at: StateSamples, scale: Literal["sizes", "bounds"]) -> tuple[np.ndarray, np.ndarray]:
     """Return the residuals of all constraints, (m, rows), and the scales of their rounding errors.
 
-    These are 'sizes', the terms of the last sum, which are quickly computed, or 'bounds' on
-    rounding errors with the residuals that a projection leaves; see `ConstraintResiduals.rounding`.
-    Rows are the holonomic constraints, followed by those left out, then the velocity constraints.
+    The `scale` is 'sizes', the terms of the last sum, which are cheap to compute, or 'bounds' on
+    rounding errors plus the residuals that a projection leaves (`ConstraintResiduals.rounding`).
+    The rows are the holonomic constraints, the redundant ones last, then the velocity constraints.
     """
-    found = at.interpret(sized if what == "sizes" else bounded)
-    sizes = found["sizes"]
-    if what == "bounds":
-        sizes = sizes + ConstraintResiduals.rounding(found, sizes, at.x) / DIGITS
-    return found["rows"], sizes
+    values = at.interpret(sized if scale == "sizes" else bounded)
+    sizes = values["sizes"]
+    if scale == "bounds":
+        sizes = sizes + ConstraintResiduals.rounding(values, sizes, at.x) / DIGITS
+    return values["rows"], sizes
 
 
 def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, list[int]]:
@@ -398,49 +409,51 @@ def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
     """Return 'rows' of `DriftQuantities`: all constraints, and the terms of their last sums."""
     holonomic, velocity = assembly.with_left_out()
     parts = (holonomic, len(assembly.holonomic)), (velocity, len(assembly.velocity))
-    sizes = [n for rows, kept in parts for n in _sizes(assembly.graph, rows, kept, inherited)]
+    sizes = [
+        n for rows, enforced in parts for n in _sizes(assembly.graph, rows, enforced, inherited)
+    ]
     return {"rows": [*holonomic, *velocity], "sizes": sizes}
 
 
 def bounded(assembly: Assembly) -> dict[str, list[int]]:
     """Return 'bounds' of `DriftQuantities`: the same with bounds on rounding errors."""
-    found = sized(assembly, inherited=True)
-    return {**found, **measured(assembly, found["rows"], len(assembly.with_left_out()[0]))}
+    blocks = sized(assembly, inherited=True)
+    return {**blocks, **measured(assembly, blocks["rows"], len(assembly.with_left_out()[0]))}
 
 
-def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[int]:
+def _sizes(graph: Graph, rows: list[int], enforced: int, inherited: bool) -> list[int]:
     """Return the scales of the rows' rounding errors.
 
-    SymPy adds up numbers beforehand. A row that is a number is what it left of those of the
-    other rows, or of cosines between directions; so is one that was left out whose terms are
-    no larger than roundings of the rows that were kept.
+    SymPy adds numbers up before this graph is built. A row that is a number is therefore a
+    rounding error of sums that the other rows contain, or of direction cosines. So is a redundant
+    row whose terms are no larger than the rounding errors of the enforced rows.
     """
     g = graph
     of_constants = [n for n in rows if g.constant[n]]
     sizes = dict(zip(rows, rounding_bounds(g, rows, inherited), strict=True))
-    more = rounding_bounds(g, of_constants, inherited, constants=True)
-    sizes.update(zip(of_constants, more, strict=True))
+    constant_bounds = rounding_bounds(g, of_constants, inherited, constants=True)
+    sizes.update(zip(of_constants, constant_bounds, strict=True))
     numbers = [n for n in of_constants if g.ops[n] == "const" and n != g.zero]
-    others = [(size, OF_FEW / DIGITS) for n, size in sizes.items() if n not in numbers]
-    sizes.update(dict.fromkeys(numbers, g.sum(others, OF_FEW / DIGITS)))
-    if kept:
+    nonconstant = [(size, OF_FEW / DIGITS) for n, size in sizes.items() if n not in numbers]
+    sizes.update(dict.fromkeys(numbers, g.sum(nonconstant, OF_FEW / DIGITS)))
+    if enforced:
         least = sizes[rows[0]]
-        for n in rows[1:kept]:
+        for n in rows[1:enforced]:
             least = g.call("min", least, sizes[n])
         roundings = g.sum([(least, OF_FEW)])
-        for n in {*rows[kept:]} - {*numbers}:
+        for n in {*rows[enforced:]} - {*numbers}:
             tiny = g.call("le", sizes[n], roundings)
             sizes[n] = g.call("select", tiny, g.sum([(least, OF_FEW / DIGITS)]), sizes[n])
     return [sizes[n] for n in rows]
 
 
-# -- along a motion --------------------------------------------------------------------------------
+# -- Along a motion --------------------------------------------------------------------------------
 
 
 def part_of(
     problem: Problem, slopes: Slopes, name: str
 ) -> Callable[[Assembly], dict[str, list[int]]] | None:
-    """Return the function that makes a part of `DriftQuantities` of an Assembly, or None."""
+    """Return the function that builds a part of `DriftQuantities` for an Assembly, or None."""
     constraints = problem.definition.equations.constraints
     if name == "contradictions" and not constraints.unenforced_holonomic:
         return None
@@ -448,33 +461,33 @@ def part_of(
         return PARTS[name]
     if name == "slopes":
         return slopes
-    made = problem.model.energies, problem.code.layout
-    return EnergyPart(*made) if name == "energy" else Moving(*made)
+    arguments = problem.model.energies, problem.code.layout
+    return EnergyPart(*arguments) if name == "energy" else Moving(*arguments)
 
 
-# -- one motion ------------------------------------------------------------------------------------
+# -- One motion ------------------------------------------------------------------------------------
 
 
 def _part(motion: Motion, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
     """Return values along a motion; see `DriftQuantities`."""
     problem = motion.problem
-    made = part_of(problem, slopes_of(problem.definition, problem.plan), name)
-    return {} if made is None else problem.at(t, x).interpret(made)
+    part = part_of(problem, slopes_of(problem.definition, problem.plan), name)
+    return {} if part is None else problem.at(t, x).values(part)
 
 
 def _drift_check(motion: Motion, projected: bool) -> DriftCheck:
-    """Return a few states of a motion, with the solver's errors and steps."""
-    few = DriftCheck.selected(motion.states, projected)
+    """Return the check of a motion at selected states, with the solver's tolerances and steps."""
+    selected = DriftCheck.selected(motion.states, projected)
     steps, statistics = None, motion.statistics
     if "step" not in motion.options and motion.errors_known:
-        known = statistics.get("nst", statistics.get("steps"))
-        steps = None if known is None else float(np.max(known))
-    given = [motion.options.get(name) for name in ("rtol", "atol")]
+        step_count = statistics.get("nst", statistics.get("steps"))
+        steps = None if step_count is None else float(np.max(step_count))
+    tolerances = [motion.options.get(name) for name in ("rtol", "atol")]
     defaults = Options.rtol, Options.atol
-    rtol, atol = (d if g is None else g for g, d in zip(given, defaults, strict=True))
+    rtol, atol = (d if g is None else g for g, d in zip(tolerances, defaults, strict=True))
     return DriftCheck(
-        motion.times[few],
-        np.ascontiguousarray(motion.states[few]),
+        motion.times[selected],
+        np.ascontiguousarray(motion.states[selected]),
         steps,
         rtol,
         atol,
@@ -486,7 +499,7 @@ def _drift_check(motion: Motion, projected: bool) -> DriftCheck:
 
 
 def check_drift(motion: Motion) -> None:
-    """Refuse a motion that left the constraints, or changed its energy without a cause."""
+    """Raise if a motion left the constraints, or changed its energy without a cause."""
     equations, projected = motion.problem.definition.equations, "constraints" in motion.options
     statistics = motion.statistics
     sound = statistics["nearness"] >= DriftCheck.NEAR_SINGULAR if projected else False
@@ -517,53 +530,53 @@ def check_drift(motion: Motion) -> None:
     raise error
 
 
-# -- the motions of an ensemble --------------------------------------------------------------------
+# -- The motions of an ensemble --------------------------------------------------------------------
 
 
 def drift_programs(problem: Problem, model: CompiledModel, plan: SpecifiedsPlan) -> DriftPrograms:
-    """Return the parts as Programs, kept from the latest ensemble of a model."""
+    """Return the parts as Programs; those of the model's latest ensemble are reused."""
     slopes = slopes_of(problem.definition, plan)
-    energies, by, found = model.latest.get("kept", (None, None, None))
-    if energies is not problem.model.energies or by != slopes:
-        found = DriftPrograms(problem, model, slopes)
-        model.latest["kept"] = problem.model.energies, slopes, found
-    made: DriftPrograms = found
-    return made
+    energies, stored_slopes, programs = model.latest.get("kept", (None, None, None))
+    if energies is not problem.model.energies or stored_slopes != slopes:
+        programs = DriftPrograms(problem, model, slopes)
+        model.latest["kept"] = problem.model.energies, slopes, programs
+    result: DriftPrograms = programs
+    return result
 
 
 class DriftPrograms:
     """The parts of `DriftQuantities` as Programs, which can be sent to other processes."""
 
     def __init__(self, problem: Problem, model: CompiledModel, slopes: Slopes) -> None:
-        self._now, self._model, self._slopes = problem, model, slopes
-        self._made: dict[str, Program | None] = {}
+        self._problem, self._model, self._slopes = problem, model, slopes
+        self._programs: dict[str, Program | None] = {}
         self._lock = _forks.Lock()
 
     def __getitem__(self, name: str) -> Program | None:
-        """Return a part as a Program to interpret; 'screen' is rows and products, to compile."""
+        """Return a part as a Program to interpret. 'screen', rows and products, is compiled."""
         with self._lock:
-            if name not in self._made:
-                self._made[name] = self._program(name)
-            return self._made[name]
+            if name not in self._programs:
+                self._programs[name] = self._program(name)
+            return self._programs[name]
 
     def _program(self, name: str) -> Program | None:
-        own = self._model.assembly.fork()
+        assembly = self._model.assembly.fork()
         if name == "screen":
-            return own.lowered({**sized(own), **products(own)})
-        made = part_of(self._now, self._slopes, name)
-        parts = made(own) if made else {}
-        return own.lowered(parts, as_is=True) if parts else None
+            return assembly.lowered({**sized(assembly), **products(assembly)})
+        part = part_of(self._problem, self._slopes, name)
+        parts = part(assembly) if part else {}
+        return assembly.lowered(parts, as_is=True) if parts else None
 
     def __reduce__(self) -> tuple[Any, ...]:
         names = "screen rows bounds products contradictions slopes moving energy"
         return dict, ({name: self[name] for name in names.split()},)
 
 
-# -- the parts, as nodes of an Assembly ------------------------------------------------------------
+# -- The parts, as nodes of an Assembly ------------------------------------------------------------
 
 
 def products(assembly: Assembly) -> dict[str, list[int]]:
-    """Return the velocity constraints' derivatives by the speeds, each row times each."""
+    """Return the Gram matrix J Jᵀ of the velocity constraints' derivatives J by the speeds."""
     graph = assembly.graph
     rows = jacobian(graph, assembly.velocity, assembly.speeds)
 
@@ -578,21 +591,21 @@ def products(assembly: Assembly) -> dict[str, list[int]]:
 class Slopes:
     """'slopes' of `DriftQuantities`.
 
-    The `inputs` are the places of specifieds whose rates are known, with those of the rates, or
-    None where they are zero.
+    The `inputs` are the indices of specifieds with known rates, each with the index of its rate, or
+    None if the rate is zero.
     """
 
     inputs: tuple[tuple[int, int | None], ...]
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, inputs = assembly.graph, dict(self.inputs)
-        places, motion = assembly.with_left_out()
-        rows = known_rows(graph, [*places, *motion], inputs)
-        rates = rates_along(assembly, rows[: len(places)], inputs) + [graph.zero] * len(motion)
+        holonomic, velocity = assembly.with_left_out()
+        rows = known_rows(graph, [*holonomic, *velocity], inputs)
+        rates = rates_along(assembly, rows[: len(holonomic)], inputs) + [graph.zero] * len(velocity)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
         turns = jacobian(graph, rates, states).flat()
         return {
-            "rows": rows, "rates": rates, "turns": turns, **measured(assembly, rows, len(places))
+            "rows": rows, "rates": rates, "turns": turns, **measured(assembly, rows, len(holonomic))
         }  # fmt: skip
 
 
@@ -603,29 +616,31 @@ PARTS: dict[str, Callable[[Assembly], dict[str, list[int]]]] = {
 
 @dataclass(frozen=True)
 class _OfEnergies:
-    """A part that follows from the energies; there is nothing in it where these are not known."""
+    """A part that is computed from the energies; empty if these are not known."""
 
     energies: EnergyModel
     layout: Layout
 
 
 class EnergyPart(_OfEnergies):
-    """The energies, and the total energy's derivatives; nothing where it may change."""
+    """The energies, and the total energy's derivatives; empty if the total energy may change."""
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        known: tuple[Any, ...] = ()
+        energies: tuple[Any, ...] = ()
         with suppress(ValueError, NotImplementedError):
-            known = self.energies.expressions(self.layout) if self.energies.static else ()
-        if not known:
+            energies = self.energies.expressions(self.layout) if self.energies.static else ()
+        if not energies:
             return {}
         graph, speeds = assembly.graph, assembly.speeds
-        kinetic, potential = assembly.read(known, "the energy")
-        places, motion = assembly.with_left_out()
-        moves = [*motion, *assembly.rates[: graph.args[speeds[0]][1]]]
-        driven = graph.inputs_of([kinetic, potential, *places, *moves]) & {"t", "r"}
+        kinetic, potential = assembly.read(energies, "the energy")
+        holonomic, velocity = assembly.with_left_out()
+        rate_rows = [*velocity, *assembly.rates[: graph.args[speeds[0]][1]]]
+        driven = graph.inputs_of([kinetic, potential, *holonomic, *rate_rows]) & {"t", "r"}
         momenta = jacobian(graph, [kinetic], speeds).flat()
-        rest = substitute(graph, [kinetic, *momenta, *moves], dict.fromkeys(speeds, graph.zero))
-        if driven or any(node != graph.zero for node in rest):
+        residual_nodes = substitute(
+            graph, [kinetic, *momenta, *rate_rows], dict.fromkeys(speeds, graph.zero)
+        )
+        if driven or any(node != graph.zero for node in residual_nodes):
             return {}
         total = graph.add(kinetic, potential)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
@@ -634,7 +649,7 @@ class EnergyPart(_OfEnergies):
 
 
 class Moving(_OfEnergies):
-    """The kinetic energy, its second derivatives by speeds, and the states' own derivatives."""
+    """The kinetic energy, its second derivatives by speeds, and the time derivatives of states."""
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, speeds = assembly.graph, assembly.speeds

@@ -1,7 +1,7 @@
-"""Why derivatives are not finite, or hard to integrate, at a state: what the numbers there tell.
+"""Diagnose from the numbers at a state why derivatives are not finite, or hard to integrate.
 
-Loads are the last to blame. A constraint that cannot be solved for the dependent speeds, a pivot of
-SymPy's that is zero, or kinematic equations in gimbal lock divide by zero in sound mechanisms.
+Loads are suspected last. In sound mechanisms, divisions by zero come from constraints that cannot
+be solved for the dependent speeds, from zero pivots of SymPy, or from gimbal lock.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def explain(
     error: IntegrationError | SingularMatrixError,
     at: Callable[[np.ndarray, np.ndarray], StateSamples],
 ) -> None:
-    """Put the cause into the message of an error, in place of general advice."""
+    """Replace the general advice in an error's message by the cause."""
     code: Any = Outcome.SINGULAR
     if isinstance(error, IntegrationError):
         code = error.info.get("code")
@@ -49,7 +49,7 @@ def explain(
 
 
 def explain_columns(error: Any, columns: np.ndarray) -> None:
-    """Put into the message of an error that sensitivities left the range of floats, if they did."""
+    """Add to an error's message that sensitivities left the range of floats, if they did."""
     largest = np.abs(columns).max(initial=0.0)
     code: Any = getattr(error, "info", {}).get("code")
     if not largest <= _LARGEST and code in [*Outcome]:
@@ -63,7 +63,7 @@ def explain_columns(error: Any, columns: np.ndarray) -> None:
 def diagnosis_of(at: StateSamples, outputs: bool = False) -> str | None:
     """Describe the singularity at a state, or return None if it is of no known kind.
 
-    It may be one of `outputs`, where the equations have none.
+    With `outputs`, singularities of the outputs are searched too.
     """
     definition, model = at.definition, at.model
     for symbol, value in zip(definition.specifieds, at.r[0], strict=False):
@@ -78,12 +78,13 @@ def diagnosis_of(at: StateSamples, outputs: bool = False) -> str | None:
             "which they are smaller, or raise `atol`."
         )
     equations = definition.equations
-    idle = _idle(model.assembly, equations.speeds)
-    if idle:
+    massless = _speeds_without_mass(model.assembly, equations.speeds)
+    if massless:
         return (
-            f"The mass matrix has rows that are identically zero, of {describe(idle)}: no mass or "
-            "inertia takes part in them, or it has cancelled. Check that velocities of points and "
-            "angular velocities of frames hold these speeds, and that bodies have mass and inertia."
+            f"The mass matrix has rows that are identically zero, of {describe(massless)}: no mass "
+            "or inertia takes part in them, or it has cancelled. Check that velocities of points "
+            "and angular velocities of frames hold these speeds, and that bodies have mass and "
+            "inertia."
         )
     values = {name: part[0] for name, part in at.interpret(_parts).items()}
     rows = values["slopes"].reshape(len(equations.constraints.velocity), len(equations.speeds))
@@ -96,7 +97,7 @@ def diagnosis_of(at: StateSamples, outputs: bool = False) -> str | None:
 
 
 def _elsewhere(at: StateSamples, part: str, constants: np.ndarray) -> np.ndarray:
-    """Return a part in a state that is nothing special."""
+    """Return a part of the equations at a generic state."""
     x = np.random.default_rng(0).uniform(0.3, 1.3, at.x.shape)
     return np.asarray(replace(at, x=x, p=constants).interpret(_parts)[part][0])
 
@@ -108,13 +109,13 @@ def _in_kinematics(at: StateSamples, kinematics: np.ndarray) -> str | None:
     if not wild.any():
         return None
     names = [q for q, bad in zip(equations.coordinates, wild, strict=True) if bad]
-    implicit = equations.constraints.residuals.implicit
-    residuals = {} if implicit is None else implicit.residuals
-    if given := [z for z in names if z in residuals]:
+    quantities = equations.constraints.residuals.implicit
+    residuals = {} if quantities is None else quantities.residuals
+    if implicit := [z for z in names if z in residuals]:
         return (
-            f"The residuals of `implicit` cannot be solved for {describe(given)} there: their "
-            f"derivatives by {describe(given)} are singular, as where two solutions meet. In "
-            f"`{residuals[given[0]]}`, check whether the motion may come there, as to a centre "
+            f"The residuals of `implicit` cannot be solved for {describe(implicit)} there: their "
+            f"derivatives by {describe(implicit)} are singular, as where two solutions meet. In "
+            f"`{residuals[implicit[0]]}`, check whether the motion may come there, as to a centre "
             "of curvature."
         )
     return (
@@ -146,21 +147,24 @@ def _in_masses(at: StateSamples, matrix: np.ndarray) -> str | None:
     cause = _without_inertia(definition.equations.speeds, matrix, generic)
     if cause and _weightless(generic).size:
         for k in np.flatnonzero(p == 0.0):
-            other = p.copy()
-            other[k] = 1.0
-            if not _weightless(_elsewhere(at, "matrix", other)).size:
+            changed = p.copy()
+            changed[k] = 1.0
+            if not _weightless(_elsewhere(at, "matrix", changed)).size:
                 name = definition.constants[k]
                 return f"{cause} The cause is the constant `{name}`, which is zero."
     return cause
 
 
-def _without_inertia(speeds: Sequence[Any], here: np.ndarray, beside: np.ndarray) -> str | None:
-    """Say which speeds move nothing together, here or in every configuration."""
-    free = _weightless(here)
+def _without_inertia(speeds: Sequence[Any], matrix: np.ndarray, generic: np.ndarray) -> str | None:
+    """Describe the speeds that can change without moving any inertia, or return None.
+
+    The mass matrix at the state is compared with one at a generic state.
+    """
+    free = _weightless(matrix)
     if not free.size:
         return None
     change = f"{describe([speeds[k] for k in free])} can change{' together' * (free.size > 1)}"
-    if _weightless(beside).size:
+    if _weightless(generic).size:
         return (
             f"The mass matrix is singular in every configuration: {change} so that no "
             "mass and no inertia moves, and nothing determines them. Give the bodies "
@@ -174,7 +178,7 @@ def _without_inertia(speeds: Sequence[Any], here: np.ndarray, beside: np.ndarray
 
 
 def _weightless(cells: np.ndarray) -> np.ndarray:
-    """Return the places of the speeds in a direction in which a mass matrix is zero."""
+    """Return the indices of the speeds in a direction in which a mass matrix is zero."""
     n = int(np.sqrt(cells.size))
     matrix = cells.reshape(n, n)
     if not n or not np.isfinite(matrix).all():
@@ -188,8 +192,8 @@ def _weightless(cells: np.ndarray) -> np.ndarray:
     return np.flatnonzero(direction > DIGITS * direction.max())
 
 
-def _idle(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
-    """Return the speeds whose rows of the mass matrix are zero, whatever the state."""
+def _speeds_without_mass(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
+    """Return the speeds whose rows of the mass matrix are structurally zero."""
     n, cells = len(speeds), assembly.mass_matrix
     if len(cells) != n * n:
         return []
@@ -198,7 +202,7 @@ def _idle(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
 
 
 def _parts(assembly: Assembly) -> dict[str, list[int]]:
-    """Return the parts of the equations that are looked at, as nodes."""
+    """Return the parts of the equations that are examined, as nodes."""
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     return {
@@ -214,7 +218,7 @@ def _rates(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def _wild(kinematics: np.ndarray, elsewhere: np.ndarray) -> np.ndarray:
-    """Tell which rows of N, of q' = N u, are not finite, or so large that they soon will not be."""
+    """Return a mask of the rows of N, in q' = N u, that are not finite or close to overflow."""
     sizes = np.abs(kinematics).max(axis=1, initial=0.0)
     usual = np.nan_to_num(np.abs(elsewhere)).max(axis=1, initial=0.0)
     wild: np.ndarray = ~np.isfinite(sizes) | ((sizes * DIGITS > usual) & (usual > 0.0))
@@ -233,11 +237,12 @@ def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
             "The velocity constraints are not independent there: the configuration is a singular "
             "one, or a constraint is redundant."
         )
-    others = [speeds[k] for k in sorted(independent_columns(scaled))]
+    alternatives = [speeds[k] for k in sorted(independent_columns(scaled))]
     return (
         f"The velocity constraints cannot be solved there for the dependent speeds "
         f"{describe(chosen)}: their matrix is singular in this configuration. Choose others, such "
-        f"as {describe(others)}, as `u_dependent` of KanesMethod, with `q_dependent` to match."
+        f"as {describe(alternatives)}, as `u_dependent` of KanesMethod, with `q_dependent` to "
+        "match."
     )
 
 
@@ -247,13 +252,13 @@ def warn_not_finite(out: np.ndarray, at: StateSamples, names: Sequence[str]) -> 
     wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
     wrong &= (sound & np.isfinite(at.p).all())[:, None]
 
-    def place(k: int) -> tuple[str, str | None]:
+    def describe_state(k: int) -> tuple[str, str | None]:
         state = numbers_of(at.definition.states, at.x[k])
         return f"t = {float(at.t[k])!r} in the state {state}", diagnosis_of(
             at.subset([k]), outputs=True
         )
 
-    _errors.warn_not_finite(wrong, names, place)
+    _errors.warn_not_finite(wrong, names, describe_state)
 
 
 def warn_of_outputs(trajectory: Trajectory, problem: Problem) -> None:

@@ -12,7 +12,7 @@ from pydy._assembly import Assembly, Definition, Plan, differentiated
 from pydy._errors import warn_user
 from pydy._graph import Branches, jacobian, rounding_bounds, substitute
 from pydy._interpolation import in_order
-from pydy._judges.passages import Passed, Values, Watched, jump_message, passages
+from pydy._judges.passages import MotionPath, Values, WatchedQuantities, jump_message, passages
 from pydy._kernel import KernelCall
 from pydy._motion import Motion
 from pydy._problem import Problem, StateSamples, evaluate_specifieds
@@ -20,7 +20,7 @@ from pydy._rank import HALF, ROUNDING, is_zero
 from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers import Options
 
-_MISSED = 100.0  # tolerances: the errors of a whole motion are as many of those of a step
+_MISSED = 100.0  # in tolerances of a step: the error of a full motion may be this many
 
 
 def _switched(
@@ -28,20 +28,24 @@ def _switched(
     nodes: Sequence[int],
     searched: Sequence[int],
     inputs: str,
-    others: str = "",
+    other_inputs: str = "",
     bends: bool = False,
 ) -> tuple[list[int], dict[str, list[int]]]:
-    """Return the switches in `searched` that depend on `inputs` (and `others`), as blocks too."""
+    """Return the switches in `searched` that depend on `inputs`, also as named blocks.
+
+    They may depend on `other_inputs` in addition.
+    """
     graph = assembly.graph
-    found: list[int] = []
+    switches: list[int] = []
     steps: list[int] = []
     for switch in Branches(graph, searched).switches(whole=True):
         above, below = Branches(graph, nodes).sides(switch, bends)
-        held = graph.inputs_of([switch])
-        if above != below and held & {*inputs} and held <= {*inputs, *others}:
-            found.append(switch)
+        inputs_of_switch = graph.inputs_of([switch])
+        relevant = inputs_of_switch & {*inputs} and inputs_of_switch <= {*inputs, *other_inputs}
+        if above != below and relevant:
+            switches.append(switch)
             steps += map(graph.sub, above, below)
-    return found, {"nodes": [*nodes] if found else [], "switches": found, "steps": steps}
+    return switches, {"nodes": [*nodes] if switches else [], "switches": switches, "steps": steps}
 
 
 def _loads_and_rates(assembly: Assembly, coordinates: int) -> tuple[list[int], list[int]]:
@@ -49,16 +53,16 @@ def _loads_and_rates(assembly: Assembly, coordinates: int) -> tuple[list[int], l
     graph, nodes = assembly.graph, [*assembly.rates]
     if len(assembly.forcing) != len(assembly.speeds):
         return nodes, nodes
-    # Without the pivots by which constraints reduce the mass matrix, which switch, too.
+    # The pivots by which constraints reduce the mass matrix contain switches; exclude them.
     matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
     if Branches(graph, matrix).switches(whole=True):
         return nodes, nodes
-    own = slice(coordinates, coordinates + len(assembly.speeds))
-    # What else holds u', as the rates of what residuals give for speeds, is searched with loads in
-    # its place.
-    pairs = zip(nodes[own], assembly.forcing, strict=True)
+    speed_rows = slice(coordinates, coordinates + len(assembly.speeds))
+    # Other rates may contain u', such as those of implicit speeds: search them with u' replaced by
+    # the loads.
+    pairs = zip(nodes[speed_rows], assembly.forcing, strict=True)
     loads = {u: load for u, load in pairs if graph.operands(u)}
-    nodes[own] = assembly.forcing
+    nodes[speed_rows] = assembly.forcing
     return nodes, substitute(graph, nodes, loads)
 
 
@@ -77,12 +81,12 @@ class Discontinuities:
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         nodes, searched = _loads_and_rates(assembly, self.coordinates)
         if self.integral is not None:
-            more = node_of(assembly, self.integral, "`integral`")
-            nodes, searched = [*nodes, more], [*searched, more]
-        found, blocks = _switched(assembly, nodes, searched, "xrp", "t")
+            integrand = node_of(assembly, self.integral, "`integral`")
+            nodes, searched = [*nodes, integrand], [*searched, integrand]
+        switches, blocks = _switched(assembly, nodes, searched, "xrp", "t")
         return {
             **blocks,
-            "slopes": jacobian(assembly.graph, found, _inputs(assembly, "xrp")).flat(),
+            "slopes": jacobian(assembly.graph, switches, _inputs(assembly, "xrp")).flat(),
         }
 
 
@@ -93,22 +97,24 @@ class DerivativeDiscontinuities:
     coordinates: int
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph, by = assembly.graph, _inputs(assembly, "xr")
+        graph, variables = assembly.graph, _inputs(assembly, "xr")
         nodes, searched = _loads_and_rates(assembly, self.coordinates)
-        found, blocks = _switched(assembly, nodes, searched, "xr", "tp", bends=True)
-        both = [
+        switches, blocks = _switched(assembly, nodes, searched, "xr", "tp", bends=True)
+        both_sides = [
             n
-            for switch in found
+            for switch in switches
             for side in Branches(graph, nodes).sides(switch, True)
             for n in side
         ]
-        moves, slopes = (jacobian(graph, nodes, by).flat() for nodes in (found, both))
-        bounds = rounding_bounds(graph, found)
-        return {**blocks, "moves": moves, "slopes": slopes, "bounds": bounds}
+        switch_slopes, slopes = (
+            jacobian(graph, nodes, variables).flat() for nodes in (switches, both_sides)
+        )
+        bounds = rounding_bounds(graph, switches)
+        return {**blocks, "switch_slopes": switch_slopes, "slopes": slopes, "bounds": bounds}
 
 
 def node_of(assembly: Assembly, term: Any, argument: str) -> int:
-    """Return an output's node or an expression's, in a graph that may grow."""
+    """Return the node of an output or an expression; new nodes may be added to the graph."""
     return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
 
 
@@ -125,61 +131,61 @@ class ImpulsiveInputs:
 
     def nodes(self, assembly: Assembly) -> dict[int, str]:
         """Return the nodes that are differentiated by time, with their names."""
-        found: dict[int, str] = {}
+        names: dict[int, str] = {}
         sources: set[Any] = set()
         for node, (source, _) in differentiated(assembly, self.definition, self.plan).items():
-            of = "a derivative of " if source in sources else ""
-            found[node] = f"{of}`specifieds[{source}]`"
+            prefix = "a derivative of " if source in sources else ""
+            names[node] = f"{prefix}`specifieds[{source}]`"
             sources.add(source)
         for kind, rows in (("holonomic", assembly.holonomic), ("velocity", assembly.velocity)):
             for k, node in enumerate(rows):
-                found.setdefault(node, f"the {kind} constraint {k}")
-        return found
+                names.setdefault(node, f"the {kind} constraint {k}")
+        return names
 
 
 def _switches(at: StateSamples, parts: Any) -> bool:
-    """Return whether anything switches at all; the model keeps that, which is asked at each run."""
-    known = at.model.latest
-    if parts not in known:
-        known[parts] = bool(at.interpret(parts)["switches"].size)
-    return bool(known[parts])
+    """Return whether anything switches. The answer is cached in the model."""
+    cache = at.model.latest
+    if parts not in cache:
+        cache[parts] = bool(at.interpret(parts)["switches"].size)
+    return bool(cache[parts])
 
 
-def watched(at: StateSamples, sensitive: Any = None, integral: Any = None) -> Watched | None:
-    """Return the jumps of the rates to watch for, or None where nothing switches."""
+def watched(at: StateSamples, sensitive: Any = None, integral: Any = None) -> WatchedQuantities | None:
+    """Return the quantities whose jumps must be detected, or None if nothing switches."""
     equations, states = at.definition.equations, at.definition.states
     parts = Discontinuities(len(equations.coordinates), integral)
     if not _switches(at, parts):
         return None
     names = [f"the {'load on' if s in equations.speeds else 'rate of'} {s}" for s in states]
-    n, given = len(states), ()
+    n, parameter_columns = len(states), ()
     if sensitive is not None:
         first = {"specifieds": n, "constants": n + len(at.definition.specifieds)}
-        known = [p for p in sensitive.parameters if p.kind in first]
-        given = tuple(first[p.kind] + p.place for p in known)
-    return Watched(parts, (*names, "what is integrated"), n, given)
+        parameters = [p for p in sensitive.parameters if p.kind in first]
+        parameter_columns = tuple(first[p.kind] + p.place for p in parameters)
+    return WatchedQuantities(parts, (*names, "what is integrated"), n, parameter_columns)
 
 
 def warn_of_jumps(
     problem: Problem, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
 ) -> None:
-    """Warn where a motion passes a jump of the rates, which its derivatives do not contain."""
-    found = watched(problem.at(np.array([problem.t]), problem.x[None]), sensitive, integral)
-    if found is None:
+    """Warn if a motion passes a jump of the rates, which its derivatives ignore."""
+    quantities = watched(problem.at(np.array([problem.t]), problem.x[None]), sensitive, integral)
+    if quantities is None:
         return
-    motion, parts = in_order(motion_of()), found.nodes
+    motion, parts = in_order(motion_of()), quantities.nodes
 
     def columns(times: np.ndarray) -> np.ndarray | None:
-        known = (motion if times is motion.times else motion.at(times))._sensitivity
-        return None if known is None else known.values[:, : found.states]
+        sensitivity = (motion if times is motion.times else motion.at(times))._sensitivity
+        return None if sensitivity is None else sensitivity.values[:, : quantities.states]
 
     def evaluate(times: np.ndarray) -> Values:
         return problem.at(times, motion.at(times).states).interpret(parts)
 
-    if told := jump_message(
-        Passed.of(motion.times, motion._dense, motion.events, columns), found, evaluate
+    if message := jump_message(
+        MotionPath.of(motion.times, motion._dense, motion.events, columns), quantities, evaluate
     ):
-        warn_user(told)
+        warn_user(message)
 
 
 def warn_of_kinks(
@@ -187,67 +193,70 @@ def warn_of_kinks(
 ) -> None:
     """Warn of the first state at which the rates to be linearised have a kink or jump.
 
-    That is along the tangents T, (m, n, k) of the `free` states, and the specifieds in `columns`.
+    The directions are the tangents T, (m, n, k), of the `free` states, and the specifieds in
+    `columns`.
     """
     definition, (m, n, _) = at.definition, T.shape
     equations, states = definition.equations, definition.states
     parts = DerivativeDiscontinuities(len(equations.coordinates))
     if not _switches(at, parts):
         return
-    found, w = at.interpret(parts), len(definition.specifieds)
-    near = np.abs(found["switches"]) <= ROUNDING * found["bounds"]
-    count, width = near.shape[1], found["nodes"].shape[1]
-    steps = np.abs(found["steps"].reshape(m, count, width))
-    steps[steps <= HALF * np.abs(found["nodes"])[:, None]] = 0.0
-    moves = found["moves"].reshape(m, count, 1, n + w)
-    sides = found["slopes"].reshape(m, count, 2 * width, n + w)
-    own, rows = np.concatenate([moves, sides], axis=2), np.broadcast_to(at.r, (m, w))
+    values, w = at.interpret(parts), len(definition.specifieds)
+    near = np.abs(values["switches"]) <= ROUNDING * values["bounds"]
+    count, width = near.shape[1], values["nodes"].shape[1]
+    steps = np.abs(values["steps"].reshape(m, count, width))
+    steps[steps <= HALF * np.abs(values["nodes"])[:, None]] = 0.0
+    switch_slopes = values["switch_slopes"].reshape(m, count, 1, n + w)
+    sides = values["slopes"].reshape(m, count, 2 * width, n + w)
+    slopes, rows = np.concatenate([switch_slopes, sides], axis=2), np.broadcast_to(at.r, (m, w))
     for k, switch in np.argwhere(near):
-        with np.errstate(all="ignore"):  # what is not finite is told of where it is used
-            along = own[k, switch, :, :n] @ T[k]
-            along = np.concatenate([along, own[k, switch, :, n:][:, [*columns]]], axis=1)
-        above, below = along[1 : 1 + width], along[1 + width :]
+        with np.errstate(all="ignore"):  # non-finite values are reported where they are used
+            directional = slopes[k, switch, :, :n] @ T[k]
+            by_inputs = slopes[k, switch, :, n:][:, [*columns]]
+            directional = np.concatenate([directional, by_inputs], axis=1)
+        above, below = directional[1 : 1 + width], directional[1 + width :]
         largest = np.maximum(np.abs(above), np.abs(below))
         turns = (np.abs(above - below) > HALF * largest) | (steps[k, switch] > 0.0)[:, None]
-        for row, place in np.argwhere(turns & (along[0] != 0.0))[:1]:
+        for row, column in np.argwhere(turns & (directional[0] != 0.0))[:1]:
             symbols = [*(states[j] for j in free), *(definition.specifieds[j] for j in columns)]
-            value = [*at.x[k, free], *rows[k, [*columns]]][place]
+            value = [*at.x[k, free], *rows[k, [*columns]]][column]
             speed = row < len(states) and states[row] in equations.speeds
-            what = f"jumps by {steps[k, switch, row]:.3g}"
+            description = f"jumps by {steps[k, switch, row]:.3g}"
             if not steps[k, switch, row]:
-                what = f"has the slope {above[row, place]:.3g} on one side by it"
-                what += f" and {below[row, place]:.3g} on the other"
+                description = f"has the slope {above[row, column]:.3g} on one side by it"
+                description += f" and {below[row, column]:.3g} on the other"
             warn_user(
                 f"There is no linear model for both sides of t = {at.t[k]:.6g}, "
-                f"{symbols[place]} = {value:.6g}: the {'load on' if speed else 'rate of'} "
-                f"{states[row]} {what}. What is returned takes one side. Linearize beside it, or "
-                "give a smooth expression."
+                f"{symbols[column]} = {value:.6g}: the {'load on' if speed else 'rate of'} "
+                f"{states[row]} {description}. What is returned takes one side. Linearize beside "
+                "it, or give a smooth expression."
             )
             return
 
 
 def warn_of_impulses(problem: Problem, times: np.ndarray) -> None:
-    """Warn where a prescribed motion, or a constraint, jumps of which derivatives are taken."""
+    """Warn if a prescribed motion or a constraint jumps although the equations differentiate it."""
     parts = ImpulsiveInputs(problem.definition, problem.plan)
     if not _switches(problem.at(times[:1], problem.x[None]), parts):
         return
     assembly = problem.code.assembly.fork()
     names = parts.nodes(assembly)
-    beyond = differentiated(assembly, problem.definition, problem.plan)
+    differentiated_nodes = differentiated(assembly, problem.definition, problem.plan)
 
     def evaluate(times: np.ndarray) -> Values:
         return problem.at(times, np.tile(problem.x, (len(times), 1))).interpret(parts)
 
-    # Functions of time alone are looked at so often.
+    # Functions of time alone are sampled at this many times.
     every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=4096)))
-    for k, beside, found, sizes in passages(evaluate, every):
-        step = found["steps"][:, k].min(axis=0)
-        for (node, what), one, size in zip(names.items(), step, sizes, strict=True):
-            if one > HALF * size and (
-                node not in beyond or _acts(problem, beyond[node][1], beside[0])
+    for k, bracket, values, sizes in passages(evaluate, every):
+        step = values["steps"][:, k].min(axis=0)
+        for (node, name), jump, size in zip(names.items(), step, sizes, strict=True):
+            if jump > HALF * size and (
+                node not in differentiated_nodes
+                or _acts(problem, differentiated_nodes[node][1], bracket[0])
             ):
                 warn_user(
-                    f"At t = {beside[0]:.6g} {what} jumps by {one:.3g}. The equations hold its "
+                    f"At t = {bracket[0]:.6g} {name} jumps by {jump:.3g}. The equations hold its "
                     "derivative, in which that is an impulse, which the motion misses. Give a "
                     "smooth expression."
                 )
@@ -258,34 +267,32 @@ def warn_of_impulses(problem: Problem, times: np.ndarray) -> None:
 class _Slopes:
     """The derivatives of the rates by specifieds."""
 
-    places: tuple[int, ...]
+    columns: tuple[int, ...]
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        by = [assembly.graph.input("r", k) for k in self.places]
-        slopes = jacobian(assembly.graph, assembly.rates, by).flat()
+        inputs = [assembly.graph.input("r", k) for k in self.columns]
+        slopes = jacobian(assembly.graph, assembly.rates, inputs).flat()
         return {"slopes": slopes, "bounds": rounding_bounds(assembly.graph, slopes)}
 
 
-def _acts(problem: Problem, places: Sequence[int], t: float) -> bool:
-    """Return whether specifieds move the states, with these constants, at this or other states.
+def _acts(problem: Problem, columns: Sequence[int], t: float) -> bool:
+    """Return whether specifieds affect the rates, at this state or at three others.
 
-    The second derivative of a steering angle is in the equations with an inertia that may be zero.
+    Example: the second derivative of a steering angle is multiplied by an inertia that may be zero.
     """
     x = np.array(
         [problem.x, *problem.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(problem.x)))]
     )
     times = np.full(len(x), t)
-    at = replace(
-        problem.at(times, x), model=problem.model.code, r=evaluate_specifieds(problem, times, x)
-    )
-    found = at.interpret(_Slopes(tuple(places)))
-    return not is_zero(found["slopes"], found["bounds"]).all()
+    at = replace(problem.at(times, x), model=problem.model.code, r=evaluate_specifieds(problem, times, x))
+    values = at.interpret(_Slopes(tuple(columns)))
+    return not is_zero(values["slopes"], values["bounds"]).all()
 
 
 def jumps_by_time(f: Any, args: Any, times: np.ndarray) -> np.ndarray | None:
-    """Return rows of when inputs of a right-hand side jump, or it switches by time alone.
+    """Return the times at which a right-hand side is discontinuous, or None if it never is.
 
-    None if it never does, whatever the times and numbers. The rows are as those of
+    These are the jumps of its inputs and its switches that depend on time alone. For the rows see
     `pydy._program.switch_times.SwitchTimes`.
     """
     call: KernelCall | None = f.native(args)
@@ -300,19 +307,19 @@ def jumps_by_time(f: Any, args: Any, times: np.ndarray) -> np.ndarray | None:
 
 
 def warn_of_pulses(motion: Motion) -> None:
-    """Warn where a solver stepped from one jump by time to the next, and missed what moves states.
+    """Warn if a solver stepped from one jump in time over the next and missed a change of rates.
 
-    Solvers that are not told of jumps find them by error control, which sees what they evaluate.
+    Solvers without a list of jumps detect them by error control, only where they evaluate.
     """
     assert motion.evaluated is not None
-    problem, asked = motion.problem, motion.evaluated.times
+    problem, evaluation_times = motion.problem, motion.evaluated.times
     times, states = motion.times, motion.states
     if times[-1] < times[0]:
         times, states = times[::-1], states[::-1]
     jumps, (start, end) = motion.evaluated.jumps, times[[0, -1]]
     jumps = jumps[(jumps[:, 0] > start) & (jumps[:, 0] < end)]
     moments, before, after = jumps.T
-    until, evaluated = np.append(moments[1:], np.inf), np.append(np.sort(asked), np.inf)
+    until, evaluated = np.append(moments[1:], np.inf), np.append(np.sort(evaluation_times), np.inf)
     missed = np.flatnonzero(evaluated[np.searchsorted(evaluated, moments)] >= until)
     missed = missed[np.isfinite(until[missed])]
     if not missed.size or not np.isfinite(states).all():
@@ -322,16 +329,16 @@ def warn_of_pulses(motion: Motion) -> None:
     step = problem.at(after[missed], x).rates() - problem.at(before[missed], x).rates()
     moved = np.abs(step) * (last - first)[:, None]
     options, n = motion.options, x.shape[1]
-    given = options.get("rtol", Options.rtol), options.get("atol", Options.atol)
-    rtol, atol = (np.atleast_1d(one)[:n] for one in given)
+    tolerances = options.get("rtol", Options.rtol), options.get("atol", Options.atol)
+    rtol, atol = (np.atleast_1d(tolerance)[:n] for tolerance in tolerances)
     excess = moved / (_MISSED * (atol + rtol * np.abs(x)) + np.finfo(float).tiny)
     k, state = np.unravel_index(excess.argmax(), excess.shape)
     if excess[k, state] > 1.0:
-        by_samples = first[k] in jumps_of(problem.inputs.sampled)[:, 0]
-        what = "the 'previous' samples" if by_samples else "the loads that time alone switches"
+        by_samples = first[k] in problem.jumps()
+        cause = "the 'previous' samples" if by_samples else "the loads that time alone switches"
         warn_user(
             f"The solver evaluated nothing from t = {first[k]:.6g} to {last[k]:.6g}, so that it "
-            f"does not know {what} there: they change "
+            f"does not know {cause} there: they change "
             f"{problem.definition.states[state]} by {moved[k, state]:.3g}. Set "
             "`system.ode_solver = 'dop853'`, which ends a step at each jump, or limit the step: "
             "`hmax=` of odeint, `max_step=` of solve_ivp."

@@ -1,4 +1,4 @@
-"""What users are told of a start and of a motion: warnings, and refusals of what is wrong."""
+"""Check the start of a motion and the computed motion: warn of doubtful ones, refuse wrong ones."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from pydy.solvers import Solver
 def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration) -> None:
     """Warn of a start off the constraints, and once of inputs whose derivatives are impulses.
 
-    Without constraints that say so, warn also of one where a frame's orientation is no rotation.
+    If no constraint reports it, warn also if the matrix of a frame's orientation is no rotation.
     """
     at_start, off = (times[:1], problem.x[None]), False
     if ready.constrained:
-        off = check_start(problem.at(*at_start), mended=ready.enforced)
+        off = check_start(problem.at(*at_start), corrected=ready.enforced)
     if ready.oriented is None:
         ready.oriented = orientations(problem.definition.equations)
     if ready.oriented and not off:
@@ -30,7 +30,7 @@ def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration)
 
 
 def judge_motion(motion: Motion) -> None:
-    """Warn of a Motion that cannot be trusted, and refuse one that left its constraints."""
+    """Warn of a doubtful Motion, and raise if it left its constraints."""
     problem = motion.problem
     if motion.evaluated is not None and len(motion.evaluated.jumps):
         warn_of_pulses(motion)

@@ -1,7 +1,7 @@
 """Holonomic constraints whose derivatives are missing among the velocity constraints.
 
-The equations of motion are then those of a system without these constraints. What evaluates them
-gives one warning; what integrates them raises where the motion leaves the constraints.
+The equations of motion are then those of a system without these constraints. An evaluation warns
+once; an integration raises if the motion leaves the constraints.
 """
 
 from __future__ import annotations
@@ -15,35 +15,36 @@ from pydy._rank import HALF
 
 
 def warn_of_missing_derivatives(problem: Problem) -> None:
-    """Warn of a holonomic constraint that no velocity constraint and no kinematics keeps."""
+    """Warn of a holonomic constraint that neither velocity constraints nor kinematics imply."""
     equations = problem.definition.equations
     undifferentiated = equations.constraints.undifferentiated_holonomic
     if not undifferentiated:
         return
-    places = [k for k in undifferentiated if not _implied(problem, k)]
-    if not places:
+    unenforced = [k for k in undifferentiated if not _implied(problem, k)]
+    if not unenforced:
         return
-    k, holonomic = places[0], equations.constraints.holonomic
-    more = f" {len(places) - 1} other holonomic constraints neither." if len(places) > 1 else ""
+    k, holonomic = unenforced[0], equations.constraints.holonomic
+    count = len(unenforced) - 1
+    others_text = f" {count} other holonomic constraints neither." if count else ""
     warn_user(
         f"No velocity constraint keeps the holonomic constraint {k}, `{holonomic[k]}` = "
         f"0: its derivative is missing, and the equations of motion are those of a system without "
-        f"this constraint.{more} Give KanesMethod the derivative in `velocity_constraints` and a "
-        "speed in `u_dependent`, or use a pydy.mechanics.Definition, which differentiates it."
+        f"this constraint.{others_text} Give KanesMethod the derivative in `velocity_constraints` "
+        "and a speed in `u_dependent`, or use a pydy.mechanics.Definition, which differentiates it."
     )
 
 
-def _implied(problem: Problem, place: int) -> bool:
-    """Return whether velocity constraints keep a holonomic one with the numbers of the System.
+def _implied(problem: Problem, index: int) -> bool:
+    """Return whether velocity constraints imply a holonomic one with the numbers of the System.
 
-    They may do so with these constants, and not with those at which it was tried. Where the
-    constraint has no derivative, at a singular position, nothing is known.
+    They may do so with these constants although they did not with random ones. At a singular
+    position, where the constraint has no derivative, the answer is False.
     """
     equations, at = problem.definition.equations, problem.at(np.array([problem.t]), problem.x[None])
-    found = at.interpret(rates)
+    values = at.interpret(rates)
     unenforced = equations.constraints.unenforced_holonomic
-    slope = found["slopes"].reshape(len(unenforced), -1)[unenforced.index(place)]
-    rows = found["rows"].reshape(-1, slope.size)
+    slope = values["slopes"].reshape(len(unenforced), -1)[unenforced.index(index)]
+    rows = values["rows"].reshape(-1, slope.size)
     size = np.linalg.norm(slope)
     if not (np.isfinite(slope).all() and np.isfinite(rows).all() and size > 0.0 and rows.size):
         return False

@@ -14,7 +14,7 @@ from pydy import _forks
 from pydy._backends import compile_program
 from pydy._forks import cached_property
 from pydy._graph import TimeSwitches
-from pydy._judges import Passed, Watched
+from pydy._judges import MotionPath, WatchedQuantities
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._program import Program, Tangent
 from pydy._states import follow

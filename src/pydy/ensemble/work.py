@@ -14,7 +14,7 @@ from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
 from pydy._errors import warn_not_finite, warn_user
 from pydy._interpolation import evenly
-from pydy._judges import Watched, jump_message
+from pydy._judges import WatchedQuantities, jump_message
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._program import run as interpret
