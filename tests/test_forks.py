@@ -84,9 +84,9 @@ def test_a_child_finds_a_lock_open_that_another_thread_holds():
     assert takes(lock)
 
 
-@pytest.mark.parametrize("name", ["llvmlite", "whole"])
+@pytest.mark.parametrize("name", ["llvmlite", "fork_lock"])
 def test_a_fork_waits_for_what_is_not_sound_in_between(name):
-    lock = {"llvmlite": binding.ffi.lib._lock, "whole": _forks.whole}[name]
+    lock = {"llvmlite": binding.ffi.lib._lock, "fork_lock": _forks.fork_lock}[name]
     with Holding(lock, seconds=0.3):
         assert in_a_child(lambda: takes(lock))
     assert takes(lock)

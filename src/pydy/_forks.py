@@ -6,7 +6,7 @@ ever. What compiling holds is of two kinds:
 - `Lock` protects what is sound at any moment, such as a table that is looked up and then filled.
   The child finds it open, and does again what was under way.
 - llvmlite changes structures of its own, which are not sound in between: a fork waits until it is
-  done, as it does for `whole`, which is held while modules are loaded.
+  done, as it does for `fork_lock`, which is held while modules are loaded.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def once(function: Callable[..., T]) -> Callable[..., T]:
 
 
 _generation = 0
-whole = threading.RLock()
+fork_lock = threading.RLock()
 """Held while something happens that a fork waits for."""
 
 
@@ -101,7 +101,7 @@ _held: list[Any] = []
 
 
 def _before() -> None:
-    whole.acquire()
+    fork_lock.acquire()
     lock: Any = sys.modules.get("llvmlite.binding.ffi")
     for name in ("lib", "_lock"):
         lock = getattr(lock, name, None)
@@ -113,7 +113,7 @@ def _before() -> None:
 def _after() -> None:
     while _held:
         _held.pop().__exit__(None, None, None)
-    whole.release()
+    fork_lock.release()
 
 
 def _after_in_child() -> None:

@@ -34,9 +34,9 @@ from pydy._errors import warn_user
 from pydy._evaluation import (
     BLOCKS,
     BaseParameters,
-    Function,
-    Generated,
+    GeneratedFunction,
     Quantity,
+    QuantityFunction,
     all_accelerations,
     base_parameters,
     checked_options,
@@ -240,7 +240,7 @@ class System:
         base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
         self._define = DefinitionBuilder(self._equations, base, self._energies)
         self._options: dict[str, Any] = {}
-        self._generated: list[Generated] = []  # the latest first
+        self._generated: list[GeneratedFunction] = []  # the latest first
         self._constants: dict[Any, Any] = {}
         self._implied: dict[Any, float] = {}  # constants that are not the user's: of contacts
         self._has_contacts = False  # whether Contacts were made of it
@@ -299,7 +299,7 @@ class System:
         silent = definition.places["constants"].unknown(constants, "constants")
         return self._define.holding(definition, silent) if silent else definition
 
-    def _compiled(self, definition: Definition | None = None) -> Generated:
+    def _compiled(self, definition: Definition | None = None) -> GeneratedFunction:
         """Return the function generated for a definition, by default the present one."""
         definition = self._definition if definition is None else definition
         for made in self._generated:
@@ -1062,7 +1062,7 @@ class System:
         """
         problem = self._now(constants=p)
         names = partial(problem.definition.row_names, "energy")
-        values = Function(problem, problem.model.energies.kernel, names)(t, x, r, p)
+        values = QuantityFunction(problem, problem.model.energies.kernel, names)(t, x, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(

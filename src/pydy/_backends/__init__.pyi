@@ -16,7 +16,7 @@ from .registry import (
 )
 from .writer import (
     Dialect as Dialect,
-    Each as Each,
+    RepeatedLine as RepeatedLine,
     Template as Template,
     Writer as Writer,
     stages as stages,

@@ -6,11 +6,11 @@ A back end is a class with one method::
         def __init__(self, **options): ...
         def compile(self, program: Program) -> Kernel: ...
 
-With an attribute ``tangents = True`` it is given derivatives as a `pydy._program.tangent.Tangent`,
+With an attribute ``tangents = True`` it receives derivatives as a `pydy._program.tangent.Tangent`,
 whose columns it may compute side by side. Without it all columns are written out in one Program.
 
-An attribute ``force_c_contiguous``, if it has one, says whether a generated function copies states
-that are not contiguous (True, as without it) or refuses them (False); None leaves it to the caller.
+The optional attribute ``force_c_contiguous`` says whether a generated function copies states that
+are not contiguous (True, the default) or refuses them (False). None leaves it to the caller.
 
 Its options are the keyword arguments that `generate_ode_function` does not know. Register it with
 `pydy._backends.registry.register`, or pass the class itself as ``generator=``.
@@ -29,7 +29,7 @@ from pydy._program import Program
 
 
 def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
-    """Tell whether arguments are float64 vectors of a Program's own lengths."""
+    """Return whether arguments are float64 vectors with the lengths of a Program's inputs."""
     sizes = (program.num_states, program.num_specifieds, program.num_constants)
     return all(
         type(a) is np.ndarray
@@ -62,8 +62,9 @@ def kernel_of(
     """Return the Kernel of a back end that is written in Python.
 
     ``evaluate(t, x, r, p)`` takes m samples, t (m,), x (m, n), r (m, s) and p (k,), and returns
-    their outputs (m, o) and which samples' linear solve was singular. `generator`, the back end by
-    name or itself, compiles the Program again, with its `options`, where a Kernel is unpickled.
+    their outputs (m, o) and a mask of the samples whose linear solve was singular. `generator`, the
+    name or class of the back end, compiles the Program again, with its `options`, when a Kernel is
+    unpickled.
     """
 
     def sweep(

@@ -11,14 +11,14 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._errors import warn_user
-from pydy._forks import whole
+from pydy._forks import fork_lock
 from pydy._kernel import Kernel
 from pydy._names import nearest
 from pydy._program import Program, Tangent, run
 
-_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
+_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are stored
 
-# Names to classes, or to where a class lies: a back end's own imports wait until it is asked for.
+# Classes by name, or their import paths: a back end is imported when it is first used.
 _BACKENDS: dict[str, Any] = {
     "llvm": "pydy._backends.llvm.native:LLVMBackend",
     "lambdify": "pydy._backends.numpy_:NumPyBackend",
@@ -46,7 +46,7 @@ def resolve(generator: Any) -> type:
     if isinstance(entry, str):
         module, _, attribute = entry.partition(":")
         try:
-            with whole:
+            with fork_lock:
                 entry = getattr(import_module(module), attribute)
         except ModuleNotFoundError as error:
             if generator != "llvm" or error.name != "llvmlite":
@@ -66,11 +66,12 @@ def _say_that_numpy_stands_in() -> None:
 
 
 def refusal(generator: Any) -> NotImplementedError:
-    """Return the error for a value that is no code generator."""
-    meant = nearest(generator, names(), or_all=False) if isinstance(generator, str) else ""
+    """Return the error for a value that is not a code generator."""
+    suggestion = nearest(generator, names(), or_all=False) if isinstance(generator, str) else ""
     message = (
         f"`generator` is {shown(generator)}, which is not a code generator: it must be one of "
-        f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`. {meant}"
+        f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`. "
+        f"{suggestion}"
     )
     return NotImplementedError(message.rstrip())
 
@@ -81,20 +82,23 @@ def compile_program(program: Program | Tangent, generator: Any, options: dict[st
 
 
 def compiled_by(backend: Any, program: Program | Tangent) -> Kernel:
-    """Return the Kernel of a Program or Tangent, all columns written out if need be."""
+    """Return the Kernel of a Program or Tangent.
+
+    If the back end has no tangents, all columns are written out in one Program.
+    """
     if isinstance(program, Program):
-        plain: Kernel = backend.compile(program)
-        return plain
+        kernel: Kernel = backend.compile(program)
+        return kernel
     if not getattr(backend, "tangents", False):
         return compiled_by(backend, program.written_out())
     return _with_finite_samples(backend.compile(program), program)
 
 
 def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
-    """Return the Kernel of a Tangent with all columns interpreted apart where they are NaN.
+    """Return the Kernel of a Tangent in which samples with NaN are interpreted again.
 
-    An infinite derivative spoils the other columns of its part, as zero times it is NaN: written
-    out, they have no product for a variable that they have no part in.
+    An infinite derivative makes the other columns of its part NaN, because zero times infinity is
+    NaN. In the written-out Program, columns have no products with variables they do not depend on.
     """
 
     def sweep(
@@ -104,8 +108,8 @@ def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
         finite = np.isfinite(values).all(axis=1) | ~np.isfinite(x).all(axis=1) | failed
         rows = np.flatnonzero(~finite)
         for start in range(0, len(rows), _AT_ONCE):
-            k, whole = rows[start : start + _AT_ONCE], tangent.written_out()
-            values[k], bad = run(whole, t[k], x[k], r if len(r) == 1 else r[k], p)
+            k, fork_lock = rows[start : start + _AT_ONCE], tangent.written_out()
+            values[k], bad = run(fork_lock, t[k], x[k], r if len(r) == 1 else r[k], p)
             failed[k] |= bad
         return values, failed
 

@@ -1,8 +1,8 @@
-"""A Program as straight-line code of any language.
+"""Write a Program as straight-line code of a language.
 
 A language is a `Dialect`: a table of templates for `str.format`. A `Writer` fills them in, one
-operation after the other. C, JavaScript, NumPy, JAX and CasADi are such tables; "Add a language" in
-the documentation writes another one.
+operation after the other. C, JavaScript, NumPy, JAX and CasADi are such tables; the page "Add a
+language" in the documentation defines another one.
 """
 
 from __future__ import annotations
@@ -15,27 +15,27 @@ from typing import Any, NamedTuple
 from pydy._program import OPERATIONS, Operation, Program, is_constrained
 
 
-class Each(NamedTuple):
-    """A line that is repeated for each node of a list, with its place {k} and its {value}."""
+class RepeatedLine(NamedTuple):
+    """A line that is repeated for each node of a list, with its index {k} and its {value}."""
 
     nodes: str
     line: str
 
 
-Template = Sequence[str | Each]
-"""Lines; the line ``{body}`` stands for the operations within, indented as it is."""
+Template = Sequence[str | RepeatedLine]
+"""Lines. The line ``{body}`` is replaced by the inner operations, with its indentation."""
 
 
 @dataclass(frozen=True)
 class Dialect:
     """A language, as templates."""
 
-    # the expression of an operation from its row of `OPERATIONS`, with ``{0}``, ``{1}``, … for the
-    # operands
+    # The expression of an operation from its row of `OPERATIONS`, with ``{0}``, ``{1}``, … for the
+    # operands.
     operation: Callable[[Operation], str]
-    literals: Mapping[str, str]  # words for 'nan', 'inf', 'True' and 'False'
-    # for each group 't', 'x', 'r', 'p' its entry ``{k}``; and for 'c', what the set-up stage has
-    # computed, and 'c truth', a truth value of it
+    literals: Mapping[str, str]  # spellings of 'nan', 'inf', 'True' and 'False'
+    # For each group 't', 'x', 'r', 'p' its entry ``{k}``; also for 'c', the values of the set-up
+    # stage, and 'c truth', the truth values among them.
     inputs: Mapping[str, str]
     # For 'factor', 'solve', 'guard' and 'constrained' (a guard whose system has constraints, see
     # `pydy._program.interpret.constrained`), an expression, or lines that define an array
@@ -43,13 +43,13 @@ class Dialect:
     # expression is computed whether it is needed or not.
     rules: Mapping[str, str | Template]
     item: str = "{vector}[{k}]"  # of a solution
-    let: str = "{name} = {value}"  # gives a value a name
-    let_truth: str = ""
-    name: str = "v{node}"  # what values are called
-    array: str = "v{node}"  # what the arrays of lines are called
-    # lines by kinds of operations as in `rules`, which define an array outside of functions
+    assignment: str = "{name} = {value}"
+    truth_assignment: str = ""
+    name: str = "v{node}"  # names of values
+    array: str = "v{node}"  # names of arrays that rules define
+    # Lines that define an array outside of functions, by kinds of operations as in `rules`.
     reserved: Mapping[str, Template] = field(default_factory=dict)
-    empty: str = ""  # what a list without nodes has in it
+    empty: str = ""  # the text of an empty list
 
     def literal(self, value: float | bool) -> str:
         """Return a number or truth value, exactly."""
@@ -62,32 +62,32 @@ class Dialect:
 
 
 class Writer:
-    """Writes a stage of a Program, or the whole.
+    """Writes a stage of a Program, or both stages.
 
     Rules have the fields ``{n}``, the rows of a system; ``{entries}``, its matrix row by row, and
     ``{column}``, its right-hand sides one after the other, ``{many}`` numbers; ``{fast}``, the
     solutions without pivoting, and ``{sound}``, the condition under which these are taken;
     ``{factor}``, the name of a factorisation. In lists there are commas between the values. Further
-    `fields` are filled into all templates; values of the set-up stage are read from the array c if
-    `carried`.
+    `fields` are filled into all templates. With `after_setup`, values of the set-up stage are read
+    from the array c.
     """
 
     def __init__(
-        self, program: Program, dialect: Dialect, carried: bool = False, **fields: Any
+        self, program: Program, dialect: Dialect, after_setup: bool = False, **fields: Any
     ) -> None:
         self.program, self.dialect, self.fields = program, dialect, fields
         self.reserved: list[str] = []
         self.names: dict[int, str] = {}
-        """What the nodes are called that are written."""
+        """The names of the nodes that have been written."""
         for node, op in enumerate(program.ops):
             if op in ("const", "bool"):
                 self.names[node] = dialect.literal(program.args[node][0])
-        for k, node in enumerate(program.carried if carried else ()):
+        for k, node in enumerate(program.carried if after_setup else ()):
             group = "c truth" if program.ops[node] in OPERATIONS.truths else "c"
             self.names[node] = dialect.inputs[group].format(k=k)
 
     def lines(self, nodes: Iterable[int], condition: str | None = None) -> list[str]:
-        """Write operations; within the fallback of a guard, its condition is given."""
+        """Write operations; `condition` is that of the guard whose fallback contains them."""
         return [line for node in nodes for line in self._operation(node, condition)]
 
     def filled(
@@ -95,15 +95,15 @@ class Writer:
         template: Template,
         body: Sequence[str],
         lists: Mapping[str, Sequence[int]],
-        **more: Any,
+        **extra_fields: Any,
     ) -> list[str]:
         """Fill in a template, with lists of nodes that have been written."""
-        fields = {**self.fields, **more}
+        fields = {**self.fields, **extra_fields}
         for key, nodes in lists.items():
             fields[key] = ", ".join([self.names[n] for n in nodes]) or self.dialect.empty
         lines: list[str] = []
         for part in template:
-            if isinstance(part, Each):
+            if isinstance(part, RepeatedLine):
                 for k, n in enumerate(lists[part.nodes]):
                     lines.append(part.line.format(**fields, k=k, value=self.names[n]))
             elif part.endswith("{body}"):
@@ -124,7 +124,7 @@ class Writer:
             return []
         if op in OPERATIONS:
             values = [self.names[k] for k in OPERATIONS.operands(op, args)]
-            return self._let(node, self.dialect.operation(OPERATIONS[op]).format(*values))
+            return self._assign(node, self.dialect.operation(OPERATIONS[op]).format(*values))
         lists: dict[str, Sequence[int]]
         body: list[str] = []
         if op == "factor":
@@ -138,8 +138,8 @@ class Writer:
             n, entries, column, sound, fast = args
             op = "constrained" if is_constrained(self.program, entries) else "guard"
             condition = condition or self.names[sound]
-            # Lines skip what is within; expressions compute it in any case, so that a guard among
-            # it takes the solution that needs less where neither is needed.
+            # A rule of lines skips the body. An expression computes it in any case, so that a
+            # guard within it uses the cheaper solution where neither is needed.
             outer = condition if isinstance(self.dialect.rules[op], str) else None
             body = self.lines(self.program.fallback[node], outer)
             fields = {"n": n, "many": len(column), "sound": condition}
@@ -147,16 +147,16 @@ class Writer:
         rule = self.dialect.rules[op]
         if isinstance(rule, str):
             [value] = self.filled([rule], (), lists, **fields)
-            return body + self._let(node, value)
+            return body + self._assign(node, value)
         self.names[node] = name = self.dialect.array.format(node=node, **self.fields)
         self.reserved += self.filled(self.dialect.reserved.get(op, ()), (), {}, name=name, **fields)
         return self.filled(rule, body, lists, name=name, **fields)
 
-    def _let(self, node: int, value: str) -> list[str]:
+    def _assign(self, node: int, value: str) -> list[str]:
         truth = self.program.ops[node] in OPERATIONS.truths
-        let = (self.dialect.let_truth if truth else "") or self.dialect.let
+        template = (self.dialect.truth_assignment if truth else "") or self.dialect.assignment
         self.names[node] = self.dialect.name.format(node=node, **self.fields)
-        return [let.format(name=self.names[node], value=value)]
+        return [template.format(name=self.names[node], value=value)]
 
 
 def stages(program: Program) -> tuple[list[int], list[int]]:

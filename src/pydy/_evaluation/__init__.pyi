@@ -17,9 +17,9 @@ from .evaluation import (
     variables as variables,
 )
 from .exporting import exported_model as exported_model, live_system as live_system
-from .function import Function as Function
+from .function import QuantityFunction as QuantityFunction
 from .generated import (
-    Generated as Generated,
+    GeneratedFunction as GeneratedFunction,
     checked_options as checked_options,
     generate as generate,
 )

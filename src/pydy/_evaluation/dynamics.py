@@ -16,7 +16,7 @@ from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import Places, describe, merged, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._evaluation.evaluation import variables
-from pydy._evaluation.function import Function
+from pydy._evaluation.function import QuantityFunction
 from pydy._graph import SymPyReader, derivative_program, simplify, substitute
 from pydy._judges import first_violation, warn_of_missing_derivatives
 from pydy._kernel import Kernel
@@ -35,11 +35,14 @@ from pydy._program import Program
 def _states(
     problem: Problem, q: Any, v: Any, a: np.ndarray, t: Any
 ) -> tuple[np.ndarray, Any, tuple[Iterable[int], Iterable[int]]]:
-    """Return the user's x, then a, and times, at one moment or at m, and the places left out."""
+    """Return x with a appended, the times, and the indices of q and v that are defaults.
+
+    The shapes are those of one state or of m states.
+    """
     equations, n = problem.definition.equations, len(problem.definition.states)
     nq, nu = len(equations.coordinates), len(equations.speeds)
-    of_q, left_q = _columns("q", q, equations.coordinates, lambda: problem.x[:nq])
-    of_v, left_v = _columns("v", v, equations.speeds, lambda: problem.x[nq : nq + nu])
+    of_q, default_q = _columns("q", q, equations.coordinates, lambda: problem.x[:nq])
+    of_v, default_v = _columns("v", v, equations.speeds, lambda: problem.x[nq : nq + nu])
     instants = np.array(problem.t) if t is None else real_array(t, "`t`")
     if instants.ndim > 1:
         raise ValueError(f"`t` must be a number or have the shape (m,), got {instants.shape}.")
@@ -47,18 +50,18 @@ def _states(
     parts = of_q, of_v, *auxiliary, a
     rows = {len(part) for part in (*parts, instants[..., None]) if part.ndim > 1}
     if not rows:
-        return np.concatenate(parts), instants, (left_q, left_v)
+        return np.concatenate(parts), instants, (default_q, default_v)
     if len(rows) > 1:
-        given = {"q": of_q, "v": of_v, "a": a, "t": instants[..., None]}
-        counts = {name: len(part) for name, part in given.items() if part.ndim > 1}
-        found = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
-        raise ValueError(f"All must have as many rows, or be one for all: {found}.")
+        arrays = {"q": of_q, "v": of_v, "a": a, "t": instants[..., None]}
+        counts = {name: len(part) for name, part in arrays.items() if part.ndim > 1}
+        listing = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
+        raise ValueError(f"All must have as many rows, or be one for all: {listing}.")
     m = rows.pop()
-    return _beside(parts, m), np.full(m, instants), (left_q, left_v)
+    return _concatenated_rows(parts, m), np.full(m, instants), (default_q, default_v)
 
 
-def _beside(parts: Sequence[np.ndarray], m: int) -> np.ndarray:
-    """Return m rows side by side; NumPy takes a row as one item in half the time of its numbers."""
+def _concatenated_rows(parts: Sequence[np.ndarray], m: int) -> np.ndarray:
+    """Concatenate arrays of m rows. A row is copied as one NumPy item, in half the time."""
     parts = [part for part in parts if part.shape[-1]]
     kinds = [(f"{k}", f"V{8 * part.shape[-1]}") for k, part in enumerate(parts)]
     rows = np.empty(m, kinds)
@@ -70,18 +73,18 @@ def _beside(parts: Sequence[np.ndarray], m: int) -> np.ndarray:
 def _columns(
     argument: str, value: Any, symbols: Sequence[Any], default: Callable[[], np.ndarray]
 ) -> tuple[np.ndarray, Iterable[int]]:
-    """Return numbers for all symbols, (n,) or (m, n), and the positions of default ones."""
+    """Return numbers for all symbols, (n,) or (m, n), and the indices of those with defaults."""
     n = len(symbols)
     if value is None:
         return default(), range(n)
     if not isinstance(value, np.ndarray):
         kind = "coordinates" if argument == "q" else "speeds"
-        places = Places(symbols, f"{kind} of the system")
+        index = Places(symbols, f"{kind} of the system")
         if isinstance(value, Mapping):
             value = merged(value)
-            found = places.read(argument, value, default())
-            return found, {*range(n)}.difference(places.columns(value, argument).tolist())
-        places.check_order(value, argument)
+            numbers = index.read(argument, value, default())
+            return numbers, {*range(n)}.difference(index.columns(value, argument).tolist())
+        index.check_order(value, argument)
     array = real_array(value, f"`{argument}`")
     if array.ndim not in (1, 2) or array.shape[-1] != n:
         raise ValueError(f"`{argument}` must have the shape ({n},) or (m, {n}), got {array.shape}.")
@@ -97,10 +100,10 @@ def accelerations_of(value: Any, equations: Equations) -> tuple[np.ndarray, Sequ
         return np.zeros(free), independent
     if not isinstance(value, np.ndarray) and isinstance(value, Mapping):
         speeds = Places(equations.speeds, "speeds of the system")
-        found: np.ndarray = speeds.read("a", value, 0.0)
+        accelerations: np.ndarray = speeds.read("a", value, 0.0)
         named = sorted(speeds.find(key, "a") for key in value)
         if all(k in independent for k in named):
-            return found[list(independent)], independent
+            return accelerations[list(independent)], independent
         if len(named) not in (free, n):
             raise ValueError(
                 f"`a` must have the accelerations of {free} of the {n} speeds, which those of the "
@@ -109,7 +112,7 @@ def accelerations_of(value: Any, equations: Equations) -> tuple[np.ndarray, Sequ
                 f"{describe([equations.speeds[k] for k in independent])}, those that are not given "
                 "are zero."
             )
-        return found[named], named
+        return accelerations[named], named
     array = real_array(value, "`a`")
     if array.ndim not in (1, 2) or array.shape[-1] not in (n, free):
         several = f" or, for the independent speeds alone, ({free},) or (m, {free})"
@@ -133,37 +136,37 @@ class Quantity(NamedTuple):
     """A quantity to evaluate."""
 
     name: str
-    key: tuple[Any, ...]  # with the name it says what the expressions are
+    key: tuple[Any, ...]  # identifies the expressions, together with the name
     shape: tuple[int, ...]
-    # Gives them, or the name of a block of the Assembly.
+    # Returns the expressions, or the name of a block of the Assembly.
     expressions: Callable[[BodyDynamics], Any]
-    rows: Iterable[str] = ()  # for messages; read once, if at all; by default entries
-    accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
+    rows: Iterable[str] = ()  # names for messages, read at most once; by default entry numbers
+    accelerations: Sequence[int] = ()  # speeds whose accelerations are inputs; others are zero
 
-    def by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+    def variables(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
         """Return the inputs that the user's `wrt` means."""
         equations = definition.equations
         nq, nu = len(equations.coordinates), len(equations.speeds)
-        own = {
+        groups = {
             "coordinates": [("x", k) for k in range(nq)],
             "speeds": [("x", nq + k) for k in range(nu)],
         }
         if self.accelerations:
             n = len(definition.states)
-            own["accelerations"] = [("x", n + k) for k in range(len(self.accelerations))]
-        found: list[tuple[str, int]] = []
+            groups["accelerations"] = [("x", n + k) for k in range(len(self.accelerations))]
+        inputs: list[tuple[str, int]] = []
         for entry in one_or_more("wrt", wrt):
-            named = isinstance(entry, str) and entry in own
-            found += own[entry] if named else variables(definition, entry)
-        if not found:
+            named = isinstance(entry, str) and entry in groups
+            inputs += groups[entry] if named else variables(definition, entry)
+        if not inputs:
             raise ValueError("`wrt` must name at least one variable.")
-        return tuple(found)
+        return tuple(inputs)
 
     def program(
         self,
         definition: Definition,
         model: CompiledModel,
-        by: tuple[tuple[str, int], ...],
+        wrt: tuple[tuple[str, int], ...],
         silent: Mapping[Any, float],
     ) -> Program:
         """Return the Program of the values, or of their derivatives."""
@@ -171,43 +174,43 @@ class Quantity(NamedTuple):
         g, (n, s, c) = assembly.graph, assembly.sizes
         atoms, count = dict(assembly.atoms), len(self.accelerations)
         atoms.update(dict.fromkeys(equations.kinematics.speed_rates, g.zero))
-        for k, place in enumerate(self.accelerations):
-            atoms[equations.kinematics.speed_rates[place]] = g.input("x", n + k)
-        found = self.expressions(BodyDynamics(atoms, definition.forces, silent))
-        if isinstance(found, str):
+        for k, column in enumerate(self.accelerations):
+            atoms[equations.kinematics.speed_rates[column]] = g.input("x", n + k)
+        terms = self.expressions(BodyDynamics(atoms, definition.forces, silent))
+        if isinstance(terms, str):
             rates = [atoms[rate] for rate in equations.kinematics.speed_rates]
-            nodes = _of_method(assembly, rates, found)
+            nodes = _of_method(assembly, rates, terms)
         else:
             read = SymPyReader(g, atoms, f"the {self.name}")
-            nodes = substitute(g, found.read(read), assembly.given)
+            nodes = substitute(g, terms.read(read), assembly.given)
         sizes = n + count, s, c
-        if not by:
+        if not wrt:
             return assembly.lowered({self.name: nodes}, sizes=sizes)
         nodes = simplify(g, nodes)
-        return derivative_program(g, nodes, by, "jacobian", sizes)
+        return derivative_program(g, nodes, wrt, "jacobian", sizes)
 
 
-def _warn_of_rest(
-    at: StateSamples, program: Program, left: tuple[Iterable[int], Iterable[int]]
+def _warn_of_defaults(
+    at: StateSamples, program: Program, defaults: tuple[Iterable[int], Iterable[int]]
 ) -> None:
-    """Warn where states that a user gave in part, and the Program reads, break the constraints."""
+    """Warn if a partly given state, as far as the Program reads it, violates the constraints."""
     read = {args[1] for op, args in zip(program.ops, program.args, strict=True)
             if op == "input" and args[0] == "x"}  # fmt: skip
     first = len(at.definition.equations.coordinates)
-    q, v = read.intersection(left[0]), read.intersection(first + k for k in left[1])
+    q, v = read.intersection(defaults[0]), read.intersection(first + k for k in defaults[1])
     moving = any(first <= k < first + len(at.definition.equations.speeds) for k in read)
-    if (q or v) and (found := first_violation(at, (bool(q), moving))):
+    if (q or v) and (violation := first_violation(at, (bool(q), moving))):
         states = describe([at.definition.states[k] for k in sorted(q | v)])
         warn_user(
             f"The state does not satisfy the constraints, with the initial conditions for what `q` "
-            f"and `v` do not give: {states}. {found[1]} Give these too, or set consistent initial "
-            "conditions: `system.set_dependent_initial_conditions()`."
+            f"and `v` do not give: {states}. {violation[1]} Give these too, or set consistent "
+            "initial conditions: `system.set_dependent_initial_conditions()`."
         )
 
 
-def _of_method(assembly: Assembly, rates: Sequence[int], what: str) -> list[int]:
+def _of_method(assembly: Assembly, rates: Sequence[int], kind: str) -> list[int]:
     """Return M, or M u' − F, of equations that a method derived, without constraints."""
-    if what == "matrix":
+    if kind == "matrix":
         return assembly.mass_matrix
     g, n = assembly.graph, len(rates)
     rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
@@ -236,12 +239,19 @@ def without_bodies(equations: Equations) -> bool:
 
 
 def required_forces(
-    equations: Equations, given: Sequence[int], at: tuple[int, ...] | None, *, zero: bool = False
+    equations: Equations,
+    accelerated: Sequence[int],
+    at: tuple[int, ...] | None,
+    *,
+    zero: bool = False,
 ) -> Quantity:
-    """Return the forces for accelerations of some speeds; others follow or are `zero`."""
+    """Return the forces for accelerations of some speeds.
+
+    The other accelerations follow from the constraints, or are zero.
+    """
     n = len(equations.speeds)
     speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
-    bound = () if zero or len(given) == n else tuple(k for k in range(n) if k not in given)
+    bound = tuple(k for k in range(n) if k not in accelerated) if not zero else ()
 
     def expressions(dynamics: BodyDynamics) -> Any:
         if without_bodies(equations):
@@ -250,52 +260,53 @@ def required_forces(
 
     rows = (f"the force at {speed}" for speed in speeds)
     name = "bias forces" if zero else "inverse dynamics"
-    return Quantity(name, (at, bound), (len(speeds),), expressions, rows, given)
+    return Quantity(name, (at, bound), (len(speeds),), expressions, rows, accelerated)
 
 
 def chosen_speeds(equations: Equations, at: Any) -> tuple[int, ...] | None:
-    """Return which speeds a user's `at` means."""
+    """Return the columns of the speeds that a user's `at` selects."""
     if at is None:
         return None
-    speeds, held = equations.speeds, len(equations.constraints.velocity)
-    free = len(speeds) - held
+    speeds, constraint_count = equations.speeds, len(equations.constraints.velocity)
+    free = len(speeds) - constraint_count
     if isinstance(at, str) and at == "independent":
         return equations.dependents.independent_columns
-    known = Places(speeds, "speeds of the system")
-    found = tuple(known.find(one, "at") for one in one_or_more("at", at))
-    if len({*found}) != len(found) or len(found) != free:
+    index = Places(speeds, "speeds of the system")
+    columns = tuple(index.find(speed, "at") for speed in one_or_more("at", at))
+    if len({*columns}) != len(columns) or len(columns) != free:
         raise ValueError(
-            f"`at` must be 'independent' or {free} different speeds, as many as {held} constraints "
-            f"leave free of {len(speeds)}, got {describe([speeds[k] for k in found])}."
+            f"`at` must be 'independent' or {free} different speeds, as many as "
+            f"{constraint_count} constraints leave free of {len(speeds)}, got "
+            f"{describe([speeds[k] for k in columns])}."
         )
-    return found
+    return columns
 
 
-# -- places ----------------------------------------------------------------------------------------
+# -- Frames and points -----------------------------------------------------------------------------
 
 
-def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]:
-    """Return the frame and the point that a user means; either may be None."""
-    bodies, known = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
-    if isinstance(where, str) and where in known:
-        return (*known[where],)
-    body = item_of_name(bodies, where)
+def _frame_and_point(equations: Equations, eom_method: Any, target: Any) -> tuple[Any, Any]:
+    """Return the frame and the point that a user's `where` means; either may be None."""
+    bodies, named_frames = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
+    if isinstance(target, str) and target in named_frames:
+        return (*named_frames[target],)
+    body = item_of_name(bodies, target)
     if isinstance(body, RigidBody):
         return body.frame, body.masscenter
     if isinstance(body, Particle):
         return None, body.masscenter
-    if isinstance(where, Point):
-        return None, where
-    if isinstance(where, ReferenceFrame):
-        return where, None
-    if isinstance(where, tuple) and len(where) == 2:
-        frame, point = where
+    if isinstance(target, Point):
+        return None, target
+    if isinstance(target, ReferenceFrame):
+        return target, None
+    if isinstance(target, tuple) and len(target) == 2:
+        frame, point = target
         if isinstance(frame, ReferenceFrame) and isinstance(point, Point):
             return frame, point
-    names = dict.fromkeys([*known, *(str(name_of(body)) for body in bodies)])
+    names = dict.fromkeys([*named_frames, *(str(name_of(body)) for body in bodies)])
     raise ValueError(
         "`where` must be a body, Point, ReferenceFrame, or pair of a ReferenceFrame and a Point, "
-        f"or a name: {describe(list(names))}; got {shown(where)}."
+        f"or a name: {describe(list(names))}; got {shown(target)}."
     )
 
 
@@ -319,7 +330,7 @@ def _origin(body: Multibody, point: Any) -> Any:
 
 def evaluate(
     problem: Problem,
-    made: Quantity,
+    quantity: Quantity,
     at: tuple[Any, Any, Any, Any],
     r: Any = None,
     p: Any = None,
@@ -333,28 +344,31 @@ def evaluate(
     warn_of_missing_derivatives(problem)
     definition, silent = problem.definition, values or {}
     equations = definition.equations
-    x, t, left = _states(problem, *at)
-    by = () if wrt is None else made.by(definition, wrt)
-    size = prod(made.shape)
-    key = made.name, made.key, tuple(made.accelerations), by
+    x, t, defaults = _states(problem, *at)
+    inputs = () if wrt is None else quantity.variables(definition, wrt)
+    size = prod(quantity.shape)
+    key = quantity.name, quantity.key, tuple(quantity.accelerations), inputs
 
     def kernel(model: CompiledModel) -> Kernel:
-        return model.compiled_by(key, lambda: made.program(definition, model, by, silent))
+        return model.compiled_by(key, lambda: quantity.program(definition, model, inputs, silent))
 
-    def look(state: StateSamples) -> None:
-        _warn_of_rest(state, kernel(state.model).program, left)
+    def check(state: StateSamples) -> None:
+        _warn_of_defaults(state, kernel(state.model).program, defaults)
 
-    f = Function(
+    f = QuantityFunction(
         problem,
         kernel,
-        lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
-        by,
-        more=at[2].shape[-1],
-        look=look if equations.constraints.are_present else None,
+        lambda: [*quantity.rows] or [f"entry {k} of the {quantity.name}" for k in range(size)],
+        inputs,
+        extra_columns=at[2].shape[-1],
+        check=check if equations.constraints.are_present else None,
         skips_unread_inputs=True,
-        solve=all({*places} <= {*left[0]} for _, places in equations.constraints.residuals.blocks),
+        solve=all(
+            {*columns} <= {*defaults[0]} for _, columns in equations.constraints.residuals.blocks
+        ),
     )
-    return f(t, x, r, p).reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
+    shape = (*quantity.shape, len(inputs)) if inputs else quantity.shape
+    return f(t, x, r, p).reshape(*x.shape[:-1], *shape)
 
 
 def inverse_dynamics(
@@ -368,10 +382,10 @@ def inverse_dynamics(
 ) -> np.ndarray:
     """Return the forces at some `speeds` for a motion; see `System.inverse_dynamics`."""
     equations, (q, v, a, t) = problem.definition.equations, at
-    rates, known = accelerations_of(a, equations)
-    made = required_forces(equations, known, chosen_speeds(equations, speeds))
+    rates, accelerated = accelerations_of(a, equations)
+    quantity = required_forces(equations, accelerated, chosen_speeds(equations, speeds))
     try:
-        return evaluate(problem, made, (q, v, rates, t), r, p, wrt, values)
+        return evaluate(problem, quantity, (q, v, rates, t), r, p, wrt, values)
     except SingularMatrixError as error:
         raise SingularMatrixError(
             f"`at` and `a` leave what the constraints do open at t = {error.time!r}: there "
@@ -415,12 +429,12 @@ def gravity(equations: Equations, acceleration: Any) -> Quantity:
     return Quantity("gravity", fall, (len(equations.speeds),), expressions, rows)
 
 
-def frame_position(equations: Equations, method: Any, where: Any) -> Quantity:
+def frame_position(equations: Equations, method: Any, target: Any) -> Quantity:
     """Return the position of a point from a point at rest."""
     body = bodies_of(equations)
-    _, point = _place(equations, method, where)
+    _, point = _frame_and_point(equations, method, target)
     if point is None:
-        raise ValueError(f"`where` must have a point, got the frame {where}.")
+        raise ValueError(f"`where` must have a point, got the frame {target}.")
     origin = _origin(body, point)
     rows = (f"the {axis} of {point}" for axis in "xyz")
 
@@ -430,19 +444,19 @@ def frame_position(equations: Equations, method: Any, where: Any) -> Quantity:
     return Quantity("position", (point,), (3,), expressions, rows)
 
 
-def frame_rotation(equations: Equations, method: Any, where: Any) -> Quantity:
+def frame_rotation(equations: Equations, method: Any, target: Any) -> Quantity:
     """Return the rotation matrix of a frame to the inertial one."""
     body = bodies_of(equations)
-    frame, _ = _place(equations, method, where)
+    frame, _ = _frame_and_point(equations, method, target)
     if frame is None:
-        raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
+        raise ValueError(f"`where` must have a frame, got {target}, which does not turn.")
     return Quantity("rotation", (frame,), (3, 3), lambda dynamics: dynamics.rotation(body, frame))
 
 
-def frame_jacobian(equations: Equations, method: Any, where: Any) -> Quantity:
+def frame_jacobian(equations: Equations, method: Any, target: Any) -> Quantity:
     """Return the partial velocities of a point, above the partial angular ones of a frame."""
     body = bodies_of(equations)
-    frame, point = _place(equations, method, where)
+    frame, point = _frame_and_point(equations, method, target)
     if point is not None:
         _origin(body, point)
     count = 3 * ((point is not None) + (frame is not None))

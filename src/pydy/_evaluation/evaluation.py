@@ -1,4 +1,4 @@
-"""Values of a Problem and their exact derivatives, by what users call them."""
+"""Values of a Problem and their exact derivatives, selected by the names that users pass."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import sympy as sm
 
 from pydy._assembly import Assembly, CompiledModel, Definition, every_input
 from pydy._checks import listed, one_or_more, real_array, shown
-from pydy._evaluation.function import Function
+from pydy._evaluation.function import QuantityFunction
 from pydy._graph import Graph, derivative_program, simplify
 from pydy._judges import warn_of_missing_derivatives, warn_of_redundant
 from pydy._kernel import Kernel
@@ -22,48 +22,48 @@ from pydy._program import Program
 from pydy._states import GROUPS, located, members
 
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
-"""What the user calls the blocks of an Assembly that can be differentiated."""
+"""The blocks of an Assembly that can be differentiated, by their names for users."""
 
 
 @dataclass(frozen=True)
-class Target:
+class DerivativeTarget:
     """A quantity to differentiate."""
 
-    block: str  # of the Assembly; empty for a choice of outputs and expressions
-    chosen: tuple[Any, ...]  # places of outputs, and expressions
+    block: str  # of the Assembly; empty for selected outputs and expressions
+    chosen: tuple[Any, ...]  # indices of outputs, and expressions
     names: tuple[str, ...]
 
     def nodes(self, assembly: Assembly) -> tuple[Graph, list[int]]:
-        """Return the quantities as simplified nodes of a graph that grows on its own."""
+        """Return the quantities as simplified nodes of a forked graph."""
         if self.block:
             return assembly.simplified(self.block)
-        own = assembly.fork()
+        fork = assembly.fork()
         nodes = [
-            own.outputs[one] if isinstance(one, int) else own.read([one], "`of`")[0]
-            for one in self.chosen
+            fork.outputs[entry] if isinstance(entry, int) else fork.read([entry], "`of`")[0]
+            for entry in self.chosen
         ]
-        return own.graph, simplify(own.graph, nodes)
+        return fork.graph, simplify(fork.graph, nodes)
 
 
-def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
-    """Return the block, outputs or expressions that a user's `of` means; one if `scalar`."""
-    if isinstance(of, str) and of in BLOCKS and not scalar:
-        names = definition.row_names(BLOCKS[of])
+def target_of(definition: Definition, quantities: Any, *, scalar: bool = False) -> DerivativeTarget:
+    """Return the block, outputs or expressions that a user passed as `of`; one if `scalar`."""
+    if isinstance(quantities, str) and quantities in BLOCKS and not scalar:
+        names = definition.row_names(BLOCKS[quantities])
         if not names:
-            raise ValueError(f"`of` is {of!r}, but the system has nothing of this kind.")
-        return Target(BLOCKS[of], (), tuple(names))
-    single = isinstance(of, (str, sm.Basic))
-    entries = [of] if single else listed("of", of)
+            raise ValueError(f"`of` is {quantities!r}, but the system has nothing of this kind.")
+        return DerivativeTarget(BLOCKS[quantities], (), tuple(names))
+    single = isinstance(quantities, (str, sm.Basic))
+    entries = [quantities] if single else listed("of", quantities)
     if not entries or (scalar and len(entries) > 1):
         count = "one output or expression" if scalar else "at least one output or expression"
-        raise ValueError(f"`of` must be {count}, got {shown(of)}.")
+        raise ValueError(f"`of` must be {count}, got {shown(quantities)}.")
     outputs, states = definition.places["outputs"], definition.places["states"]
     chosen: list[Any] = []
     time = definition.equations.time
     for entry in entries:
-        place = outputs.get(entry, "of")
-        if place is not None:
-            chosen.append(place)
+        index = outputs.get(entry, "of")
+        if index is not None:
+            chosen.append(index)
         elif isinstance(entry, str) and (k := states.get(entry, "of")) is not None:
             chosen.append(states.symbols[k])
         elif isinstance(entry, sm.Expr) and set(find_symbols([entry])) - {time}:
@@ -74,11 +74,11 @@ def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Targe
                 f"`of` must be {kinds}outputs of the system, by symbol or name, or expressions of "
                 f"its states, specifieds and constants, got {shown(entry)}."
             )
-    return Target("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
+    return DerivativeTarget("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
 
 
 def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
-    """Return the inputs that a user's `wrt` means: groups, or some of any."""
+    """Return the inputs that a user's `wrt` selects: a group, or single symbols."""
     if isinstance(wrt, str):
         if wrt in GROUPS:
             return every_input(GROUPS[wrt], len(definition.places[wrt]))
@@ -91,35 +91,36 @@ def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
     symbols = members(definition, one_or_more("wrt", wrt))
     if not symbols:
         raise ValueError("`wrt` must name at least one state, constant or specified.")
-    found = (located(definition, symbol, "wrt") for symbol in symbols)
-    return tuple((GROUPS[kind], place) for kind, place in found)
+    inputs = (located(definition, symbol, "wrt") for symbol in symbols)
+    return tuple((GROUPS[kind], index) for kind, index in inputs)
 
 
 def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
-    """Return vectors as rows of inputs, how many there are a sample, and whether `v` is one."""
+    """Return vectors as rows of inputs, their number per sample, and whether `v` is one vector."""
     array = real_array(v, "`v`")
-    given = states is not None and not isinstance(states, Mapping)
-    table = real_array(states, "`x`") if given else np.zeros(0)
-    many = table.ndim == 2
-    m = len(table) if many else 1
+    is_array = states is not None and not isinstance(states, Mapping)
+    table = real_array(states, "`x`") if is_array else np.zeros(0)
+    is_table = table.ndim == 2
+    m = len(table) if is_table else 1
     if array.shape == (length,):
         return array[None], 1, True
-    if many and array.shape == (m, length):
+    if is_table and array.shape == (m, length):
         return array, 1, True
-    if not many and array.ndim == 2 and len(array) == length and array.size:
+    if not is_table and array.ndim == 2 and len(array) == length and array.size:
         return array.reshape(1, -1), array.shape[1], False
-    if many and array.ndim == 3 and array.shape[:2] == (m, length) and array.size:
+    if is_table and array.ndim == 3 and array.shape[:2] == (m, length) and array.size:
         return array.reshape(m, -1), array.shape[2], False
-    one, more = f"({length},)", f"({length}, d)"
-    if many:
-        one, more = f"{one}, ({m}, {length})", f"({m}, {length}, d)"
+    single_shape, multiple_shape = f"({length},)", f"({length}, d)"
+    if is_table:
+        single_shape, multiple_shape = f"{single_shape}, ({m}, {length})", f"({m}, {length}, d)"
     raise ValueError(
-        f"`v` must have the shape {one} or {more}, for one vector or d of them, got {array.shape}."
+        f"`v` must have the shape {single_shape} or {multiple_shape}, for one vector or d of "
+        f"them, got {array.shape}."
     )
 
 
 def evaluate_block(
-    problem: Problem, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
+    problem: Problem, block: str, arguments: tuple[Any, Any, Any, Any], wrt: Any = None
 ) -> np.ndarray:
     """Evaluate a block of the equations, or its Jacobian by `wrt`, as `variables` returns it."""
     if block in ("rates", "outputs"):
@@ -130,43 +131,50 @@ def evaluate_block(
 
     names = partial(problem.definition.row_names, block)
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
-    look = None
+    check = None
     if wrt is None and any(blocks) and any(problem.definition.equations.constraints.redundant):
-        look = partial(warn_of_redundant, blocks=blocks)
-    x, t, r, p = given
-    return Function(problem, kernel, names, wrt or (), look=look)(t, x, r, p)
+        check = partial(warn_of_redundant, blocks=blocks)
+    x, t, r, p = arguments
+    return QuantityFunction(problem, kernel, names, wrt or (), check=check)(t, x, r, p)
 
 
 def evaluate_product(
-    problem: Problem, kind: str, of: Any, wrt: Any, v: Any, given: tuple[Any, Any, Any, Any]
+    problem: Problem,
+    kind: str,
+    quantities: Any,
+    wrt: Any,
+    v: Any,
+    arguments: tuple[Any, Any, Any, Any],
 ) -> np.ndarray:
-    """Evaluate a product with derivatives, of one of `pydy._graph.products.KINDS`."""
+    """Evaluate a product with derivatives; its kind is one of `pydy._graph.products.KINDS`."""
     definition = problem.definition
     groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
-    target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
+    target = target_of(definition, quantities, scalar=kind in ("gradient", "hessian-vector"))
     if target.block in ("", "rates", "outputs"):
         warn_of_missing_derivatives(problem)
-    by = variables(definition, wrt)
+    inputs = variables(definition, wrt)
     vectors, count, squeeze = None, 1, False
     if kind not in ("gradient", "jacobian"):
-        length = len(target.names) if kind == "vector-jacobian" else len(by)
-        vectors, count, squeeze = _vectors(v, length, given[0])
+        length = len(target.names) if kind == "vector-jacobian" else len(inputs)
+        vectors, count, squeeze = _vectors(v, length, arguments[0])
 
     def kernel(model: CompiledModel) -> Kernel:
         assembly = model.assembly
 
         def program() -> Program:
             graph, nodes = target.nodes(assembly)
-            return derivative_program(graph, nodes, by, kind, assembly.sizes, count)
+            return derivative_program(graph, nodes, inputs, kind, assembly.sizes, count)
 
-        return model.compiled_by(("product", kind, target.block, target.chosen, by, count), program)
+        return model.compiled_by(
+            ("product", kind, target.block, target.chosen, inputs, count), program
+        )
 
     def names() -> list[str]:
         if kind in ("jacobian", "jacobian-vector"):
             return [*target.names]
-        slopes = [f"the derivative by {groups[group][place]}" for group, place in by]
+        slopes = [f"the derivative by {groups[group][index]}" for group, index in inputs]
         return [target.names[0], *slopes] if kind == "gradient" else slopes
 
-    x, t, r, p = given
-    out = Function(problem, kernel, names, by, vectors)(t, x, r, p)
+    x, t, r, p = arguments
+    out = QuantityFunction(problem, kernel, names, inputs, vectors)(t, x, r, p)
     return out[..., 0] if squeeze else out

@@ -1,4 +1,4 @@
-"""What exported code and live pages need of a Problem: a `pydy.export.Model`."""
+"""Build the `pydy.export.Model` of a Problem, for exported code and live pages."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ if TYPE_CHECKING:
 
 def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
     """Return the positions in x of the states that constraints determine, or all if unknown."""
-    equations, count = problem.definition.equations, len(problem.definition.equations.coordinates)
-    places, solved = problem.dependent, problem.settings.solved_for
-    q, u = [k for k in places if k < count], [k for k in places if k >= count]
+    equations, count = problem.definition.equations, problem.coordinate_count
+    columns, solved = problem.dependent, problem.settings.solved_for
+    q, u = [k for k in columns if k < count], [k for k in columns if k >= count]
     if solved is None and len(q) < len(equations.constraints.holonomic):
         q = list(range(count))
     if solved is None and len(u) < len(equations.constraints.velocity):
@@ -48,23 +48,23 @@ def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
     return q, u
 
 
-def _input_places(
+def _input_columns(
     definition: Definition, plan: SpecifiedsPlan, inputs: Sequence[Any] | None
 ) -> tuple[int, ...]:
-    """Return which specifieds are inputs of the exported model.
+    """Return the columns of the specifieds that are inputs of the exported model.
 
     A live page has no argument `inputs`, which is None: its inputs are numbers.
     """
-    wanted = {definition.places["specifieds"].find(key, "inputs") for key in inputs or ()}
-    given = followed(definition, plan)
-    for columns, what in (
+    requested = {definition.places["specifieds"].find(key, "inputs") for key in inputs or ()}
+    prescribed = followed(definition, plan)
+    for columns, source in (
         *((part[0], "a Python function") for part in plan.inputs.functions),
         *((part[0], "samples") for part in plan.inputs.sampled),
     ):
         for k in columns.tolist():
-            if k not in wanted:
+            if k not in requested:
                 symbol = plan.symbols[k]
-                given_by = f"`specifieds` gives `{symbol}` by {what}, which cannot"
+                given_by = f"`specifieds` gives `{symbol}` by {source}, which cannot"
                 expression = "as a SymPy expression, which becomes part of the equations, or as a"
                 if inputs is None:
                     raise ValueError(
@@ -75,18 +75,18 @@ def _input_places(
                     f"{given_by} be exported. Give it {expression} number; or pass "
                     f"inputs=['{name_of(symbol)}'], so that it becomes an input."
                 )
-    return tuple(k for k, symbol in enumerate(definition.specifieds) if symbol not in given)
+    return tuple(k for k, symbol in enumerate(definition.specifieds) if symbol not in prescribed)
 
 
 def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
-    """Refuse resets after which residuals give other unknowns: exported code does not solve."""
+    """Refuse resets of symbols in the residuals, which exported code does not solve."""
     implicit = definition.equations.constraints.residuals.implicit
     if implicit is None:
         return
     in_states = definition.equations.kinematics.in_states
-    held = {*find_symbols(map(in_states, implicit.residuals.values()))}
+    symbols = {*find_symbols(map(in_states, implicit.residuals.values()))}
     for event in events:
-        if moved := [s for s in event.reset if s in held]:
+        if moved := [s for s in event.reset if s in symbols]:
             raise ValueError(
                 f"`events`: `{event.name}` resets {describe(moved)}, which the residuals of "
                 "`implicit` hold. They give other values then, but exported code does not solve "
@@ -96,7 +96,7 @@ def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
 
 
 def _names(symbols: Sequence[Any]) -> list[str]:
-    """Return a name for each symbol, none twice; derivatives are called as in FMI: ``der(F)``."""
+    """Return unique names of symbols; derivatives are named as in FMI: ``der(F)``."""
     spelled = []
     for name, symbol in zip(unique_names(symbols), symbols, strict=True):
         if isinstance(symbol, sm.Derivative):
@@ -106,8 +106,8 @@ def _names(symbols: Sequence[Any]) -> list[str]:
     return spelled
 
 
-def _held(problem: Problem) -> dict[str, Any]:
-    """Return the sizes that projection works with."""
+def _projection_sizes(problem: Problem) -> dict[str, Any]:
+    """Return the sizes of the arrays in the projection."""
     equations, assembly = problem.definition.equations, problem.code.assembly
     if not (assembly.holonomic or assembly.velocity):
         raise ValueError("`constraints='project'` holds constraints, but the system has none.")
@@ -125,32 +125,32 @@ def _held(problem: Problem) -> dict[str, Any]:
 
 
 def _builders(
-    problem: Problem, places: tuple[int, ...], events: Sequence[Event], projected: bool
+    problem: Problem, columns: tuple[int, ...], events: Sequence[Event], projected: bool
 ) -> dict[str, Callable[[], Program]]:
-    """Return what makes the Programs of a model with specifieds at some places as inputs."""
+    """Return the functions that build a model's Programs; the inputs are columns of r."""
     from pydy.export import PARTS, with_inputs
 
     assembly = problem.code.assembly
-    n, found = len(problem.definition.states), dict[str, Callable[[], Program]]()
+    n, builders = len(problem.definition.states), dict[str, Callable[[], Program]]()
 
-    def store(part: str, what: str, make: Any, assembly: Assembly = assembly) -> None:
-        program = partial(stored_program, assembly, what, lambda: make(assembly))
-        found[part] = lambda: with_inputs(program(), places)
+    def store(part: str, key: str, make: Any, assembly: Assembly = assembly) -> None:
+        program = partial(stored_program, assembly, key, lambda: make(assembly))
+        builders[part] = lambda: with_inputs(program(), columns)
 
     def jacobian(assembly: Assembly) -> Program:
-        by = [*(("x", k) for k in range(n)), *(("r", k) for k in places)]
-        both = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
-        return both.jacobian_program("rates", by)
+        variables = [*(("x", k) for k in range(n)), *(("r", k) for k in columns)]
+        with_outputs = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
+        return with_outputs.jacobian_program("rates", variables)
 
     for part in ("rates", "outputs"):
         store(part, part, methodcaller("program", part))
-    store("jacobian", f"exported jacobian {places}", jacobian)
+    store("jacobian", f"exported jacobian {columns}", jacobian)
     for part in (part for part in PARTS if getattr(assembly, part)):
         store(part, f"exported {part}", methodcaller("program", part))
     if projected:
-        what = f"projection {assembly.following}" if any(assembly.following) else "projection"
+        key = f"projection {assembly.following}" if any(assembly.following) else "projection"
         every = with_all(problem.code, problem.definition).assembly
-        store("projection", what, projection_program, every)
+        store("projection", key, projection_program, every)
     if events:
         expressions = tuple(event.expression for event in events)
         resets = [e.reset.get(s, s) for e in events for s in problem.definition.states]
@@ -161,8 +161,8 @@ def _builders(
             "event_rates": partial(event_rates_program, assembly, expressions),
             "event_bounds": partial(event_bounds_program, assembly, expressions),
         }.items():
-            found[part] = partial(lambda make: with_inputs(make(), places), make)
-    return found
+            builders[part] = partial(lambda make: with_inputs(make(), columns), make)
+    return builders
 
 
 def exported_model(
@@ -173,35 +173,36 @@ def exported_model(
     constraints: Any = None,
     inputs: Sequence[Any] | None = (),
 ) -> Model:
-    """Return the Programs, names and numbers of a Problem as exported code takes them."""
+    """Return the Programs, names and numbers of a Problem for exported code."""
     from pydy.export import EventData, Model, Variable, identifiers
 
     warn_of_missing_derivatives(problem)
     definition, times = problem.definition, problem.settings.times
     start = float(times[0]) if len(times) else 0.0
-    places = _input_places(definition, problem.plan, inputs)
-    held = choice(constraints, (None, "project"), "`constraints`") and _held(problem)
+    columns = _input_columns(definition, problem.plan, inputs)
+    mode = choice(constraints, (None, "project"), "`constraints`")
+    projection = mode and _projection_sizes(problem)
     checked = check_events(events, definition.places["states"])
     _check_resets(definition, checked)
-    r = problem.inputs(problem.x, start) if places else np.zeros(0)
+    r = problem.inputs(problem.x, start) if columns else np.zeros(0)
     parts = [
         (definition.states, problem.x),
-        ([definition.specifieds[k] for k in places], r[[*places]]),
+        ([definition.specifieds[k] for k in columns], r[[*columns]]),
         (definition.constants, problem.p),
         (definition.outputs_symbols, np.zeros(len(definition.outputs_symbols))),
     ]
     names = _names([symbol for symbols, _ in parts for symbol in symbols])
     values = np.concatenate([numbers for _, numbers in parts]).tolist()
     variables = iter(map(Variable, names, identifiers(names), values))
-    states, own, numbers, outputs = (tuple(islice(variables, len(s))) for s, _ in parts)
+    states, model_inputs, numbers, outputs = (tuple(islice(variables, len(s))) for s, _ in parts)
     return Model(
         name=identifiers([name])[0],
         title=name,
         states=states,
-        inputs=own,
+        inputs=model_inputs,
         constants=numbers,
         outputs=outputs,
-        builders=_builders(problem, places, checked, bool(held)),
+        builders=_builders(problem, columns, checked, bool(projection)),
         events=EventData(
             tuple(event.name for event in checked),
             tuple(int(event.direction) for event in checked),
@@ -211,7 +212,7 @@ def exported_model(
         ),
         start=start,
         stop=float(times[-1]) if len(times) > 1 else start + 1.0,
-        constraints=held or {},
+        constraints=projection or {},
         unknowns=definition.equations.constraints.residuals.columns,
     )
 
@@ -219,7 +220,7 @@ def exported_model(
 def live_system(
     problem: Problem, *, name: str = "model", constraints: Any = "auto", events: Any = None
 ) -> LiveSystem:
-    """Return a Problem as a page that simulates takes it."""
+    """Return a Problem in the format of a live page, which simulates in the browser."""
     from pydy.viz import LiveSystem
 
     definition, plan = problem.definition, problem.plan
@@ -233,16 +234,16 @@ def live_system(
     formulas = dict(plan.expressions)
     for symbol in followed(definition, plan) - formulas.keys():
         # A derivative of a motion that is an expression.
-        whole = plan.expressions.get(symbol.expr)
-        if whole is not None:
-            formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
+        motion = plan.expressions.get(symbol.expr)
+        if motion is not None:
+            formulas[symbol] = motion.diff(equations.time, symbol.derivative_count)
     dependents: tuple[list[int], list[int]] = ([], [])
     if constraints is not None:
         dependents = _dependents(problem)
     return LiveSystem(
         model=exported,
         states=definition.states,
-        inputs=tuple(definition.specifieds[k] for k in _input_places(definition, plan, None)),
+        inputs=tuple(definition.specifieds[k] for k in _input_columns(definition, plan, None)),
         constants=definition.constants,
         outputs=definition.outputs_symbols,
         definitions=formulas,

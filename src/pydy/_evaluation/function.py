@@ -1,4 +1,4 @@
-"""Functions of t, x, r and p: a block of the equations or a derivative, at one state or many."""
+"""Functions of t, x, r and p: blocks of the equations or derivatives, at one state or many."""
 
 from __future__ import annotations
 
@@ -13,29 +13,21 @@ from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
 from pydy._judges import explain, warn_not_finite
 from pydy._kernel import Kernel
-from pydy._problem import (
-    TOGETHER,
-    AssumptionChecks,
-    CallArguments,
-    Problem,
-    StateSamples,
-    read_samples,
-    with_unknowns,
-)
+from pydy._problem import AssumptionChecks, CallArguments, Problem, StateSamples, TOGETHER, read_samples, with_unknowns
 from pydy._program import Program
 from pydy.codegen import SpecifiedsPlan
 
 
-def _beside(at: StateSamples, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
+def _evaluate_with_vectors(at: StateSamples, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
     """Evaluate a Kernel with further inputs after r."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
     out = np.empty((m, len(kernel.program.outputs)))
     for first in range(0, m, TOGETHER):
         rows = slice(first, first + TOGETHER)
-        some = at.subset(rows)
-        r = np.empty((len(some.x), width))
-        r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors
-        out[rows] = replace(some, r=r).evaluate(kernel)
+        batch = at.subset(rows)
+        r = np.empty((len(batch.x), width))
+        r[:, :split], r[:, split:] = batch.r, vectors[rows] if len(vectors) > 1 else vectors
+        out[rows] = replace(batch, r=r).evaluate(kernel)
     return out
 
 
@@ -48,22 +40,22 @@ def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class Function:
+class QuantityFunction:
     """A quantity of a Problem as a function f(t, x, r, p), at one state or at m of them.
 
-    Each argument may be None, for the Problem's own. States are (n,) or (m, n) with t a number or
-    (m,), or a dictionary that gives some of the initial conditions instead; r is what users give
-    for the specifieds; p is (k,), or a dictionary. The result has the shape of one value, or m of
-    them.
+    Each argument may be None, which selects the Problem's value. States are (n,) or (m, n) with t
+    a number or (m,), or a dictionary that replaces some of the initial conditions; r has the
+    formats of `System.specifieds`; p is (k,), or a dictionary. The result has the shape of one
+    value, or of m values.
     """
 
     problem: Problem
     kernel: Callable[[CompiledModel], Kernel]
     names: Callable[[], Sequence[str]]  # of its outputs, for messages
-    by: Sequence[tuple[str, int]] = ()  # the inputs that it differentiates by
+    wrt: Sequence[tuple[str, int]] = ()  # the inputs that it differentiates by
     vectors: np.ndarray | None = None  # further inputs after r
-    more: int = 0  # further columns of x, after the states
-    look: Callable[[StateSamples], None] | None = None  # at the states first
+    extra_columns: int = 0  # further columns of x, after the states
+    check: Callable[[StateSamples], None] | None = None  # called with the states before the evaluation
     solve: bool = False  # whether implicit coordinates are solved for, although x is given
     # Whether the user's functions of specifieds are called only where the Kernel reads specifieds.
     skips_unread_inputs: bool = False
@@ -73,9 +65,8 @@ class Function:
         problem = self.problem
         code, definition = problem.model.code, problem.definition
         n = len(definition.states)
-        arguments = CallArguments(problem)
-        wide, instants, single = read_samples(
-            arguments.states(x), t, lambda: problem.x, problem.settings.times, n + self.more
+        wide, instants, single = samples(
+            CallArguments(problem).states(x), t, lambda: problem.x, problem.settings.times, n + self.extra_columns
         )
         states = wide[:, :n]
         plan: SpecifiedsPlan | None = None
@@ -83,9 +74,9 @@ class Function:
             plan = arguments.plan(r)
             plan.check_times(instants, "times" if t is None else "t")
             numbers: np.ndarray | None = None
-            perturbed = any(group == "r" for group, _ in self.by)
+            perturbed = any(group == "r" for group, _ in self.wrt)
             code = problem.model.with_compiled_inputs(plan, perturbed=perturbed)
-            # What is passed to the call is tried, and so checked.
+            # Inputs that are passed to the call are always evaluated, and thereby checked.
             skips = r is None and self.skips_unread_inputs and bool(plan.changing)
             if skips and not self._reads_inputs(code):
                 numbers = np.zeros((1, len(definition.specifieds)))
@@ -104,33 +95,36 @@ class Function:
         at = with_unknowns(at, None if self.solve else x, rows)
         if at.x is not states:
             wide = np.hstack([at.x, wide[:, n:]])
-        if self.look is not None:
-            self.look(at)
-        made, vectors = self.kernel(code), self.vectors
+        if self.check is not None:
+            self.check(at)
+        kernel, vectors = self.kernel(code), self.vectors
         try:
             if definition.assumptions:
-                AssumptionChecks(problem).samples(at, plan, x is not None)
-            out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
+                problem.check_states(at, x is not None, r)
+            if vectors is None:
+                out = at.evaluate(kernel, wide)
+            else:
+                out = _evaluate_with_vectors(at, kernel, vectors)
         except SingularMatrixError as error:
             k = int((at.x == error.state).all(axis=1).argmax())
             explain(error, lambda t, x: at.subset([k]))
             raise
-        out = out.reshape(len(out), *made.program.blocks[0].shape)
+        out = out.reshape(len(out), *kernel.program.blocks[0].shape)
         if not np.isfinite(out).all():
             warn_not_finite(out, at, self.names())
         return out[0] if single else out
 
     def _reads_inputs(self, code: CompiledModel) -> bool:
-        """Return whether the values, or what is judged with them, may depend on specifieds."""
-        # A property of the code: its Program and constraints are looked through once.
-        known = code.latest.setdefault("reads inputs", {})
-        key = self.kernel(code), self.look is None
-        if key not in known:
-            known[key] = self._look_for_inputs(code, key[0].program)
-        found: bool = known[key]
-        return found
+        """Return whether the values, or the check of the states, may depend on specifieds."""
+        # A property of the code: its Program and constraints are searched once.
+        cache = code.latest.setdefault("reads inputs", {})
+        key = self.kernel(code), self.check is None
+        if key not in cache:
+            cache[key] = self._depends_on_inputs(code, key[0].program)
+        result: bool = cache[key]
+        return result
 
-    def _look_for_inputs(self, code: CompiledModel, program: Any) -> bool:
+    def _depends_on_inputs(self, code: CompiledModel, program: Any) -> bool:
         definition = self.problem.definition
         implicit = definition.equations.constraints.residuals.implicit
         if implicit is not None or "specifieds" in definition.assumptions:
@@ -140,7 +134,7 @@ class Function:
             for op, args in zip(program.ops, program.args, strict=True)
         ):
             return True
-        if self.look is None:
+        if self.check is None:
             return False
         assembly = code.assembly.fork()
         rows = [row for part in assembly.with_left_out() for row in part]

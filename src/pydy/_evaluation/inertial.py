@@ -1,4 +1,4 @@
-"""Inertial parameters: what forces are linear in, and what a motion tells of them."""
+"""Inertial parameters, in which forces are linear, and those that a motion identifies."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ def _parameter_names(body: Multibody) -> list[str]:
 
 
 def _per_length(columns: np.ndarray, powers: np.ndarray) -> float:
-    """Return how much larger entries are of parameters with one more power of length."""
+    """Return the median ratio of entries whose units differ by one power of length."""
     sizes = [np.abs(columns[:, powers == k]).max(axis=1, initial=0.0) for k in range(3)]
-    found = []
+    samples = []
     for i, j in ((0, 1), (1, 2), (0, 2)):
-        both = (sizes[i] > 0.0) & (sizes[j] > 0.0)
-        found.append((sizes[j][both] / sizes[i][both]) ** (1.0 / (j - i)))
-    ratios = np.concatenate(found)
+        nonzero = (sizes[i] > 0.0) & (sizes[j] > 0.0)
+        samples.append((sizes[j][nonzero] / sizes[i][nonzero]) ** (1.0 / (j - i)))
+    ratios = np.concatenate(samples)
     return float(np.median(ratios)) if len(ratios) else 1.0
 
 
@@ -82,7 +82,7 @@ def regressor(equations: Equations) -> Quantity:
 
 
 def base_parameters(equations: Equations, columns: np.ndarray) -> BaseParameters:
-    """Return what values of the regressor, (…, n, k), determine."""
+    """Return the parameters that values of the regressor, (…, n, k), identify."""
     columns = columns.reshape(-1, columns.shape[-1])
     if not (finite := np.isfinite(columns).all(axis=1)).all():
         sample = int(np.argmin(finite)) // len(equations.speeds)
@@ -96,7 +96,7 @@ def base_parameters(equations: Equations, columns: np.ndarray) -> BaseParameters
     lengths = _per_length(columns, powers) ** powers
     scaled, _, units = equilibrated(columns / lengths, exact=True)
     units = units / lengths
-    places = sorted(independent_columns(scaled))
-    matrix = np.linalg.lstsq(scaled[:, places], scaled, rcond=None)[0]
+    independent = sorted(independent_columns(scaled))
+    matrix = np.linalg.lstsq(scaled[:, independent], scaled, rcond=None)[0]
     matrix[np.abs(matrix) <= ROUNDED] = 0.0
-    return BaseParameters(places, matrix * units[0, places, None] / units)
+    return BaseParameters(independent, matrix * units[0, independent, None] / units)

@@ -1,4 +1,4 @@
-"""What a System says of itself where it is printed."""
+"""The text of a printed System."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ def summary(
     values: Mapping[str, Mapping[Any, Any]],
     of_events: Iterable[Any],
 ) -> list[tuple[str, str]]:
-    """Return the lines of a summary, titles and texts, of what the user set.
+    """Return the titles and texts of a summary of the user's settings.
 
-    The `values` are those of the initial conditions, constants and specifieds; constants may be
-    those of events too.
+    The `values` are those of the initial conditions, constants and specifieds. The constants may
+    include those of events.
     """
     constants = merged(values["constants"])
     equations, t = definition.equations, times
     inside = {n for s in definition.constants for n in (s, name_of(s))}
-    more = {name_of(s): s for s in (*of_events, *constants) if s not in inside}
+    other_constants = {name_of(s): s for s in (*of_events, *constants) if s not in inside}
     lines = [
         ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
          f"{len(equations.speeds)} speeds"),
         ("states", _values(definition.states, merged(values["initial_conditions"]), "0.0")),
         ("constants", _values(definition.constants, constants, "1.0")),
-        ("elsewhere", _values([*more.values()], constants, "1.0")),
+        ("elsewhere", _values([*other_constants.values()], constants, "1.0")),
         ("specifieds", _values(definition.specifieds, _flat(values["specifieds"]), "0.0")),
         ("constraints", _counts(equations)),
         ("outputs", some([name_of(s) for s in definition.outputs_symbols])),
@@ -51,21 +51,21 @@ def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
     """Return the value of each specified, given in either format."""
     if isinstance(specifieds.get("symbols"), (tuple, list)):
         specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
-    given: dict[Any, Any] = {}
+    values: dict[Any, Any] = {}
     for key, value in merged(specifieds).items():
         several = isinstance(key, tuple)
         if several and isinstance(value, (list, tuple, np.ndarray)) and len(value) == len(key):
-            given.update(zip(key, value, strict=True))
+            values.update(zip(key, value, strict=True))
         else:
-            given.update(dict.fromkeys(key if several else (key,), value))
-    return given
+            values.update(dict.fromkeys(key if several else (key,), value))
+    return values
 
 
-def _values(symbols: Sequence[Any], given: Mapping[Any, Any], default: str) -> str:
-    """Return names with values; defaults stand in parentheses."""
+def _values(symbols: Sequence[Any], values: Mapping[Any, Any], default: str) -> str:
+    """Return names with values; defaults are in parentheses."""
 
     def value_of(symbol: Any) -> Any:
-        return given.get(symbol, given.get(name_of(symbol), given.get(str(symbol))))
+        return values.get(symbol, values.get(name_of(symbol), values.get(str(symbol))))
 
     texts = []
     for symbol, name in zip(symbols, unique_names(symbols), strict=True):

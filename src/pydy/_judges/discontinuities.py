@@ -183,7 +183,9 @@ def warn_of_jumps(
         return problem.at(times, motion.at(times).states).interpret(parts)
 
     if message := jump_message(
-        MotionPath.of(motion.times, motion._dense, motion.events, columns), quantities, evaluate
+        MotionPath.from_solution(motion.times, motion._dense, motion.events, columns),
+        quantities,
+        evaluate,
     ):
         warn_user(message)
 

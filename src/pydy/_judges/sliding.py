@@ -69,7 +69,7 @@ def stuck_at(at: StateSamples, span: float) -> str | None:
         subject = f"the {kind} {states[row]}"
     return (
         f"There {subject} jumps where {condition}, and both sides drive the motion back to the "
-        f"jump (at {above:.3g} and {below:.3g} a second): it stays there, as a body held by dry friction "
-        "does, and no step is short enough. Smooth the jump, as the laws of friction of "
+        f"jump (at {above:.3g} and {below:.3g} a second): it stays there, as a body held by dry "
+        "friction does, and no step is short enough. Smooth the jump, as the laws of friction of "
         "`pydy.contact` do, or let `pydy.contact.Contacts` hold what sticks."
     )

@@ -9,7 +9,7 @@ from dataclasses import asdict, replace
 from operator import attrgetter
 from typing import Any
 
-from pydy._backends import HELPERS, Dialect, Each, Template, Writer, stages
+from pydy._backends import HELPERS, Dialect, RepeatedLine, Template, Writer, stages
 from pydy._program import Program, numbered
 from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers import method_arrays, native_constants, portable_sources, tableau_of
@@ -77,11 +77,11 @@ _MATRIX = (
     "const {name}_a = new Float64Array({n} * {n}), {name}_pivots = new Int32Array({n});",
     "const {name}_scales = new Float64Array(2 * {n});",
 )
-_FILLED = Each("entries", "{name}_a[{k}] = {value};")
+_FILLED = RepeatedLine("entries", "{name}_a[{k}] = {value};")
 _CALL = "{n}, {name}_a, {name}_pivots, {name}_scales"
 _FACTOR = (_FILLED, f"if (lu_factor({_CALL})) failed = true;")
-_COLUMN = Each("column", "{name}[{k}] = {value};")
-_GUARDED = (Each("fast", "{name}[{k}] = {value};"), "if (!({sound})) {{", "  {body}")
+_COLUMN = RepeatedLine("column", "{name}[{k}] = {value};")
+_GUARDED = (RepeatedLine("fast", "{name}[{k}] = {value};"), "if (!({sound})) {{", "  {body}")
 
 JAVASCRIPT = Dialect(
     operation=attrgetter("c"),
@@ -91,7 +91,7 @@ JAVASCRIPT = Dialect(
         **{group: f"{group}[{{k}}]" for group in "xrpc"},
         "c truth": "(c[{k}] !== 0)",
     },
-    let="const {name} = {value};",
+    assignment="const {name} = {value};",
     rules={
         "factor": _FACTOR,
         "solve": (_COLUMN, "lu_solve({n}, {factor}_a, {factor}_pivots, {name});"),
@@ -119,12 +119,12 @@ JAVASCRIPT = Dialect(
         "constrained": (_VECTOR, *_MATRIX),
     },
 )
-_PARTS = replace(JAVASCRIPT, let="{name} = {value};", name="{function}_v[{node}]")
+_PARTS = replace(JAVASCRIPT, assignment="{name} = {value};", name="{function}_v[{node}]")
 _FUNCTION: Template = (
     "function {function}{part}({arguments}) {{",
     "  let failed = false;",
     "  {body}",
-    Each("results", "  {result}[{k}] = {value};"),
+    RepeatedLine("results", "  {result}[{k}] = {value};"),
     "  return failed;",
     "}}",
 )

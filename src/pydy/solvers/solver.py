@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._checks import instance, monotonic, real_array, shown
 from pydy._errors import warn_user
-from pydy._forks import whole
+from pydy._forks import fork_lock
 from pydy.solvers.options import EventContinuation, read_options
 from pydy.solvers.outcome import Outcome
 from pydy.solvers.tableaus import Tableau, add_tableau, tableau_of
@@ -230,7 +230,7 @@ class Solver:
 
 def _prepared(name: str, f: Any, x0: np.ndarray, *arguments: Any) -> Prepared:
     """Return a prepared integration, which pickles as its arguments."""
-    with whole:
+    with fork_lock:
         from pydy.solvers.run.integration import Integration
 
     prepared = Prepared(Integration(name, f, len(x0), *arguments), x0)

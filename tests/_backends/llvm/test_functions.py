@@ -158,7 +158,7 @@ def test_derivatives_bring_the_code_with_fallbacks_and_its_constants(
     first, failed = kernel.evaluate(t, x, r, p)
     assert not failed.any()
     assert kernel.at(x[0], t[0], r[0], p, one) == 0  # binds c without the fallbacks' constants
-    without, complete = kernel.addresses.copy(), CompleteCode.of(tangent)
+    without, complete = kernel.addresses.copy(), CompleteCode.shared(tangent)
     assert complete._code is None
     q = np.array([*chain(-1.2).constants.values()])
     weak, failed = kernel.evaluate(t, x, r, q)
@@ -198,7 +198,7 @@ def test_a_prepared_run_and_a_gate_get_the_constants_that_fallbacks_need(
     x, p = np.linspace(0.1, 0.6, 12), np.array(list(systems[0].constants.values()))
     gate = f(x, 0.0, np.zeros(1), p).copy()
     motion = systems[1].integrate()
-    assert CompleteCode.of(systems[0].model.compiled("rates").program)._code is not None
+    assert CompleteCode.shared(systems[0].model.compiled("rates").program)._code is not None
     np.testing.assert_array_equal(systems[0].integrate(), before)
     np.testing.assert_array_equal(f(x, 0.0, np.zeros(1), p), gate)
     complete_at_once()
@@ -209,7 +209,7 @@ def test_a_prepared_run_and_a_gate_get_the_constants_that_fallbacks_need(
 def test_threads_that_need_fallbacks_at_once_compile_them_once(nothing_cached, monkeypatch):
     compiled = []
     load = jit.load
-    monkeypatch.setattr(jit, "load", lambda s, *a: compiled.append(s.what) or load(s, *a))
+    monkeypatch.setattr(jit, "load", lambda s, *a: compiled.append(s.identity) or load(s, *a))
     kernel = chain().model.compiled("rates")
     p = np.array([*chain(-1.2).constants.values()])
     found, ready = [], threading.Barrier(4)

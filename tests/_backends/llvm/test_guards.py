@@ -7,7 +7,7 @@ import pytest
 from graphs import on_tape
 from pydy._backends.c.cython_ import CythonBackend
 from pydy._backends.llvm import jit, sources
-from pydy._backends.llvm.functions import NativeFunctions
+from pydy._backends.llvm.functions import LinkedFunctions
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.adjoint import adjoints
@@ -101,7 +101,7 @@ def compiled(monkeypatch):
     jit.memory.clear()
     monkeypatch.setattr(sources, "MOST_WITHOUT_FALLBACKS", 2.0)
     compiled, load = [], jit.load
-    monkeypatch.setattr(jit, "load", lambda s, c=(): compiled.append(s.what) or load(s, c))
+    monkeypatch.setattr(jit, "load", lambda s, c=(): compiled.append(s.identity) or load(s, c))
     return compiled
 
 
@@ -153,14 +153,14 @@ def test_fallbacks_are_there_after_an_interrupt_while_code_was_linked(compiled, 
     n = 5
     program = scaled(n)
     kernel = BACKENDS["llvm"].compile(program)
-    use = NativeFunctions.use
+    use = LinkedFunctions.use
 
     def interrupted(self, code):
-        monkeypatch.setattr(NativeFunctions, "use", use)
+        monkeypatch.setattr(LinkedFunctions, "use", use)
         use(self, code)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(NativeFunctions, "use", interrupted)
+    monkeypatch.setattr(LinkedFunctions, "use", interrupted)
     with pytest.raises(KeyboardInterrupt):
         kernel.link()
     x, p = states(n)

@@ -22,7 +22,7 @@ from types import ModuleType
 from typing import Any
 
 from pydy._backends.c.source import c_source
-from pydy._backends.llvm.functions import NativeFunctions
+from pydy._backends.llvm.functions import LinkedFunctions
 from pydy._backends.llvm.native import native_kernel
 from pydy._backends.registry import compile_program
 from pydy._cache_folder import unsafe
@@ -103,7 +103,7 @@ class CythonBackend:
                 shutil.rmtree(directory, ignore_errors=True)
             raise
         recipe = ("cython", self.options)
-        functions = NativeFunctions()
+        functions = LinkedFunctions()
         functions.replace(module.addresses(), module)
         return native_kernel(program, functions, 1, compile_program, recipe)
 
@@ -125,13 +125,14 @@ class CythonBackend:
                 f"'{folder}', which is a file or lies below one."
             ) from None
         if trouble := unsafe(folder.resolve()):
-            kept = tempfile.mkdtemp(prefix=f"{self.options['prefix']}_")
+            private_folder = tempfile.mkdtemp(prefix=f"{self.options['prefix']}_")
             message = (
                 f"{trouble}, so that code loaded from `tmp_dir` could be somebody else's. The "
-                f"files are in '{kept}' instead; pass a directory that only you can write to."
+                f"files are in '{private_folder}' instead; pass a directory that only you can "
+                "write to."
             )
             warnings.warn(message, PyDyUserWarning, stacklevel=2)
-            return next(names), Path(kept)
+            return next(names), Path(private_folder)
         for name in names:
             try:
                 (folder / name).mkdir(0o700)
@@ -203,13 +204,13 @@ setup(
 
 
 def _require(*packages: str) -> None:
-    """Raise if one of the packages cannot be imported; none of them is."""
+    """Raise if one of the packages is not installed, without importing it."""
     for package in packages:
         try:
-            found = importlib.util.find_spec(package) is not None
+            installed = importlib.util.find_spec(package) is not None
         except ValueError:  # something in sys.modules that is no module
-            found = False
-        if not found:
+            installed = False
+        if not installed:
             raise MissingDependencyError(
                 f"The 'cython' generator needs Cython and setuptools, but {package} is not "
                 f'installed: `pip install "pydy[cython]"` installs both. {_REMEDY}'

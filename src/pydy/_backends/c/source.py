@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from operator import attrgetter
 from pathlib import Path
 
-from pydy._backends.writer import Dialect, Each, Writer, stages
+from pydy._backends.writer import Dialect, RepeatedLine, Writer, stages
 from pydy._program import Program, numbered
 
 # -- the language ---------------------------------------------------------------------------------
@@ -25,7 +25,7 @@ _CALL = "{n}, {name}_a, {name}_pivots, {name}_scales"
 _FACTOR = (*_MATRIX, f"status |= lu_factor({_CALL});")
 # The fast solution, and in its place the other one where that is not sound.
 _GUARDED = ("double {name}[{many}] = {{{fast}}};", "if (!({sound})) {{", "    {body}",
-            Each("column", "    {name}[{k}] = {value};"))  # fmt: skip
+            RepeatedLine("column", "    {name}[{k}] = {value};"))  # fmt: skip
 
 
 def _inside(*lines: str) -> list[str]:
@@ -36,8 +36,8 @@ C = Dialect(
     operation=attrgetter("c"),
     literals={"nan": "NAN", "inf": "INFINITY", "True": "1", "False": "0"},
     inputs={**{group: f"{group}[{{k}}]" for group in "txrpc"}, "c truth": "(c[{k}] != 0.0)"},
-    let="const double {name} = {value};",
-    let_truth="const int {name} = {value};",
+    assignment="const double {name} = {value};",
+    truth_assignment="const int {name} = {value};",
     rules={
         "factor": _FACTOR,
         "solve": (
@@ -66,7 +66,7 @@ _PREPARE = (
     "{{",
     "    (void)p; (void)c;",  # which a Program may leave alone
     "    {body}",
-    Each("results", "    c[{k}] = {value};"),
+    RepeatedLine("results", "    c[{k}] = {value};"),
     "}}",
     "",
 )
@@ -78,7 +78,7 @@ _KERNEL = (
     "    (void)t; (void)x; (void)r; (void)c; (void)out;",
     "    int32_t status = 0;",
     "    {body}",
-    Each("results", "    out[{k}] = {value};"),
+    RepeatedLine("results", "    out[{k}] = {value};"),
     "    return status;",
     "}}",
     "",
@@ -153,14 +153,14 @@ def c_functions(programs: Mapping[str, Program], *, static: bool = False) -> str
     for prefix, program in programs.items():
         fields = {"prefix": prefix, "static": "static " if static else ""}
         setup, run = stages(program)
-        for template, nodes, results, carried in (
+        for template, nodes, results, after_setup in (
             (_PREPARE, setup, program.carried, False),
             (_KERNEL, run, program.outputs, True),
         ):
-            writer = Writer(program, C, carried, **fields)
+            writer = Writer(program, C, after_setup, **fields)
             lines += writer.filled(template, writer.lines(nodes), {"results": results})
     code = "\n".join(lines)
-    called = [text for name, text in HELPERS.items() if f"{name}(" in code]
-    if any("AT(" in text for text in called):
-        called = [_BEGIN, *called, _END]
-    return "\n".join([_HEAD, *map(numbered, called), code])
+    helpers = [text for name, text in HELPERS.items() if f"{name}(" in code]
+    if any("AT(" in text for text in helpers):
+        helpers = [_BEGIN, *helpers, _END]
+    return "\n".join([_HEAD, *map(numbered, helpers), code])

@@ -16,7 +16,7 @@ from pydy._backends.llvm.targets import target
 from pydy._forks import once
 
 
-def _written_by() -> bytes:
+def _digest_of_writer() -> bytes:
     """Return a digest of the code that writes the IR."""
     sha = hashlib.sha256()
     backends = Path(__file__).parents[1]
@@ -25,14 +25,14 @@ def _written_by() -> bytes:
     return sha.digest()
 
 
-# Now, not when it is first wanted: the package may be replaced while this process runs, and what it
-# still writes must not be taken for what the new one would write.
-_SOURCES = _written_by()
+# Computed at import, not on first use: the package may be replaced while this process runs, and IR
+# that the old code still writes must not be cached under the digest of the new code.
+_SOURCES = _digest_of_writer()
 
 
 @once
-def _circumstances() -> bytes:
-    """Everything except the Program that determines the machine code, as bytes."""
+def _toolchain_digest() -> bytes:
+    """Return a digest of everything except the Program that determines the machine code."""
     host = target()
     sha = hashlib.sha256(_SOURCES)
     parts = (host.processor, host.features, llvmlite_version, *map(str, binding.llvm_version_info))
@@ -56,29 +56,29 @@ def target_machine() -> Any:
 class Source:
     """A module that can be compiled."""
 
-    what: str  # identifies the IR: a Program's digest with the options
-    # returns the IR, a module. It knows the functions of libm, of Python's C interface, and those
-    # of the code that is passed as `calls`.
+    identity: str  # identifies the IR: a Program's digest with the options
+    # Returns the IR of a module. It can call the functions of libm, of Python's C interface, and
+    # those of the code that is passed as `calls`.
     text: Callable[[], str]
-    names: tuple[str, ...]  # the functions whose addresses are wanted
-    # whether the code has loops, or does the same many times side by side: LLVM's
-    # optimisation passes then pay
+    names: tuple[str, ...]  # the functions whose addresses are needed
+    # Whether the code has loops, or repeats the same operations side by side: LLVM's optimisation
+    # passes then pay off.
     loops: bool = False
 
     @property
     def key(self) -> str:
-        """The name under which the caches know it."""
-        return hashlib.sha256(_circumstances() + self.what.encode()).hexdigest()
+        """The key in the caches."""
+        return hashlib.sha256(_toolchain_digest() + self.identity.encode()).hexdigest()
 
 
 @once
 def _emitter() -> Any:
-    """Return the machine that writes object code; an engine needs one of its own, and keeps it."""
+    """Return the target machine that writes object code. An engine owns a separate one."""
     return target_machine()
 
 
-def _find_room(size: int) -> None:
-    """Raise where memory for LLVM is not to be had: it would end the process."""
+def _check_memory(size: int) -> None:
+    """Raise if memory for LLVM cannot be allocated: LLVM would end the process."""
     try:
         mmap(-1, size).close()  # pages that nobody writes to cost nothing
     except OSError:
@@ -97,7 +97,7 @@ def object_code(source: Source) -> bytes:
     """
     text = source.text()
     # LLVM's passes took 10 MB, and 27 bytes for each letter of 100 links.
-    _find_room(2**24 + 32 * len(text))
+    _check_memory(2**24 + 32 * len(text))
     # A context of its own lets two threads compile at the same time.
     context = binding.create_context()
     _CONTEXTS[id(context)] = context
@@ -113,32 +113,34 @@ def object_code(source: Source) -> bytes:
     return code
 
 
-# Those in which modules may be. An exception that a signal handler raises may leave a module in a
-# cycle of references, which Python takes apart in any order: without its context it is freed twice.
+# Contexts that may contain modules. An exception raised by a signal handler may leave a module in a
+# reference cycle, which Python collects in any order: without its context it would be freed twice.
 _CONTEXTS: dict[int, Any] = {}
 
 
 class Shipped:
     """The LLVM IR in a folder, compiled here for the processor at hand.
 
-    ``tools/solvers_ir.py`` makes it from C, with a compiler that nobody needs who does not change
-    it. It is read at once: the package may be replaced while this process runs.
+    ``tools/solvers_ir.py`` generates it from C; only changes of the C code need that compiler. All
+    files are read at once: the package may be replaced while this process runs.
     """
 
     def __init__(self, folder: Path) -> None:
         self._texts = {path.stem: path.read_text("utf-8") for path in folder.glob("*.ll")}
 
     def source(self, name: str, functions: Sequence[str] = ()) -> Source:
-        """Return a file as a Source of some functions, by default the one of its name."""
+        """Return a file as a Source of `functions`, by default of the one with the file's name."""
         text = self._texts[name]
-        what = f"shipped {hashlib.sha256(text.encode()).hexdigest()}"
-        return Source(what, partial(_finished, text), tuple(functions) or (name,), loops=True)
+        identity = f"shipped {hashlib.sha256(text.encode()).hexdigest()}"
+        return Source(
+            identity, partial(_with_target, text), tuple(functions) or (name,), loops=True
+        )
 
 
 CORE = Shipped(Path(__file__).parents[1] / "core")
 
 
-def _finished(text: str) -> str:
-    """Return the IR with its target, by which LLVM's passes lay out data."""
+def _with_target(text: str) -> str:
+    """Return the IR with its target triple and data layout, which LLVM's passes need."""
     layout = _emitter().target_data
     return f'target datalayout = "{layout}"\ntarget triple = "{target().triple}"\n{text}'

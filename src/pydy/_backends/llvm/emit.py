@@ -1,8 +1,7 @@
 """The operations of a Program as LLVM instructions, one stage at a time.
 
-Instructions carry no fast-math flags. Products go into sums as fused
-multiply-adds here, not in LLVM, so that the last bit depends neither on its level of effort nor on
-how many states are taken at once.
+Instructions carry no fast-math flags. Products and sums are fused into multiply-adds here, not in
+LLVM, so that the last bit depends neither on LLVM's optimisation level nor on the number of lanes.
 """
 
 from __future__ import annotations
@@ -11,8 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
 
-from pydy._backends.llvm.ir import WIDTHS, Function, literal, suffix, vector_type
-from pydy._backends.llvm.plan import Place, Registers, fusion, readers
+from pydy._backends.llvm.ir import WIDTHS, IrFunction, literal, suffix, vector_type
+from pydy._backends.llvm.plan import RegisterAllocator, ValueLocation, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_together
 from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import SPARSE, TEMPORARY
@@ -38,10 +37,12 @@ def solver_declarations(lanes: int) -> str:
     """Return their IR declarations."""
     heads = (kind.partition(" ") for kind in _ROUTINES.values())
     pairs = zip(solver_names(lanes), heads, strict=True)
-    return "".join(f"declare {result} @{name}{rest}\n" for name, (result, _, rest) in pairs)
+    return "".join(
+        f"declare {result} @{name}{parameters}\n" for name, (result, _, parameters) in pairs
+    )
 
 
-def mask(f: Function, flags: str, lanes: int) -> str:
+def mask(f: IrFunction, flags: str, lanes: int) -> str:
     """Return a vector of truth values as the bits of an i32."""
     if lanes == 1:
         return f.let(f"zext i1 {flags} to i32")
@@ -50,13 +51,13 @@ def mask(f: Function, flags: str, lanes: int) -> str:
 
 
 def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
-    """List the entries that a guard's fallback needs: of a symmetric matrix the lower triangle."""
+    """List the entries that a guard's fallback needs: the lower triangle if symmetric."""
     lower = list(chain.from_iterable(entries[i * n : i * n + i + 1] for i in range(n)))
     return lower if n > 1 and (symmetric(n, entries) == list(entries)) else list(entries)
 
 
 class Solves:
-    """Writes factorisations, solves and guards, and says where solutions lie in memory."""
+    """Writes factorisations, solves and guards; `vectors` has the addresses of the solutions."""
 
     def __init__(self, writer: Emitter) -> None:
         self.e = writer
@@ -66,17 +67,17 @@ class Solves:
         self.status = ""
         self._weak = ""  # the lanes of the fallback that is written, if any
         self._factors: dict[int, dict[str, str]] = {}
-        self._kept: dict[int, str] = {}
+        self._matrices: dict[int, str] = {}
         self._routines = solver_names(writer.lanes)
 
     def reserve(self) -> None:
         """Reserve memory for guards.
 
-        A matrix for the fallback is written as soon as its entries are computed: kept alive in
-        registers until the guard, they would crowd out what the elimination works with. Numbers
-        and values of the setup stage are left to the fallback.
+        A matrix for the fallback is stored as soon as its entries are computed: if they stayed in
+        registers until the guard, they would displace the values of the elimination. Numbers and
+        values of the setup stage are stored by the fallback.
 
-        A solution is written where it is wanted, and the fallback overwrites it there.
+        A solution is stored at its final address, where the fallback overwrites it.
         """
         program = self.program
         guards = {}
@@ -84,37 +85,37 @@ class Solves:
             if op != "guard" or program.setup[k] != self.e.setup:
                 continue
             if self.e.fallbacks:
-                self._keep_matrix(k, _stored(*args[:2]))
+                self._store_matrix(k, _stored(*args[:2]))
             guards[k] = args[4]
             self.vectors[k] = [("", 0)] * len(args[2])
         if not guards:
             return
         if not self.e.setup:
-            wanted = {k: index for index, k in reversed(list(enumerate(program.outputs)))}
+            output_index = {k: index for index, k in reversed(list(enumerate(program.outputs)))}
             for k, op in enumerate(program.ops):
-                if op == "item" and k in wanted and program.args[k][0] in guards:
+                if op == "item" and k in output_index and program.args[k][0] in guards:
                     guard, index = program.args[k]
-                    self.vectors[guard][index] = ("%out", wanted[k])
+                    self.vectors[guard][index] = ("%out", output_index[k])
         for guard, fast in guards.items():
             vector = self.vectors[guard]
-            rest = [index for index, place in enumerate(vector) if not place[0]]
-            room = self.f.slot(self.v, len(rest)) if rest else ""
-            for index, k in enumerate(rest):
-                vector[k] = (room, index)
+            unplaced = [index for index, location in enumerate(vector) if not location[0]]
+            slot = self.f.slot(self.v, len(unplaced)) if unplaced else ""
+            for index, k in enumerate(unplaced):
+                vector[k] = (slot, index)
             for node, (pointer, index) in zip(fast, vector, strict=bool(fast)):
                 if self.e.computed(node):
-                    self.e.place(node, pointer, index, guard)
+                    self.e.store_when_computed(node, pointer, index, guard)
 
-    def _keep_matrix(self, guard: int, stored: list[int]) -> None:
+    def _store_matrix(self, guard: int, stored: list[int]) -> None:
         moving = self._moving(stored)
         sparse = len(stored) > SPARSE * len(moving)
-        self._kept[guard] = self.f.slot(self.v, max(len(moving if sparse else stored), 1))
-        for place, node in enumerate(moving if sparse else stored):
+        self._matrices[guard] = self.f.slot(self.v, max(len(moving if sparse else stored), 1))
+        for index, node in enumerate(moving if sparse else stored):
             if self.e.computed(node):
-                self.e.place(node, self._kept[guard], place, guard)
+                self.e.store_when_computed(node, self._matrices[guard], index, guard)
 
     def _moving(self, stored: list[int]) -> list[int]:
-        """Return the entries of a matrix that are computed at every call."""
+        """Return the state-dependent entries of a matrix, which are computed at every call."""
         return list(dict.fromkeys(k for k in stored if self.e.computed(k)))
 
     def _buffer(self, nodes: tuple[int, ...]) -> str:
@@ -128,7 +129,7 @@ class Solves:
         f.set("i32", self.status, f.let(f"or i32 {f.get('i32', self.status)}, {bad}"))
 
     def _lu(self, a: str, n: int, lanes: str) -> tuple[str, str, str]:
-        """Factorise the lanes named by the mask in place; gives buffers and who is singular."""
+        """Factorise the masked lanes in place; return pivots, scales and the singular lanes."""
         f = self.f
         pivots = f.slot(vector_type("i64", self.lanes), n)
         scales = f.slot("double", 2 * n)
@@ -143,9 +144,9 @@ class Solves:
         lanes, fast = str((1 << self.lanes) - 1), dict[str, str]()
         if kind == "ldl":
             fast = {"spd": self._buffer(entries), "inverse": f.slot(self.v, n)}
-            where = f"ptr {fast['spd']}, ptr {fast['inverse']}, i64 {n}"
+            arguments = f"ptr {fast['spd']}, ptr {fast['inverse']}, i64 {n}"
             lanes = f.let(
-                f"call i32 @{self._routines[1]}({where})"
+                f"call i32 @{self._routines[1]}({arguments})"
             )  # with none, LU returns at once
         pivots, scales, bad = self._lu(a, n, lanes)
         self._report(bad)
@@ -178,18 +179,18 @@ class Solves:
 
     @contextmanager
     def _fallback(self, weak: str) -> Iterator[None]:
-        """Write ``if weak:`` around the body, which is hardly ever executed."""
+        """Write ``if weak:`` around the body, which is rarely executed."""
         f = self.f
         slow, join = f.name("weak"), f.name("solved")
         f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
         f.label(slow)
-        with self.names.aside():
+        with self.names.restored_after():
             yield
         f.do(f"br label {join}")
         f.label(join)
 
     def _choose(self, lanes: str, slow: str, fast: list[str]) -> list[str]:
-        """Take the lanes named by the mask from memory, the others as they are."""
+        """Select the masked lanes from memory and the others from `fast`."""
         f = self.f
         if self.lanes == 1:
             return [f.load(self.v, slow, str(k)) for k in range(len(fast))]
@@ -210,21 +211,21 @@ class Solves:
         fast: tuple[int, ...],
     ) -> None:
         f, v, names = self.f, self.v, self.names
-        places = self.vectors[node]
-        for value, (pointer, index) in zip(fast, places, strict=bool(fast)):
+        locations = self.vectors[node]
+        for value, (pointer, index) in zip(fast, locations, strict=bool(fast)):
             if not self.e.computed(value):
-                f.store(v, names[value], names.place(pointer, index))
+                f.store(v, names[value], names.address(pointer, index))
         need = f.let(f"xor i32 {mask(f, names[sound], self.lanes)}, {(1 << self.lanes) - 1}")
-        around = self._weak
-        if around:
-            need = f.let(f"and i32 {need}, {around}")
+        outer_mask = self._weak
+        if outer_mask:
+            need = f.let(f"and i32 {need}, {outer_mask}")
         with self._fallback(f.let(f"icmp ne i32 {need}, 0")):
             if not self.e.fallbacks:
                 self._report("-1")
                 return
             self._weak = need
             self.e.write_fallback(node)
-            self._weak = around
+            self._weak = outer_mask
             stored = _stored(n, entries)
             symmetric = len(stored) < n * n
             matrix, scratch, room = self._filled(node, n, stored, symmetric)
@@ -256,19 +257,19 @@ class Solves:
                 chosen = self._choose(need, b, [names[k] for k in fast])
             else:
                 chosen = [f.load(v, b, str(k)) for k in range(len(column))]
-            for solved, (pointer, index) in zip(chosen, places, strict=True):
-                f.store(v, solved, names.place(pointer, index))
+            for solved, (pointer, index) in zip(chosen, locations, strict=True):
+                f.store(v, solved, names.address(pointer, index))
 
     def _filled(
         self, guard: int, n: int, stored: list[int], symmetric: bool
     ) -> tuple[str, str, str]:
         """Complete a matrix; return it, scratch memory, and memory to be freed.
 
-        A sparse one is written out only here. More than a little memory is taken from the heap.
+        A sparse matrix is expanded only here. Large matrices are allocated on the heap.
         """
         f, v = self.f, self.v
         moving = {node: k for k, node in enumerate(self._moving(stored))}
-        matrix, room = self._kept[guard], ""
+        matrix, heap_memory = self._matrices[guard], ""
         work = n * n + 3 * n
         sparse = len(stored) > SPARSE * len(moving)
         if not sparse:
@@ -278,22 +279,22 @@ class Solves:
             size = 8 * self.lanes * count
             heap = size > 2**16  # threads have small stacks
             matrix = f.let(f"call ptr @malloc(i64 {size})") if heap else f.slot(v, count)
-            room = matrix if heap else ""
+            heap_memory = matrix if heap else ""
             scratch = f.at(matrix, str(len(stored)), v)
             with f.loop("0", str(len(stored))) as item:
                 f.store(v, literal(0.0, self.lanes), matrix, item)
-            for place, node in enumerate(stored):
+            for index, node in enumerate(stored):
                 if node in moving:
                     self.e.divide()
-                    value = f.load(v, self._kept[guard], str(moving[node]))
-                    f.store(v, value, matrix, str(place))
+                    value = f.load(v, self._matrices[guard], str(moving[node]))
+                    f.store(v, value, matrix, str(index))
         done = {*moving, *(k for k in {*stored} if self._is_zero(k))} if sparse else moving
-        for place, node in enumerate(stored):
+        for index, node in enumerate(stored):
             if node not in done:
                 self.e.divide()
                 self.e.load_carried(node)
-                f.store(v, self.names[node], matrix, str(place))
-        return matrix, scratch, room
+                f.store(v, self.names[node], matrix, str(index))
+        return matrix, scratch, heap_memory
 
     def _is_zero(self, node: int) -> bool:
         return self.program.ops[node] == "const" and self.program.args[node][0] == 0.0
@@ -312,17 +313,17 @@ BRANCH_WEIGHTS = (
 class Emitter:
     """Writes the operations of one stage.
 
-    As a `whole` they are one basic block, whose values LLVM moves to memory as it likes. Without
-    `fallbacks` a guard that is not sound reports status -1 in place of solving its system.
+    With `one_block` they are one basic block, in which LLVM allocates the registers. Without
+    `fallbacks` a guard that is not sound reports status -1 instead of solving its system.
     """
 
     def __init__(
         self,
-        f: Function,
+        f: IrFunction,
         program: Program,
         lanes: int,
         setup: bool,
-        whole: bool = False,
+        one_block: bool = False,
         fallbacks: bool = True,
     ) -> None:
         self.f = f
@@ -332,29 +333,31 @@ class Emitter:
         self.v = vector_type("double", lanes)
         self.b = vector_type("i1", lanes)
         self.suffix = suffix(lanes)
-        self.fused, self.swallowed = fusion(program)
+        self.fused, self.absorbed = fusion(program)
         self.fallbacks = fallbacks
-        wanted = None if fallbacks else program.without_fallbacks
-        uses = readers(program, self.swallowed, setup, wanted)
-        self.whole = whole
-        self.capacity = len(program.ops) if whole else max(target().vectors(lanes) - TEMPORARY, 4)
-        self.names = Registers(f, self.v, self.capacity, uses)
+        selected = None if fallbacks else program.without_fallbacks
+        uses = readers(program, self.absorbed, setup, selected)
+        self.one_block = one_block
+        self.capacity = (
+            len(program.ops) if one_block else max(target().vectors(lanes) - TEMPORARY, 4)
+        )
+        self.names = RegisterAllocator(f, self.v, self.capacity, uses)
         self.written = 0  # operations of this block
-        self.began = len(f.lines)
+        self.block_start = len(f.lines)
         # A parameter that is never null.
         self.pointer = "%p" if setup else "%t"
-        self.places: dict[int, list[tuple[str, int, int]]] = {}
+        self.destinations: dict[int, list[tuple[str, int, int]]] = {}
         self.solves = Solves(self)
-        self.angles: dict[int, tuple[Place, Place]] = {}
-        # What is not written as it comes.
-        self.put_off = (
+        self.angles: dict[int, tuple[ValueLocation, ValueLocation]] = {}
+        # Operations that are not written in the order of the Program.
+        self.deferred = (
             {k for nodes in program.fallback.values() for k in nodes}
-            if wanted is None
-            else set(range(len(program.ops))) - wanted
+            if selected is None
+            else set(range(len(program.ops))) - selected
         )
-        self.carried: dict[int, int] = {}
+        self.carried_index: dict[int, int] = {}
         if not setup:
-            self.carried = {node: index for index, node in enumerate(program.carried)}
+            self.carried_index = {node: index for index, node in enumerate(program.carried)}
         self._constants()
 
     def _constants(self) -> None:
@@ -367,15 +370,15 @@ class Emitter:
                 self.names.fix(k, text if self.lanes == 1 else f"splat (i1 {text})")
 
     def stage(self) -> None:
-        """Write all operations, and the results of each as soon as it is known."""
+        """Write all operations, and store each result as soon as it is computed."""
         program = self.program
         self.solves.reserve()
         if self.setup:
             for index, k in enumerate(program.carried):
-                self.place(k, "%c", index)
+                self.store_when_computed(k, "%c", index)
         else:
             for index, k in enumerate(program.outputs):
-                self.place(k, "%out", index)
+                self.store_when_computed(k, "%out", index)
         for k, op in enumerate(program.ops):
             if program.setup[k] != self.setup or op in ("const", "bool"):
                 continue
@@ -383,7 +386,7 @@ class Emitter:
             if op == "input":
                 group, index = program.args[k]
                 self.names.home(k, f"%{group}", index)
-                self._keep(k)
+                self._store(k)
             else:
                 self.node(k)
         if not self.setup:
@@ -392,96 +395,97 @@ class Emitter:
                     self.divide()
                     self.load_carried(k)
                     value = self._as_number(k, self.names[k])
-                    self.f.store(self.v, value, self.names.place("%out", index))
+                    self.f.store(self.v, value, self.names.address("%out", index))
 
     def computed(self, node: int) -> bool:
-        """Tell whether an operation of this stage gives the value."""
+        """Return whether an operation of this stage computes the value."""
         op = self.program.ops[node]
         return self.program.setup[node] == self.setup and op not in ("const", "bool", "input")
 
-    def place(self, node: int, pointer: str, index: int, until: int = -1) -> None:
-        """Have a value written to memory as soon as it is computed.
+    def store_when_computed(self, node: int, pointer: str, index: int, until: int = -1) -> None:
+        """Register an address where a value is stored as soon as it is computed.
 
-        Up to the operation `until` it can be read there; always, unless one is given.
+        It can be read there up to the operation `until`, or always if this is -1.
         """
-        self.places.setdefault(node, []).append((pointer, index, until))
+        self.destinations.setdefault(node, []).append((pointer, index, until))
 
     def load_carried(self, node: int) -> None:
-        """Read a value of the setup stage, unless it is known or none."""
-        if node not in self.carried or node in self.names:
+        """Load a node if it is a value of the setup stage that has no name yet."""
+        if node not in self.carried_index or node in self.names:
             return
         if self.program.ops[node] in OPERATIONS.truths:
-            number = self.f.load(self.v, "%c", str(self.carried[node]))
+            number = self.f.load(self.v, "%c", str(self.carried_index[node]))
             zero = literal(0.0, self.lanes)
             self.names.fix(node, self.f.let(f"fcmp une {self.v} {number}, {zero}"))
         else:
-            self.names.home(node, "%c", self.carried[node])
+            self.names.home(node, "%c", self.carried_index[node])
 
-    def _keep(self, node: int) -> None:
-        """Write a value to where it is wanted; there it can be read again."""
-        for pointer, index, until in self.places.get(node, ()):
-            if self.names.lies_at(node, pointer, index):
+    def _store(self, node: int) -> None:
+        """Store a value at its registered addresses, from which it can be reloaded."""
+        for pointer, index, until in self.destinations.get(node, ()):
+            if self.names.is_stored_at(node, pointer, index):
                 continue
             value = self.names[node]
             if self.program.ops[node] in OPERATIONS.truths:
                 value = self._as_number(node, value)
             elif until == -1 or until >= self.names.last_use(node):
                 self.names.home(node, pointer, index)
-            self.f.store(self.v, value, self.names.place(pointer, index))
+            self.f.store(self.v, value, self.names.address(pointer, index))
 
     def _as_number(self, node: int, value: str) -> str:
-        """Return a value as it is written to memory, a truth as 0 or 1."""
+        """Return a value as a double; a truth value becomes 0 or 1."""
         if self.program.ops[node] not in OPERATIONS.truths:
             return value
         return self.f.let(f"uitofp {self.b} {value} to {self.v}")
 
     def node(self, node: int) -> None:
-        """Write one operation; operations for a fallback alone are written in it."""
-        if node in self.put_off or node in self.swallowed:
+        """Write one operation, unless it belongs to a fallback or a fused sum."""
+        if node in self.deferred or node in self.absorbed:
             return
         self._count()
-        self._write_and_keep(node)
+        self._write_and_store(node)
 
     def _count(self) -> None:
-        # LLVM's time grows faster than a block's length; 30 and 120 operations are no gain.
-        if self.written and self.written % 60 == 0 and not self.whole:
+        # LLVM's time grows faster than linearly with a block's length. Blocks of 30 or 120
+        # operations are no faster.
+        if self.written and self.written % 60 == 0 and not self.one_block:
             self._next_block()
         self.written += 1
 
     def divide(self) -> None:
-        """Begin another basic block if this one has become long with loads and stores."""
-        # A block may mostly read and write, such as a matrix for a fallback.
-        if len(self.f.lines) - self.began > 240 and not self.whole:
+        """Begin another basic block if loads and stores have made this one long."""
+        # A block may consist mostly of loads and stores, such as a matrix for a fallback.
+        if len(self.f.lines) - self.block_start > 240 and not self.one_block:
             self._next_block()
 
-    def _write_and_keep(self, node: int) -> None:
-        self._carried_by(node)
+    def _write_and_store(self, node: int) -> None:
+        self._load_operands_carried(node)
         self._write(node)
-        self._keep(node)
-        self.names.leave(node)
+        self._store(node)
+        self.names.release(node)
 
-    def _carried_by(self, node: int) -> None:
-        for other in OPERATIONS.operands(self.program.ops[node], self.program.args[node]):
-            if other in self.swallowed:
-                self._carried_by(other)
-            elif other not in self.put_off:
-                self.load_carried(other)
+    def _load_operands_carried(self, node: int) -> None:
+        for operand in OPERATIONS.operands(self.program.ops[node], self.program.args[node]):
+            if operand in self.absorbed:
+                self._load_operands_carried(operand)
+            elif operand not in self.deferred:
+                self.load_carried(operand)
 
     def write_fallback(self, guard: int) -> None:
         """Write the operations that only a guard's fallback needs."""
         for node in self.program.fallback[guard]:
-            if node not in self.swallowed:
+            if node not in self.absorbed:
                 self._count()
-                self._write_and_keep(node)
+                self._write_and_store(node)
 
     def _next_block(self) -> None:
-        """Begin another basic block, in a way that LLVM does not see through."""
+        """Begin another basic block behind a branch that LLVM cannot fold."""
         self.written = 0
         f = self.f
         block = f.name("block")
         f.do(f"br i1 {f.let(f'icmp ne ptr {self.pointer}, null')}, label {block}, label %bail")
         f.label(block)
-        self.began = len(f.lines)
+        self.block_start = len(f.lines)
 
     def _write(self, node: int) -> None:
         op, args = self.program.ops[node], self.program.args[node]
@@ -495,8 +499,8 @@ class Emitter:
         else:
             getattr(self.solves, op)(node, *args)
 
-    # The kinds that the table of operations names: each writes an operation, given the word beside
-    # its kind and its operands.
+    # One method for each kind in the table of operations. It writes an operation, given the word
+    # that follows the kind in the table, and the operands.
 
     def _arithmetic(self, node: int, word: str, a: int, b: int) -> None:
         names = self.names
@@ -543,19 +547,19 @@ class Emitter:
         inner = f.let(f"select {self.b} {below}, {v} {literal(-1.0, n)}, {v} {x}")
         self.names[node] = f.let(f"select {self.b} {above}, {v} {literal(1.0, n)}, {v} {inner}")
 
-    def _name(self, node: int, place: Place) -> None:
-        """Name a value, or say where in memory it lies."""
-        if isinstance(place, tuple):
-            self.names.home(node, *place)
+    def _name(self, node: int, location: ValueLocation) -> None:
+        """Set the name of a value, or its address in memory."""
+        if isinstance(location, tuple):
+            self.names.home(node, *location)
         else:
-            self.names[node] = place
+            self.names[node] = location
 
     def _fused(self, op: str, a: int, b: int) -> str:
         """Write a sum with a product as one fused multiply-add."""
         f, v, names = self.f, self.v, self.names
-        product, other = (b, a) if b in self.swallowed else (a, b)
+        product, addend = (b, a) if b in self.absorbed else (a, b)
         x, y = (names[k] for k in self.program.args[product])
-        z = names[other]
+        z = names[addend]
         if op == "sub":
             if product == b:
                 x = f.let(f"fneg {v} {x}")
@@ -564,7 +568,7 @@ class Emitter:
         return f.let(f"call {v} @llvm.fma.{self.suffix}({v} {x}, {v} {y}, {v} {z})")
 
     def _take_angles(self, node: int) -> None:
-        """Write sine and cosine of an angle and of all others known by now, side by side."""
+        """Write sine and cosine of an angle together with all other angles computed so far."""
         f, program = self.f, self.program
         waiting = dict.fromkeys(
             program.args[k][0]
@@ -575,7 +579,7 @@ class Emitter:
         if self.lanes > 1:
             for start in range(0, len(ready), 8):  # 84 stores instead of 140 for five links
                 group = ready[start : start + 8]
-                self.names.leave(node - 1, min(12, self.capacity - 1))  # they work in 12 registers
+                self.names.release(node - 1, min(12, self.capacity - 1))  # they use 12 registers
                 pairs = sincos_together(f, [self.names[k] for k in group], self.lanes)
                 self.angles.update(zip(group, pairs, strict=True))
             return
@@ -597,15 +601,15 @@ class Emitter:
             value = self.names[group[min(lane, len(group) - 1)]]
             packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
         sine, cosine = sincos(f, packed, width)
-        room = f.slot(v, 2)
-        f.store(v, sine, room)
-        f.store(v, cosine, room, "1")
+        slot = f.slot(v, 2)
+        f.store(v, sine, slot)
+        f.store(v, cosine, slot, "1")
         for lane, angle in enumerate(group):
-            self.angles[angle] = ((room, lane), (room, width + lane))
+            self.angles[angle] = ((slot, lane), (slot, width + lane))
 
 
-def called(program: Program, kind: str) -> dict[str, int]:
-    """Return the functions that a Program's operations call: names and numbers of arguments."""
+def called_functions(program: Program, kind: str) -> dict[str, int]:
+    """Return the functions that a Program's operations call, with their numbers of arguments."""
     rows = [OPERATIONS[op] for op in sorted(set(program.ops)) if op in OPERATIONS]
     words = [(row.llvm.partition(" "), row.arity) for row in rows]
     return {word: arity for (name, _, word), arity in words if name == kind}

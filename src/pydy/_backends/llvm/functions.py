@@ -1,7 +1,7 @@
 """The native functions of a Program or Tangent, compiled when they are first called.
 
-Compiled loops and gates read the addresses each time they call, so that other code can take the
-place of the first in the middle of a run.
+Compiled loops and gates read the addresses at each call, so that the code can be replaced during a
+run.
 """
 
 from __future__ import annotations
@@ -30,22 +30,22 @@ from pydy._backends.llvm.text import COMPLETE
 from pydy._program import Program, Tangent
 
 
-class NativeFunctions:
+class LinkedFunctions:
     """The addresses of the functions `kernel` and `prepare` of a Program.
 
-    The code is compiled by `link`, unless `replace` brings functions from elsewhere. `addresses`
-    is a (2,) array of them, zero before that: who calls them reads them there, each time.
+    `link` compiles the code, unless `replace` sets other functions. `addresses` is a (2,) array,
+    zero before that. Callers read it at each call.
     """
 
     def __init__(self, program: Program | Tangent | None = None) -> None:
         self._program = program
         self._lock = _forks.Lock()
         self.addresses = np.zeros(2, dtype=np.int64)
-        self._owners: list[Any] = []  # a call may be under way in the code before: it stays
+        self._owners: list[Any] = []  # replaced code stays in memory: a call of it may be running
         self._copies: list[np.ndarray] = []
 
     def link(self) -> None:
-        """Compile the code, or take it from a cache, unless it is there."""
+        """Compile the code or load it from a cache, unless this has been done."""
         if self.addresses[0]:
             return
         with self._lock:
@@ -74,10 +74,10 @@ class NativeFunctions:
 
 
 def _code(program: Program | Tangent) -> tuple[jit.Code, CompleteCode | None]:
-    """Return the code for one state, and where it has no fallbacks, what stands in for them."""
+    """Return the code for one state, and the complete code if the first has no fallbacks."""
     if not leaves_out_fallbacks(program):
         return jit.load(source_for_one_state(program), routines_of(program, 1)), None
-    complete = CompleteCode.of(program)
+    complete = CompleteCode.shared(program)
     routines = routines_of(program, 1, fallbacks=False)
     return jit.load(source_without_fallbacks(program), [*routines, complete]), complete
 
@@ -88,8 +88,8 @@ _KERNEL = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 5)
 class CompleteCode:
     """The code of a Program or Tangent with all fallbacks, compiled when a guard is not sound.
 
-    Code without fallbacks calls it by the address of a Python function, once: then the complete
-    code takes its place.
+    Code without fallbacks calls it once, by the address of a Python function. Then it is replaced
+    by the complete code.
     """
 
     addresses: dict[str, int]
@@ -98,22 +98,22 @@ class CompleteCode:
         self._program = program
         self._lock = _forks.Lock()
         self._code: jit.Code | None = None
-        self._waiting: WeakSet[NativeFunctions] = WeakSet()
-        known = ref(self)  # the code that calls it keeps this object
-        self._callback = _KERNEL(lambda *arrays: cast("CompleteCode", known())._call(*arrays))
+        self._waiting: WeakSet[LinkedFunctions] = WeakSet()
+        weak_self = ref(self)  # the code that calls it keeps this object
+        self._callback = _KERNEL(lambda *arrays: cast("CompleteCode", weak_self())._call(*arrays))
         self.addresses = {COMPLETE: ctypes.cast(self._callback, ctypes.c_void_p).value or 0}
 
     @staticmethod
-    def of(program: Program | Tangent) -> CompleteCode:
-        """Return the one of a Program or Tangent: its code is shared, too."""
+    def shared(program: Program | Tangent) -> CompleteCode:
+        """Return the object that all users of a Program or Tangent share."""
         with _COMPLETE_LOCK:
-            known = _COMPLETE.get(program.digest)
-            if known is None:
-                known = _COMPLETE[program.digest] = CompleteCode(program)
-        return known
+            code = _COMPLETE.get(program.digest)
+            if code is None:
+                code = _COMPLETE[program.digest] = CompleteCode(program)
+        return code
 
-    def link_in_place(self, functions: NativeFunctions) -> None:
-        """Have the complete code take the place of these functions' code once it is compiled."""
+    def link_in_place(self, functions: LinkedFunctions) -> None:
+        """Replace the code of these functions by the complete code once it is compiled."""
         with self._lock:
             if self._code is None:
                 self._waiting.add(functions)
@@ -137,7 +137,7 @@ class CompleteCode:
         return kernel(*arrays)
 
     def link(self) -> jit.Code:
-        """Compile the code, or take it from a cache, and have it called from now on."""
+        """Compile the code or load it from a cache, and switch all callers to it."""
         with self._lock:
             if self._code is None:
                 source = source_for_one_state(self._program)
@@ -149,15 +149,15 @@ class CompleteCode:
 
 
 def _interrupt_after() -> None:
-    """Interrupt the main thread once it runs nothing of this module, however long that takes.
+    """Interrupt the main thread as soon as it runs no code of this module.
 
-    `CompleteCode._call` is not all that ctypes calls: the function around it is left after it.
+    This includes the function around `CompleteCode._call`, which ctypes calls.
     """
     main = threading.main_thread().ident
-    here = _interrupt_after.__code__.co_filename
+    this_file = _interrupt_after.__code__.co_filename
     while True:
         frame = sys._current_frames().get(main or 0)
-        while frame is not None and frame.f_code.co_filename != here:
+        while frame is not None and frame.f_code.co_filename != this_file:
             frame = frame.f_back
         if frame is None:
             break

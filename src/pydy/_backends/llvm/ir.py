@@ -1,4 +1,4 @@
-"""Write LLVM IR as text, with loops and branches that read like loops and branches.
+"""Write LLVM IR as text, with loops as context managers.
 
 Text, because parsing it in LLVM takes a tenth of the time that building the same instructions from
 Python objects takes. Local variables live in ``alloca`` slots; LLVM's first pass turns them into
@@ -14,7 +14,7 @@ from contextlib import contextmanager
 WIDTHS = (1, 2, 4, 8)
 """How many lanes code may have."""
 
-# Beyond this a function's slots come from the heap: threads have small stacks.
+# Larger frames are allocated on the heap: threads have small stacks.
 STACK_BYTES = 256 * 2**10
 MALLOC = "@malloc"
 _FRAME = "%frame"
@@ -53,10 +53,10 @@ def literal(value: float, lanes: int) -> str:
     return text if lanes == 1 else f"splat (double {text})"
 
 
-class Function:
-    """One IR function in the making.
+class IrFunction:
+    """Builder of one IR function.
 
-    Types and `parameters` are written as in IR: ``"ptr %a, i64 %n"``; `attributes` are what stands
+    Types and `parameters` are written as in IR: ``"ptr %a, i64 %n"``. `attributes` are the text
     before the type (linkage) and after the parameter list, separated by ``|``.
     """
 
@@ -70,7 +70,7 @@ class Function:
         self.current = "entry"  # label of the block being written, for phi nodes
 
     def text(self) -> str:
-        """Return the whole function."""
+        """Return the text of the function."""
         frame, lines = self._frame(), self.lines
         if frame and MALLOC in frame[0]:
             lines = []
@@ -133,13 +133,13 @@ class Function:
 
     def load(self, kind: str, pointer: str, index: str = "0") -> str:
         """Load value number `index` of type `kind`."""
-        place = pointer if index == "0" else self.at(pointer, index, kind)
-        return self.let(f"load {kind}, ptr {place}, align {1 if kind == 'i8' else 8}")
+        address = pointer if index == "0" else self.at(pointer, index, kind)
+        return self.let(f"load {kind}, ptr {address}, align {1 if kind == 'i8' else 8}")
 
     def store(self, kind: str, value: str, pointer: str, index: str = "0") -> None:
         """Store a value; the counterpart of `load`."""
-        place = pointer if index == "0" else self.at(pointer, index, kind)
-        self.do(f"store {kind} {value}, ptr {place}, align {1 if kind == 'i8' else 8}")
+        address = pointer if index == "0" else self.at(pointer, index, kind)
+        self.do(f"store {kind} {value}, ptr {address}, align {1 if kind == 'i8' else 8}")
 
     def lane_by_lane(self, name: str, vectors: Sequence[str], lanes: int) -> str:
         """Call a function of doubles for each lane of some vectors, each with its type."""
@@ -149,8 +149,8 @@ class Function:
         for lane in range(lanes):
             args = [self.let(f"extractelement {vector}, i32 {lane}") for vector in vectors]
             value = self.let(f"call double @{name}({', '.join('double ' + a for a in args)})")
-            whole = f"{vector_type('double', lanes)} {result}"
-            result = self.let(f"insertelement {whole}, double {value}, i32 {lane}")
+            typed_vector = f"{vector_type('double', lanes)} {result}"
+            result = self.let(f"insertelement {typed_vector}, double {value}, i32 {lane}")
         return result
 
     def variable(self, kind: str, value: str) -> str:
@@ -175,8 +175,8 @@ class Function:
         head, body, end = self.name("head"), self.name("body"), self.name("end")
         self.do(f"br label {head}")
         self.label(head)
-        more = self.let(f"icmp slt i64 {self.get('i64', counter)}, {stop}")
-        self.do(f"br i1 {more}, label {body}, label {end}")
+        continues = self.let(f"icmp slt i64 {self.get('i64', counter)}, {stop}")
+        self.do(f"br i1 {continues}, label {body}, label {end}")
         self.label(body)
         i = self.get("i64", counter)
         yield i

@@ -1,4 +1,4 @@
-"""LLVM, once per process: sources in, addresses out, by way of the caches."""
+"""Compile and link sources once per process, using the caches in memory and on disk."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ _LOCK = _forks.Lock()
 
 
 class Addresses(Protocol):
-    """Functions that code calls; it keeps this object."""
+    """Functions that code calls; the code holds a reference to this object."""
 
     addresses: dict[str, int]
 
 
 class Code:
-    """Machine code in memory, by `addresses`: this object keeps it and the code it calls."""
+    """Machine code in memory and its `addresses`. It keeps itself and the code it calls alive."""
 
     def __init__(self, engine: Any, names: Sequence[str], calls: Sequence[Addresses]) -> None:
         self._engine = engine
@@ -31,7 +31,7 @@ class Code:
 
 
 memory: WeakValueDictionary[str, Code] = WeakValueDictionary()
-"""The code of this process that is in use, by the keys of its sources."""
+"""The code that this process uses, by the keys of its sources."""
 
 
 def _linked(code: bytes, names: Sequence[str], calls: Sequence[Addresses]) -> Code:
@@ -46,36 +46,36 @@ def _linked(code: bytes, names: Sequence[str], calls: Sequence[Addresses]) -> Co
 
 
 def _shared(source: Source, code: bytes, calls: Sequence[Addresses]) -> Code:
-    """Return the one code of a source, which may have come into use meanwhile.
+    """Return the unique code of a source; another thread may have linked it meanwhile.
 
-    Addresses are handed on without their code, which then has to be the one that is kept.
+    Addresses are passed on without their code, so that there must be only one.
     """
     with _LOCK:
-        known = memory.get(source.key)
-        if known is None:
-            known = memory[source.key] = _linked(code, source.names, calls)
-    return known
+        code_in_use = memory.get(source.key)
+        if code_in_use is None:
+            code_in_use = memory[source.key] = _linked(code, source.names, calls)
+    return code_in_use
 
 
 def find(source: Source, calls: Sequence[Addresses] = ()) -> Code | None:
     """Return compiled code from memory or disk, or None."""
     key = source.key
-    known = memory.get(key)
-    if known is None:
+    compiled = memory.get(key)
+    if compiled is None:
         stored = _cache_folder.read(key)
         if stored is not None:
             try:
-                known = _shared(source, stored, calls)
-            except RuntimeError:  # a sound file that is no object code for this machine
+                compiled = _shared(source, stored, calls)
+            except RuntimeError:  # an intact file, but no object code for this machine
                 return None
-    return known
+    return compiled
 
 
 def load(source: Source, calls: Sequence[Addresses] = ()) -> Code:
     """Return compiled code from memory, from disk, or from LLVM."""
-    known = find(source, calls)
-    if known is None:
+    compiled = find(source, calls)
+    if compiled is None:
         stored = object_code(source)
         _cache_folder.write(source.key, stored)
-        known = _shared(source, stored, calls)
-    return known
+        compiled = _shared(source, stored, calls)
+    return compiled

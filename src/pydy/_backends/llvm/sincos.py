@@ -10,7 +10,7 @@ those of fdlibm (k_sin.c and k_cos.c, Sun Microsystems 1993), of degree 13 and 1
 
 from __future__ import annotations
 
-from pydy._backends.llvm.ir import WIDTHS, Function, literal, suffix, vector_type
+from pydy._backends.llvm.ir import WIDTHS, IrFunction, literal, suffix, vector_type
 
 LIMIT = 1e5
 
@@ -44,7 +44,7 @@ COS = (
 class _Arithmetic:
     """Double arithmetic without any fast-math flag."""
 
-    def __init__(self, f: Function, lanes: int) -> None:
+    def __init__(self, f: IrFunction, lanes: int) -> None:
         self.f = f
         self.lanes = lanes
         self.v = vector_type("double", lanes)
@@ -68,8 +68,8 @@ class _Arithmetic:
         return self.fma(self.fma(high, z2, middle), z2, low)
 
 
-def _near(f: Function, x: str, lanes: int) -> tuple[str, str, str]:
-    """Write sin(x) and cos(x) up to the limit, and which lanes are within it."""
+def _near(f: IrFunction, x: str, lanes: int) -> tuple[str, str, str]:
+    """Write sin(x) and cos(x) for |x| up to the limit; return them and the mask of these lanes."""
     m = _Arithmetic(f, lanes)
     v, bits, flag = m.v, vector_type("i64", lanes), vector_type("i1", lanes)
     # The quadrant, as a number and as an integer.
@@ -93,9 +93,9 @@ def _near(f: Function, x: str, lanes: int) -> tuple[str, str, str]:
     lead = m.fma(m.number(-0.5), z, m.number(1.0))
     s = m.polynomial(z, z2, tuple(-c for c in SIN))
     sine = m("fsub", head, m.fma(cube, s, m("fmul", minus_tail, lead)))
-    rest = m.fma(m.number(-0.5), z, m("fsub", m.number(1.0), lead))
-    rest = m.fma(head, minus_tail, rest)
-    cosine = m("fadd", lead, m.fma(z2, m.polynomial(z, z2, COS), rest))
+    correction = m.fma(m.number(-0.5), z, m("fsub", m.number(1.0), lead))
+    correction = m.fma(head, minus_tail, correction)
+    cosine = m("fadd", lead, m.fma(z2, m.polynomial(z, z2, COS), correction))
     # Quadrants 1 and 3 swap them; signs follow from the quadrant's bits.
 
     def splat(n: int) -> str:
@@ -119,27 +119,26 @@ def _near(f: Function, x: str, lanes: int) -> tuple[str, str, str]:
     return signed(sin_core, sin_sign), signed(cos_core, cos_sign), near
 
 
-def _every(f: Function, near: str, lanes: int) -> str:
-    """Write whether all lanes are."""
+def _every(f: IrFunction, near: str, lanes: int) -> str:
+    """Write whether the mask is true in all lanes."""
     if lanes == 1:
         return near
     word = f.let(f"bitcast {vector_type('i1', lanes)} {near} to i{lanes}")
     return f.let(f"icmp eq i{lanes} {word}, -1")
 
 
-def sincos_together(f: Function, angles: list[str], lanes: int) -> list[tuple[str, str]]:
+def sincos_together(f: IrFunction, angles: list[str], lanes: int) -> list[tuple[str, str]]:
     """Write sines and cosines of several angles with one branch to libm for all of them.
 
-    Nothing but these results is kept in registers across that branch, whose calls would clobber
-    what is.
+    Only these results are live across that branch, whose calls clobber the vector registers.
     """
     v, flag = vector_type("double", lanes), vector_type("i1", lanes)
     quick = []
     near = ""
     for x in angles:
-        sine, cosine, here = _near(f, x, lanes)
+        sine, cosine, lane_near = _near(f, x, lanes)
         quick += [sine, cosine]
-        near = f.let(f"and {flag} {near}, {here}") if near else here
+        near = f.let(f"and {flag} {near}, {lane_near}") if near else lane_near
     slow, join = f.name("far"), f.name("angles")
     room = f.slot(v, len(quick))
     before = f.current
@@ -150,14 +149,14 @@ def sincos_together(f: Function, angles: list[str], lanes: int) -> list[tuple[st
     slower = [f.load(v, room, str(k)) for k in range(len(quick))]
     f.do(f"br label {join}")
     f.label(join)
-    both = [
+    results = [
         f.let(f"phi {v} [ {a}, %{before} ], [ {b}, {slow} ]")
         for a, b in zip(quick, slower, strict=True)
     ]
-    return list(zip(both[::2], both[1::2], strict=True))
+    return list(zip(results[::2], results[1::2], strict=True))
 
 
-def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
+def sincos(f: IrFunction, x: str, lanes: int) -> tuple[str, str]:
     """Write sin(x) and cos(x) and return their names."""
     v, flag = vector_type("double", lanes), vector_type("i1", lanes)
     sine, cosine, near = _near(f, x, lanes)
@@ -199,14 +198,14 @@ def sincos_declarations(lanes: int, kind: str = "") -> str:
 
 
 def sincos_functions(lanes: int) -> str:
-    """Return the routines for one width: the whole, and libm's part lane by lane."""
+    """Return the routines for one width: the complete one, and the calls of libm for each lane."""
     v = vector_type("double", lanes)
-    whole = Function(f"pydy_sincos_{lanes}", "void", f"{v} %x, ptr %out", "|nounwind")
-    for index, value in enumerate(sincos(whole, "%x", lanes)):
-        whole.store(v, value, "%out", str(index))
-    whole.do("ret void")
-    f = Function(f"pydy_sincos_far_{lanes}", "void", f"{v} %x, ptr %out", "|noinline nounwind")
+    complete = IrFunction(f"pydy_sincos_{lanes}", "void", f"{v} %x, ptr %out", "|nounwind")
+    for index, value in enumerate(sincos(complete, "%x", lanes)):
+        complete.store(v, value, "%out", str(index))
+    complete.do("ret void")
+    f = IrFunction(f"pydy_sincos_far_{lanes}", "void", f"{v} %x, ptr %out", "|noinline nounwind")
     for index, name in enumerate(("sin", "cos")):
         f.store(v, f.lane_by_lane(name, [f"{v} %x"], lanes), "%out", str(index))
     f.do("ret void")
-    return whole.text() + f.text()
+    return complete.text() + f.text()

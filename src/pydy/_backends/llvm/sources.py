@@ -1,7 +1,7 @@
 """The code of a Program or Tangent, and the routines that it calls, as modules to compile.
 
-Code for one state has no fallbacks where those are most of the code, as in a long chain: where a
-guard is not sound, it calls the complete code, which is compiled then (`functions`).
+If fallbacks are most of the code, as in a long chain, code for one state is compiled without them.
+If a guard is not sound, it calls the complete code, which is compiled at that moment (`functions`).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pydy._backends.llvm.text import (
     angles_text,
     is_small,
     kernel_text,
-    pieces,
+    program_parts,
     tangent_text,
 )
 from pydy._backends.tuning import LARGE, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
@@ -29,7 +29,7 @@ from pydy._program import OPERATIONS, Program, Tangent
 
 
 @dataclass(frozen=True)
-class _Text:
+class _KernelIr:
     """The IR of a Program or Tangent."""
 
     program: Program | Tangent
@@ -54,12 +54,12 @@ def source_for_one_state(program: Program | Tangent) -> Source:
 def source_without_fallbacks(program: Program | Tangent) -> Source:
     """Return the code for one state that leaves its fallbacks out."""
     name = f"kernel {program.digest} without fallbacks"
-    return Source(name, _Text(program, 1, 1, Fallbacks.LEFT_OUT), ("kernel", "prepare"))
+    return Source(name, _KernelIr(program, 1, 1, Fallbacks.LEFT_OUT), ("kernel", "prepare"))
 
 
 def leaves_out_fallbacks(program: Program | Tangent) -> bool:
-    """Whether code for one state is compiled without fallbacks at first: they are much of it."""
-    programs = [part for part, _ in pieces(program, 1)]
+    """Return whether code for one state is compiled without its fallbacks at first."""
+    programs = [part for part, _ in program_parts(program, 1)]
     needed = sum(len(part.without_fallbacks) for part in programs)
     return needed < MOST_WITHOUT_FALLBACKS * sum(len(part.ops) for part in programs)
 
@@ -80,7 +80,7 @@ def _source(
     loops: bool = False,
 ) -> Source:
     name = f"kernel {program.digest} {lanes} {width}"
-    text = _Text(program, lanes, width, fallbacks)
+    text = _KernelIr(program, lanes, width, fallbacks)
     strided = lanes > 1 and isinstance(program, Program)
     names = ("kernel", "prepare", "strided")[: 2 + strided]
     return Source(name, text, names, loops=loops)
@@ -89,12 +89,17 @@ def _source(
 def routines_of(program: Program | Tangent, lanes: int, fallbacks: bool = True) -> list[jit.Code]:
     """Return the shared routines that a Program's code calls."""
     kinds = ("angles", {*OPERATIONS.angles}), ("solve", OPERATIONS.solves)
-    parts = [(_called(one, fallbacks), own) for one, own in pieces(program, lanes)]
-    called = {(kind, own) for kind, ops in kinds for found, own in parts if ops & found}
-    return [_shared_routines(*call) for call in sorted(called)]
+    parts = [
+        (_operations_in_code(part, fallbacks), width)
+        for part, width in program_parts(program, lanes)
+    ]
+    routines = {
+        (kind, width) for kind, ops in kinds for ops_in_part, width in parts if ops & ops_in_part
+    }
+    return [_shared_routines(*call) for call in sorted(routines)]
 
 
-def _called(program: Program, fallbacks: bool) -> set[str]:
+def _operations_in_code(program: Program, fallbacks: bool) -> set[str]:
     """Return the operations in a Program's code; without fallbacks guards solve nothing."""
     if fallbacks:
         return set(program.ops)
@@ -104,11 +109,11 @@ def _called(program: Program, fallbacks: bool) -> set[str]:
 
 
 def width_of(program: Program, lanes: int) -> int:
-    """Return how many lanes a Program's code takes at once.
+    """Return the number of lanes that a Program's code processes at once.
 
-    All of a small one, which is a loop; and all, if there are registers for it, where little is
-    done for each result, so that memory limits it: turns would read and write each line of the
-    cache several times.
+    This is `lanes` for a small Program, which is a loop. It is also `lanes` if there are enough
+    registers and few operations for each result: memory limits such code, and groups of lanes
+    would access each cache line several times.
     """
     host = target()
     fits = host.vectors(lanes) > TEMPORARY
@@ -118,14 +123,14 @@ def width_of(program: Program, lanes: int) -> int:
 
 
 def _repeats(program: Program) -> bool:
-    """Return whether LLVM should look for operations that can be done side by side in one state.
+    """Return whether LLVM should vectorise equal operations within one state (SLP).
 
-    It then writes vectors for a chain's masses: half the code, and half the time for 300 of them;
-    compiling takes 3 to 5 times as long.
+    For a chain of 300 masses this halves the code and the run time; compiling takes 3 to 5 times
+    as long.
     """
     large = program.operation_count["run"].total() > LARGE
-    # To look for them takes LLVM the square of the number of results: 40 s in place of 4 for the
-    # Jacobian of 50 masses, 100 by 100.
+    # The time for this grows with the square of the number of results: 40 s instead of 4 s for the
+    # 100 by 100 Jacobian of 50 masses.
     return large and len(program.outputs) <= 2000 and _does_little(program)
 
 

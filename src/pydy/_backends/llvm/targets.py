@@ -17,28 +17,28 @@ from pydy._forks import once
 
 
 @dataclass(frozen=True)
-class Registers:
+class VectorRegisters:
     """The vector registers of a kind of processor."""
 
-    needs: str  # a feature, in LLVM's words, that only such processors have; empty for any
+    feature: str  # a feature, in LLVM's spelling, that only such processors have; empty for any
     count: int
-    doubles: int  # how many a register holds
-    # lanes of straight-line code that does not fit in the registers: wider kernels are made
-    # of several parts. It is a width at which the registers hold a dozen values.
+    doubles: int  # doubles in a register
+    # Most lanes of straight-line code that does not fit in the registers: wider kernels process
+    # the lanes in groups. At this width the registers hold a dozen values.
     widest: int
-    # operations up to which code of that many lanes is one basic block, in which LLVM
-    # decides what waits in memory
-    whole: int
+    # Operations up to which code of that many lanes is one basic block, in which LLVM allocates
+    # the registers.
+    one_block_limit: int
 
 
 # The first that fits. Instructions for each state of eight, and how many of them read or write the
 # stack, in code of one part of eight lanes and of two parts of four, without AVX-512; and the time
 # of one basic block of four lanes: see docs/decisions/21-processors.md.
 TABLE = (
-    Registers("avx512vl", 32, 8, 8, 0),
-    Registers("avx", 16, 4, 4, 3000),
-    Registers("neon", 32, 2, 4, 0),
-    Registers("", 16, 2, 2, 0),
+    VectorRegisters("avx512vl", 32, 8, 8, 0),
+    VectorRegisters("avx", 16, 4, 4, 3000),
+    VectorRegisters("neon", 32, 2, 4, 0),
+    VectorRegisters("", 16, 2, 2, 0),
 )
 
 # What the levels of x86-64 add to any 64-bit processor (System V ABI, AMD64 supplement, 3.1.1), in
@@ -55,28 +55,28 @@ _NAMES = ("native", "generic", *_LEVELS)
 
 
 @dataclass(frozen=True)
-class Target:
+class CodeTarget:
     """The target of LLVM's code."""
 
-    name: str  # as PYDY_CPU has it
-    triple: str  # triple, processor, features: in LLVM's words
+    name: str  # the value of PYDY_CPU
+    triple: str  # triple, processor, features: in LLVM's spelling
     processor: str
     features: str
-    registers: Registers
+    registers: VectorRegisters
 
     def vectors(self, lanes: int) -> int:
-        """Return how many vectors of that many doubles the registers hold."""
+        """Return the number of vectors of `lanes` doubles that fit in the registers."""
         return self.registers.count // max(lanes // self.registers.doubles, 1)
 
 
-def registers_for(features: Collection[str], machine: str) -> Registers:
+def registers_for(features: Collection[str], machine: str) -> VectorRegisters:
     """Return the row of the table for some features of an architecture."""
     if machine in ("aarch64", "arm64"):
-        features = {*features, "neon"}  # all of these have it, though not all say so
-    return next(row for row in TABLE if not row.needs or row.needs in features)
+        features = {*features, "neon"}  # present in all of these, but not always listed
+    return next(row for row in TABLE if not row.feature or row.feature in features)
 
 
-def chosen(name: str, machine: str, processor: str, features: Collection[str]) -> Target:
+def chosen(name: str, machine: str, processor: str, features: Collection[str]) -> CodeTarget:
     """Return the named target on a machine: triple, processor and its features.
 
     'native' is this machine's processor; 'generic' any of its architecture; 'x86-64-v3' and
@@ -90,10 +90,10 @@ def chosen(name: str, machine: str, processor: str, features: Collection[str]) -
     architecture = machine.partition("-")[0]
     if name == "native":
         flags = ",".join(f"+{feature}" for feature in sorted(features))
-        return Target(name, machine, processor, flags, registers_for(features, architecture))
+        return CodeTarget(name, machine, processor, flags, registers_for(features, architecture))
     if name == "generic":
-        plain = "x86-64" if architecture == "x86_64" else "generic"
-        return Target(name, machine, plain, "", registers_for((), architecture))
+        baseline = "x86-64" if architecture == "x86_64" else "generic"
+        return CodeTarget(name, machine, baseline, "", registers_for((), architecture))
     missing = sorted(_LEVELS[name].difference(features))
     if architecture != "x86_64" or missing:
         foreign = architecture != "x86_64"
@@ -104,14 +104,14 @@ def chosen(name: str, machine: str, processor: str, features: Collection[str]) -
         )
     # Vectors as wide as the registers, which LLVM would not use for every processor of that level.
     flags = "-prefer-256-bit" if name == "x86-64-v4" else ""
-    return Target(name, machine, name, flags, registers_for(_LEVELS[name], architecture))
+    return CodeTarget(name, machine, name, flags, registers_for(_LEVELS[name], architecture))
 
 
 @once
-def target() -> Target:
+def target() -> CodeTarget:
     """Return the target of this process, and set LLVM up."""
     binding.initialize_native_target()
     binding.initialize_native_asmprinter()
-    features = [name for name, there in binding.get_host_cpu_features().items() if there]
+    features = [name for name, available in binding.get_host_cpu_features().items() if available]
     name = os.environ.get("PYDY_CPU") or "native"
     return chosen(name, binding.get_default_triple(), binding.get_host_cpu_name(), features)

@@ -1,7 +1,7 @@
 """The IR of a Program or Tangent: `prepare` and `kernel`, and `strided` for several states.
 
-There are no fast-math flags: NaN, infinity and the order of operations are kept, and fused
-multiply-adds are those that the IR spells out.
+There are no fast-math flags: NaN, infinity and the order of operations are preserved. Only the
+fused multiply-adds that are written in the IR are used.
 """
 
 from __future__ import annotations
@@ -11,29 +11,29 @@ from enum import Enum
 
 import numpy as np
 
-from pydy._backends.llvm.emit import BRANCH_WEIGHTS, Emitter, called, solver_declarations
+from pydy._backends.llvm.emit import BRANCH_WEIGHTS, Emitter, called_functions, solver_declarations
 from pydy._backends.llvm.ir import (
     HEAP_DECLARATIONS,
     MALLOC,
     WIDTHS,
-    Function,
+    IrFunction,
     literal,
     suffix,
     vector_type,
 )
-from pydy._backends.llvm.plan import Layout
+from pydy._backends.llvm.plan import ArrayLayout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.targets import target
 from pydy._program import OPERATIONS, Part, Program, Tangent
 
 
 class Fallbacks(Enum):
-    """Which code for one state has the fallbacks of guards.
+    """Whether code for one state contains the fallbacks of guards.
 
-    Where these are most of the code, it is compiled without them first: where a guard is not sound,
-    that calls `COMPLETE`, the code that has them, with the same arguments. The array c then ends in
-    a copy of the constants p and a number that is zero as long as the constants for fallbacks
-    are missing in it: the code that has them computes those at its first call.
+    If fallbacks are most of the code, it is compiled without them first. If a guard is not sound,
+    this code calls `COMPLETE`, the code with fallbacks, with the same arguments. The array c then
+    ends in a copy of the constants p and a flag, which is zero until the complete code has computed
+    the constants for fallbacks, at its first call.
     """
 
     ALWAYS, LEFT_OUT, ADDED = range(3)
@@ -45,7 +45,7 @@ def kernel_text(
     """Return the module of a Program, with the functions `kernel` and `prepare`."""
     width = width or lanes
     if width < lanes:
-        body = _in_turns(program, lanes, width)
+        body = _in_lane_groups(program, lanes, width)
     else:
         body = prepare_text(program, lanes, fallbacks=fallbacks)
         body += _kernel(program, lanes, fallbacks)
@@ -55,7 +55,7 @@ def kernel_text(
 def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
     """Return functions with the declarations that they need.
 
-    The parts are Programs that the functions are made of, with their lanes.
+    The parts are the Programs in these functions, with their numbers of lanes.
     """
     declared = "\n".join(_declarations(*part) for part in parts).splitlines()
     head = [*dict.fromkeys(declared)]
@@ -63,7 +63,7 @@ def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
         head.append(HEAP_DECLARATIONS)
     if f"@{COMPLETE}(" in body:
         head.append(f"declare i32 @{COMPLETE}(ptr, ptr, ptr, ptr, ptr)")
-    # Sines and cosines are taken several at a time, in as many widths as they come.
+    # Sines and cosines are computed in groups of different widths.
     head += [
         sincos_declarations(width, kind)
         for kind in ("", "far_")
@@ -72,8 +72,8 @@ def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
     ]
     for lanes in sorted({lanes for _, lanes in parts} - {1}):
         calls: dict[str, int] = {}
-        for program, own in parts:
-            calls.update(called(program, "libm") if own == lanes else {})
+        for program, program_lanes in parts:
+            calls.update(called_functions(program, "libm") if program_lanes == lanes else {})
         head += [_lane_by_lane(*call, lanes) for call in calls.items()]
     return "\n".join([*head, "", body])
 
@@ -94,13 +94,13 @@ def _declarations(program: Program, lanes: int) -> str:
     v = vector_type("double", lanes)
     lines = [
         f"declare double @{name}({', '.join(['double'] * arity)}) nounwind willreturn memory(none)"
-        for name, arity in called(program, "libm").items()
+        for name, arity in called_functions(program, "libm").items()
     ]
     if OPERATIONS.solves & set(program.ops):
         lines.append(solver_declarations(lanes))
     packs = WIDTHS if lanes == 1 and set(OPERATIONS.angles) & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
-    for name, arity in called(program, "intrinsic").items():
+    for name, arity in called_functions(program, "intrinsic").items():
         if name != "fabs":
             lines.append(f"declare {v} @llvm.{name}.{suffix(lanes)}({', '.join([v] * arity)})")
     return "\n".join(lines) + "\n"
@@ -110,7 +110,7 @@ def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
     """Return a vector function that calls libm for each lane."""
     v = vector_type("double", lanes)
     vectors = [f"{v} %a{k}" for k in range(arity)]
-    f = Function(f"{name}.lanes", v, ", ".join(vectors), "internal|nounwind memory(none)")
+    f = IrFunction(f"{name}.lanes", v, ", ".join(vectors), "internal|nounwind memory(none)")
     f.do(f"ret {v} {f.lane_by_lane(name, vectors, lanes)}")
     return f.text()
 
@@ -119,14 +119,14 @@ def prepare_text(
     program: Program,
     lanes: int,
     prefix: str = "",
-    layout: Layout | None = None,
+    layout: ArrayLayout | None = None,
     fallbacks: Fallbacks = Fallbacks.ALWAYS,
 ) -> str:
     """Return the function of the setup stage."""
     linkage = "internal" if prefix else ""
-    f = Function(f"{prefix}prepare", "void", PREPARE, f"{linkage}|nounwind")
+    f = IrFunction(f"{prefix}prepare", "void", PREPARE, f"{linkage}|nounwind")
     e = Emitter(f, program, lanes, True, fallbacks=fallbacks is not Fallbacks.LEFT_OUT)
-    e.names.lie(layout)
+    e.names.set_layout(layout)
     e.stage()
     if not prefix:
         _end_of_c(f, program, fallbacks)
@@ -136,15 +136,15 @@ def prepare_text(
     return f.text()
 
 
-def _end_of_c(f: Function, program: Program | Tangent, fallbacks: Fallbacks) -> None:
-    """Write what the array c ends in, see `Fallbacks`."""
+def _end_of_c(f: IrFunction, program: Program | Tangent, fallbacks: Fallbacks) -> None:
+    """Write the last entries of the array c, see `Fallbacks`."""
     if fallbacks is Fallbacks.ALWAYS:
         return
     complete = fallbacks is Fallbacks.ADDED
     if not complete:
         with f.loop("0", str(program.num_constants)) as k:
-            place = f.let(f"add i64 {k}, {len(program.carried)}")
-            f.store("double", f.load("double", "%p", k), "%c", place)
+            position = f.let(f"add i64 {k}, {len(program.carried)}")
+            f.store("double", f.load("double", "%p", k), "%c", position)
     f.store("double", literal(float(complete), 1), "%c", str(size_with_constants(program) - 1))
 
 
@@ -166,16 +166,15 @@ KERNEL = _parameters()
 
 
 def _kernel(program: Program, lanes: int, fallbacks: Fallbacks) -> str:
-    """Return the functions of the second stage: `kernel`, and `strided` for wide code.
+    """Return the functions of the run stage: `kernel`, and `strided` for wide code.
 
-    It reads from memory, after the arrays, the distances between two items of x, r and out; how
-    many blocks of states there are; and the distance between two blocks of r. It does as many as it
-    likes, stops at the first that fails, and returns the status of the last one and, above 32
-    bits, how many it did.
+    The last argument of `strided` is an array: the strides of x, r and out, the number of blocks of
+    states, and the stride of r between two blocks. The function processes one or more blocks, stops
+    at the first that fails, and returns the status of the last block in the low 32 bits and the
+    number of blocks in the high ones.
 
-    For small models it is a loop: what leads in and out of a function would take as long as their
-    equations. Larger ones do one block: the numbers that LLVM takes out of a loop's body would have
-    to wait in memory.
+    For small models it is a loop, because a call takes as long as their equations. For larger ones
+    it processes one block: values that LLVM hoists out of a loop would be spilled.
     """
     parts = [*BRANCH_WEIGHTS, ""]
     small = is_small(program)
@@ -192,22 +191,22 @@ def stage_text(
     program: Program,
     lanes: int,
     name: str = "kernel",
-    layout: Layout | None = None,
+    layout: ArrayLayout | None = None,
     fallbacks: Fallbacks = Fallbacks.ALWAYS,
 ) -> str:
     """Return the function of the run stage; see `kernel_text`.
 
-    A function that others of the module call is told the layout of its arrays; without fallbacks it
-    returns -1 where a guard is not sound.
+    A function that is called within the module has the `layout` of its arrays. Without fallbacks it
+    returns -1 if a guard is not sound.
     """
     complete = fallbacks is not Fallbacks.LEFT_OUT
     if layout is None:
         f = _kernel_function(program, fallbacks)
     else:
-        f = Function(name, "i32", KERNEL, "internal|nounwind")
+        f = IrFunction(name, "i32", KERNEL, "internal|nounwind")
     e = Emitter(f, program, lanes, False, fallbacks=complete)
     e.solves.status = f.variable("i32", "0")
-    e.names.lie(layout)
+    e.names.set_layout(layout)
     e.stage()
     status = f.get("i32", e.solves.status)
     if layout is None and not complete:
@@ -220,11 +219,11 @@ def stage_text(
     return f.text()
 
 
-def _kernel_function(program: Program | Tangent, fallbacks: Fallbacks) -> Function:
+def _kernel_function(program: Program | Tangent, fallbacks: Fallbacks) -> IrFunction:
     """Return the beginning of `kernel`: constants for fallbacks are computed if c lacks them."""
     if fallbacks is Fallbacks.ALWAYS:
-        return Function("kernel", "i32", KERNEL, "|nounwind")
-    f = Function("kernel", "i32", KERNEL.replace("readonly %c", "%c"), "|nounwind")
+        return IrFunction("kernel", "i32", KERNEL, "|nounwind")
+    f = IrFunction("kernel", "i32", KERNEL.replace("readonly %c", "%c"), "|nounwind")
     if fallbacks is Fallbacks.ADDED:
         flag = f.load("double", "%c", str(size_with_constants(program) - 1))
         missing = f.let(f"fcmp oeq double {flag}, 0.0")
@@ -237,14 +236,14 @@ def _kernel_function(program: Program | Tangent, fallbacks: Fallbacks) -> Functi
     return f
 
 
-def _check(f: Function, status: str) -> None:
-    """Write a branch to `_call_complete` where a guard is not sound."""
+def _check(f: IrFunction, status: str) -> None:
+    """Write a branch to `_call_complete` that is taken if a guard is not sound."""
     sound = f.name("sound")
     f.do(f"br i1 {f.let(f'icmp slt i32 {status}, 0')}, label %unsound, label {sound}, !prof !0")
     f.label(sound)
 
 
-def _call_complete(f: Function) -> None:
+def _call_complete(f: IrFunction) -> None:
     """Write the call of the code that has all fallbacks, with the same arguments."""
     f.label("%unsound")
     arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
@@ -256,25 +255,25 @@ COMPLETE = "pydy_complete"
 
 
 def is_small(program: Program) -> bool:
-    # What leads in and out of a function takes as long as the equations of one link.
+    # A function call takes as long as the equations of one link.
     return sum(not setup for setup in program.setup) <= 100
 
 
 def _is_one_block(program: Program, lanes: int) -> bool:
     registers = target().registers
     size = program.operation_count["run"].total() + len(program.outputs)
-    return lanes == registers.widest and size <= registers.whole
+    return lanes == registers.widest and size <= registers.one_block_limit
 
 
 def _strided(program: Program, lanes: int, loop: bool, prefix: str = "") -> str:
     parameters = f"{_parameters('.first' if loop else '')}, ptr noalias readonly %steps"
     linkage = "internal" if prefix else ""
-    f = Function(f"{prefix}strided", "i64", parameters, f"{linkage}|nounwind")
-    whole = not loop and _is_one_block(program, lanes)
-    e = Emitter(f, program, lanes, False, whole)
+    f = IrFunction(f"{prefix}strided", "i64", parameters, f"{linkage}|nounwind")
+    one_block = not loop and _is_one_block(program, lanes)
+    e = Emitter(f, program, lanes, False, one_block)
     e.solves.status = f.variable("i32", "0")
-    for place, group in enumerate(("%x", "%r", "%out")):
-        e.names.steps[group] = f.load("i64", "%steps", str(place))
+    for index, group in enumerate(("%x", "%r", "%out")):
+        e.names.steps[group] = f.load("i64", "%steps", str(index))
     count, r_block = (f.load("i64", "%steps", str(k)) for k in (3, 4)) if loop else ("", "")
     if loop:
         f.do("br label %block")
@@ -289,8 +288,8 @@ def _strided(program: Program, lanes: int, loop: bool, prefix: str = "") -> str:
     f.do(f"%done = add i64 {'%k' if loop else '0'}, 1")
     if loop:
         good = f.let(f"icmp eq i32 {status}, 0")
-        rest = f.let(f"icmp slt i64 %done, {count}")
-        f.do(f"br i1 {f.let(f'and i1 {good}, {rest}')}, label %more, label %finish")
+        remaining = f.let(f"icmp slt i64 %done, {count}")
+        f.do(f"br i1 {f.let(f'and i1 {good}, {remaining}')}, label %more, label %finish")
         f.label("%more")
         f.do("br label %block")
         f.label("%finish")
@@ -302,46 +301,46 @@ def _strided(program: Program, lanes: int, loop: bool, prefix: str = "") -> str:
 
 
 def _packed_kernel(lanes: int) -> str:
-    """Return the `kernel` that hands ``[item][lane]`` to its strided form."""
-    f = Function("kernel", "i32", KERNEL, "|nounwind")
+    """Return the `kernel` that passes arrays ``[item][lane]`` to `strided`."""
+    f = IrFunction("kernel", "i32", KERNEL, "|nounwind")
     arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
-    both = f.let(f"tail call i64 @strided({arguments}, ptr @packed)")
-    f.do(f"ret i32 {f.let(f'trunc i64 {both} to i32')}")
+    result = f.let(f"tail call i64 @strided({arguments}, ptr @packed)")
+    f.do(f"ret i32 {f.let(f'trunc i64 {result} to i32')}")
     steps = ", ".join(f"i64 {n}" for n in (lanes, lanes, lanes, 1, lanes))
     return f"@packed = private constant [5 x i64] [{steps}]\n" + f.text()
 
 
-def _in_turns(program: Program, lanes: int, width: int) -> str:
-    """Return functions of all lanes that call code for some of them, turn by turn.
+def _in_lane_groups(program: Program, lanes: int, width: int) -> str:
+    """Return functions for all lanes that call the code for one group of lanes after the other.
 
-    Where all lanes of a value do not fit in a register, it takes several, and half as many values
-    or fewer fit at a time. What `prepare` leaves in c lies turn by turn too.
+    If the lanes of a value need several registers, fewer values fit in the registers. The array c
+    has the same order: all values of a group, then those of the next.
     """
     turns = range(0, lanes, width)
-    v, carried = vector_type("double", width), len(program.carried)
-    prepare = Function("prepare", "void", PREPARE, "|nounwind")
+    v, setup_size = vector_type("double", width), len(program.carried)
+    prepare = IrFunction("prepare", "void", PREPARE, "|nounwind")
     p = prepare.slot(v, max(program.num_constants, 1))
     for first in turns:
         with prepare.loop("0", str(program.num_constants)) as i:
-            place = prepare.at("%p", prepare.let(f"mul i64 {i}, {lanes}"))
-            value = prepare.load(v, prepare.at(place, str(first)))
+            source = prepare.at("%p", prepare.let(f"mul i64 {i}, {lanes}"))
+            value = prepare.load(v, prepare.at(source, str(first)))
             prepare.store(v, value, p, i)
-        c = prepare.at("%c", str(first * carried))
+        c = prepare.at("%c", str(first * setup_size))
         prepare.do(f"call void @turn.prepare(ptr {p}, ptr {c})")
     prepare.do("ret void")
-    f = Function("strided", "i64", f"{KERNEL}, ptr noalias readonly %steps", "|nounwind")
+    f = IrFunction("strided", "i64", f"{KERNEL}, ptr noalias readonly %steps", "|nounwind")
     status = "0"
     for first in turns:
-        places = {name: f.at(f"%{name}", str(first)) for name in _ARRAYS}
-        places["c"] = f.at("%c", str(first * carried))
-        arguments = ", ".join(f"ptr {place}" for place in places.values())
-        both = f.let(f"call i64 @turn.strided({arguments}, ptr %steps)")
-        bits = f.let(f"shl i64 {f.let(f'and i64 {both}, {2**32 - 1}')}, {first}")
+        pointers = {name: f.at(f"%{name}", str(first)) for name in _ARRAYS}
+        pointers["c"] = f.at("%c", str(first * setup_size))
+        arguments = ", ".join(f"ptr {source}" for source in pointers.values())
+        result = f.let(f"call i64 @turn.strided({arguments}, ptr %steps)")
+        bits = f.let(f"shl i64 {f.let(f'and i64 {result}, {2**32 - 1}')}, {first}")
         status = f.let(f"or i64 {status}, {bits}")
     f.do(f"ret i64 {f.let(f'or i64 {status}, {2**32}')}")
-    own = prepare_text(program, width, "turn.") + _strided(program, width, False, "turn.")
+    inner = prepare_text(program, width, "turn.") + _strided(program, width, False, "turn.")
     outer = [prepare.text(), f.text(), _packed_kernel(lanes)]
-    return "\n".join([own, *outer, *BRANCH_WEIGHTS, ""])
+    return "\n".join([inner, *outer, *BRANCH_WEIGHTS, ""])
 
 
 def angles_text(lanes: int) -> str:
@@ -354,48 +353,48 @@ def angles_text(lanes: int) -> str:
 # -- Tangents --------------------------------------------------------------------------------------
 
 
-def pieces(program: Program | Tangent, lanes: int) -> list[tuple[Program, int]]:
-    """Return the Programs that code is made of, with how many lanes or columns each takes at once.
+def program_parts(program: Program | Tangent, lanes: int) -> list[tuple[Program, int]]:
+    """Return the Programs in the code, each with its number of lanes or columns.
 
-    Those of a Tangent are the shared part and the others.
+    Those of a Tangent are the shared part, then the parts of the columns.
     """
     if isinstance(program, Program):
         return [(program, lanes)]
     widest = target().registers.widest
-    own = min(lanes, widest)
-    counts = [own if lanes > 1 else min(part.count, widest) for part in program.parts]
+    part_width = min(lanes, widest)
+    counts = [part_width if lanes > 1 else min(part.count, widest) for part in program.parts]
     widths = [next(width for width in WIDTHS if width >= count) for count in counts]
     programs = [program.shared, *(part.program for part in program.parts)]
-    return [*zip(programs, (own, *widths), strict=True)]
+    return [*zip(programs, (part_width, *widths), strict=True)]
 
 
 def tangent_text(tangent: Tangent, lanes: int, fallbacks: Fallbacks = Fallbacks.ALWAYS) -> str:
     """Return the module of a Tangent, with the functions `kernel` and `prepare`."""
-    return _Text(tangent, lanes, fallbacks).module()
+    return _TangentIr(tangent, lanes, fallbacks).module()
 
 
-class _Text:
-    """Functions for the shared part and for each other part, and the function that calls them.
+class _TangentIr:
+    """The functions of the shared part and of each column part, and the function that calls them.
 
-    With one lane a part takes as many columns at once as a register holds numbers: it reads a row
-    of seeds as a vector and spreads each shared value over the columns. The last columns of a part
-    that are no whole vector are computed together with some before them, once more; where there are
-    fewer, memory with room for a vector stands between. With several lanes these are states, and a
-    part takes one column after the other.
+    With one lane, a part processes as many columns at once as a register holds numbers: it reads a
+    row of seeds as a vector and broadcasts each shared value to the columns. If the last columns do
+    not fill a vector, they are computed with some columns before them, which are computed twice; a
+    part with fewer columns than a vector is padded. With several lanes, the lanes are states, and a
+    part processes one column after the other.
 
-    The array c holds the constants of the shared part, then those of each vector of columns.
+    The array c contains the constants of the shared part, then those of each vector of columns.
     """
 
     def __init__(self, tangent: Tangent, lanes: int, fallbacks: Fallbacks) -> None:
         self.tangent, self.lanes, self.fallbacks = tangent, lanes, fallbacks
-        self.pieces = pieces(tangent, lanes)
+        self.parts = program_parts(tangent, lanes)
         self.kernel = _kernel_function(tangent, fallbacks)
-        self.prepare = Function("prepare", "void", PREPARE, "|nounwind")
+        self.prepare = IrFunction("prepare", "void", PREPARE, "|nounwind")
         self.status = "0"
         self.functions: list[str] = []
         self.tables: dict[str, str] = {}
         self.values = ""
-        self.carried = lanes * len(tangent.shared.carried)  # where the next constants lie in c
+        self.next_constant = lanes * len(tangent.shared.carried)  # index in c
 
     def module(self) -> str:
         """Return the module."""
@@ -406,7 +405,7 @@ class _Text:
         if sum(part.count for part in tangent.parts) < columns:
             out = f.at("%out", str(tangent.values * lanes))
             f.do(self._memory("set.p0", out, "i8 0", rows * columns * lanes))
-        for part, (_, width) in zip(tangent.parts, self.pieces[1:], strict=True):
+        for part, (_, width) in zip(tangent.parts, self.parts[1:], strict=True):
             self._part(part, width)
         f.do(f"ret i32 {self.status}")
         if self.fallbacks is Fallbacks.LEFT_OUT:
@@ -419,10 +418,11 @@ class _Text:
             "declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)",
         ]
         body = "\n".join([*declared, *self.tables.values(), *self.functions, *texts])
-        return module_text(body, self.pieces)
+        return module_text(body, self.parts)
 
-    def _memory(self, what: str, place: str, source: str, count: int) -> str:
-        return f"call void @llvm.mem{what}.i64(ptr {place}, {source}, i64 {8 * count}, i1 false)"
+    def _memory(self, operation: str, destination: str, source: str, count: int) -> str:
+        arguments = f"ptr {destination}, {source}, i64 {8 * count}, i1 false"
+        return f"call void @llvm.mem{operation}.i64({arguments})"
 
     def _table(self, name: str, numbers: Sequence[float]) -> str:
         """Return the name of an array of numbers."""
@@ -431,10 +431,10 @@ class _Text:
         self.tables[name] = f"@{name} = private constant {kind} [{items}]"
         return f"@{name}"
 
-    def _call(self, name: str, lane: int, *places: str) -> None:
-        """Call a function whose first lane is that one of the kernel."""
+    def _call(self, name: str, lane: int, *pointers: str) -> None:
+        """Call a function whose first lane is `lane` of the kernel."""
         f = self.kernel
-        arguments = ", ".join(f"ptr {place}" for place in places)
+        arguments = ", ".join(f"ptr {pointer}" for pointer in pointers)
         bad = f.let(f"call i32 @{name}({arguments})")
         if self.fallbacks is Fallbacks.LEFT_OUT:
             _check(f, bad)
@@ -443,8 +443,8 @@ class _Text:
         self.status = f.let(f"or i32 {self.status}, {f.let(f'shl i32 {bad}, {lane}')}")
 
     def _shared(self) -> None:
-        (program, width), lanes, f = self.pieces[0], self.lanes, self.kernel
-        layout = Layout(dict.fromkeys(("%x", "%r", "%p", "%out"), lanes))
+        (program, width), lanes, f = self.parts[0], self.lanes, self.kernel
+        layout = ArrayLayout(dict.fromkeys(("%x", "%r", "%p", "%out"), lanes))
         self.functions += [
             prepare_text(program, width, "shared.", layout, self.fallbacks),
             stage_text(program, width, "shared", layout, self.fallbacks),
@@ -452,51 +452,51 @@ class _Text:
         self.values = f.slot(f"<{lanes} x double>", max(len(program.outputs), 1))
         for lane in range(0, lanes, width):
             first, c = str(lane), str(lane * len(program.carried))
-            places = [f.at(f"%{name}", first) for name in "txr"]
-            self._call("shared", lane, *places, f.at("%c", c), f.at(self.values, first))
-            p, own = self.prepare.at("%p", first), self.prepare.at("%c", c)
-            self.prepare.do(f"call void @shared.prepare(ptr {p}, ptr {own})")
+            inputs = [f.at(f"%{name}", first) for name in "txr"]
+            self._call("shared", lane, *inputs, f.at("%c", c), f.at(self.values, first))
+            p, constants = self.prepare.at("%p", first), self.prepare.at("%c", c)
+            self.prepare.do(f"call void @shared.prepare(ptr {p}, ptr {constants})")
 
     def _part(self, part: Part, width: int) -> None:
         tangent, lanes, f, name = self.tangent, self.lanes, self.kernel, f"part.{part.first}"
-        (rows, columns), given = tangent.shape, tangent.directions is not None
-        single, few = lanes == 1, lanes == 1 and part.count < width
-        row = width if few else columns * lanes
-        # A row of the unit matrix is the one above, moved by a place.
-        steps = {"%x": row if given else -1, "%out": row, "%r": lanes}
-        spread = ["%r"] if single else ["%p", *([] if given else ["%x"])]
-        layout = Layout(steps if single else {**steps, "%p": 1}, spread)
+        (rows, columns), has_directions = tangent.shape, tangent.directions is not None
+        single, padded = lanes == 1, lanes == 1 and part.count < width
+        row = width if padded else columns * lanes
+        # A row of the unit matrix is the one above, shifted by one.
+        steps = {"%x": row if has_directions else -1, "%out": row, "%r": lanes}
+        broadcast = ["%r"] if single else ["%p", *([] if has_directions else ["%x"])]
+        layout = ArrayLayout(steps if single else {**steps, "%p": 1}, broadcast)
         self.functions += [
             prepare_text(part.program, width, f"{name}.", layout, self.fallbacks),
             stage_text(part.program, width, name, layout, self.fallbacks),
         ]
         after, begin = tangent.values * lanes, tangent.shared.num_states * lanes
         starts = [*range(0, part.count, width if single else 1)]
-        if single and not few:
+        if single and not padded:
             starts[-1] = part.count - width
         for start in starts:
-            column, c = part.first + start, self.carried
-            self.carried += width * len(part.program.carried)
+            column, c = part.first + start, self.next_constant
+            self.next_constant += width * len(part.program.carried)
             if part.program.carried:
                 self._direction(part, column, width, c)
             for lane in range(0, lanes, 1 if single else width):
-                place = column * lanes + lane
-                x, out = f.at("%x", str(begin + place)), f.at("%out", str(after + place))
-                if not given:
+                offset = column * lanes + lane
+                x, out = f.at("%x", str(begin + offset)), f.at("%out", str(after + offset))
+                if not has_directions:
                     row_of_units = [0.0] * (2 * part.count + width)
                     row_of_units[part.count] = 1.0
                     units = self._table(f"units.{part.count}.{width}", row_of_units)
                     x = f.at(units, str(part.count + start))
-                values, own = f.at(self.values, str(after + lane)), f.at("%c", str(c))
-                end = f.slot(f"<{width} x double>", rows) if few else out
-                if few and given:
+                values, constants = f.at(self.values, str(after + lane)), f.at("%c", str(c))
+                end = f.slot(f"<{width} x double>", rows) if padded else out
+                if padded and has_directions:
                     x = self._filled(x, part, width)
-                self._call(name, lane, f.at("%t", str(lane)), x, values, own, end)
-                if few:
+                self._call(name, lane, f.at("%t", str(lane)), x, values, constants, end)
+                if padded:
                     self._copy(end, width, out, columns, (rows, part.count))
 
     def _filled(self, x: str, part: Part, width: int) -> str:
-        """Return seeds in memory that has room for a vector in each row."""
+        """Return seeds padded to a vector in each row."""
         rows, columns = part.program.num_states, self.tangent.shape[1]
         filled = self.kernel.slot(f"<{width} x double>", rows)
         self.kernel.do(self._memory("set.p0", filled, "i8 0", width * rows))
@@ -507,20 +507,29 @@ class _Text:
         """Bind the directions of a vector of columns."""
         directions, g = self.tangent.directions, self.prepare
         assert directions is not None
-        own = directions[:, column : column + (width if self.lanes == 1 else 1)]
-        numbers = own
+        columns = directions[:, column : column + (width if self.lanes == 1 else 1)]
+        numbers = columns
         if self.lanes == 1:
-            numbers = np.pad(own, [(0, 0), (0, width - own.shape[1])])
+            numbers = np.pad(columns, [(0, 0), (0, width - columns.shape[1])])
         table = self._table(f"direction.{column}", numbers.ravel().tolist())
-        place = g.at("%c", str(c))
-        g.do(f"call void @part.{part.first}.prepare(ptr {table}, ptr {place})")
+        constants = g.at("%c", str(c))
+        g.do(f"call void @part.{part.first}.prepare(ptr {table}, ptr {constants})")
 
-    def _copy(self, source: str, step: int, place: str, other: int, shape: tuple[int, int]) -> None:
-        """Copy a table whose rows lie `step` apart to where they lie `other` apart."""
+    def _copy(
+        self,
+        source: str,
+        step: int,
+        destination: str,
+        destination_step: int,
+        shape: tuple[int, int],
+    ) -> None:
+        """Copy a table between arrays with different distances of rows."""
         f = self.kernel
         with f.loop("0", str(shape[0])) as i, f.loop("0", str(shape[1])) as j:
-            here, there = (
+            source_index, destination_index = (
                 f.let(f"add i64 {f.let(f'mul i64 {i}, {distance}')}, {j}")
-                for distance in (step, other)
+                for distance in (step, destination_step)
             )
-            f.store("double", f.load("double", source, here), place, there)
+            f.store(
+                "double", f.load("double", source, source_index), destination, destination_index
+            )
