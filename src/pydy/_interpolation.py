@@ -394,7 +394,7 @@ class Leg(Protocol):
     def refusal(self) -> str:
         """Why the motion cannot be continued, or ''."""
 
-    def go_on(self, times: np.ndarray) -> Any:
+    def continued(self, times: np.ndarray) -> Any:
         """Return the Trajectory from the end on."""
 
 
@@ -462,7 +462,7 @@ class Continued:
             last = number(t, "`t`")
             if not (np.isfinite(last) and way * (last - leg.end) > 0.0):
                 raise ValueError(f"`t` must be after the end of the motion, {leg.end!r}, got {t}.")
-            return leg.go_on(np.linspace(leg.end, last, num=max(2, len(self.times))))
+            return leg.continued(np.linspace(leg.end, last, num=max(2, len(self.times))))
         times = monotonic(given, "`t`")
         ahead = way * (times - leg.end)
         if not len(times) or ahead[0] < 0.0 or ahead[-1] <= 0.0 or ahead[-1] < ahead[0]:
@@ -470,4 +470,4 @@ class Continued:
                 f"`t` must have times after the end of the motion, {leg.end!r}, and none before, "
                 f"got {shown(times)}."
             )
-        return leg.go_on(times if times[0] == leg.end else np.append(leg.end, times))
+        return leg.continued(times if times[0] == leg.end else np.append(leg.end, times))

@@ -1,6 +1,6 @@
 """Integrate a Problem: call a solver with its prepared equations, and return a Motion.
 
-`integrate` judges nothing. `simulate` warns of what cannot be trusted, as users need it.
+`integrate` does not check the result. `simulate` also warns of doubtful results, for users.
 """
 
 from __future__ import annotations
@@ -55,15 +55,15 @@ def integrate(
     Parameters
     ----------
     problem : Problem
-        It begins at the first of the `times`.
+        The motion begins at its state, at the first of the `times`.
     times : ndarray, shape (m,)
         At least two, ascending or descending.
     solver : callable
         A native solver, one of SciPy's, or a function with the signature of odeint.
     sensitivities : SensitivityRequest, optional
-        What to differentiate the states by.
+        The parameters by which the states are differentiated.
     **options
-        As of `System.simulate`: tolerances, `events`, `constraints`.
+        Those of `System.simulate`: tolerances, `events`, `constraints`.
 
     Returns
     -------
@@ -72,16 +72,16 @@ def integrate(
     Raises
     ------
     ValueError, SingularMatrixError, IntegrationError
-        As in `System.simulate`, but nothing is judged: a motion may have left its constraints, or
-        jump where its sensitivities do not know. See `pydy._judges.judges`. An
-        IntegrationError has the Motion so far, as its attribute `motion`.
+        As in `System.simulate`, but the result is not checked: a motion may have left its
+        constraints, or its sensitivities may ignore a jump. See `pydy._judges.judges`. An
+        IntegrationError has the Motion so far as its attribute `motion`.
     """
     if problem.hybrid is not None:
         return _hybrid_motion(problem, times, solver, sensitivities, options)
-    given = _with_full_output(solver, options)
-    ready, times = prepare(problem, times, solver, given, alone=sensitivities is None)
-    result = call_solver(problem, ready, times, solver, given, sensitivities)
-    return motion_of(problem, ready, times, solver, result, given, sensitivities)
+    user_options = _with_full_output(solver, options)
+    ready, times = prepare(problem, times, solver, user_options, alone=sensitivities is None)
+    result = call_solver(problem, ready, times, solver, user_options, sensitivities)
+    return motion_of(problem, ready, times, solver, result, user_options, sensitivities)
 
 
 def simulate(
@@ -92,14 +92,14 @@ def simulate(
     sensitivities: SensitivityRequest | None = None,
     **options: Any,
 ) -> Motion:
-    """Integrate like `integrate`, and judge the start and the Motion: see `judges`."""
-    if problem.hybrid is not None:  # which judges its segments
+    """Integrate like `integrate`, and check the start and the Motion: see `judges`."""
+    if problem.hybrid is not None:  # its segments are checked in `integrate`
         return _hybrid_motion(problem, times, solver, sensitivities, options)
-    given = _with_full_output(solver, options)
-    ready, times = prepare(problem, times, solver, given, alone=sensitivities is None)
+    user_options = _with_full_output(solver, options)
+    ready, times = prepare(problem, times, solver, user_options, alone=sensitivities is None)
     judge_start(problem, times, ready)
-    result = call_solver(problem, ready, times, solver, given, sensitivities)
-    motion = motion_of(problem, ready, times, solver, result, given, sensitivities)
+    result = call_solver(problem, ready, times, solver, user_options, sensitivities)
+    motion = motion_of(problem, ready, times, solver, result, user_options, sensitivities)
     judge_motion(motion)
     return motion
 
@@ -115,7 +115,7 @@ def _hybrid_motion(
 
 
 def _with_full_output(solver: SolverFunction, options: dict[str, Any]) -> dict[str, Any]:
-    """Return the options with which a solver returns all that a Motion holds."""
+    """Return options with which a solver returns all data of a Motion."""
     if isinstance(solver, Solver):
         return {"dense_output": True, "full_output": True, **options}
     if isinstance(solver, SolveIvp) or is_odeint(solver):
@@ -126,9 +126,9 @@ def _with_full_output(solver: SolverFunction, options: dict[str, Any]) -> dict[s
 def integrate_states(
     problem: Problem, times: np.ndarray, *, solver: SolverFunction, checked: bool, **options: Any
 ) -> Any:
-    """Return what a solver returns, judged as by `simulate`, for `System.integrate`.
+    """Return a solver's result for `System.integrate`, checked as by `simulate`.
 
-    Where `checked`, it is an error that odeint gives up; otherwise its result is returned as it is.
+    If `checked`, raise if odeint gives up; otherwise its result is returned unchanged.
     """
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)
@@ -138,21 +138,21 @@ def integrate_states(
         if motion is not None:
             judge_motion(motion)
     if "dense_output" not in options and "dense_output" in ready.options:
-        result.info.pop("dense_output", None)  # which judges needed, not the user
+        result.info.pop("dense_output", None)  # needed for the checks, not by the user
     return result.returned
 
 
-# -- solvers ---------------------------------------------------------------------------------------
+# -- Solvers ---------------------------------------------------------------------------------------
 
 
 @dataclass(slots=True)
 class SolverResult:
-    """What a solver returned."""
+    """The result of a solver."""
 
-    returned: Any  # as the caller of `System.integrate` gets it
+    returned: Any  # the value that `System.integrate` returns
     states: Any
-    info: Any  # a dictionary; empty where nobody needs it
-    options: dict[str, Any]  # as the solver got them
+    info: Any  # a dictionary; empty if it is not needed
+    options: dict[str, Any]  # those passed to the solver
     evaluated: EvaluationRecorder | None = None
 
 
@@ -161,22 +161,22 @@ def call_solver(
     ready: PreparedIntegration,
     times: np.ndarray,
     solver: SolverFunction,
-    given: dict[str, Any],
+    user_options: dict[str, Any],
     sensitivities: SensitivityRequest | None = None,
     checked: bool = True,
 ) -> SolverResult:
     """Call a solver with a prepared integration.
 
-    Where `checked`, it is an error that odeint gives up; otherwise its result is returned as it is.
+    If `checked`, raise if odeint gives up; otherwise its result is returned unchanged.
     """
     options = (
-        {**ready.options, "continuation": given["continuation"]}
-        if "continuation" in given
+        {**ready.options, "continuation": user_options["continuation"]}
+        if "continuation" in user_options
         else ready.options
     )
     try:
         if isinstance(solver, Solver):
-            return _call_native(problem, ready, times, solver, given, options, sensitivities)
+            return _call_native(problem, ready, times, solver, user_options, options, sensitivities)
         if "args" in options:
             raise TypeError(
                 "`args` are the specifieds and constants, which a System hands to its "
@@ -191,7 +191,7 @@ def call_solver(
         )
         if isinstance(solver, SolveIvp) or is_odeint(solver):
             return _call_scipy(
-                problem, ready, times, solver, given, options, (f, x0, args), checked
+                problem, ready, times, solver, user_options, options, (f, x0, args), checked
             )
         return _call_users(times, solver, options, (f, x0, args))
     except TypeError as error:
@@ -217,12 +217,12 @@ def _call_native(
     ready: PreparedIntegration,
     times: np.ndarray,
     solver: Solver,
-    given: dict[str, Any],
+    user_options: dict[str, Any],
     options: dict[str, Any],
     sensitivities: SensitivityRequest | None,
 ) -> SolverResult:
     """Call a native solver, with the latest call's memory if it is free."""
-    full, inputs = given.get("full_output", False), problem.plan.inputs
+    full, inputs = user_options.get("full_output", False), problem.plan.inputs
     if sensitivities is not None:
         f, x0, options = sensitivities.augment(problem, ready.code, times, solver, options)
         args = inputs.values.copy() if inputs.constant else inputs, problem.p
@@ -230,8 +230,8 @@ def _call_native(
         return SolverResult((states, info) if full else states, states, info, options)
     prepared: Prepared | None = None
     with suppress(IndexError):
-        prepared, known = ready.free.pop()  # no other thread has it then
-        if known is not ready.options and not prepared.retune(solver, ready.options):
+        prepared, stored_options = ready.free.pop()  # no other thread has it then
+        if stored_options is not ready.options and not prepared.retune(solver, ready.options):
             prepared = None
     if prepared is None or not prepared.renumber(problem.p, inputs.values, times):
         f, r = rates_function(ready.code, inputs), inputs.values if inputs.constant else inputs
@@ -251,13 +251,13 @@ def _call_scipy(
     ready: PreparedIntegration,
     times: np.ndarray,
     solver: Any,
-    given: dict[str, Any],
+    user_options: dict[str, Any],
     options: dict[str, Any],
-    called: tuple[Any, np.ndarray, Any],
+    call: tuple[Any, np.ndarray, Any],
     checked: bool,
 ) -> SolverResult:
-    """Call odeint or solve_ivp, and record where they evaluate if judges need to know."""
-    (f, x0, args), evaluated, odeint = called, None, is_odeint(solver)
+    """Call odeint or solve_ivp; record their evaluations if the checks need these."""
+    (f, x0, args), evaluated, odeint = call, None, is_odeint(solver)
     jumps = None if ready.never_jumps else jumps_by_time(f, args, times)
     ready.never_jumps = jumps is None
     jumps = np.zeros((0, 3)) if jumps is None else jumps
@@ -268,7 +268,7 @@ def _call_scipy(
     else:
         options = {**options, "full_output": True}
         states, info = solver(f, x0, times, args=args, **options)
-    returned = (states, info) if given.get("full_output", False) else states
+    returned = (states, info) if user_options.get("full_output", False) else states
     return SolverResult(returned, states, info, options, evaluated)
 
 
@@ -276,17 +276,17 @@ def _call_users(
     times: np.ndarray,
     solver: SolverFunction,
     options: dict[str, Any],
-    called: tuple[Any, np.ndarray, Any],
+    call: tuple[Any, np.ndarray, Any],
 ) -> SolverResult:
-    """Call a solver of the user's own."""
-    f, x0, args = called
+    """Call a user-defined solver."""
+    f, x0, args = call
     returned = solver(f, x0, times, args=args, **options)
     pair = isinstance(returned, tuple) and len(returned) == 2
     states, info = returned if pair else (returned, None)
     return SolverResult(returned, states, info if isinstance(info, dict) else {}, options)
 
 
-# -- motions ---------------------------------------------------------------------------------------
+# -- Motions ---------------------------------------------------------------------------------------
 
 
 def motion_of(
@@ -295,10 +295,10 @@ def motion_of(
     times: np.ndarray,
     solver: SolverFunction,
     result: SolverResult,
-    given: dict[str, Any],
+    user_options: dict[str, Any],
     sensitivities: SensitivityRequest | None = None,
 ) -> Motion:
-    """Return what a solver returned as a Motion."""
+    """Return the Motion of a solver's result."""
     n, statistics = len(problem.definition.states), dict(result.info)
     times = statistics.pop("times", times)
     reached = statistics.pop("reached", None)  # an event may have ended it
@@ -322,7 +322,7 @@ def motion_of(
             f"for each of the `times`, got {states.shape}. One that ends early tells the times of "
             "its rows: return (states, {'times': times})."
         )
-    if len(times):  # what is NaN to the end comes after a terminal event
+    if len(times):  # rows of NaN at the end follow a terminal event
         rows = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
         times, states = times[:rows], states[:rows]
     values, augmented, refusal = None, None, ""
@@ -341,7 +341,7 @@ def motion_of(
     options, errors_known = result.options, True
     if isinstance(solver, SolveIvp):
         defaults = solver.tolerances(options)
-        errors_known = bool(defaults)  # of a method of the user's they are not
+        errors_known = bool(defaults)  # False for a user-defined method
         options = {**defaults, **{k: v for k, v in options.items() if v is not None}}
     elif not (native or is_odeint(solver)):
         errors_known = False
@@ -364,7 +364,7 @@ def motion_of(
         errors_known=errors_known,
         evaluated=result.evaluated,
         refusal=refusal,
-        proceed=partial(_go_on, given),
+        proceed=partial(_continued, user_options),
     )
 
 
@@ -375,7 +375,7 @@ def readable_motion(
     solver: SolverFunction,
     result: SolverResult,
 ) -> Motion | None:
-    """Return a Motion to judge, or None where a solver gave up or returned something else."""
+    """Return a Motion to check, or None if a solver gave up or its result is not a motion."""
     if is_odeint(solver) and not came_to_the_end(result.states, result.info):
         return None
     with suppress(TypeError, ValueError):
@@ -391,7 +391,7 @@ def motion_so_far(
     options: dict[str, Any],
     error: Any,
 ) -> Motion:
-    """Return the Motion up to where an integration failed."""
+    """Return the Motion up to the failure of an integration."""
     start = float(error.times[0]) if len(error.times) else error.time
     return Motion(
         problem=problem,
@@ -407,22 +407,22 @@ def motion_so_far(
     )
 
 
-def _go_on(given: dict[str, Any], motion: Motion, times: np.ndarray) -> Trajectory:
-    """Return a motion from its end on, at some times."""
-    options = dict(given)
+def _continued(user_options: dict[str, Any], motion: Motion, times: np.ndarray) -> Trajectory:
+    """Return the continuation of a motion at `times`, which begin at its end."""
+    options = dict(user_options)
     sides = motion.statistics.get("sides")
-    if isinstance(motion.solver, Solver) and given.get("events"):
+    if isinstance(motion.solver, Solver) and user_options.get("events"):
         options["continuation"] = EventContinuation(None, sides)
     return simulate(motion.last, times, solver=motion.solver, **options).trajectory
 
 
-# -- failures --------------------------------------------------------------------------------------
+# -- Failures --------------------------------------------------------------------------------------
 
 _GIVEN_UP = (Outcome.TOO_MANY_STEPS, Outcome.STEP_UNDERFLOW, Outcome.NO_CONVERGENCE)
 
 
 def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, free: bool) -> None:
-    """Say why a motion failed, and warn of resets that left the constraints before."""
+    """Add the cause to a failed motion's error, and warn of earlier resets off the constraints."""
     if isinstance(error, IntegrationError) and error.info.get("code") in _GIVEN_UP:
         stuck = _stuck_at(problem, ready, error.time, error.state)
         if stuck is not None:
@@ -438,7 +438,7 @@ def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, fr
 
 
 def _stuck_at(problem: Problem, ready: PreparedIntegration, t: float, x: np.ndarray) -> str | None:
-    """Describe the jump at which a motion stays, if it does; see `stuck_at`."""
+    """Describe the jump at which a motion stays, or return None; see `stuck_at`."""
     at = replace(problem.at(np.array([t]), np.array([x])), model=ready.code)
     return stuck_at(at, ready.span)
 

@@ -1,4 +1,4 @@
-"""Parameters of a motion as a user names them: constants, initial conditions, specifieds."""
+"""Parameters of a motion, selected by users: constants, initial conditions, specifieds."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from pydy.solvers import ParameterSize
 
 @dataclass(frozen=True)
 class Parameter:
-    """Something that a motion depends on."""
+    """A number, or the samples of an input, that a motion depends on."""
 
     symbol: Any  # a constant, a state for its initial condition, or a specified
     kind: str  # 'constants', 'states' or 'specifieds'
-    place: int  # in p, x or r
-    samples: SampledInput | None = None  # of a specified, of this one alone: each is a parameter
+    index: int  # in p, x or r
+    samples: SampledInput | None = None  # of this specified alone: each sample is a parameter
 
     @property
     def count(self) -> int:
@@ -33,24 +33,24 @@ class Parameter:
 
     @property
     def sized(self) -> ParameterSize:
-        """The source of its size."""
+        """The source of the parameter's size."""
         group = {"constants": "p", "states": "x", "specifieds": "r"}[self.kind]
         most = None if self.samples is None else float(np.abs(self.samples.values).max())
-        return ParameterSize(group, self.place, self.count, most)
+        return ParameterSize(group, self.index, self.count, most)
 
 
 def read_parameters(
     definition: Definition,
     plan: SpecifiedsPlan,
-    wanted: Any,
+    requested: Any,
     argument: str = "sensitivities",
     dependent: Sequence[Any] = (),
 ) -> tuple[Parameter, ...]:
-    """Return the parameters that a user `wanted`; a group stands for all that may be parameters."""
+    """Return the parameters that a user `requested`; a group's name selects its possible ones."""
     following = _following(definition, plan)
     symbols = members(
         definition,
-        one_or_more(argument, wanted),
+        one_or_more(argument, requested),
         {"states": dependent, "specifieds": following},
     )
     if not symbols:
@@ -63,13 +63,13 @@ def read_parameters(
             "Python function, which has none. Give it as a SymPy expression of states, time and "
             "constants, or as samples, pydy.inputs.SampledInput(times, values)."
         )
-    found = [_parameter(definition, plan, following, symbol, argument) for symbol in symbols]
-    refuse_twice([parameter.symbol for parameter in found], argument)
-    return tuple(found)
+    parameters = [_parameter(definition, plan, following, symbol, argument) for symbol in symbols]
+    refuse_twice([parameter.symbol for parameter in parameters], argument)
+    return tuple(parameters)
 
 
 def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
-    """Return the specifieds that follow from others or are expressions."""
+    """Return the specifieds that are expressions, or derivatives of other specifieds."""
     return [
         symbol
         for symbol in definition.specifieds
@@ -81,31 +81,33 @@ def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
 def _parameter(
     definition: Definition, plan: SpecifiedsPlan, following: list[Any], key: Any, argument: str
 ) -> Parameter:
-    what = "constants, states (for their initial conditions) and specifieds of the system"
-    kind, place = located(definition, key, argument, ("constants", "states", "specifieds"), what)
-    symbol = definition.places[kind].symbols[place]
+    description = "constants, states (for their initial conditions) and specifieds of the system"
+    kind, index = located(
+        definition, key, argument, ("constants", "states", "specifieds"), description
+    )
+    symbol = definition.places[kind].symbols[index]
     if kind != "specifieds":
-        return Parameter(symbol, kind, place)
+        return Parameter(symbol, kind, index)
     if symbol in plan.expressions:
         raise ValueError(
             f"`{argument}` has the specified `{symbol}`, which is given as the expression "
             f"`{plan.expressions[symbol]}`. Name the constants in it instead."
         )
     for columns, samples in plan.inputs.sampled:
-        if place in columns:
+        if index in columns:
             if samples.interpolation == "pchip":
                 raise ValueError(
                     f"`{argument}` has `{symbol}`, whose samples are interpolated by 'pchip': its "
                     "slopes depend on the samples with kinks, such as wherever neighbours are "
                     "equal. Use the interpolation 'linear' or 'previous'."
                 )
-            return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
+            return Parameter(symbol, kind, index, samples.of([columns.tolist().index(index)]))
     if symbol in following:
         raise ValueError(
             f"`{argument}` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
             "instead, or the constants in its expression."
         )
-    return Parameter(symbol, kind, place)
+    return Parameter(symbol, kind, index)
 
 
 # -- Samples as parameters: their weights in time, and the steps that these need -------------------
@@ -119,22 +121,22 @@ def by_samples(parameter: Any) -> SampledInput:
 
 
 def mean_spacing(parameters: Sequence[Any]) -> float | None:
-    """Return the least mean distance of the samples of one parameter in time."""
+    """Return the smallest mean sampling interval of the parameters, or None."""
     times = [p.samples.times for p in parameters if p.samples is not None and p.count > 1]
-    return min((float(one[-1] - one[0]) / (len(one) - 1) for one in times), default=None)
+    return min((float(knots[-1] - knots[0]) / (len(knots) - 1) for knots in times), default=None)
 
 
 def marker(parameters: Sequence[Any]) -> SampledInput | None:
-    """Return an input with a kink or a jump at the time of every sample.
+    """Return an input with a kink or a jump at the time of every sample, or None.
 
-    Samples in a line, such as zeros, leave no mark in the motion, though the derivatives by each
-    of them have a kink or a jump there. The integral of this input is under the error control as
-    one more state, so that the steps are short enough for those.
+    Collinear samples, such as zeros, leave no trace in the motion, but the derivatives by each of
+    them have a kink or a jump. The integral of this input is an additional state under error
+    control, so that the steps are short enough.
     """
     samples = [p.samples for p in parameters if p.samples is not None]
     if not samples:
         return None
-    times = np.unique(np.concatenate([one.times for one in samples]))
-    smooth = all(one.interpolation == "linear" for one in samples)
+    times = np.unique(np.concatenate([sampled.times for sampled in samples]))
+    smooth = all(sampled.interpolation == "linear" for sampled in samples)
     values = np.where(np.arange(len(times)) % 2, -1.0, 1.0)[:, None]
     return SampledInput(times, values, "linear" if smooth else "previous")

@@ -1,7 +1,7 @@
 """Sensitivities of a simulation: which parameters, their columns at the start, and the equations.
 
-The columns ∂x/∂θ are integrated beside the state (`pydy._graph.columns`). An initial condition is a
-parameter of its own state; where the constraints tie others to it, they follow by the implicit
+The columns ∂x/∂θ are integrated with the state (`pydy._graph.columns`). An initial condition is a
+parameter of its own state. States that the constraints make dependent follow by the implicit
 function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for the dependent states d.
 """
 
@@ -43,9 +43,9 @@ from pydy.solvers import (
     tableau_of,
 )
 
-# The step control sees motions of so many tolerances: errors of them are a thousandth, at most,
-# where these are what is allowed.
-_SEEN = 1e3
+# Motions smaller than this many tolerances are invisible to the step control: their errors are at
+# most a thousandth of them, if errors are as large as the tolerances.
+_VISIBLE = 1e3
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,27 +57,24 @@ class AugmentedSystem:
     plan: SpecifiedsPlan
     parameters: tuple[Parameter, ...]
     p: np.ndarray
-    argument: str = "sensitivities"  # that named the parameters
-    dependent: tuple[int, ...] = ()  # the places of states that follow from the others
-    width: int = 0  # of the states with what is integrated after them, if there is any
+    argument: str = "sensitivities"  # the user's argument, for messages
+    dependent: tuple[int, ...] = ()  # columns of the dependent states
+    width: int = 0  # of the states with further integrated quantities, or 0
     columns: SensitivityColumns = field(init=False)
 
     @staticmethod
-    def of(
+    def for_parameters(
         problem: Problem,
         model: CompiledModel,
         plan: SpecifiedsPlan,
-        wanted: Any,
+        requested: Any,
         argument: str = "sensitivities",
     ) -> AugmentedSystem:
-        """Return the sensitivities with respect to a user's parameters.
-
-        The Problem's `dependent` states follow from the others.
-        """
-        definition, places = problem.definition, problem.dependent
-        following = tuple(definition.states[k] for k in places)
-        parameters = read_parameters(definition, plan, wanted, argument, following)
-        return AugmentedSystem(definition, model, plan, parameters, problem.p, argument, places)
+        """Return the sensitivities with respect to a user's parameters."""
+        definition, dependent = problem.definition, problem.dependent
+        following = tuple(definition.states[k] for k in dependent)
+        parameters = read_parameters(definition, plan, requested, argument, following)
+        return AugmentedSystem(definition, model, plan, parameters, problem.p, argument, dependent)
 
     def __post_init__(self) -> None:
         s = len(self.definition.specifieds)
@@ -87,12 +84,12 @@ class AugmentedSystem:
             if parameter.kind == "states":
                 directions.append(None)
             elif parameter.kind == "constants":
-                directions.append(("p", parameter.place))
+                directions.append(("p", parameter.index))
             elif parameter.samples is None:
-                directions.append(("r", parameter.place))
+                directions.append(("r", parameter.index))
             else:
                 for _ in range(parameter.count):
-                    directions.append(("r", parameter.place, s + weights))
+                    directions.append(("r", parameter.index, s + weights))
                     weights += 1
         n = self.width or len(self.definition.states)
         object.__setattr__(self, "columns", SensitivityColumns(n, tuple(directions), weights))
@@ -105,72 +102,76 @@ class AugmentedSystem:
         times: np.ndarray,
         controlled: bool,
     ) -> dict[str, Any]:
-        """Return options with steps that are short enough where the states do not tell.
+        """Return options with a maximum step where the error of the states is no indicator.
 
-        Samples in a line leave no mark in the motion: the states' error shows no kink there. Nor
-        does it show anything where a motion begins at rest or steadily: what beside it grows or
-        swings is in the sensitivities alone, which may be `controlled` too.
+        Collinear samples leave no kink in the states. A motion that begins at rest or in a steady
+        state shows no error either: growth and oscillations near it appear only in the
+        sensitivities, unless these are `controlled` too.
         """
         if not solver.adaptive:
             return options
         spacing = mean_spacing(self.parameters)
         longest = np.inf if spacing is None else spacing
         if not controlled:
-            longest = min(longest, self._unseen(solver, options, x0, times))
+            longest = min(longest, self._step_limit_at_rest(solver, options, x0, times))
         return options if longest == np.inf else {"max_step": longest, **options}
 
-    def _unseen(
+    def _step_limit_at_rest(
         self, solver: Solver, options: Mapping[str, Any], x0: np.ndarray, times: np.ndarray
     ) -> float:
-        """Return how long steps may be where a motion begins so steadily that no error is seen."""
+        """Return the maximum step for a motion that begins steadily and shows no error, or inf."""
         model, n, at = self.model, len(x0), times[:1]
-        given = {k: options[k] for k in ("rtol", "atol") if k in options}
-        read = read_options(solver.name, solver.adaptive, given)
-        if any(np.shape(one) not in ((), (n,)) for one in (read.rtol, read.atol)):
-            return float(np.inf)  # which is an error
+        tolerances = {k: options[k] for k in ("rtol", "atol") if k in options}
+        read = read_options(solver.name, solver.adaptive, tolerances)
+        if any(np.shape(tolerance) not in ((), (n,)) for tolerance in (read.rtol, read.atol)):
+            return float(np.inf)  # an invalid shape, which is reported elsewhere
         args = at, x0[None], self.plan.inputs.rows(x0[None], at), self.p
         equations = self.definition.equations
         first = len(equations.coordinates)
         speeds = slice(first, first + len(equations.speeds))
         changes = np.abs(model.compiled("rates").evaluate(*args)[0][0, speeds])
-        seen = (_SEEN * (read.atol + read.rtol * np.abs(x0)))[speeds]
-        if not (changes * (times[-1] - times[0]) <= _SEEN * seen).all():
+        visible = (_VISIBLE * (read.atol + read.rtol * np.abs(x0)))[speeds]
+        if not (changes * (times[-1] - times[0]) <= _VISIBLE * visible).all():
             return float(np.inf)  # the derivatives are not needed
         slopes = model.compiled_jacobian("rates", "x").evaluate(*args)[0].reshape(n, n)
         if not np.isfinite(slopes).all():
             return float(np.inf)
-        found = np.linalg.eigvals(slopes)
-        implicit = solver.name == "radau"  # what dies out needs no short steps
-        fastest = (np.maximum(found.real, np.abs(found.imag)) if implicit else np.abs(found)).max()
-        if not (fastest > 0.0 and (changes <= fastest * seen).all()):
+        eigenvalues = np.linalg.eigvals(slopes)
+        implicit = solver.name == "radau"  # decaying modes need no short steps
+        fastest = (
+            np.maximum(eigenvalues.real, np.abs(eigenvalues.imag))
+            if implicit
+            else np.abs(eigenvalues)
+        ).max()
+        if not (fastest > 0.0 and (changes <= fastest * visible).all()):
             return float(np.inf)
         order = 5 if implicit else tableau_of(solver.name).order
-        # The error of a step of h is (h λ)ᵖ⁺¹ / (p + 1)! of what grows as exp(λ t).
+        # The relative error of a step h for exp(λ t) is (h λ)ᵖ⁺¹ / (p + 1)!.
         allowed = float(np.max(read.rtol)) or Options.rtol
         share = (allowed * factorial(order + 1)) ** (1.0 / (order + 1))
         return float(min(share, 1.0) / fastest)
 
-    def controlled(self, wanted: bool) -> bool:
-        """Tell whether the step control looks at the sensitivities too: of samples, always."""
-        return wanted or mean_spacing(self.parameters) is not None
+    def controlled(self, requested: bool) -> bool:
+        """Return whether the step control includes the sensitivities: those by samples, always."""
+        return requested or mean_spacing(self.parameters) is not None
 
     def sized(self, options: Mapping[str, Any]) -> tuple[ParameterSize, ...]:
         """Return the parameters' sizes.
 
-        States with absolute tolerances of their own are as small, where they pass through zero, as
-        these say in relative ones; all others have sizes of at least 1.
+        States with individual absolute tolerances have sizes of at least atol / rtol; all others
+        have sizes of at least 1.
         """
-        found = tuple(parameter.sized for parameter in self.parameters)
+        sizes = tuple(parameter.sized for parameter in self.parameters)
         least = least_sizes(options, self.columns.states).tolist()
-        return tuple(s._replace(least=least[s.position]) if s.group == "x" else s for s in found)
+        return tuple(s._replace(least=least[s.position]) if s.group == "x" else s for s in sizes)
 
     @property
-    def whole(self) -> AugmentedSystem:
-        """The same with all constraints, as they are projected on."""
+    def with_all_constraints(self) -> AugmentedSystem:
+        """A copy with all constraints, as in the projection."""
         model = with_all(self.model, self.definition)
         return self if model is self.model else replace(self, model=model)
 
-    # -- compiled ---------------------------------------------------------------------------------
+    # -- Compiled code ----------------------------------------------------------------------------
 
     def kernel(self, *blocks: str) -> Kernel:
         """Return the Kernel of the derivatives of blocks by the parameters.
@@ -199,10 +200,10 @@ class AugmentedSystem:
         )
 
     def written_out(self, *blocks: str) -> Program:
-        """Return the Program of `kernel`: an infinite derivative spoils no other column."""
-        what = f"sensitivities of {', '.join(blocks)} {self.columns}, written out"
+        """Return the Program of `kernel`: an infinite derivative affects no other column."""
+        name = f"sensitivities of {', '.join(blocks)} {self.columns}, written out"
         return stored_program(
-            self.model.assembly, what, lambda: self.tangent(*blocks).written_out()
+            self.model.assembly, name, lambda: self.tangent(*blocks).written_out()
         )
 
     def call(self) -> KernelCall:
@@ -219,12 +220,12 @@ class AugmentedSystem:
         )
 
     def weights(self) -> list[tuple[np.ndarray, SampledInput]]:
-        """Return the derivatives of sampled inputs by their samples, with their places in r."""
+        """Return the derivatives of sampled inputs by their samples, with their columns in r."""
         result, start = [], len(self.definition.specifieds)
         for parameter in self.parameters:
             if parameter.samples is not None:
-                places = np.arange(start, start + parameter.count)
-                result.append((places, by_samples(parameter)))
+                columns = np.arange(start, start + parameter.count)
+                result.append((columns, by_samples(parameter)))
                 start += parameter.count
         return result
 
@@ -248,12 +249,12 @@ class AugmentedSystem:
         self,
         x: np.ndarray,
         options: Mapping[str, Any],
-        wanted: bool = False,
+        controlled: bool = False,
         events: Sequence[Event] = (),
     ) -> CompiledSensitivities:
-        """Return the sensitivities of a motion from x for native solvers, beside the equations.
+        """Return the sensitivities of a motion that begins at x, for native solvers.
 
-        It may be `wanted` that the step control looks at them.
+        If `controlled`, the step control includes them.
         """
         columns, model = self.columns, self.model
         sizes = ParameterSize.scales(
@@ -264,9 +265,9 @@ class AugmentedSystem:
             columns.sources,
             sizes,
             x,
-            self.controlled(wanted),
+            self.controlled(controlled),
             lambda event: compiled_event(model, events[event], columns.wanted),
-            lambda: self.whole.kernel("holonomic", "velocity"),
+            lambda: self.with_all_constraints.kernel("holonomic", "velocity"),
         )
 
     def rows(self, times: np.ndarray) -> np.ndarray:
@@ -287,10 +288,10 @@ class AugmentedSystem:
     def _sweep(
         self, blocks: tuple[str, ...], times: np.ndarray, states: np.ndarray, values: np.ndarray
     ) -> np.ndarray:
-        whole = self.columns.together(states, values)
-        return self.model.evaluate(self.kernel(*blocks), times, whole, self.rows(times), self.p)
+        augmented = self.columns.together(states, values)
+        return self.model.evaluate(self.kernel(*blocks), times, augmented, self.rows(times), self.p)
 
-    # -- the start --------------------------------------------------------------------------------
+    # -- The initial values -----------------------------------------------------------------------
 
     def start(self, x0: np.ndarray, t: float) -> np.ndarray:
         """Return the sensitivities of the initial state, shape (n, k); see `follow`."""
@@ -314,7 +315,7 @@ class AugmentedSystem:
 
     @property
     def unknowns(self) -> list[range]:
-        """The places of the states that each of these blocks is solved for."""
+        """The columns of the states for which each of these blocks is solved."""
         first = len(self.definition.equations.coordinates)
         every = {"holonomic": range(first), "velocity": range(first, self.columns.states)}
         return [every[block] for block in self.tied]
@@ -325,14 +326,14 @@ class AugmentedSystem:
         column = 0
         for parameter in self.parameters:
             if parameter.kind == "states":
-                if parameter.place in self.dependent:
+                if parameter.index in self.dependent:
                     raise ValueError(
                         f"`{self.argument}` has the initial condition of `{parameter.symbol}`, "
                         "which follows from the others by the constraints, as do "
                         f"{self._following}. Name independent ones, or make it independent: "
                         "call set_dependent_initial_conditions(dep_vars=…) with other variables."
                     )
-                values[parameter.place, column] = 1.0
+                values[parameter.index, column] = 1.0
             column += parameter.count
         return values
 
@@ -342,12 +343,12 @@ class AugmentedSystem:
 
     def unsolved(self) -> str:
         """Return the message for constraints that do not determine the dependent conditions."""
-        which = "for any: none is named as dependent"
+        target = "for any: none is named as dependent"
         if self.dependent:
-            which = f"for {self._following}"
+            target = f"for {self._following}"
         return (
             f"`{self.argument}` needs to know how the dependent initial conditions follow from "
-            f"the others, but the constraints cannot be solved {which}. Call "
+            f"the others, but the constraints cannot be solved {target}. Call "
             "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
         )
 
@@ -357,83 +358,83 @@ def least_sizes(options: Mapping[str, Any], n: int) -> np.ndarray:
     if np.shape(options.get("atol", 0.0)) == (n,):
         rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
         if (rtol > 0.0).all() and (atol > 0.0).all():
-            found: np.ndarray = atol / rtol
-            return np.broadcast_to(found, n)
+            sizes: np.ndarray = atol / rtol
+            return np.broadcast_to(sizes, n)
     return np.ones(n)
 
 
 def changed_by(event: Event, states: Sequence[Any]) -> tuple[int, ...]:
-    """Return the places of the states that an event changes."""
+    """Return the columns of the states that an event changes."""
     return tuple(k for k, state in enumerate(states) if state in event.reset)
 
 
 def program_of_event(
-    model: CompiledModel, event: Event, wanted: Sequence[tuple[str, int]]
+    model: CompiledModel, event: Event, inputs: Sequence[tuple[str, int]]
 ) -> Program:
     """Return the Program of an event with g = 0 and the state R after it.
 
-    The inputs r are followed by their derivatives by time; w inputs (group, index) are wanted, and
-    c states changed. The blocks are
+    The inputs r are followed by their time derivatives. There are w `inputs` (group, index) to
+    differentiate by, and c states that the event changes. The blocks are
 
     ===========  ============  ==================================================================
     rate         (1,)          ġ, along the motion
     curvature    (1,)          g̈
-    crossing     (n + w,)      the derivatives of g by the states, then by what is wanted
+    crossing     (n + w,)      the derivatives of g by the states, then by the `inputs`
     after_rates  (n,)          Ṙ, along the motion before the event
     after        (c, n + w)    the derivatives of those states in R that are changed
     ===========  ============  ==================================================================
     """
-    own, symbols = model.assembly.fork(), model.layout.states
-    graph, (n, s, c) = own.graph, own.sizes
+    fork, symbols = model.assembly.fork(), model.layout.states
+    graph, (n, s, c) = fork.graph, fork.sizes
     after = [event.reset.get(state, state) for state in symbols]
-    read = own.read([event.expression, *after], f"the event `{event.name}`")
-    crossing, *rest = simplify(graph, [*read, *own.rates])
-    after, rates = rest[:n], rest[n:]
+    read = fork.read([event.expression, *after], f"the event `{event.name}`")
+    crossing, *nodes = simplify(graph, [*read, *fork.rates])
+    after, rates = nodes[:n], nodes[n:]
     states = [graph.input("x", i) for i in range(n)]
-    along = {graph.input("t", 0): {0: graph.one}}
-    along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
-    along.update((graph.input("r", i), {0: graph.input("r", s + i)}) for i in range(s))
-    motion = DerivativeRows(graph, along)
-    by = [*states, *(graph.input(*place) for place in wanted)]
+    tangents = {graph.input("t", 0): {0: graph.one}}
+    tangents.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
+    tangents.update((graph.input("r", i), {0: graph.input("r", s + i)}) for i in range(s))
+    motion = DerivativeRows(graph, tangents)
+    variables = [*states, *(graph.input(*input_key) for input_key in inputs)]
     first = motion(crossing).get(0, graph.zero)
     changed = [after[k] for k in changed_by(event, symbols)]
     parts = {
         "rate": [first],
         "curvature": [motion(first).get(0, graph.zero)],
-        "crossing": jacobian(graph, [crossing], by).flat(),
+        "crossing": jacobian(graph, [crossing], variables).flat(),
         "after_rates": [motion(node).get(0, graph.zero) for node in after],
-        "after": jacobian(graph, changed, by).flat(),
+        "after": jacobian(graph, changed, variables).flat(),
     }
-    shapes = {"after": (len(changed), len(by))}
+    shapes = {"after": (len(changed), len(variables))}
     cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))
     blocks = [
         (name, shapes.get(name, (len(part),)), [next(cells) for _ in part])
         for name, part in parts.items()
     ]
-    return lower(graph, (n, 2 * s, c), blocks, sizes_of_matrices=own.sizes)
+    return lower(graph, (n, 2 * s, c), blocks, sizes_of_matrices=fork.sizes)
 
 
 def compiled_event(
-    model: CompiledModel, event: Event, wanted: tuple[tuple[str, int], ...]
+    model: CompiledModel, event: Event, inputs: tuple[tuple[str, int], ...]
 ) -> tuple[Kernel, tuple[int, ...]]:
     """Return the Kernel of an event's effect on derivatives, and the states it changes."""
-    key = ("the event", event.expression, *event.reset.items(), wanted)
-    kernel = model.compiled_by(key, lambda: program_of_event(model, event, wanted))
+    key = ("the event", event.expression, *event.reset.items(), inputs)
+    kernel = model.compiled_by(key, lambda: program_of_event(model, event, inputs))
     return kernel, changed_by(event, model.layout.states)
 
 
 @dataclass
 class SensitivityRequest:
-    """The sensitivities wanted of a simulation: an argument of `integrate` and `simulate`.
+    """The requested sensitivities of a simulation: an argument of `integrate` and `simulate`.
 
-    `parameters` are symbols, names or groups such as ``'states'``, as `System.simulate` takes them.
-    Where derivatives are the result itself, as in orbits, they are `controlled`.
+    `parameters` are symbols, names or groups such as ``'states'``, as in `System.simulate`. If
+    derivatives are the main result, as in orbits, they are `controlled`.
     """
 
     parameters: Any
-    # whether the step control of a native solver looks at the sensitivities too
+    # whether the step control of a native solver includes the sensitivities
     controlled: bool = False
-    given: np.ndarray | None = None  # those of the initial state, shape (n, k); else they follow
+    initial: np.ndarray | None = None  # initial values, shape (n, k); by default they are computed
     untimed: frozenset[int] = frozenset()  # see `CompiledSensitivities`
     sensitive: AugmentedSystem = field(init=False)  # from the call of `augment` on
 
@@ -447,16 +448,18 @@ class SensitivityRequest:
     ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
         """Return the right-hand side, the initial values and the options of the solver.
 
-        The model that is integrated is of the states alone.
+        The `model` is that of the states alone.
         """
-        self.sensitive = sensitive = AugmentedSystem.of(
+        self.sensitive = sensitive = AugmentedSystem.for_parameters(
             problem, model, problem.plan, self.parameters
         )
-        values = sensitive.start(problem.x, float(times[0])) if self.given is None else self.given
+        values = (
+            sensitive.start(problem.x, float(times[0])) if self.initial is None else self.initial
+        )
         columns = sensitive.columns
         if isinstance(solver, Solver):
-            held = sensitive.controlled(self.controlled)
-            options = sensitive.stepped(solver, options, problem.x, times, held)
+            controlled = sensitive.controlled(self.controlled)
+            options = sensitive.stepped(solver, options, problem.x, times, controlled)
             sources = () if (events := options.get("events")) is None else events.sources
             compiled = sensitive.compiled(problem.x, options, self.controlled, sources)
             compiled = replace(compiled, untimed=self.untimed)

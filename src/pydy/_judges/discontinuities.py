@@ -162,7 +162,7 @@ def watched(at: StateSamples, sensitive: Any = None, integral: Any = None) -> Wa
     if sensitive is not None:
         first = {"specifieds": n, "constants": n + len(at.definition.specifieds)}
         parameters = [p for p in sensitive.parameters if p.kind in first]
-        parameter_columns = tuple(first[p.kind] + p.place for p in parameters)
+        parameter_columns = tuple(first[p.kind] + p.index for p in parameters)
     return WatchedQuantities(parts, (*names, "what is integrated"), n, parameter_columns)
 
 

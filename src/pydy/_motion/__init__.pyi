@@ -9,7 +9,7 @@ from .events_and_constraints import (
     native_solver as native_solver,
     projection_program as projection_program,
     with_all as with_all,
-    with_residuals_held as with_residuals_held,
+    with_residuals_projected as with_residuals_projected,
 )
 from .motion import EvaluationRecorder as EvaluationRecorder, Motion as Motion, Segment as Segment
 from .preparation import PreparedIntegration as PreparedIntegration, prepare as prepare

@@ -49,18 +49,18 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
             )
         reset = {}
         for key, after in event.reset.items():
-            place = states.get(key, "reset")
-            if place is None:
+            index = states.get(key, "reset")
+            if index is None:
                 raise ValueError(
                     f"`reset` of the event `{event.name}` has a value for `{key}`, which is no "
                     f"state of the system: {describe(states.symbols)}.{states.meant(key)}"
                 )
-            if states.symbols[place] in reset:
+            if states.symbols[index] in reset:
                 raise ValueError(
-                    f"`reset` of the event `{event.name}` gives `{states.symbols[place]}` more "
+                    f"`reset` of the event `{event.name}` gives `{states.symbols[index]}` more "
                     "than once, by the symbol or by its name. Keep one of them."
                 )
-            reset[states.symbols[place]] = after
+            reset[states.symbols[index]] = after
         checked.append(replace(event, reset=reset))
     names = [event.name for event in checked]
     double = [name for name in names if names.count(name) > 1]
@@ -72,20 +72,20 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
     return tuple(checked)
 
 
-def with_residuals_held(
+def with_residuals_projected(
     definition: Definition, solver: Any, options: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return options of a simulation by which residuals of an `Implicit` are held to rounding."""
+    """Return options that project residuals of an `Implicit`, unless constraints are chosen."""
     implicit = definition.equations.constraints.residuals.implicit
-    held = implicit is not None and isinstance(solver, Solver)
-    more = held and options.get("constraints") is None
-    return {**options, "constraints": "project"} if more else {**options}
+    native_implicit = implicit is not None and isinstance(solver, Solver)
+    must_project = native_implicit and options.get("constraints") is None
+    return {**options, "constraints": "project"} if must_project else {**options}
 
 
 def compile_events(
     model: CompiledModel, definition: Definition, events: tuple[Event, ...]
 ) -> CompiledEvents:
-    """Compile events, their rates, how far a step may bring them, and their resets."""
+    """Compile events, their rates, bounds on their change in a step, and their resets."""
     expressions = tuple(event.expression for event in events)
     states = definition.states
     assembly = model.assembly.fork()
@@ -95,27 +95,27 @@ def compile_events(
     groups = [graph.inputs_of([node]) for node in nodes]
     slopes = _slopes(assembly, nodes)
     linear = [
-        "r" not in own and graph.inputs_of(row.values()) <= {"p"}
-        for own, row in zip(groups, slopes, strict=True)
+        "r" not in inputs and graph.inputs_of(row.values()) <= {"p"}
+        for inputs, row in zip(groups, slopes, strict=True)
     ]
 
     def resets() -> Program:
-        own, after = model.assembly.fork(), []
+        fork, after = model.assembly.fork(), []
         for event in events:
-            own_after = [event.reset.get(s, s) for s in states]
-            after += own.read(own_after, f"`reset` of the event `{event.name}`")
-        return own.lowered({"resets": after}, {"resets": (len(events), len(states))})
+            state_after = [event.reset.get(s, s) for s in states]
+            after += fork.read(state_after, f"`reset` of the event `{event.name}`")
+        return fork.lowered({"resets": after}, {"resets": (len(events), len(states))})
 
     resetting = tuple(bool(event.reset) for event in events)
     turns = tuple(isinstance(event, Turn) for event in events)
-    looked_for = [k - turn for k, turn in enumerate(turns)]
-    far = event_reach(assembly, [nodes[k] for k in looked_for])
+    sources = [k - turn for k, turn in enumerate(turns)]
+    far = event_reach(assembly, [nodes[k] for k in sources])
     key = ("resets of the events", *(tuple(event.reset.items()) for event in events))
     return CompiledEvents(
         names=tuple(event.name for event in events),
         directions=tuple(event.direction for event in events),
         terminal=tuple(bool(event.terminal) for event in events),
-        constant=tuple(own <= {"p"} for own in groups),
+        constant=tuple(inputs <= {"p"} for inputs in groups),
         linear=tuple(linear),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
@@ -125,18 +125,18 @@ def compile_events(
         turns=turns,
         reach=None
         if far is None
-        else model.compiled_by(("reach", *(expressions[k] for k in looked_for)), far),
+        else model.compiled_by(("reach", *(expressions[k] for k in sources)), far),
         resetting=resetting,
         redirects=_redirects(assembly, slopes, events, states),
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
         may_rest=tuple(
-            not isinstance(event.expression, NodeExpression)  # contacts look at their own again
+            not isinstance(event.expression, NodeExpression)  # contacts check their own events
             and (
-                "r" in own
+                "r" in inputs
                 or any(graph.ops[n] in OPERATIONS.partly_constant for n in graph.reachable([node]))
             )
-            for event, node, own in zip(events, nodes, groups, strict=True)
+            for event, node, inputs in zip(events, nodes, groups, strict=True)
         ),
     )
 
@@ -145,9 +145,9 @@ def event_redirects(
     assembly: Assembly, events: Sequence[Event], states: Sequence[Any]
 ) -> tuple[bool, ...]:
     """Return whether each event's reset changes a state that the event's own rate depends on."""
-    own = assembly.fork()
-    nodes = own.read(tuple(event.expression for event in events), "the events")
-    return _redirects(own, _slopes(own, nodes), events, states)
+    fork = assembly.fork()
+    nodes = fork.read(tuple(event.expression for event in events), "the events")
+    return _redirects(fork, _slopes(fork, nodes), events, states)
 
 
 def _slopes(assembly: Assembly, nodes: Sequence[int]) -> Sequence[Mapping[int, int]]:
@@ -163,51 +163,51 @@ def _redirects(
     events: Sequence[Event],
     states: Sequence[Any],
 ) -> tuple[bool, ...]:
-    graph, found = assembly.graph, []
+    graph, redirects = assembly.graph, []
     for event, row in zip(events, slopes, strict=True):
         rates = [assembly.rates[i] for i in row if i < len(states)] if event.reset else []
         inputs = {graph.args[node] for node in graph.inputs([*row.values(), *rates])}
         changed = [k for k, state in enumerate(states) if state in event.reset]
-        found.append(any(("x", k) in inputs for k in changed))
-    return tuple(found)
+        redirects.append(any(("x", k) in inputs for k in changed))
+    return tuple(redirects)
 
 
 def event_rates_program(
     assembly: Assembly, expressions: Sequence[Any], bounds: bool = False
 ) -> Program:
     """Return the Program of the events' rates, and of bounds on their roundings."""
-    own = assembly.fork()
-    graph = own.graph
-    nodes = own.read(expressions, "the events")
-    along = {graph.input("x", k): {0: rate} for k, rate in enumerate(own.rates)}
-    rows = directional(graph, nodes, {**along, graph.input("t", 0): {0: graph.one}})
+    fork = assembly.fork()
+    graph = fork.graph
+    nodes = fork.read(expressions, "the events")
+    tangents = {graph.input("x", k): {0: rate} for k, rate in enumerate(fork.rates)}
+    rows = directional(graph, nodes, {**tangents, graph.input("t", 0): {0: graph.one}})
     totals = [row.get(0, graph.zero) for row in rows]
     if not bounds:
-        return own.lowered({"rates": totals})
-    return own.lowered({"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
+        return fork.lowered({"rates": totals})
+    return fork.lowered({"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
 
 
 def event_reach(assembly: Assembly, nodes: Sequence[int]) -> Callable[[], Program] | None:
-    """Return the function that makes the Program of events and of bounds on their change in a step.
+    """Return a function that builds the Program of events and bounds on their change in a step.
 
-    How far each state may, and the time, stands in r after the specifieds. It is None where that
-    bounds not every event.
+    The largest changes of the states and of time follow the specifieds in r. The result is None if
+    an event cannot be bounded.
     """
     graph, (n, s, k) = assembly.graph, assembly.sizes
     inputs = [*(graph.input("x", i) for i in range(n)), graph.input("t", 0)]
     bounds = reach(graph, nodes, {x: graph.input("r", s + i) for i, x in enumerate(inputs)})
-    known = [bound for bound in bounds if bound is not None]
-    if len(known) < len(bounds):
+    finite_bounds = [bound for bound in bounds if bound is not None]
+    if len(finite_bounds) < len(bounds):
         return None
-    parts, sizes = {"values": nodes, "reach": known}, (n, s + n + 1, k)
+    parts, sizes = {"values": nodes, "reach": finite_bounds}, (n, s + n + 1, k)
     return lambda: assembly.lowered(parts, sizes=sizes, as_is=True)
 
 
 def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
     """Return the Program of bounds on the roundings of the events' expressions."""
-    own = assembly.fork()
-    nodes = own.read(expressions, "the events")
-    return own.lowered({"bounds": rounding_bounds(own.graph, nodes)})
+    fork = assembly.fork()
+    nodes = fork.read(expressions, "the events")
+    return fork.lowered({"bounds": rounding_bounds(fork.graph, nodes)})
 
 
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:
@@ -238,10 +238,10 @@ def constraint_names(equations: Equations, redundant: bool = False) -> tuple[str
     """Return names of the holonomic, then the velocity constraints, including `redundant` ones."""
     constraints = equations.constraints
     left_out = constraints.redundant if redundant else ((), ())
-    kept = ("holonomic", constraints.holonomic), ("velocity", constraints.velocity)
+    enforced = ("holonomic", constraints.holonomic), ("velocity", constraints.velocity)
     names = []
-    for (kind, rows), more in zip(kept, left_out, strict=True):
-        for k, row in enumerate((*rows, *more)):
+    for (kind, rows), redundant_rows in zip(enforced, left_out, strict=True):
+        for k, row in enumerate((*rows, *redundant_rows)):
             text = str(row)
             name = f"{kind} constraint {k}" if k < len(rows) else f"redundant {kind} constraint"
             names.append(f"{name}: {text if len(text) <= 60 else text[:57] + '...'}")
@@ -249,36 +249,36 @@ def constraint_names(equations: Equations, redundant: bool = False) -> tuple[str
 
 
 class ConstraintNames(Sequence[str]):
-    """The names of constraints, made when one is needed: to print them may take long."""
+    """The names of constraints, which are printed when one is needed: this may take long."""
 
     def __init__(self, equations: Equations) -> None:
         self._equations: Equations | None = equations
         self._names: tuple[str, ...] = ()
 
-    def _made(self) -> tuple[str, ...]:
+    def _all_names(self) -> tuple[str, ...]:
         if self._equations is not None:
             self._names, self._equations = constraint_names(self._equations, redundant=True), None
         return self._names
 
     def __len__(self) -> int:
-        return len(self._made())
+        return len(self._all_names())
 
     def __getitem__(self, k: Any) -> Any:
-        return self._made()[k]
+        return self._all_names()[k]
 
     def __reduce__(self) -> tuple[Any, ...]:  # a worker has no SymPy to print with
-        return tuple, (self._made(),)
+        return tuple, (self._all_names(),)
 
 
 def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
-    """Return the equations with all constraints, redundant ones last."""
+    """Return the equations with all constraints, the redundant ones last."""
 
-    def change(own: Assembly) -> Assembly:
-        holonomic, velocity = own.with_left_out()
-        return replace(own, holonomic=holonomic, velocity=velocity)
+    def change(original: Assembly) -> Assembly:
+        holonomic, velocity = original.with_left_out()
+        return replace(original, holonomic=holonomic, velocity=velocity)
 
-    whole = not any(definition.equations.constraints.redundant)
-    return model if whole else model.changed("all constraints", change)
+    unchanged = not any(definition.equations.constraints.redundant)
+    return model if unchanged else model.changed("all constraints", change)
 
 
 def projection_program(assembly: Assembly) -> Program:
@@ -308,24 +308,25 @@ def _separate(
     gradient: list[list[int]],
     following: tuple[tuple[int, ...], tuple[int, ...]],
 ) -> tuple[int, ...]:
-    """Let residuals g move only the coordinates z that they determine; return those positions.
+    """Let residuals g correct only the coordinates z that they determine; return their columns.
 
-    As rows that no speed reaches, by ∂g/∂z alone. In the gradients of other constraints h, z
-    follows: h_q − h_z g_z⁻¹ g_q. So what the user gave is not moved to satisfy g.
+    The gradient of g becomes ∂g/∂z, without a part for speeds. In the gradients of other
+    constraints h, z is eliminated: h_q − h_z g_z⁻¹ g_q. Projection onto g then changes no other
+    coordinate.
     """
-    rows, places = following
-    if len(rows) != len(places):
+    rows, columns = following
+    if len(rows) != len(columns):
         return ()
     zero = graph.zero
-    own = [[gradient[i][k] for k in places] for i in rows]
+    block = [[gradient[i][k] for k in columns] for i in rows]
     for i, row in enumerate(gradient):
-        if i in rows or all(row[k] == zero for k in places):
+        if i in rows or all(row[k] == zero for k in columns):
             continue
-        transposed = [list(column) for column in zip(*own, strict=True)]
-        (share,) = graph.solve(transposed, [[row[k] for k in places]], "lu")
+        transposed = [list(column) for column in zip(*block, strict=True)]
+        (share,) = graph.solve(transposed, [[row[k] for k in columns]], "lu")
         for k in range(len(row)):
             terms = [(graph.mul(a, gradient[g][k]), -1.0) for a, g in zip(share, rows, strict=True)]
-            row[k] = zero if k in places else graph.sum([(row[k], 1.0), *terms])
+            row[k] = zero if k in columns else graph.sum([(row[k], 1.0), *terms])
     for i in rows:
-        gradient[i] = [c if k in places else zero for k, c in enumerate(gradient[i])]
-    return places
+        gradient[i] = [c if k in columns else zero for k, c in enumerate(gradient[i])]
+    return columns

@@ -1,4 +1,4 @@
-"""Motions: what an integration computed, with all that judges, analyses and pictures need of it."""
+"""Motions: the result of an integration, with the data that checks, analyses and pictures need."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from pydy.trajectory import EventRecord, Trajectory
 
 
 class EvaluationRecorder:
-    """A right-hand side that records where a solver evaluated it.
+    """A right-hand side that records the times and states at which a solver evaluated it.
 
-    Of its `jumps` by time each has a row, as in `pydy._program.switch_times.SwitchTimes`.
+    Its `jumps` in time have the rows of `pydy._program.switch_times.SwitchTimes`.
     """
 
     def __init__(self, f: Callable[..., Any], jumps: np.ndarray) -> None:
@@ -39,51 +39,51 @@ class Segment:
     end: float
     modes: tuple[str, ...]  # of each contact; empty without contacts
     problem: Problem  # with the equations of these modes
-    columns: Sequence[int] = ()  # the outputs of the problem that are those of the whole motion
-    # Times to states, and to sensitivities after them if there are any; None if it had more steps
-    # than are stored.
+    columns: Sequence[int] = ()  # the outputs of the problem that are outputs of the full motion
+    # Maps times to states, followed by sensitivities if there are any; None if there were more
+    # steps than are stored.
     dense: Any = None
     augmented: Any = None  # the AugmentedSystem of these modes, with sensitivities
 
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """What an integration computed.
+    """The result of an integration.
 
-    An analysis takes a Problem and integrates it to Motions; a judge takes a Motion and warns of
-    it, or raises; a picture or a table shows its `trajectory`.
+    An analysis integrates a Problem to Motions. A judge checks a Motion and warns or raises. A
+    picture or a table shows its `trajectory`.
 
-    `times`, `states` and `sensitivities` have the times that were asked for, up to a terminal
-    event; `end`, `end_state` and `end_sensitivities` are where the motion ends. Outputs along it
-    are ``motion.problem.at(motion.times, motion.states).outputs()``. Between those times, `dense`
-    gives states at any time of the motion, with columns of sensitivities behind them if there are
-    any; `dense.starts` are the times at which steps begin.
-    What `proceed` integrates has the options of this motion.
+    `times`, `states` and `sensitivities` are those of the requested times, up to a terminal event;
+    `end`, `end_state` and `end_sensitivities` are those of the end. The outputs are
+    ``motion.problem.at(motion.times, motion.states).outputs()``. `dense` is the dense output: it returns
+    the states at any time of the motion, followed by columns of sensitivities if there are any;
+    `dense.starts` are the times at which steps begin. `proceed` continues the motion with the same
+    options.
     """
 
-    problem: Problem  # with the state that was asked for at the start
+    problem: Problem  # with the requested initial state
     solver: Any  # the function that integrated it
     options: Mapping[str, Any]  # of the solver, as compiled, with its tolerances
     times: np.ndarray  # (m,)
     states: np.ndarray  # (m, n)
     segments: tuple[Segment, ...]  # one, unless contacts change their modes
     events: Sequence[EventRecord] = ()
-    # the solver's: steps, evaluations, how near to singular it came, its code, its `method`
+    # of the solver: steps, evaluations, smallest measure of rank, outcome code, `method`
     statistics: Mapping[str, Any] = field(default_factory=dict)
-    dense: Any = None  # times to states between the steps; None where these were not stored
+    dense: Any = None  # the dense output; None if it was not stored
     sensitivities: np.ndarray | None = None  # (m, n, k)
     augmented: Any = None  # the AugmentedSystem that has these columns
     projected: bool = False  # whether constraints are enforced, by projection or stabilisation
-    errors_known: bool = True  # whether `options` tell how accurate the solver is
-    evaluated: EvaluationRecorder | None = None  # where a solver of SciPy evaluated the rates
+    errors_known: bool = True  # whether `options` have the tolerances of the solver
+    evaluated: EvaluationRecorder | None = None  # the evaluations of a solver of SciPy
     refusal: str = ""  # why the motion cannot be continued, or ""
-    # integrates on from the end, at some times; see `pydy.trajectory.Trajectory.continue_to`
+    # Continues the motion to further times; see `pydy.trajectory.Trajectory.continue_to`.
     proceed: Callable[[Motion, np.ndarray], Trajectory] | None = None
-    label: Callable[[Motion], Trajectory] | None = None  # makes `trajectory`, if not `labelled`
+    label: Callable[[Motion], Trajectory] | None = None  # builds `trajectory`; default `labelled`
 
     @cached_property
     def trajectory(self) -> Trajectory:
-        """The same for users: with names, outputs, specifieds and energies."""
+        """The motion for users, with names, outputs, specifieds and energies."""
         return labelled(self) if self.label is None else self.label(self)
 
     @property
@@ -132,20 +132,20 @@ class Motion:
         name = getattr(self.solver, "__name__", default)
         return str(self.statistics.get("method", name))
 
-    def go_on(self, times: np.ndarray) -> Trajectory:
-        """Return the motion from the end on, at some times."""
+    def continued(self, times: np.ndarray) -> Trajectory:
+        """Return the continuation of the motion at `times`, which begin at its end."""
         assert self.proceed is not None
         return self.proceed(self, times)
 
     def rates(self, t: float, x: np.ndarray, segment: int = -1) -> np.ndarray:
-        """Return the derivatives of the states at the end of a segment, or beyond it."""
+        """Return the derivatives of the states at a time of a segment, or after its end."""
         problem = self.segments[segment].problem
-        found: np.ndarray = problem.at(np.array([t]), x[None]).rates()[0]
-        return found
+        rates: np.ndarray = problem.at(np.array([t]), x[None]).rates()[0]
+        return rates
 
     def event(self, name: str) -> EventRecord | None:
-        """Return the last event of a name."""
-        return next((one for one in reversed(self.events) if one.name == name), None)
+        """Return the last event with this name, or None."""
+        return next((record for record in reversed(self.events) if record.name == name), None)
 
 
 def labelled(motion: Motion) -> Trajectory:

@@ -1,4 +1,4 @@
-"""Prepare integrations: compile what the options of a solver need, once for all numbers."""
+"""Prepare integrations: compile the code that a solver's options need, once for all numbers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pydy._motion.events_and_constraints import (
     check_events,
     compile_constraints,
     compile_events,
-    with_residuals_held,
+    with_residuals_projected,
 )
 from pydy._motion.scipy_options import named_for_odeint
 from pydy._motion.scipy_solvers import SolveIvp, is_odeint, odeint_options
@@ -29,7 +29,8 @@ from pydy.solvers import (
     check_option_names,
 )
 
-_PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
+# Options of other types, such as arrays, may be edited between two calls.
+_IMMUTABLE = frozenset((float, int, bool, str, type(None)))
 
 
 _STEPPING = frozenset(
@@ -45,27 +46,27 @@ class PreparedIntegration:
         model: Model,
         plan: SpecifiedsPlan,
         solver: Any,
-        given: dict[str, Any],
+        options: dict[str, Any],
     ) -> None:
-        self._plan, self._solver, self._given = plan, solver, dict(given)
-        self._events = CompiledEvents.key(given.get("events"))
+        self._plan, self._solver, self._user_options = plan, solver, dict(options)
+        self._events = CompiledEvents.key(options.get("events"))
         self.constrained = model.definition.equations.constraints.are_present
-        # whether the motion is brought back onto the constraints
-        self.enforced = given.get("constraints") is not None
-        self.never_jumps = False  # whether inputs and loads are known not to jump by time alone
+        # whether the constraints are enforced, by projection or stabilisation
+        self.enforced = options.get("constraints") is not None
+        self.never_jumps = False  # whether inputs and loads certainly have no jumps in time
         self.span = 0.0  # of the times of the latest call
-        self.start_judged = False  # whether impulses of the inputs were looked for
+        self.start_judged = False  # whether the inputs were checked for impulses
         self.oriented: tuple[Any, ...] | None = None  # see `assumptions.orientations`
         self.code, self.options = self._prepared(model)
         self.read: Options | None = None  # as the solver has read them
         self.problem: Problem | None = None  # of the latest call
-        # What the latest call has reserved, with its options, if no other call has it.
+        # The memory of the latest call, with its options, unless another call is using it.
         self.free: list[tuple[Prepared, dict[str, Any]]] = []
 
     def _prepared(self, model: Model) -> tuple[CompiledModel, dict[str, Any]]:
-        """Return the code with options that change the equations compiled in, and the others."""
+        """Return the code, with options that change the equations compiled in, and the others."""
         definition = model.definition
-        options, equations = dict(self._given), definition.equations
+        options, equations = dict(self._user_options), definition.equations
         if is_odeint(self._solver):
             options = named_for_odeint(options)
         constraints, events, gain = (
@@ -87,16 +88,18 @@ class PreparedIntegration:
             )
         if constraints == "baumgarte":
             gain = positive(gain, "`gain`", finite=True)
-            stable = model.code.changed(("baumgarte", gain), lambda own: stabilised(own, gain))
+            stable = model.code.changed(
+                ("baumgarte", gain), lambda assembly: stabilised(assembly, gain)
+            )
             model = replace(model, code=stable)
         projected = constraints == "project"
         if events is not None and self._looks_itself(events):
             options["events"], events = events, None
         if not isinstance(self._solver, Solver) and (projected or events is not None):
-            what = "constraints='project'" if projected else "events"
+            feature = "constraints='project'" if projected else "events"
             raise ValueError(
-                f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another "
-                "one of pydy.solvers."
+                f"`{feature}` needs a native solver: set `system.ode_solver = 'dop853'`, or "
+                "another one of pydy.solvers."
             )
         code = model.with_compiled_inputs(self._plan)
         if projected:
@@ -106,7 +109,7 @@ class PreparedIntegration:
         return code, options
 
     def _looks_itself(self, events: Any) -> bool:
-        """Return whether the solver has events of its own: a user's, and solve_ivp's functions."""
+        """Return whether the solver detects events itself: a user's solver, or solve_ivp."""
         if isinstance(self._solver, Solver) or is_odeint(self._solver):
             return False
         if not isinstance(self._solver, SolveIvp):
@@ -114,50 +117,61 @@ class PreparedIntegration:
         several = events if isinstance(events, (list, tuple)) else [events]
         return not any(isinstance(event, Event) for event in several)
 
-    def is_compatible(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
-        """Return whether a call differs in numbers alone, as far as that can be seen."""
-        if solver is not self._solver or [*given] != [*self._given]:
+    def is_compatible(self, plan: SpecifiedsPlan, solver: Any, options: dict[str, Any]) -> bool:
+        """Return whether a call differs only in numbers, as far as can be determined."""
+        if solver is not self._solver or [*options] != [*self._user_options]:
             return False
-        for name, value in given.items():  # at each call: what is said below, in line
-            known = self._given[name]
-            plain = type(value) in _PLAIN and type(value) is type(known) and value == known
-            # What a run begins with, `continuation`, is set in it.
-            if plain or name == "continuation":
+        for name, value in options.items():  # runs at each call: `_alike` inlined
+            stored = self._user_options[name]
+            unchanged = (
+                type(value) in _IMMUTABLE and type(value) is type(stored) and value == stored
+            )
+            # The `continuation` is set at the start of each run.
+            if unchanged or name == "continuation":
                 continue
             if name != "events" or not self._alike(name, value):
                 return False
-        return plan is self._plan or self._as_planned(plan)
+        return plan is self._plan or self._has_same_inputs(plan)
 
     def _alike(self, name: str, value: Any) -> bool:
-        known = self._given[name]
+        stored = self._user_options[name]
         if name == "events":
             return self._events is not None and self._events == CompiledEvents.key(value)
-        return type(value) in _PLAIN and type(value) is type(known) and bool(value == known)
+        return type(value) in _IMMUTABLE and type(value) is type(stored) and bool(value == stored)
 
     def retuned(
-        self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]
+        self, plan: SpecifiedsPlan, solver: Any, options: dict[str, Any]
     ) -> PreparedIntegration | None:
-        """Return the same with other tolerances or step sizes, where no more differs, or None."""
+        """Return a copy with other tolerances or step sizes, or None if more than these differ."""
         native = isinstance(solver, Solver)
-        if solver is not self._solver or not (native or [*given] == [*self._given]):
-            return None  # of other solvers, names were checked
-        rest = [name for name in given if name not in _STEPPING]
-        if rest != [name for name in self._given if name not in _STEPPING]:
+        if solver is not self._solver or not (native or [*options] == [*self._user_options]):
+            return None  # for other solvers, the names were checked
+        other_names = [name for name in options if name not in _STEPPING]
+        if other_names != [name for name in self._user_options if name not in _STEPPING]:
             return None
-        if not (all(self._alike(name, given[name]) for name in rest) and self._as_planned(plan)):
+        if not (
+            all(self._alike(name, options[name]) for name in other_names)
+            and self._has_same_inputs(plan)
+        ):
             return None
-        other, own = copy(self), {name: v for name, v in given.items() if name in _STEPPING}
-        other._given = dict(given)
-        kept = {name: v for name, v in self.options.items() if not native or name not in _STEPPING}
-        other.options = {**kept, **(named_for_odeint(own) if is_odeint(solver) else own)}
-        return other
+        step_options = {name: v for name, v in options.items() if name in _STEPPING}
+        result = copy(self)
+        result._user_options = dict(options)
+        retained = {
+            name: v for name, v in self.options.items() if not native or name not in _STEPPING
+        }
+        result.options = {
+            **retained,
+            **(named_for_odeint(step_options) if is_odeint(solver) else step_options),
+        }
+        return result
 
-    def _as_planned(self, plan: SpecifiedsPlan) -> bool:
-        known = self._plan
-        return plan is known or (
-            plan.expressions is known.expressions
-            and plan.inputs.sampled is known.inputs.sampled
-            and plan.inputs.functions is known.inputs.functions
+    def _has_same_inputs(self, plan: SpecifiedsPlan) -> bool:
+        stored = self._plan
+        return plan is stored or (
+            plan.expressions is stored.expressions
+            and plan.inputs.sampled is stored.inputs.sampled
+            and plan.inputs.functions is stored.inputs.functions
         )
 
 
@@ -165,13 +179,13 @@ def prepare(
     problem: Problem,
     times: np.ndarray,
     solver: Any,
-    given: dict[str, Any],
+    options: dict[str, Any],
     alone: bool = True,
 ) -> tuple[PreparedIntegration, np.ndarray]:
-    """Return the prepared integration of a Problem, the latest one if it fits, and the times.
+    """Return the prepared integration of a Problem, the latest one if compatible, and the times.
 
-    It is `alone` without sensitivities. Where assumptions of symbols are judged, a solver stores
-    its steps, unless the user chose.
+    `alone` means without sensitivities. If assumptions of symbols are checked, a solver stores its
+    steps, unless the user set `dense_output`.
     """
     latest = problem.model.code.latest
     if len(times) < 2:
@@ -180,18 +194,18 @@ def prepare(
             f"{len(times)}. Set `system.times`."
         )
     if problem.definition.equations.constraints.residuals.implicit is not None:
-        given = with_residuals_held(problem.definition, solver, given)
+        options = with_residuals_projected(problem.definition, solver, options)
     stores = isinstance(solver, Solver) or (isinstance(solver, SolveIvp) and alone)
-    if AssumptionChecks(problem).judged() and stores and "dense_output" not in given:
-        given = {**given, "dense_output": True}
+    if AssumptionChecks(problem).judged() and stores and "dense_output" not in options:
+        options = {**options, "dense_output": True}
     times, plan = CallArguments(problem).times(times), problem.plan
     if plan.inputs.sampled:
         plan.check_times(times, "times")
     ready: PreparedIntegration | None = latest.get("simulation")
-    if ready is not None and not ready.is_compatible(plan, solver, given):
-        ready = latest["simulation"] = ready.retuned(plan, solver, given)
+    if ready is not None and not ready.is_compatible(plan, solver, options):
+        ready = latest["simulation"] = ready.retuned(plan, solver, options)
     if ready is None:
-        ready = PreparedIntegration(problem.model, plan, solver, given)
+        ready = PreparedIntegration(problem.model, plan, solver, options)
         if is_odeint(solver):
             check_option_names("odeint", odeint_options(), ready.options)
         latest["simulation"] = ready

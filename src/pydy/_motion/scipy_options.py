@@ -14,15 +14,15 @@ from pydy._option_checks import Check, checked, optional
 _FOR_ODEINT = {"max_step": "hmax", "first_step": "h0", "min_step": "hmin"}
 
 
-def named_for_odeint(given: Mapping[str, Any]) -> dict[str, Any]:
+def named_for_odeint(options: Mapping[str, Any]) -> dict[str, Any]:
     """Return options with odeint's names in place of those of the other solvers.
 
     None and infinity, which mean no limit, become 0.
     """
     named: dict[str, Any] = {}
-    for name, value in given.items():
+    for name, value in options.items():
         renamed = _FOR_ODEINT.get(name, name)
-        if renamed != name and renamed in given:
+        if renamed != name and renamed in options:
             raise TypeError(
                 f"`{name}` and `{renamed}` are the same option of `odeint`: give one of them."
             )
@@ -33,23 +33,23 @@ def named_for_odeint(given: Mapping[str, Any]) -> dict[str, Any]:
     return named
 
 
-def _jacobian(value: Any, what: str) -> Any:
+def _jacobian(value: Any, argument: str) -> Any:
     """Check the Jacobian of `solve_ivp`: a function, or a matrix, which may be sparse."""
     shape = () if isinstance(value, str) else getattr(value, "shape", np.shape(value))
     if value is None or callable(value) or len(shape) == 2:
         return value
     raise TypeError(
-        f"{what} must be a function {what[1:-1]}(t, x), a matrix of shape (n, n), or None to find "
-        f"it by differences, got {shown(value)}."
+        f"{argument} must be a function {argument[1:-1]}(t, x), a matrix of shape (n, n), or None "
+        f"to find it by differences, got {shown(value)}."
     )
 
 
-def _gradient(value: Any, what: str) -> Any:
+def _gradient(value: Any, argument: str) -> Any:
     """Check the Jacobian of `odeint`."""
     if value is None or callable(value):
         return value
     raise TypeError(
-        f"{what} must be a function {what[1:-1]}(x, t), or None to find the Jacobian by "
+        f"{argument} must be a function {argument[1:-1]}(x, t), or None to find the Jacobian by "
         f"differences, got {shown(value)}."
     )
 
@@ -70,6 +70,6 @@ _SCIPY: dict[str, Check] = {
 }
 
 
-def check_scipy_options(given: Mapping[str, Any]) -> dict[str, Any]:
+def check_scipy_options(options: Mapping[str, Any]) -> dict[str, Any]:
     """Check options of SciPy's solvers, whose own errors do not name the wrong one."""
-    return checked(_SCIPY, given)
+    return checked(_SCIPY, options)

@@ -22,12 +22,12 @@ from pydy._names import nearest, numbers_of, unique_names
 from pydy.solvers import SOLVERS, Outcome, Solver, check_option_names
 from pydy.trajectory import EventRecord
 
-# -- LSODA, behind both, has one memory: runs cannot be nested ------------------------------------
+# -- LSODA, which odeint and solve_ivp call, has static memory: runs cannot be nested --------------
 
 
 def refuse_nested(name: str) -> None:
-    """Raise if a function that LSODA calls is about to start it again, as a solver of some name."""
-    # The stack cannot be out of date, as a mark that an interrupt leaves behind would be.
+    """Raise if LSODA is running: a function that it calls must not start the solver `name`."""
+    # The call stack is always up to date, unlike a flag after an interrupt.
     running = {
         unwrap(scipy.integrate.odeint).__code__: "odeint",
         unwrap(scipy.integrate.LSODA._step_impl).__code__: "LSODA",
@@ -53,13 +53,13 @@ MORE_STEPS = (
 
 
 def odeint_options() -> frozenset[str]:
-    """Return the options that odeint takes from users."""
-    given = {"func", "y0", "t", "args", "tfirst"}
-    return frozenset(signature(scipy.integrate.odeint).parameters) - given
+    """Return the options of odeint that users can pass."""
+    positional = {"func", "y0", "t", "args", "tfirst"}
+    return frozenset(signature(scipy.integrate.odeint).parameters) - positional
 
 
 def is_odeint(solver: Any) -> bool:
-    """Whether a solver is `odeint`; to tell this of another one loads none of SciPy's packages."""
+    """Return whether a solver is `odeint`; for native ones, without loading SciPy's packages."""
     return not isinstance(solver, (Solver, SolveIvp)) and solver is scipy.integrate.odeint
 
 
@@ -76,11 +76,12 @@ def call_odeint(
     names: Sequence[Any],
     options: dict[str, Any],
 ) -> tuple[np.ndarray, dict[str, Any]]:
-    """Return the states and information of `odeint`; an IntegrationError where it gives up."""
+    """Return the states and information of `odeint`; raise IntegrationError if it gives up."""
     refuse_nested("odeint")
     options = check_scipy_options(options)
     _check_scales(options, x0)
-    # The error says more than the warning. Filters are the whole process's: other threads keep it.
+    # The error replaces SciPy's warning. Filters are global to the process, so that they are
+    # changed only in the main thread.
     alone = threading.current_thread() is threading.main_thread()
     with warnings.catch_warnings() if alone else nullcontext():
         if alone and not options.get("printmessg"):
@@ -91,37 +92,37 @@ def call_odeint(
     if came_to_the_end(states, info):
         return states, info
     good = info["message"].startswith(_GOOD)
-    # Rows that it did not come to hold whatever lay in memory, times too.
-    came, way = np.isfinite(states).all(axis=1), -1.0 if descends(times) else 1.0
+    # Rows that were not reached contain uninitialised memory, also in the times.
+    came, sign = np.isfinite(states).all(axis=1), -1.0 if descends(times) else 1.0
     if not good:
-        came[1:] &= way * info["tcur"] >= way * times[1:]
-    # What is illegal after steps that were not is infinite derivatives.
-    gone = (way * info["tcur"]).max() > way * times[0]
-    if good or (info["message"].startswith(_ILLEGAL) and gone):
-        outcome, what = Outcome.NOT_FINITE, "met derivatives or errors that are not finite"
+        came[1:] &= sign * info["tcur"] >= sign * times[1:]
+    # Illegal input after successful steps means infinite derivatives.
+    advanced = (sign * info["tcur"]).max() > sign * times[0]
+    if good or (info["message"].startswith(_ILLEGAL) and advanced):
+        outcome, reason = Outcome.NOT_FINITE, "met derivatives or errors that are not finite"
     else:
-        what = info["message"].split(".")[0]
-        excess = what.startswith("Excess work")
+        reason = info["message"].split(".")[0]
+        excess = reason.startswith("Excess work")
         outcome = Outcome.TOO_MANY_STEPS if excess else Outcome.STEP_UNDERFLOW
-        what = f"gave up ({what})"
+        reason = f"gave up ({reason})"
     reached = max(1, int(np.argmin(came)))
     t, x = float(times[reached - 1]), states[reached - 1].copy()
-    left = float(info["tcur"][reached - 1])
+    stop_time = float(info["tcur"][reached - 1])
     if (
         not good
-        and way * t <= way * left <= way * times[reached]
+        and sign * t <= sign * stop_time <= sign * times[reached]
         and np.isfinite(states[reached]).all()
     ):
-        t, x = left, states[reached].copy()  # the row of the time at which it gave up
+        t, x = stop_time, states[reached].copy()  # the row of the time at which it gave up
     rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
     raise IntegrationError(
-        f"`odeint` {what} at t = {t!r} in the state {numbers_of(names, x)}. "
+        f"`odeint` {reason} at t = {t!r} in the state {numbers_of(names, x)}. "
         f"{MORE_STEPS if outcome == Outcome.TOO_MANY_STEPS else outcome.remedy}",
         times[:reached].copy(),
         states[:reached].copy(),
         t,
         x,
-        {**rows, "method": "odeint", "code": int(outcome), "status": what, "reached": reached},
+        {**rows, "method": "odeint", "code": int(outcome), "status": reason, "reached": reached},
     )
 
 
@@ -131,11 +132,11 @@ METHODS = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA")
 
 
 def resolve_ode_solver(solver: Any) -> Any:
-    """Return an `ode_solver`, or the one of a name, called like odeint; None for odeint itself."""
+    """Return an `ode_solver` from a function or a name; None for odeint."""
     if solver is None:
         return None
     if not isinstance(solver, str):
-        return _called(solver)
+        return _as_solver(solver)
     if solver in ("odeint", "lsoda"):
         return None
     if solver in SOLVERS:
@@ -151,7 +152,7 @@ def resolve_ode_solver(solver: Any) -> Any:
     )
 
 
-def _called(solver: Any) -> Any:
+def _as_solver(solver: Any) -> Any:
     if isinstance(solver, Solver):
         return solver
     if not callable(solver):
@@ -169,50 +170,49 @@ def _called(solver: Any) -> Any:
 
 
 class _Rates:
-    """Derivatives for SciPy, and where they first were not finite."""
+    """The derivatives for SciPy. It stores the first time and state where they are not finite."""
 
     def __init__(self, f: Callable[[float, np.ndarray], Any]) -> None:
         self._f, self._first = f, True
-        self.called = False  # whether a call did not come back
+        self.raised = False  # whether the latest call raised
         self.undefined: tuple[float, np.ndarray] | None = None
 
     def __call__(self, t: float, x: np.ndarray) -> Any:
-        self.called = True
-        found = self._f(t, x)
-        self.called = False
-        if self.undefined is None and not np.isfinite(found).all():
+        self.raised = True
+        derivatives = self._f(t, x)
+        self.raised = False
+        if self.undefined is None and not np.isfinite(derivatives).all():
             self.undefined = float(t), np.array(x, dtype=float)
             if self._first:
-                # SciPy's explicit methods never end where they begin like this.
+                # SciPy's explicit methods would not terminate with such a start.
                 raise FloatingPointError("the derivatives are not finite where it begins")
         self._first = False
-        return found
+        return derivatives
 
 
 def _check_scales(options: dict[str, Any], x0: Any) -> None:
-    """Refuse a zero `atol` for a state that is zero: SciPy's first step would be NaN, for ever."""
+    """Refuse a zero `atol` for a state that is zero: SciPy's first step would remain NaN."""
     atol = np.asarray(options.get("atol", 1.0))
     x0 = np.asarray(x0)
     if atol.ndim and atol.shape != x0.shape:
         return  # which SciPy refuses
-    places = np.flatnonzero((atol == 0.0) & (x0 == 0.0))
-    if places.size:
+    zero_columns = np.flatnonzero((atol == 0.0) & (x0 == 0.0))
+    if zero_columns.size:
         raise ValueError(
-            f"`atol` must be above 0 for states that are 0 at the start, got 0 for x[{places[0]}]: "
-            "SciPy divides errors by `atol` + `rtol`·|x|."
+            "`atol` must be above 0 for states that are 0 at the start, got 0 for "
+            f"x[{zero_columns[0]}]: SciPy divides errors by `atol` + `rtol`·|x|."
         )
 
 
-def _own_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
-    """Return a user's functions of events as SciPy calls them, and their names.
+def _scipy_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
+    """Return a user's event functions in SciPy's form, and their names.
 
-    One that needs more than time and state, or takes any number, gets the `args` too, as SciPy
-    hands them on.
+    Functions of more arguments than time and state also get the `args`, as in SciPy.
     """
     if events is None:
         return None, []
     functions = [events] if callable(events) else listed("events", events, "functions f(t, x)")
-    made: list[Any] = []
+    events_for_scipy: list[Any] = []
     for function in functions:
         if not callable(function) or isinstance(function, type):
             raise TypeError(
@@ -222,16 +222,16 @@ def _own_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
         event = partial(_called_with, function, args if _takes_more(function) else ())
         for name, default in (("terminal", False), ("direction", 0)):
             setattr(event, name, getattr(function, name, default))
-        made.append(event)
+        events_for_scipy.append(event)
     names = [getattr(f, "__name__", f"event {k}") for k, f in enumerate(functions)]
-    return made, [*unique_names(names)]
+    return events_for_scipy, [*unique_names(names)]
 
 
 _BY_PLACE = (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD)
 
 
 def _takes_more(function: Callable[..., Any]) -> bool:
-    """Return whether a function of events takes more than time and state, or refuse it."""
+    """Return whether an event function takes more than time and state; raise if it takes less."""
     try:
         parameters = signature(function).parameters.values()
     except (TypeError, ValueError):  # of some built-in functions
@@ -247,7 +247,7 @@ def _takes_more(function: Callable[..., Any]) -> bool:
 
 
 def of_states(events: Any, n: int) -> Any:
-    """Return functions of events of n states, which other numbers follow."""
+    """Restrict event functions to the first n numbers of an augmented state."""
 
     def cut(function: Callable[..., Any]) -> Callable[..., Any]:
         @wraps(function)
@@ -266,20 +266,20 @@ def _called_with(function: Callable[..., Any], args: tuple[Any, ...], t: float, 
     return function(t, x, *args)
 
 
-def _records(names: Sequence[str], found: Any) -> list[EventRecord]:
-    """Return the events that `solve_ivp` found, in the order in which they happened."""
+def _records(names: Sequence[str], result: Any) -> list[EventRecord]:
+    """Return the events that `solve_ivp` detected, in chronological order."""
     records = [
         EventRecord(float(t), names[k], k, x.copy(), x.copy())
-        for k, (times, states) in enumerate(zip(found.t_events, found.y_events, strict=True))
+        for k, (times, states) in enumerate(zip(result.t_events, result.y_events, strict=True))
         for t, x in zip(times, states, strict=True)
     ]
-    way = -1.0 if descends(found.t) else 1.0
-    return sorted(records, key=lambda record: way * record.time)
+    sign = -1.0 if descends(result.t) else 1.0
+    return sorted(records, key=lambda record: sign * record.time)
 
 
 @dataclass(frozen=True, eq=False)
 class _Dense:
-    """The continuous extension of a run of `solve_ivp`."""
+    """The dense output of a run of `solve_ivp`."""
 
     solution: Any  # an OdeSolution
 
@@ -290,8 +290,8 @@ class _Dense:
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return the states at some times, shape (m, n)."""
-        found: np.ndarray = self.solution(times).T
-        return found
+        states: np.ndarray = self.solution(times).T
+        return states
 
 
 @dataclass(frozen=True)
@@ -313,21 +313,24 @@ class SolveIvp:
         return getattr(scipy.integrate, method) if method in METHODS else method
 
     def _read(self, options: dict[str, Any]) -> Any:
-        """Check the names of options, and take the method out of them."""
+        """Check the names of options; remove the method from them and return it."""
         method = self._chosen(options)
         options.pop("method", None)
         if isinstance(method, type) and issubclass(method, scipy.integrate.LSODA):
             refuse_nested("LSODA")
-        own = {*signature(scipy.integrate.solve_ivp).parameters, *signature(method).parameters}
-        taken = {"fun", "t_span", "y0", "t0", "t_bound", "args", "vectorized"}
+        parameters = {
+            *signature(scipy.integrate.solve_ivp).parameters,
+            *signature(method).parameters,
+        }
+        reserved = {"fun", "t_span", "y0", "t0", "t_bound", "args", "vectorized"}
         extra = {"support_complex", "extraneous", "options"}
-        check_option_names("solve_ivp", {*(own - taken - extra), "full_output"}, options)
+        check_option_names("solve_ivp", {*(parameters - reserved - extra), "full_output"}, options)
         return method
 
     def tolerances(self, options: dict[str, Any]) -> dict[str, float]:
-        """Return the method's default tolerances; none where its errors are not known."""
-        own = signature(self._chosen(options)).parameters
-        return {name: own[name].default for name in ("rtol", "atol") if name in own}
+        """Return the method's default tolerances, or {} for a method without error control."""
+        parameters = signature(self._chosen(options)).parameters
+        return {name: parameters[name].default for name in ("rtol", "atol") if name in parameters}
 
     def __call__(
         self,
@@ -341,11 +344,11 @@ class SolveIvp:
     ) -> Any:
         """Return the states at the times, shape (m, n); with `full_output`, also a dictionary.
 
-        Its events are functions, as SciPy's. Where one is terminal, there are fewer rows; the times
-        of the rows are ``'times'`` in the dictionary.
+        Events are functions, as in SciPy. After a terminal event there are fewer rows; their times
+        are ``'times'`` in the dictionary.
         """
         method = self._read(options)
-        events, names = _own_events(options.pop("events", None), args)
+        events, names = _scipy_events(options.pop("events", None), args)
         span = (t[0], t[-1])
         if (chosen := options.pop("t_eval", None)) is not None:
             t = monotonic(chosen, "`t_eval`")
@@ -365,12 +368,12 @@ class SolveIvp:
             _check_scales(options, x0)
         rates = _Rates(lambda t, x: f(x, t, *args))
         try:
-            found = scipy.integrate.solve_ivp(
+            result = scipy.integrate.solve_ivp(
                 rates, span, x0, method=method, t_eval=times, events=events,
                 **check_scipy_options(options),
             )  # fmt: skip
         except (FloatingPointError, ValueError, IndexError) as error:
-            if rates.undefined is None or rates.called:  # what the user's function raises arrives
+            if rates.undefined is None or rates.raised:  # the user's own exception is passed on
                 raise
             at, x = rates.undefined
             raise IntegrationError(
@@ -382,38 +385,38 @@ class SolveIvp:
                 x,
                 {"method": method.__name__, "code": int(Outcome.NOT_FINITE), "reached": 1},
             ) from error
-        if not len(found.t) and found.status < 0:  # it failed at once, and left out the start
-            found.t, found.y = times[:1], np.array(x0, dtype=float)[:, None]
-        states = np.reshape(found.y, (len(x0), -1)).T  # no row is an empty list
+        if not len(result.t) and result.status < 0:  # a failure in the first step, without a row
+            result.t, result.y = times[:1], np.array(x0, dtype=float)[:, None]
+        states = np.reshape(result.y, (len(x0), -1)).T  # no row is an empty list
         if (
             len(states) and not np.isfinite(states[0]).all()
         ):  # LSODA's interpolant of a step that is NaN
             states[0] = x0
-        # A step, or one that was rejected, takes a whole number of evaluations.
-        steps = found.nfev // getattr(method, "n_stages", 1)
-        info = {"nfev": found.nfev, "njev": found.njev, "nlu": found.nlu, "steps": steps}
-        info = {**info, "message": found.message, "method": method.__name__}
+        # Each accepted or rejected step has the same number of evaluations.
+        steps = result.nfev // getattr(method, "n_stages", 1)
+        info = {"nfev": result.nfev, "njev": result.njev, "nlu": result.nlu, "steps": steps}
+        info = {**info, "message": result.message, "method": method.__name__}
         finite = np.isfinite(states).all(axis=1)
-        if found.status < 0 or not finite.all():
-            self._refuse(found, states, finite, {**info, "status": found.message})
-        if found.sol is not None:
-            info["dense_output"] = _Dense(found.sol)
-        rows = rows[rows < len(found.t)]  # an event may have ended it
+        if result.status < 0 or not finite.all():
+            self._refuse(result, states, finite, {**info, "status": result.message})
+        if result.sol is not None:
+            info["dense_output"] = _Dense(result.sol)
+        rows = rows[rows < len(result.t)]  # an event may have ended it
         if len(rows) < len(t) or chosen is not None:
             info["times"] = np.array(t[: len(rows)], dtype=float)
         if events is not None:
-            info["t_events"], info["y_events"] = found.t_events, found.y_events
-            info["events"] = _records(names, found)
+            info["t_events"], info["y_events"] = result.t_events, result.y_events
+            info["events"] = _records(names, result)
         states = states[rows]
         return (states, info) if full_output else states
 
-    def _refuse(self, found: Any, states: Any, finite: Any, info: dict[str, Any]) -> None:
+    def _refuse(self, result: Any, states: Any, finite: Any, info: dict[str, Any]) -> None:
         reached = int(np.argmin(finite)) if not finite.all() else len(states)
         outcome = Outcome.STEP_UNDERFLOW if reached == len(states) else Outcome.NOT_FINITE
-        times, states = found.t[:reached].copy(), states[:reached].copy()
+        times, states = result.t[:reached].copy(), states[:reached].copy()
         last = float(times[-1]) if reached else np.nan
         raise IntegrationError(
-            f"`solve_ivp` could not go on after t = {last!r}: {found.message} {outcome.remedy}",
+            f"`solve_ivp` could not go on after t = {last!r}: {result.message} {outcome.remedy}",
             times,
             states,
             last,

@@ -9,8 +9,8 @@ from .dependent_states import (
 )
 from .states import (
     GROUPS as GROUPS,
+    EvaluationPoints as EvaluationPoints,
     ForcesWithoutConstraints as ForcesWithoutConstraints,
-    Point as Point,
     energetic_motions as energetic_motions,
     located as located,
     members as members,

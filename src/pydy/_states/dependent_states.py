@@ -35,7 +35,7 @@ from pydy.solvers import CompiledConstraints
 def check_dependents(
     definition: Definition, dep_vars: Iterable[Any]
 ) -> tuple[list[int], list[int]]:
-    """Return the places in x of the dependent coordinates and speeds."""
+    """Return the columns in x of the dependent coordinates and speeds."""
     equations = definition.equations
     holonomic, velocity = len(equations.constraints.holonomic), len(equations.constraints.velocity)
     if not holonomic and not velocity:
@@ -44,8 +44,8 @@ def check_dependents(
         )
     chosen = listed("dep_vars", dep_vars, "coordinates and speeds")
     allowed = (*equations.coordinates, *equations.speeds)
-    places = Places(allowed, "coordinates and speeds of the system")
-    chosen = places.chosen(chosen, "dep_vars")
+    index = Places(allowed, "coordinates and speeds of the system")
+    chosen = index.chosen(chosen, "dep_vars")
     q = [allowed.index(s) for s in chosen if s in equations.coordinates]
     u = [allowed.index(s) for s in chosen if s in equations.speeds]
     if len(q) != holonomic or len(u) != velocity:
@@ -60,49 +60,49 @@ def check_dependents(
 def given_values(
     problem: Problem, keys: Iterable[Any], latest: Mapping[Any, float]
 ) -> dict[Any, float]:
-    """Find initial conditions that are to stay: not zeros, nor solved for `latest`."""
+    """Return the user's initial conditions to retain: neither zero nor `latest` solved for."""
     states = problem.definition.states
     values = {s: float(problem.x[states.index(s)]) for s in keys}
-    given = {s: v for s, v in values.items() if latest.get(s) != v}
-    return {s: v for s, v in given.items() if v != 0.0 and len(given) < len(states)}
+    candidates = {s: v for s, v in values.items() if latest.get(s) != v}
+    return {s: v for s, v in candidates.items() if v != 0.0 and len(candidates) < len(states)}
 
 
-def default_dependents(problem: Problem, given: Iterable[Any]) -> list[Any]:
-    """Return the states to solve for: the dependent ones, or others where these are given."""
+def default_dependents(problem: Problem, retained_keys: Iterable[Any]) -> list[Any]:
+    """Return the states to solve for: the dependent ones, or others if these are to be retained."""
     definition = problem.definition
     equations = definition.equations
-    found: list[Any] = []
-    for block, symbols, own in (
+    dependents: list[Any] = []
+    for block, symbols, chosen in (
         ("holonomic", equations.coordinates, equations.dependents.coordinates),
         ("velocity", equations.speeds, equations.dependents.speeds),
     ):
-        kept = set(given) - (set() if block == "velocity" else _guessed(definition))
-        if not kept.isdisjoint(own):
+        retained = set(retained_keys) - (set() if block == "velocity" else _guessed(definition))
+        if not retained.isdisjoint(chosen):
             gradient = _at(problem, problem.code.compiled_jacobian(block, "x"), problem.x)
-            places = [definition.states.index(s) for s in symbols]
-            matrix = gradient.reshape(len(own), -1)[:, places]
-            free = [k for k, symbol in enumerate(symbols) if symbol not in kept]
-            units = _motions(problem, problem.x)[places]
+            symbol_columns = [definition.states.index(s) for s in symbols]
+            matrix = gradient.reshape(len(chosen), -1)[:, symbol_columns]
+            free = [k for k, symbol in enumerate(symbols) if symbol not in retained]
+            units = _motions(problem, problem.x)[symbol_columns]
             columns = _determined(matrix, free, units)
-            for k in sorted({symbols.index(s) for s in own} - set(columns)):  # cannot be kept
-                more = _determined(matrix, [*columns, k], units)
-                columns = more if len(more) > len(columns) else columns
-            if len(columns) == len(own):
-                own = tuple(symbols[k] for k in columns)
-        found += own
-    return found
+            for k in sorted({symbols.index(s) for s in chosen} - set(columns)):  # cannot be kept
+                extended = _determined(matrix, [*columns, k], units)
+                columns = extended if len(extended) > len(columns) else columns
+            if len(columns) == len(chosen):
+                chosen = tuple(symbols[k] for k in columns)
+        dependents += chosen
+    return dependents
 
 
 def _determined(matrix: np.ndarray, columns: Sequence[int], units: np.ndarray) -> list[int]:
-    """Return columns that can be solved for, whatever the units of rows and columns."""
+    """Return columns that can be solved for; the result does not depend on units."""
     scaled = equilibrated(matrix[:, columns], True, units[columns])[0]
     return sorted(columns[k] for k in independent_columns(scaled))
 
 
 def _motions(problem: Problem, x: np.ndarray) -> np.ndarray:
-    """Return how fast states change in motions of one energy: units in which they compare."""
-    known: np.ndarray = point_at(problem, np.array([problem.t]), x[None]).motions[0]
-    return known
+    """Return the rates of the states at one energy, as units in which they are comparable."""
+    rates: np.ndarray = point_at(problem, np.array([problem.t]), x[None]).motions[0]
+    return rates
 
 
 def _guessed(definition: Definition) -> set[Any]:
@@ -112,10 +112,10 @@ def _guessed(definition: Definition) -> set[Any]:
     return set(equations.dependents.coordinates) - set(() if body is None else body.chosen)
 
 
-def _warn_of_changes(definition: Definition, given: Mapping[Any, float], x: np.ndarray) -> None:
-    """Tell which of the values that the user gave the constraints do not allow."""
+def _warn_of_changes(definition: Definition, requested: Mapping[Any, float], x: np.ndarray) -> None:
+    """Warn of user-given values that the constraints changed."""
     guessed, changes = _guessed(definition), []
-    for symbol, before in given.items():
+    for symbol, before in requested.items():
         after = float(x[definition.states.index(symbol)])
         size = max(abs(before), abs(after))
         if symbol not in guessed and not abs(after - before) <= DIGITS * size:
@@ -138,17 +138,17 @@ def _refined(
     slopes: Callable[[np.ndarray], np.ndarray],
     z: np.ndarray,
 ) -> np.ndarray:
-    """Go on by Newton's method as long as residuals fall, in units of their rounding bounds."""
-    left, rounding = np.split(bounded(z), 2)
+    """Refine by Newton's method while residuals decrease, in units of their rounding bounds."""
+    residual, rounding = np.split(bounded(z), 2)
     for _ in range(20):
         gradient = slopes(z)
-        if CompiledConstraints.satisfied(left, rounding) or not np.isfinite(gradient).all():
+        if CompiledConstraints.satisfied(residual, rounding) or not np.isfinite(gradient).all():
             break
-        after = z - least_step(gradient, left)
+        after = z - least_step(gradient, residual)
         values, bounds = np.split(bounded(after), 2)
-        if not np.abs(values / or_one(bounds)).max() < np.abs(left / or_one(rounding)).max():
+        if not np.abs(values / or_one(bounds)).max() < np.abs(residual / or_one(rounding)).max():
             break
-        z, left, rounding = after, values, bounds
+        z, residual, rounding = after, values, bounds
     return z
 
 
@@ -172,10 +172,10 @@ def _solve_coordinates(
         gradient = value(model.compiled_jacobian("holonomic", "x"), placed(z))
         return gradient.reshape(size, len(x))[:, coordinates]
 
-    # An area and a length in nanometres are to weigh the same: rows in units of their terms.
+    # Rows are scaled by their terms, so that an area and a length in nanometres weigh the same.
     first = value(bounded, x)[size:]
     terms = np.where(np.isfinite(first), or_one(first), 1.0)
-    # And SciPy's differences step by 1e-8 from zero: unknowns in units that move rows by as much.
+    # SciPy's differences step by 1e-8 from zero: unknowns are scaled to change rows by as much.
     units = np.ones(size)
     if use_jac or not x[coordinates].all():
         steep = np.abs(np.nan_to_num(slopes_at(x[coordinates]))) / terms[:, None]
@@ -190,19 +190,19 @@ def _solve_coordinates(
         **root_kwargs,
     )
     solution.x = solution.x * units
-    left, rounding = np.split(value(bounded, placed(solution.x)), 2)
-    met = CompiledConstraints.satisfied(left, rounding)
+    residual, rounding = np.split(value(bounded, placed(solution.x)), 2)
+    met = CompiledConstraints.satisfied(residual, rounding)
     if solution.success and not met:
         solution.x = _refined(lambda z: value(bounded, placed(z)), slopes_at, solution.x)
-        left, rounding = np.split(value(bounded, placed(solution.x)), 2)
-        # Bounds do not know how exact functions in Python are.
-        met = bool((np.abs(left) <= HALF * rounding).all())
+        residual, rounding = np.split(value(bounded, placed(solution.x)), 2)
+        # The bounds do not include errors of Python functions.
+        met = bool((np.abs(residual) <= HALF * rounding).all())
     x[coordinates] = solution.x
     if not met:
         names = [definition.states[k] for k in coordinates]
         warn_user(
             f"The holonomic constraints did not converge for {describe(names)}: the largest "
-            f"residual is {np.abs(left).max():.3g} ({' '.join(str(solution.message).split())}) "
+            f"residual is {np.abs(residual).max():.3g} ({' '.join(str(solution.message).split())}) "
             "Give initial conditions nearer to a solution, or another `method`."
         )
     return met
@@ -223,10 +223,10 @@ def _solve_speeds(problem: Problem, speeds: list[int], x: np.ndarray) -> None:
     if sound and rank(matrix) < len(speeds):
         units = _motions(problem, x)[speeds]
     if sound and rank(matrix, units=units) == len(speeds):
-        # Pivots are compared between rows of the same size: constraints may be of any.
+        # Rows are scaled before pivots are compared: constraints may have any units.
         rows = np.abs(matrix).max(axis=1)
         x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
-    elif sound:  # what the constraints leave undetermined here stays
+    elif sound:  # directions that the constraints do not determine remain unchanged
         change = right - matrix @ x[speeds]
         x[speeds] += least_step(matrix, change, units)
         size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
@@ -240,33 +240,33 @@ def _solve_speeds(problem: Problem, speeds: list[int], x: np.ndarray) -> None:
             problem.t,
             x,
         )
-    left = np.abs(value(residual, x))
-    # Coefficients that cancel leave their rounding, in units of the row and of each speed.
+    residual_sizes = np.abs(value(residual, x))
+    # Coefficients that cancel leave rounding errors, in units of the row and of each speed.
     first = len(definition.equations.coordinates)
     moving = slice(first, first + len(definition.equations.speeds))
     size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
     _, units, columns = equilibrated(slopes[:, moving])
     rounding = ROUNDED * units[:, 0] * np.abs(x[moving] / columns[0]).max()
-    if (left > HALF * size + rounding).any():
+    if (residual_sizes > HALF * size + rounding).any():
         names = [definition.states[k] for k in speeds]
         warn_user(
             f"The velocity constraints do not hold for {describe(names)}: the largest residual "
-            f"is {left.max():.3g}. They are solved as linear equations, but a specified in "
-            "them depends on these speeds nonlinearly. Give their initial conditions yourself."
+            f"is {residual_sizes.max():.3g}. They are solved as linear equations, but a specified "
+            "in them depends on these speeds nonlinearly. Give their initial conditions yourself."
         )
 
 
 def solve_dependents(
     problem: Problem,
-    places: tuple[list[int], list[int]],
-    given: Mapping[Any, float],
+    columns: tuple[list[int], list[int]],
+    requested: Mapping[Any, float],
     use_jac: bool,
     root_kwargs: dict[str, Any],
 ) -> np.ndarray:
-    """Return the initial state, `places` solved for; say where that moves the `given`."""
+    """Return the initial state, solved for `columns`; warn if that changes `requested` values."""
     x = problem.x.copy()
     problem.plan.check_times(np.array([problem.t]), "times")
-    coordinates, speeds = places
+    coordinates, speeds = columns
     met = True
 
     if coordinates:
@@ -274,21 +274,21 @@ def solve_dependents(
     if speeds:
         _solve_speeds(problem, speeds, x)
     if met:
-        _warn_of_changes(problem.definition, given, x)
+        _warn_of_changes(problem.definition, requested, x)
     return x
 
 
 def with_dependents(problem: Problem, symbols: Sequence[Any]) -> Problem:
-    """Return a Problem in which the initial conditions of some symbols follow from the others.
+    """Return a Problem in which the initial conditions of some symbols are solved for.
 
-    Its dictionary of initial conditions has symbols for keys.
+    The keys of its dictionary of initial conditions are symbols.
     """
     states = problem.definition.states
-    places = check_dependents(problem.definition, symbols)
-    x = solve_dependents(problem, places, {}, False, {})
-    solved = {states[k]: float(x[k]) for part in places for k in part}
+    columns = check_dependents(problem.definition, symbols)
+    x = solve_dependents(problem, columns, {}, False, {})
+    solved = {states[k]: float(x[k]) for part in columns for k in part}
     initial = {**problem.settings.initial_conditions, **solved}
-    return with_settings(problem, initial_conditions=initial)
+    return replace(problem, user={**problem.user, "initial_conditions": initial})
 
 
 def consistent(problem: Problem) -> Problem:
@@ -296,8 +296,8 @@ def consistent(problem: Problem) -> Problem:
     x = problem.x
     if problem.dependent:
         names = [problem.definition.states[k] for k in problem.dependent]
-        places = check_dependents(problem.definition, names)
-        x = solve_dependents(problem, places, {}, False, {})
+        columns = check_dependents(problem.definition, names)
+        x = solve_dependents(problem, columns, {}, False, {})
     if problem.definition.equations.constraints.residuals.implicit is not None:
         x = solved_residuals(problem.at(np.array([problem.t]), x[None]))
     return problem if x is problem.x else problem.replace(x=x)

@@ -16,15 +16,14 @@ from pydy._kernel import Kernel
 from pydy._mechanics import BodyDynamics
 from pydy._problem import Problem, StateSamples
 from pydy._rank import HALF, OF_FEW, ROUNDING, equilibrated, is_zero, or_one
-from pydy._states.dependence import independent_places, tangents
+from pydy._states.dependence import independent_columns_of, tangents
 from pydy.codegen import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
 
-# Decades of steps of differences that are tried.
-_DECADES = 10
-_OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
+_DECADES = 10  # of step sizes in finite differences
+_OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions without units
 
 
 def located(
@@ -32,45 +31,45 @@ def located(
     symbol: Any,
     argument: str,
     kinds: Iterable[str] = GROUPS,
-    what: str = "states, constants and specifieds of the system",
+    description: str = "states, constants and specifieds of the system",
 ) -> tuple[str, int]:
-    """Return the kind of a symbol or name, a state, constant or specified, and its place there."""
+    """Return the kind of a symbol or name (state, constant or specified) and its index there."""
     for kind in kinds:
-        place = definition.places[kind].get(symbol, argument)
-        if place is not None:
-            return kind, place
+        index = definition.places[kind].get(symbol, argument)
+        if index is not None:
+            return kind, index
     everything = [s for kind in kinds for s in definition.places[kind].symbols]
-    Places(everything, what).find(symbol, argument)  # raises, with names that are alike
+    Places(everything, description).find(symbol, argument)  # raises, with names that are alike
     raise AssertionError(symbol)
 
 
 def members(
-    definition: Definition, keys: Iterable[Any], without: Mapping[str, Iterable[Any]] | None = None
+    definition: Definition, keys: Iterable[Any], excluded: Mapping[str, Iterable[Any]] | None = None
 ) -> list[Any]:
-    """Replace names of groups by their symbols, with the exception of some."""
-    found: list[Any] = []
+    """Replace names of groups by their symbols, except those in `excluded`."""
+    symbols: list[Any] = []
     for key in keys:
         if isinstance(key, str) and key in GROUPS:
-            left_out = set((without or {}).get(key, ()))
-            found += [s for s in definition.places[key].symbols if s not in left_out]
+            left_out = set((excluded or {}).get(key, ()))
+            symbols += [s for s in definition.places[key].symbols if s not in left_out]
         else:
-            found.append(key)
-    return found
+            symbols.append(key)
+    return symbols
 
 
 @dataclass(frozen=True, eq=False)
-class Point(StateSamples):
-    """States, times and numbers at m points; additions to specifieds are inputs."""
+class EvaluationPoints(StateSamples):
+    """States, times, inputs and constants at m points."""
 
     plan: SpecifiedsPlan
 
     @cached_property
-    def through(self) -> np.ndarray:
-        """How Python functions among the specifieds change with the states, shape (m, s, n)."""
+    def input_feedback(self) -> np.ndarray:
+        """The derivatives of Python functions among the specifieds by the states, (m, s, n)."""
         return feedback(self.plan, self.x, self.t)
 
     def alone(self) -> list[Self]:
-        """Return points with one p each: this one, or every state by itself."""
+        """Return batches with one p each: this one, or each state separately."""
         if self.p.ndim == 1:
             return [self]
         return [replace(self.subset([k]), p=p) for k, p in enumerate(self.p)]
@@ -82,28 +81,28 @@ class Point(StateSamples):
         return np.where(failed[:, None], np.nan, out) if failed.any() else out
 
     def value(self, kernel: Kernel, width: int | None = None) -> np.ndarray:
-        """Return the outputs of a Kernel, in rows of so many columns."""
+        """Return the outputs of a Kernel, reshaped to rows of `width` columns."""
         out = self.tried(kernel) if self.p.ndim > 1 else self.evaluate(kernel)
         return out if width is None else out.reshape(len(self.x), -1, width)
 
     @cached_property
     def natural(self) -> dict[str, np.ndarray]:
-        """The natural size of states inside sines and the like, (m, n) by kind; 0 for others."""
+        """The natural sizes of angles and similar arguments, (m, n) by kind; 0 for other inputs."""
         sizes, m = self.model.assembly.sizes, len(self.x)
         r = np.broadcast_to(self.r, (m, self.r.shape[1]))
         numbers = replace(self, r=r, p=np.atleast_2d(self.p)[0])
         slopes = numbers.interpret(_arguments)["slopes"].reshape(m, -1, sum(sizes))
         steepest = np.abs(slopes).max(axis=1, initial=0.0)
-        known = (steepest > 0.0) & np.isfinite(steepest)
-        natural = np.where(known, 1.0 / np.where(known, steepest, 1.0), 0.0)
+        finite = (steepest > 0.0) & np.isfinite(steepest)
+        natural = np.where(finite, 1.0 / np.where(finite, steepest, 1.0), 0.0)
         return dict(zip(GROUPS, np.split(natural, np.cumsum(sizes)[:-1], axis=1), strict=True))
 
     def inertias(self) -> np.ndarray:
         """Return the diagonal of the mass matrix of all speeds, shape (m, n)."""
-        found = self.interpret(_masses)["masses"]
-        if not found.size:
-            found = self.interpret(ForcesWithoutConstraints(self.definition))["masses"]
-        sizes: np.ndarray = np.abs(found)
+        masses = self.values(_masses)["masses"]
+        if not masses.size:
+            masses = self.values(ForcesWithoutConstraints(self.definition))["masses"]
+        sizes: np.ndarray = np.abs(masses)
         return sizes
 
     def steepness(self, block: str) -> np.ndarray:
@@ -114,7 +113,7 @@ class Point(StateSamples):
 
     @cached_property
     def motions(self) -> np.ndarray:
-        """How fast coordinates and speeds change in motions of one energy, shape (m, n)."""
+        """The rates of coordinates and speeds in motions of unit energy, shape (m, n)."""
         first, n = (len(getattr(self.definition.equations, s)) for s in ("coordinates", "speeds"))
         masses, moving = self.inertias(), slice(first, first + n)
         speeds = np.where(masses > 0.0, 1.0 / np.sqrt(or_one(masses)), 0.0)
@@ -122,7 +121,7 @@ class Point(StateSamples):
             slopes = self.steepness("velocity")[:, :, moving]
             for _ in range(n):  # along chains
                 rows = (slopes * speeds[:, None]).max(axis=2, initial=0.0)
-                with np.errstate(over="ignore"):  # by what is left of zeros
+                with np.errstate(over="ignore"):  # divisors may be rounding errors of zeros
                     shares = rows[:, :, None] / or_one(slopes)
                 driven = _least(shares * (slopes > 0.0), 1)
                 speeds = np.where(speeds > 0.0, speeds, driven)
@@ -134,15 +133,15 @@ class Point(StateSamples):
     def slopes(self, block: str) -> np.ndarray:
         """Return the derivatives of a block by the states, with all feedback."""
         direct = self.value(self.model.compiled_jacobian(block, "x"), self.x.shape[1])
-        if not self.through.any():
+        if not self.input_feedback.any():
             return direct
         by_input = self.value(self.model.compiled_jacobian(block, "r"), self.r.shape[1])
-        through = self.through
+        input_feedback = self.input_feedback
         with np.errstate(all="ignore"):
-            whole: np.ndarray = direct + by_input @ through
-        return whole
+            total: np.ndarray = direct + by_input @ input_feedback
+        return total
 
-    def along(self, block: str, T: np.ndarray) -> np.ndarray:
+    def directional(self, block: str, T: np.ndarray) -> np.ndarray:
         """Return the derivatives of a block along columns T; callers report nonfinite values."""
         slopes = self.slopes(block)
         with np.errstate(all="ignore"):
@@ -151,13 +150,14 @@ class Point(StateSamples):
 
     @property
     def blocks(self) -> list[str]:
-        """The constraints there are."""
+        """The blocks of constraints that are not empty."""
         constraints = self.definition.equations.constraints
         return [b for b in ("holonomic", "velocity") if getattr(constraints, b)]
 
     def tangents(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return T, shape (m, n, k), and the places of the independent states."""
-        # Coordinates first: in one system with speeds, units of time would decide what is bound.
+        """Return T, shape (m, n, k), and the columns of the independent states."""
+        # Coordinates first: in one linear system with the speeds, the choice of dependent states
+        # would depend on the unit of time.
         definition, n = self.definition, self.x.shape[1]
         equations, moving = definition.equations, n - len(definition.auxiliaries)
         first = len(equations.coordinates)
@@ -171,42 +171,50 @@ class Point(StateSamples):
             with np.errstate(all="ignore"):
                 rows, columns = self._units(block, gradient, kinds[block])
                 moved, units = gradient / rows @ T, columns[:, free]
-            own = np.flatnonzero(np.isin(free, kinds[block]))
-            named = np.flatnonzero(np.isin(free[own], chosen))
-            scaled = moved[0][:, own] * units[0, own]
-            bound = own[independent_places(scaled, named.tolist())[1]]
-            left = np.setdiff1d(np.arange(len(free)), bound)
-            T, free = T @ tangents(moved, left, bound, units), free[left]
+            of_kind = np.flatnonzero(np.isin(free, kinds[block]))
+            named = np.flatnonzero(np.isin(free[of_kind], chosen))
+            scaled = moved[0][:, of_kind] * units[0, of_kind]
+            bound = of_kind[independent_columns_of(scaled, named.tolist())[1]]
+            remaining = np.setdiff1d(np.arange(len(free)), bound)
+            T, free = T @ tangents(moved, remaining, bound, units), free[remaining]
         return T, free
 
-    def _units(self, block: str, gradient: np.ndarray, own: range) -> tuple[np.ndarray, np.ndarray]:
+    def _units(
+        self, block: str, gradient: np.ndarray, columns_of_kind: range
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Return units of the rows (m, c, 1) of a block's gradient, and of the states (m, n)."""
-        # A row that vanishes in a singular configuration is rounding errors there: its size is
-        # taken beside it.
-        n, places = gradient.shape[2], len(self.definition.equations.coordinates)
+        # A row that vanishes in a singular configuration consists of rounding errors: its size is
+        # evaluated at a nearby state.
+        n, coordinate_count = gradient.shape[2], len(self.definition.equations.coordinates)
         large = np.maximum(np.abs(self.x), self.natural["states"])
         motions = np.concatenate([at.motions for at in self.alone()])
-        columns = equilibrated(gradient[:, :, :places], units=motions[:, :places])[2][:, 0]
-        shares = large[:, :places] / columns
+        columns = equilibrated(
+            gradient[:, :, :coordinate_count], units=motions[:, :coordinate_count]
+        )[2][:, 0]
+        shares = large[:, :coordinate_count] / columns
         share = shares.max(axis=1, keepdims=True, initial=0.0)
         usual = or_one(share) * columns
-        large[:, :places] = np.where(is_zero(shares, share), usual, large[:, :places])
-        # In a singular configuration itself the gradient is rounding errors, far below 1e-3.
+        large[:, :coordinate_count] = np.where(
+            is_zero(shares, share), usual, large[:, :coordinate_count]
+        )
+        # In the singular configuration the gradient is rounding errors, far below 1e-3.
         offset = 1e-3 * large * np.cos(np.arange(n))
-        beside = replace(self, x=self.x + offset)
-        moved = beside.value(self.model.compiled_jacobian(block, "x"), n)
-        both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
+        neighbour = replace(self, x=self.x + offset)
+        moved = neighbour.value(self.model.compiled_jacobian(block, "x"), n)
+        largest = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
         units = np.ones((len(self.x), n))
-        _, rows, columns = equilibrated(both[..., own], True, motions[:, own])
-        units[:, own] = columns[:, 0]
+        _, rows, columns = equilibrated(
+            largest[..., columns_of_kind], True, motions[:, columns_of_kind]
+        )
+        units[:, columns_of_kind] = columns[:, 0]
         return rows, units
 
 
-def point_at(problem: Problem, times: np.ndarray, states: np.ndarray) -> Point:
+def point_at(problem: Problem, times: np.ndarray, states: np.ndarray) -> EvaluationPoints:
     """Return the states (m, n) of a System at its numbers."""
     x = np.ascontiguousarray(states)
     r = np.broadcast_to(problem.inputs.rows(x, times), (len(x), len(problem.plan.symbols)))
-    return Point(problem.definition, problem.code, times, x, r, problem.p, problem.plan)
+    return EvaluationPoints(problem.definition, problem.code, times, x, r, problem.p, problem.plan)
 
 
 def energetic_motions(
@@ -216,22 +224,22 @@ def energetic_motions(
     m, q = len(states), len(problem.definition.equations.coordinates)
     at = point_at(problem, times, states)
     masses = at.inertias()
-    known = masses > 0.0
-    speeds = np.where(known, 1.0 / np.sqrt(np.where(known, masses, 1.0)), 0.0)
+    has_mass = masses > 0.0
+    speeds = np.where(has_mass, 1.0 / np.sqrt(np.where(has_mass, masses, 1.0)), 0.0)
     table = np.abs(at.interpret(_kinematics)["kinematics"].reshape(m, q, -1))
     moved = np.concatenate([(table * speeds[:, None]).max(axis=2, initial=0.0), speeds], axis=1)
     angles = at.natural["states"][:, :q]
-    own = _least((angles[:, :, None] / or_one(table)) * (table > 0.0), 1)
-    # Auxiliary states, the integrals of outputs, come last; nothing tells their size.
-    rest = np.zeros((m, states.shape[1] - moved.shape[1]))
-    natural = np.concatenate([angles, own, rest], axis=1)
-    return _least(natural, 0), _least(np.concatenate([moved, rest], axis=1), 0)
+    kinematic_sizes = _least((angles[:, :, None] / or_one(table)) * (table > 0.0), 1)
+    # Auxiliary states, the integrals of outputs, come last; their size is unknown.
+    unknown_sizes = np.zeros((m, states.shape[1] - moved.shape[1]))
+    natural = np.concatenate([angles, kinematic_sizes, unknown_sizes], axis=1)
+    return _least(natural, 0), _least(np.concatenate([moved, unknown_sizes], axis=1), 0)
 
 
 def _least(values: np.ndarray, axis: int) -> np.ndarray:
     """Return the smallest nonzero entry along an axis, or zero if all are zero."""
-    found = np.where(values > 0.0, values, np.inf).min(axis=axis, initial=np.inf)
-    return np.where(np.isinf(found), 0.0, found)
+    smallest = np.where(values > 0.0, values, np.inf).min(axis=axis, initial=np.inf)
+    return np.where(np.isinf(smallest), 0.0, smallest)
 
 
 def _kinematics(assembly: Assembly) -> dict[str, list[int]]:
@@ -242,18 +250,18 @@ def _kinematics(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def _masses(assembly: Assembly) -> dict[str, list[int]]:
-    """Return the diagonal of the mass matrix of all speeds, or nothing where none is known yet."""
+    """Return the diagonal of the mass matrix of all speeds, or nothing if there is none yet."""
     return {"masses": assembly.kinetic_hessian[:: len(assembly.speeds) + 1]}
 
 
 @dataclass(frozen=True)
 class ForcesWithoutConstraints:
-    """The masses and forces at all speeds as if no constraint held them."""
+    """The masses and forces at all speeds without constraints."""
 
     definition: Definition
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        """Return the diagonal of the mass matrix, and how large the terms of forces are."""
+        """Return the diagonal of the mass matrix, and the sizes of the terms of forces."""
         g, n = assembly.graph, len(assembly.speeds)
         body = self.definition.equations.multibody
         if body is None:
@@ -282,13 +290,13 @@ def _arguments(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Return how specifieds that are functions change with states, (m, s, n), by differences."""
-    # A function of micrometres may be anything a micrometre away: where half the step has another
-    # result, shorter ones are tried; where rounding is all that is left, longer ones.
+    """Return the derivatives of Python functions by the states, (m, s, n), by differences."""
+    # A function of micrometres may change completely within a micrometre: shorter steps are tried
+    # if half the step gives another result, longer ones if rounding errors dominate.
     m, n = x.shape
     slopes = np.zeros((m, len(plan.symbols), n))
     for k in range(n if plan.inputs.functions else 0):
-        # Ten decades both ways from one: a state may be zero but for rounding.
+        # Ten decades in both directions from one: a state may be zero except for rounding.
         begin = size = np.cbrt(ROUNDING) * np.maximum(np.abs(x[:, k]), 1.0)
         least = np.full((m, len(plan.symbols)), np.inf)
         for _ in range(_DECADES):
@@ -299,17 +307,17 @@ def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
             if (least <= HALF).all():
                 break
             size = 0.1 * size
-        slope, known, missed = _central(plan, x, t, k, begin)
+        slope, error, missed = _central(plan, x, t, k, begin)
         size = begin
         for _ in range(_DECADES):
-            unsure = (missed == 0.0) & (known > HALF * np.abs(slope))
+            unsure = (missed == 0.0) & (error > HALF * np.abs(slope))
             if not unsure.any():
                 break
             size = 10.0 * size
             longer, rounding, missed = _central(plan, x, t, k, size)
-            agrees = unsure & (missed <= HALF) & (np.abs(longer - slope) <= known)
+            agrees = unsure & (missed <= HALF) & (np.abs(longer - slope) <= error)
             slopes[:, :, k] = np.where(agrees, longer, slopes[:, :, k])
-            slope, known = np.where(agrees, longer, slope), np.where(agrees, rounding, 0.0)
+            slope, error = np.where(agrees, longer, slope), np.where(agrees, rounding, 0.0)
     return slopes
 
 
@@ -317,7 +325,7 @@ def _central(
     plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray, k: int, size: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return central differences by state k, their rounding and truncation errors, (m, s)."""
-    found = []
+    differences = []
     for share in (1.0, 0.5):
         step = np.zeros_like(x)
         step[:, k] = share * size
@@ -325,8 +333,10 @@ def _central(
         width = (ahead - behind)[:, k, None]
         after, before = plan.inputs.rows(ahead, t), plan.inputs.rows(behind, t)
         largest = np.maximum(np.abs(after), np.abs(before))
-        found.append(((after - before) / width, OF_FEW * largest / width))
-    (slope, rounding), (halved, _) = found
-    apart, largest = np.abs(slope - halved), np.maximum(np.abs(slope), np.abs(halved))
-    missed = np.where(apart <= rounding, 0.0, apart / np.where(largest > 0.0, largest, 1.0))
+        differences.append(((after - before) / width, OF_FEW * largest / width))
+    (slope, rounding), (halved, _) = differences
+    discrepancy, largest = np.abs(slope - halved), np.maximum(np.abs(slope), np.abs(halved))
+    missed = np.where(
+        discrepancy <= rounding, 0.0, discrepancy / np.where(largest > 0.0, largest, 1.0)
+    )
     return slope, rounding, missed

@@ -137,7 +137,7 @@ def motion_and_gradient(
     refuse_descending(times, "`adjoint_gradient` integrates forward, then back")
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)
-    sensitive = AugmentedSystem.of(problem, ready.code, problem.plan, wrt, "wrt")
+    sensitive = AugmentedSystem.for_parameters(problem, ready.code, problem.plan, wrt, "wrt")
     beginning = sensitive.start(problem.x, float(times[0]))
     n = len(problem.definition.states)
     run = integrate_forward(problem, solver, ready, times, Task(sensitive, final, integral))

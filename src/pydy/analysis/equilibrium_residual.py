@@ -16,7 +16,7 @@ from pydy._names import some, unique_names
 from pydy._problem import Problem
 from pydy._program import run
 from pydy._rank import or_one
-from pydy._states import GROUPS, ForcesWithoutConstraints, Point, located
+from pydy._states import GROUPS, EvaluationPoints, ForcesWithoutConstraints, located
 from pydy.analysis.bounds import limits
 from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, nonzero_row, solve_equilibrium
 from pydy.codegen import SpecifiedsPlan

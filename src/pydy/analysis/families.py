@@ -134,7 +134,7 @@ class Family:
         residual = self.residual
         point = residual.point_at(z)
         T, free = point.tangents()
-        A = point.along("rates", T)[:, free]
+        A = point.directional("rates", T)[:, free]
         sound = np.isfinite(A.reshape(len(A), -1)).all(axis=1)
         if not sound.all():
             raise ValueError(

@@ -25,7 +25,7 @@ from pydy._names import few, some, unique_names
 from pydy._optional import require
 from pydy._problem import AssumptionChecks, CallArguments, Problem, StateSamples, read_samples, with_unknowns
 from pydy._rank import ROUNDED
-from pydy._states import Point
+from pydy._states import EvaluationPoints
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.tuning import CROSSED
 from pydy.plot import axes_of, rows_of_axes, typeset
@@ -267,7 +267,7 @@ def linearize(
     T, free = point.tangents()
     if definition.equations.constraints.are_present:
         _warn_of_violations(point)
-    A = point.along("rates", T)[:, free]
+    A = point.directional("rates", T)[:, free]
     symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
     columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()
     kernel = model.compiled_jacobian("rates", "r") if columns else None
@@ -350,7 +350,7 @@ def _warn_of_violations(at: StateSamples) -> None:
 def _outputs(
     problem: Problem,
     outputs: Iterable[Any] | None,
-    point: Point,
+    point: EvaluationPoints,
     T: np.ndarray,
     columns: list[int],
     unknowns_by_input: np.ndarray,

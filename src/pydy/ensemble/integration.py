@@ -13,16 +13,9 @@ from pydy._checks import flag, shown, whole
 from pydy._dataset import SENSITIVITY
 from pydy._integration import AugmentedSystem, changed_by, program_of_event
 from pydy._judges import check_samples, drift_programs, watched
-from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_held
+from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_projected
 from pydy._names import column_names
-from pydy._problem import (
-    AssumptionChecks,
-    CallArguments,
-    Problem,
-    StateSamples,
-    check_times,
-    refuse_descending,
-)
+from pydy._problem import AssumptionChecks, CallArguments, Problem, StateSamples, check_times, read_samples, refuse_descending
 from pydy._version import __version__
 from pydy.codegen import SpecifiedsPlan
 from pydy.ensemble.engine import Ensemble
@@ -86,7 +79,7 @@ def integrate_ensemble(
         names = ResultNames.latest(problem, sensitivities is not None)
     samples = read_samples(problem, plan, names, product, initial_conditions, constants, varied)
     if definition.equations.constraints.residuals.implicit is not None:
-        options = with_residuals_held(definition, solver, options)
+        options = with_residuals_projected(definition, solver, options)
     constraints, code = None, problem.model.code
     if definition.equations.constraints.are_present or sensitivities is not None:
         code = problem.model.with_compiled_inputs(plan)
@@ -108,7 +101,7 @@ def integrate_ensemble(
         ready = PreparedIntegration(problem.model, plan, solver, options)
     compiled, derivatives = ready.options, None
     if sensitivities is not None and motions is None:
-        augmented = AugmentedSystem.of(problem, ready.code, plan, sensitivities)
+        augmented = AugmentedSystem.for_parameters(problem, ready.code, plan, sensitivities)
         controlled = augmented.controlled(control)
         compiled = augmented.stepped(solver, compiled, problem.x, times, controlled)
         derivatives = ensemble_sensitivities(
