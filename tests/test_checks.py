@@ -9,7 +9,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._checks import choice, flag, listed, number, real_array, shown, text, vector, whole
+from pydy._checks import choice, flag, integer, listed, number, real_array, shown, text, vector
 from pydy._files import path_of
 from pydy.models import multi_mass_spring_damper
 
@@ -166,13 +166,13 @@ def test_what_has_a_truth_value_is_no_flag(value):
 
 @pytest.mark.parametrize("value", [3, 3.0, np.int64(3), np.float32(3.0)])
 def test_whole_numbers_come_in_many_types(value):
-    assert whole(value, "`workers`") == 3
+    assert integer(value, "`workers`") == 3
 
 
 @pytest.mark.parametrize("value", [0, True, 1.5, np.nan, np.inf, "3", [1, 2], None])
 def test_what_is_no_whole_number_is_named(value):
     with pytest.raises(ValueError, match="`workers` must be a"):
-        whole(value, "`workers`")
+        integer(value, "`workers`")
 
 
 def test_an_option_of_any_string_type_is_found():

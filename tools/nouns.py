@@ -24,7 +24,8 @@ FILES = (
     "_motion/motion.py",
 )
 NOUNS = (
-    "System", "Model", "Problem", "Function", "Motion", "Definition", "CompiledModel", "Trajectory",
+    "System", "Model", "Problem", "Evaluator", "Motion", "Definition", "CompiledModel",
+    "Trajectory",
 )  # fmt: skip
 
 

@@ -1,9 +1,9 @@
-"""NumPy's array object as compiled code reads it: by offsets, looked at once whether they hold.
+"""The offsets at which compiled code reads NumPy's array object, and a probe that checks them.
 
-A call of the machine code through NumPy's or ctypes' own attributes costs ten times as much. The
-offsets are those of PyArrayObject in NumPy's ndarrayobject.h, and of PyFloatObject, in CPython's
-usual builds; free-threaded and tracing builds have longer heads. Where a probe shows anything else
-than NumPy and CPython say themselves, everything goes by way of `ndarray.ctypes`.
+A call of machine code through attributes of NumPy or ctypes costs ten times as much. The offsets
+are those of PyArrayObject in NumPy's ndarrayobject.h, and of PyFloatObject, in usual builds of
+CPython; free-threaded and tracing builds have longer headers. If the probe finds a difference from
+what NumPy and CPython report, `ndarray.ctypes` is used instead.
 """
 
 from __future__ import annotations
@@ -17,24 +17,24 @@ import numpy as np
 __all__ = ["DATA", "DESCR", "FLAGS", "FLOAT", "KIND", "NDIM", "SHAPE", "address", "fits"]
 
 KIND, DATA, NDIM, SHAPE, DESCR, FLAGS = 8, 16, 24, 32, 56, 64
-"""Where the type, the numbers' address, the number of dimensions, the address of the shape, the
-data type and the flags lie."""
+"""Offsets of the type, the address of the data, the number of dimensions, the address of the shape,
+the data type and the flags."""
 FLOAT = 16
-"""Where a Python float's value lies."""
+"""Offset of a Python float's value."""
 
 
-def _field(thing: Any, offset: int, kind: Any) -> Any:
-    return kind.from_address(id(thing) + offset).value
+def _field(item: Any, offset: int, kind: Any) -> Any:
+    return kind.from_address(id(item) + offset).value
 
 
-def _found(array: np.ndarray) -> tuple[Any, ...]:
+def _probed_fields(array: np.ndarray) -> tuple[Any, ...]:
     """Read an array's fields, except the shape, at the assumed offsets."""
-    word, whole = ctypes.c_size_t, ctypes.c_int32
-    kinds = ((KIND, word), (DATA, word), (NDIM, whole), (DESCR, word), (FLAGS, whole))
+    word, int32 = ctypes.c_size_t, ctypes.c_int32
+    kinds = ((KIND, word), (DATA, word), (NDIM, int32), (DESCR, word), (FLAGS, int32))
     return tuple(_field(array, offset, kind) for offset, kind in kinds)
 
 
-def _told(array: np.ndarray) -> tuple[Any, ...]:
+def _reported_fields(array: np.ndarray) -> tuple[Any, ...]:
     """Read the same fields through NumPy."""
     data = array.__array_interface__["data"][0]
     return id(type(array)), data, array.ndim, id(array.dtype), array.flags.num
@@ -48,9 +48,9 @@ def fits() -> bool:
         return False
     plane = np.zeros((3, 5))
     for array in (plane, plane[1], plane.T, plane[::2, 1:4], np.zeros(7), np.zeros(2, np.int64)):
-        if _found(array) != _told(array):
+        if _probed_fields(array) != _reported_fields(array):
             return False
-        # An address is followed only where everything around it is as it should be.
+        # The address of the shape is dereferenced only after all other fields were verified.
         shape = (ctypes.c_ssize_t * array.ndim).from_address(_field(array, SHAPE, ctypes.c_size_t))
         if tuple(shape) != array.shape:
             return False
@@ -65,7 +65,7 @@ FITS = fits()
 
 
 def address(array: np.ndarray) -> int:
-    """Return the address of an array's data, seven times as fast as by `ndarray.ctypes`."""
+    """Return the address of an array's data, seven times as fast as `ndarray.ctypes`."""
     return _word_at(id(array) + DATA).value if FITS else int(array.ctypes.data)
 
 

@@ -1,4 +1,4 @@
-"""What users pass as numbers, arrays, dictionaries and symbols: floats in order, or an error."""
+"""Check and convert arguments: numbers, arrays, dictionaries and symbols."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from pydy._names import name_of, nearest, some, text_of, told_apart, written_out
+from pydy._names import distinguished, name_of, nearest, some, text_of, written_out
 
 _FLOAT = np.dtype(float)
-_PLAIN = frozenset((float, int, np.float64))
+_NUMBER_TYPES = frozenset((float, int, np.float64))
 _HUGE = "a number beyond the range of floats"
-_FEW = 8  # numbers of an array that a message shows
-_MOST = 2**27  # numbers that are copied where they are not in memory yet: a gibibyte
+_SHOWN_NUMBERS = 8  # numbers of an array that a message shows
+_MOST = 2**27  # numbers of an array that may be copied although it is broadcast: a gibibyte
 _MOST_DIMENSIONS = 64  # of NumPy's arrays
-_BEYOND = 2**63  # integers of compiled code
+_INTEGER_LIMIT = 2**63  # integers of compiled code
 
 
 def describe(symbols: Sequence[Any]) -> str:
     """Return symbols as a list for a message, shortened when there are many."""
-    return some(told_apart(symbols, [*map(text_of, symbols)])) or "none"
+    return some(distinguished(symbols, [*map(text_of, symbols)])) or "none"
 
 
 def listed(
-    argument: str, value: Any, what: str = "symbols", *, hashable: bool = False
+    argument: str, value: Any, entries_name: str = "symbols", *, hashable: bool = False
 ) -> list[Any]:
     """Check that an argument is a sequence of symbols and return it as a list.
 
@@ -37,9 +37,9 @@ def listed(
     if getattr(value, "is_Matrix", False) and not isinstance(value, type):
         value = _entries(value)
     if isinstance(value, np.ndarray) and value.size > _MOST:
-        raise TypeError(f"`{argument}` must be a sequence of {what}, got {_sized(value)}.")
+        raise TypeError(f"`{argument}` must be a sequence of {entries_name}, got {_sized(value)}.")
     if isinstance(value, range) and is_endless(value):
-        raise TypeError(f"`{argument}` must be a sequence of {what}, got {value!r}.")
+        raise TypeError(f"`{argument}` must be a sequence of {entries_name}, got {value!r}.")
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             entries = list(value)
@@ -48,11 +48,11 @@ def listed(
             return entries
         except (TypeError, RecursionError):  # an array without dimensions, or a list in it
             pass
-    raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
+    raise TypeError(f"`{argument}` must be a sequence of {entries_name}, got {shown(value)}.")
 
 
 def _entries(matrix: Any) -> Any:
-    """Return the entries of a SymPy matrix of one column or row; another one as it is."""
+    """Return the entries of a SymPy matrix of one column or row; other matrices unchanged."""
     shape = matrix.shape
     if not (all(isinstance(n, int) or n.is_Integer for n in shape) and {0, 1} & {*shape}):
         return matrix
@@ -68,24 +68,28 @@ def one_or_more(argument: str, value: Any, *, hashable: bool = False) -> list[An
     return listed(argument, [value] if single else value, hashable=hashable)
 
 
-def resolved(argument: str, keys: Iterable[Any], symbols: Iterable[Any], what: str) -> list[Any]:
+def resolved(
+    argument: str, keys: Iterable[Any], symbols: Iterable[Any], description: str
+) -> list[Any]:
     """Replace each name in a list by the symbol that has it."""
     keys = list(keys)
     if not any(isinstance(key, str) for key in keys):
         return keys
-    places = Places(list(symbols), what)
-    return [places.symbols[places.find(k, argument)] if isinstance(k, str) else k for k in keys]
+    index = Places(list(symbols), description)
+    return [index.symbols[index.find(k, argument)] if isinstance(k, str) else k for k in keys]
 
 
 def shown(value: Any) -> str:
-    """Return a value for a message, on one line: its repr, cut where it is long.
+    """Return the repr of a value for a message, on one line, shortened to 200 characters.
 
-    Arrays of more than a few numbers, and tables, are described by their shapes.
+    Arrays with more than a few numbers, and tables, are described by their shapes.
     """
-    if isinstance(value, np.ndarray) and value.size > _FEW:
+    if isinstance(value, np.ndarray) and value.size > _SHOWN_NUMBERS:
         return _shaped(value)
     try:
-        with np.printoptions(threshold=_FEW, edgeitems=2):  # of arrays in dictionaries and lists
+        with np.printoptions(
+            threshold=_SHOWN_NUMBERS, edgeitems=2
+        ):  # of arrays in dictionaries and lists
             text = repr(value)
         table = isinstance(getattr(value, "shape", None), tuple) and not hasattr(value, "is_Matrix")
         if "\n" in text and table:
@@ -99,7 +103,7 @@ def shown(value: Any) -> str:
 
 
 def typed(value: Any) -> str:
-    """Return a value with its type for a message: "the str 'q1'"; the type stands in it once."""
+    """Return a value with its type for a message: "the str 'q1'". The type is not repeated."""
     kind, content = type(value).__name__, shown(value)
     first = content.partition("(")[0].partition(" ")[0]
     return f"the {content}" if first == kind else f"the {kind} {content}"
@@ -109,27 +113,27 @@ def _shaped(value: Any) -> str:
     """Describe an array or a table."""
     kind = "an array" if type(value) is np.ndarray else f"a {type(value).__name__}"
     dtype = getattr(value, "dtype", _FLOAT)
-    of = "" if dtype == _FLOAT else f" and the dtype {dtype}"
-    return f"{kind} of the shape {tuple(value.shape)}{of}"
+    dtype_text = "" if dtype == _FLOAT else f" and the dtype {dtype}"
+    return f"{kind} of the shape {tuple(value.shape)}{dtype_text}"
 
 
 def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
-    """Return a dictionary as it is, so that later changes by its owner are seen; None is empty."""
+    """Return a dictionary without copying it, so that its later changes are seen; None is empty."""
     if value is None:
         return {}
     if isinstance(value, dict):
         return value
-    if isinstance(value, Keyed):
+    if isinstance(value, SymbolDict):
         return value.data
     if isinstance(value, Mapping):
         return dict(value)
     raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
 
 
-def number(value: Any, what: str, *, finite: bool = False) -> float:
-    """Return a value as a float, or raise an error that shows it."""
-    if type(value) not in _PLAIN:
-        _refuse_dropped(value, what)
+def number(value: Any, label: str, *, finite: bool = False) -> float:
+    """Return a value as a float, or raise an error that shows it; `label` is its name there."""
+    if type(value) not in _NUMBER_TYPES:
+        _refuse_dropped(value, label)
     try:
         array = np.asarray(value)
         if array.dtype == object or array.size != 1 or array.dtype.kind not in "biuf":
@@ -137,76 +141,76 @@ def number(value: Any, what: str, *, finite: bool = False) -> float:
         else:
             result = float(array.reshape(()))
     except OverflowError:
-        raise ValueError(f"{what} must be a real number, got {_HUGE}.") from None
+        raise ValueError(f"{label} must be a real number, got {_HUGE}.") from None
     except (TypeError, ValueError):
-        raise ValueError(f"{what} must be a real number, got {shown(value)}.") from None
+        raise ValueError(f"{label} must be a real number, got {shown(value)}.") from None
     if finite and not np.isfinite(result):
-        raise ValueError(f"{what} must be finite, got {result!r}.")
+        raise ValueError(f"{label} must be finite, got {result!r}.")
     return result
 
 
-def real_array(value: Any, what: str) -> np.ndarray:
+def real_array(value: Any, label: str) -> np.ndarray:
     """Return a value as a C-contiguous float array; text, None, masks and units are refused."""
     if type(value) is not np.ndarray:
-        _refuse_dropped(value, what)
+        _refuse_dropped(value, label)
     elif value.size > _MOST:
-        check_copied(value, what)
+        check_copied(value, label)
     try:
         array = np.asarray(value)
         if array.dtype.kind == "O":
             numbers = np.array([_as_float(v) for v in array.ravel()])
             return numbers.reshape(array.shape)
     except OverflowError:
-        raise ValueError(f"{what} must hold real numbers, got {_HUGE}.") from None
+        raise ValueError(f"{label} must hold real numbers, got {_HUGE}.") from None
     except (TypeError, ValueError):
-        raise ValueError(f"{what} must hold real numbers, got {shown(value)}.") from None
+        raise ValueError(f"{label} must hold real numbers, got {shown(value)}.") from None
     if array.dtype.kind not in "biuf":
-        raise ValueError(f"{what} must hold real numbers, got {shown(value)}.")
+        raise ValueError(f"{label} must hold real numbers, got {shown(value)}.")
     if array.dtype == np.float64 and array.flags.c_contiguous:
         return array
     return array.astype(float, order="C")
 
 
-def tolerance(value: Any, what: str) -> Any:
+def tolerance(value: Any, label: str) -> Any:
     """Check a tolerance: a number or an array (n,), finite and not negative."""
-    array = real_array(value, what)
+    array = real_array(value, label)
     if not (np.isfinite(array).all() and (array >= 0.0).all()):
-        raise ValueError(f"{what} must be finite and not negative, got {array}.")
+        raise ValueError(f"{label} must be finite and not negative, got {array}.")
     if array.ndim > 1:
-        raise ValueError(f"{what} must be one-dimensional, got the shape {array.shape}.")
+        raise ValueError(f"{label} must be one-dimensional, got the shape {array.shape}.")
     return array if array.ndim else float(array)
 
 
-def vector(value: Any, size: int, what: str) -> np.ndarray:
+def vector(value: Any, size: int, label: str) -> np.ndarray:
     """Return a value as a float array of shape (size,)."""
-    array = real_array(value, what)
+    array = real_array(value, label)
     if array.ndim == 0 and size == 1:
         return array.reshape(1)
     if array.shape != (size,):
-        raise ValueError(f"{what} must have the shape ({size},), got {array.shape}.")
+        raise ValueError(f"{label} must have the shape ({size},), got {array.shape}.")
     return array
 
 
-def ascending(value: Any, what: str, *, strict: bool = False, remedy: str = "") -> np.ndarray:
-    """Return finite numbers in ascending order, or name the first one that descends."""
-    array = real_array(value, what)
+def ascending(value: Any, label: str, *, strict: bool = False, remedy: str = "") -> np.ndarray:
+    """Return finite ascending numbers, or raise an error that names the first one that descends."""
+    array = real_array(value, label)
     if array.ndim != 1:
-        raise ValueError(f"{what} must be one-dimensional, got the shape {array.shape}.")
+        raise ValueError(f"{label} must be one-dimensional, got the shape {array.shape}.")
     if not np.isfinite(array).all():
         k = int(np.isfinite(array).argmin())
-        raise ValueError(f"{what} must be finite, got {array[k]} at index {k}.")
+        raise ValueError(f"{label} must be finite, got {array[k]} at index {k}.")
     steps = np.diff(array)
     if (wrong := steps <= 0.0 if strict else steps < 0.0).any():
         k = int(wrong.argmax())
         raise ValueError(
-            f"{what} must be {'strictly ' * strict}ascending, got {array[k + 1]} after {array[k]} "
+            f"{label} must be {'strictly ' * strict}ascending, got {array[k + 1]} after {array[k]} "
             f"at index {k + 1}.{remedy}"
         )
     return array
 
 
 def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
-    """Return an own copy with one row for each time and one column for each symbol."""
+    """Return a copy with one row for each time and one column for each symbol."""
     table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
     if table.shape != (m, width):
         raise ValueError(
@@ -221,18 +225,18 @@ def descends(times: np.ndarray) -> bool:
     return len(times) > 1 and bool(times[-1] < times[0])
 
 
-def monotonic(value: Any, what: str) -> np.ndarray:
-    """Return finite numbers that ascend or descend, or name the first one that turns back."""
-    array = real_array(value, what)
+def monotonic(value: Any, label: str) -> np.ndarray:
+    """Return finite monotonic numbers, or raise an error that names the first reversal."""
+    array = real_array(value, label)
     if array.ndim != 1 or not np.isfinite(array).all():
-        return ascending(array, what)  # which refuses them
+        return ascending(array, label)  # raises
     steps = np.diff(array)
-    way = -1.0 if array.size and array[-1] < array[0] else 1.0
-    if (wrong := way * steps < 0.0).any():
+    sign = -1.0 if array.size and array[-1] < array[0] else 1.0
+    if (wrong := sign * steps < 0.0).any():
         k = int(wrong.argmax())
         raise ValueError(
-            f"{what} must be ascending or descending, got {array[k + 1]} after {array[k]} at index "
-            f"{k + 1}{' of descending ones' if way < 0.0 else ''}."
+            f"{label} must be ascending or descending, got {array[k + 1]} after {array[k]} at "
+            f"index {k + 1}{' of descending ones' if sign < 0.0 else ''}."
         )
     return array
 
@@ -247,130 +251,130 @@ def _as_float(value: Any) -> float:
     return result
 
 
-def check_copied(value: Any, what: str) -> None:
-    """Refuse what no library can copy into an array: nested too deeply, broadcast to gigabytes."""
+def check_copied(value: Any, label: str) -> None:
+    """Refuse values that cannot be copied: nested too deeply, or broadcast to gigabytes."""
     if type(value) is not np.ndarray:
-        _refuse_dropped(value, what)
+        _refuse_dropped(value, label)
     elif value.size > _MOST and 0 in value.strides:
-        raise ValueError(f"{what} must hold numbers that fit in memory, got {_sized(value)}.")
+        raise ValueError(f"{label} must hold numbers that fit in memory, got {_sized(value)}.")
 
 
 def is_endless(value: Any) -> bool:
-    """Return whether a value has more entries than memory, as a range or by broadcasting."""
+    """Return whether a value, a range or a broadcast array, has more entries than fit in memory."""
     if isinstance(value, np.ndarray):
         return value.size > _MOST and 0 in value.strides
-    # Not by its length, which Python has no integer for beyond 2⁶³.
+    # len() fails beyond 2⁶³.
     return isinstance(value, range) and (value.stop - value.start) // value.step > _MOST
 
 
 def _sized(array: np.ndarray) -> str:
-    """Describe an array that is too large, which a broadcast one may be without any memory."""
+    """Describe an array that is too large, possibly by broadcasting."""
     size = f"{array.size:,} numbers, of the shape {array.shape}"
     if 0 in array.strides:
         return f"an array that is broadcast to {size}"
     return f"an array of {size}"
 
 
-def _refuse_dropped(value: Any, what: str, depth: int = 0) -> None:
-    """Refuse what NumPy drops from arrays without a word: masks, and units of quantities."""
+def _refuse_dropped(value: Any, label: str, depth: int = 0) -> None:
+    """Refuse properties that NumPy silently drops from arrays: masks, and units of quantities."""
     kind = type(value)
     if isinstance(value, (list, tuple)):
         if depth > _MOST_DIMENSIONS:
             raise ValueError(
-                f"{what} must hold real numbers, got a {kind.__name__} that is nested more than "
+                f"{label} must hold real numbers, got a {kind.__name__} that is nested more than "
                 f"{_MOST_DIMENSIONS} deep."
             )
-        if not {*map(type, value)} <= _PLAIN:
+        if not {*map(type, value)} <= _NUMBER_TYPES:
             for entry in value:
                 if entry is not value:  # a list may be in itself
-                    _refuse_dropped(entry, what, depth + 1)
-    elif kind in _PLAIN or kind is np.ndarray:
+                    _refuse_dropped(entry, label, depth + 1)
+    elif kind in _NUMBER_TYPES or kind is np.ndarray:
         return
     elif kind is range and is_endless(value):
-        raise ValueError(f"{what} must hold numbers that fit in memory, got {value!r}.")
+        raise ValueError(f"{label} must hold numbers that fit in memory, got {value!r}.")
     elif hasattr(kind, "magnitude") or isinstance(value, np.ndarray):
         # "units" of pint, quantities and unyt, "unit" of astropy
-        _refuse_units(value, getattr(value, "units", getattr(value, "unit", "")), what)
+        _refuse_units(value, getattr(value, "units", getattr(value, "unit", "")), label)
     if isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
         raise ValueError(
-            f"{what} must not have masked entries, got {shown(value)}. Leave them out, or fill "
+            f"{label} must not have masked entries, got {shown(value)}. Leave them out, or fill "
             "them with numbers: `array.filled(...)`."
         )
 
 
-def _refuse_units(value: Any, units: Any, what: str) -> None:
+def _refuse_units(value: Any, units: Any, label: str) -> None:
     if str(units) not in ("", "dimensionless", "1 dimensionless"):
         raise ValueError(
-            f"{what} must be without units, got {shown(value)}. Convert all quantities to one "
+            f"{label} must be without units, got {shown(value)}. Convert all quantities to one "
             "system of units, and give the numbers alone: with pint, "
             "`value.to_base_units().magnitude`."
         )
 
 
-def whole(value: Any, what: str, least: int = 1) -> int:
+def integer(value: Any, label: str, least: int = 1) -> int:
     """Return a whole number not below a minimum, or raise an error that shows the value."""
-    result = np.nan if isinstance(value, (bool, np.bool_)) else number(value, what)
+    result = np.nan if isinstance(value, (bool, np.bool_)) else number(value, label)
     if not result >= least or result != np.floor(result) or np.isinf(result):
-        raise ValueError(f"{what} must be a whole number from {least} on, got {shown(value)}.")
-    if result >= _BEYOND:
-        raise ValueError(f"{what} must be a whole number below 2⁶³, got {shown(value)}.")
+        raise ValueError(f"{label} must be a whole number from {least} on, got {shown(value)}.")
+    if result >= _INTEGER_LIMIT:
+        raise ValueError(f"{label} must be a whole number below 2⁶³, got {shown(value)}.")
     return int(result)
 
 
-def flag(value: Any, what: str) -> bool:
+def flag(value: Any, label: str) -> bool:
     """Return True or False, also given as 0, 1 or NumPy's booleans, or raise an error."""
     if isinstance(value, (bool, np.bool_)) or (type(value) is int and value in (0, 1)):
         return bool(value)
-    raise TypeError(f"{what} must be True or False, got {shown(value)}.")
+    raise TypeError(f"{label} must be True or False, got {shown(value)}.")
 
 
-def choice(value: Any, options: Iterable[Any], what: str) -> Any:
+def choice(value: Any, options: Iterable[Any], label: str) -> Any:
     """Check that a value is one of some options, or raise an error that lists them."""
     options = tuple(options)
     for option in options:
         alike = isinstance(value, type(option)) and not isinstance(value, bool)
         if value is option or (alike and value == option):
             return option
-    raise ValueError(f"{what} must be one of {', '.join(map(repr, options))}, got {shown(value)}.")
+    raise ValueError(f"{label} must be one of {', '.join(map(repr, options))}, got {shown(value)}.")
 
 
-def text(value: Any, what: str, *, empty: bool = True) -> str:
+def text(value: Any, label: str, *, empty: bool = True) -> str:
     """Return a string, which may be `empty` or not, or raise an error that shows the value."""
     if not isinstance(value, str) or not (value or empty):
         kind = "a string" if empty else "a string that is not empty"
-        raise TypeError(f"{what} must be {kind}, got {shown(value)}.")
+        raise TypeError(f"{label} must be {kind}, got {shown(value)}.")
     return value
 
 
-def instance(value: Any, kind: type, what: str, called: str = "") -> None:
-    """Refuse a value that is not of a class, which errors may call something else."""
+def instance(value: Any, kind: type, label: str, expected: str = "") -> None:
+    """Refuse a value that is not an instance of a class; errors may describe it as `expected`."""
     if not isinstance(value, kind):
-        kind_of, got = type(value).__name__, shown(value)
-        if not got.startswith((kind_of, "a ", "an ")):
-            got = f"the {kind_of} {got}"
-        raise TypeError(f"{what} must be {called or f'a {kind.__name__}'}, got {got}.")
+        kind_of, value_text = type(value).__name__, shown(value)
+        if not value_text.startswith((kind_of, "a ", "an ")):
+            value_text = f"the {kind_of} {value_text}"
+        raise TypeError(f"{label} must be {expected or f'a {kind.__name__}'}, got {value_text}.")
 
 
-def positive(value: Any, what: str, *, zero: bool = False, finite: bool = False) -> float:
+def positive(value: Any, label: str, *, zero: bool = False, finite: bool = False) -> float:
     """Return a positive number, or zero where that is allowed, or raise an error."""
-    result = number(value, what, finite=finite)
+    result = number(value, label, finite=finite)
     if not (result > 0.0 or (zero and result == 0.0)):
-        raise ValueError(f"{what} must be {'zero or ' * zero}positive, got {result!r}.")
+        raise ValueError(f"{label} must be {'zero or ' * zero}positive, got {result!r}.")
     return result
 
 
-class Keyed(UserDict[Any, Any]):
-    """A view of a user's dictionary, in which a symbol and its name are one key.
+class SymbolDict(UserDict[Any, Any]):
+    """A view of a user's dictionary, in which a symbol and its name are the same key.
 
-    A merged dictionary, ``{**constants, 'l': 0.7}``, may have both: the view shows the later one
-    alone. What is merged with the view would else replace the value of the earlier, in its place.
+    A merged dictionary, ``{**constants, 'l': 0.7}``, may have both: the view shows only the later
+    one.
     """
 
     def __init__(self, data: dict[Any, Any]) -> None:
         self.data = data
 
     def _equivalent(self, key: Any) -> list[Any]:
-        """Return the keys of the dictionary that mean the same as this one, in their order."""
+        """Return the keys of the dictionary that are equivalent to this one, in order."""
         if key in self.data and not any(isinstance(k, str) for k in self.data):
             return [key]
         spelled = _spellings(key)
@@ -383,8 +387,8 @@ class Keyed(UserDict[Any, Any]):
         symbols = [k for k in alike if not isinstance(k, str)]
         return alike if alike and len(symbols) < 2 else [key]
 
-    def _own(self, key: Any) -> Any:
-        """Return the equivalent key whose value stands, or this one."""
+    def _current_key(self, key: Any) -> Any:
+        """Return the latest equivalent key, whose value is valid, or this key."""
         return self._equivalent(key)[-1]
 
     def __iter__(self) -> Iterator[Any]:
@@ -397,36 +401,36 @@ class Keyed(UserDict[Any, Any]):
         return repr(merged(self.data))
 
     def __contains__(self, key: Any) -> bool:
-        return self._own(key) in self.data
+        return self._current_key(key) in self.data
 
     def __getitem__(self, key: Any) -> Any:
-        return self.data[self._own(key)]
+        return self.data[self._current_key(key)]
 
     def __setitem__(self, key: Any, value: Any) -> None:
-        self.data[self._own(key)] = value
+        self.data[self._current_key(key)] = value
 
     def __delitem__(self, key: Any) -> None:
-        for equivalent in self._equivalent(key):  # a value that was replaced does not come back
+        for equivalent in self._equivalent(key):  # a replaced value must not reappear
             del self.data[equivalent]
 
-    def __ior__(self, other: Any) -> Keyed:
-        self.update(other)
+    def __ior__(self, values: Any) -> SymbolDict:
+        self.update(values)
         return self
 
-    def __or__(self, other: Any) -> Keyed:
-        result = Keyed(dict(self.data))
-        result.update(other)
+    def __or__(self, values: Any) -> SymbolDict:
+        result = SymbolDict(dict(self.data))
+        result.update(values)
         return result
 
 
 def merged(values: Mapping[Any, Any]) -> Mapping[Any, Any]:
-    """Return a dictionary in which a symbol and its name are one key: the later value stands.
+    """Return a dictionary in which a symbol and its name are one key: the later value is valid.
 
-    So is ``{**system.constants, 'l': 0.7}`` meant. Tuples of symbols are left alone, and a name
-    that several of the keys have.
+    This gives ``{**system.constants, 'l': 0.7}`` its intended meaning. Tuples of symbols, and names
+    that several keys share, are not changed.
     """
     groups: dict[str, list[Any]] = {}
-    named = False  # types of functions compare slowly, so that they are not looked for in a set
+    named = False  # a loop, because hashing and comparing keys that are functions is slow
     for key in values:
         named |= isinstance(key, str)
     if not named or len(values) < 2:
@@ -442,37 +446,43 @@ def merged(values: Mapping[Any, Any]) -> Mapping[Any, Any]:
 
 
 def _spellings(key: Any) -> set[str]:
-    """Return the names that mean a key: ``q`` and ``q(t)`` for either of them; a Dummy has none."""
+    """Return the names of a key: ``q`` and ``q(t)`` for either of them; a Dummy has none."""
     if hasattr(key, "dummy_index"):
         return set()
     return {name_of(key), str(key), str(key).removesuffix("(t)")}
 
 
 def refuse_twice(symbols: Iterable[Any], argument: str) -> None:
-    """Refuse a dictionary whose keys mean the same symbol twice."""
-    seen: set[Any] = set()
+    """Refuse a dictionary in which two keys denote the same symbol."""
+    previous: set[Any] = set()
     for symbol in symbols:
-        if symbol in seen:
+        if symbol in previous:
             raise ValueError(
                 f"`{argument}` gives `{symbol}` more than once, by the symbol or by its name. Keep "
                 "one of them."
             )
-        seen.add(symbol)
+        previous.add(symbol)
 
 
 class Places:
-    """Positions of symbols in an array, by symbol or unambiguous name; `what` describes them."""
+    """Positions of symbols in an array, by symbol or unambiguous name.
 
-    def __init__(self, symbols: Sequence[Any], what: str) -> None:
+    The `description` of the symbols is used in messages.
+    """
+
+    def __init__(self, symbols: Sequence[Any], description: str) -> None:
         self.symbols = tuple(symbols)
-        self.what = what
-        self._place = {s: k for k, s in enumerate(self.symbols)}
-        # The latest keys that give all symbols, and what brings their values into order; the latest
-        # that give some, and where they lie. The same dictionary, or one made in the same way,
-        # comes again and again: comparing takes a tenth of hashing.
-        self._known: tuple[list[Any], Callable[[list[Any]], Any] | None] = ([*self.symbols], None)
+        self.description = description
+        self._position = {s: k for k, s in enumerate(self.symbols)}
+        # Two caches: the latest keys of a complete dictionary, with the function that reorders its
+        # values; and the latest keys of a partial one, with their positions. The same keys are
+        # passed repeatedly, and comparing them takes a tenth of the time of hashing.
+        self._full_order: tuple[list[Any], Callable[[list[Any]], Any] | None] = (
+            [*self.symbols],
+            None,
+        )
 
-        self._some: tuple[list[Any], np.ndarray] = ([], np.empty(0, dtype=np.int64))
+        self._partial_order: tuple[list[Any], np.ndarray] = ([], np.empty(0, dtype=np.int64))
         self._groups: tuple[list[Any], list[tuple[Any, ...]]] = ([], [])
 
     def __len__(self) -> int:
@@ -489,47 +499,50 @@ class Places:
     def get(self, key: Any, argument: str) -> int | None:
         """Return the position of a symbol or name, or None; refuse an ambiguous name."""
         try:
-            place = self._place.get(key)
+            position = self._position.get(key)
         # A list, an array, a memoryview, or a tuple nested too deeply
         except (TypeError, ValueError, RecursionError):
             return None
-        if place is None and isinstance(key, str):
+        if position is None and isinstance(key, str):
             alike = self._named.get(key, ())
             if len(alike) > 1:
                 raise ValueError(
-                    f"`{argument}` has the name {key!r}, which several {self.what} have: "
+                    f"`{argument}` has the name {key!r}, which several {self.description} have: "
                     f"{', '.join(written_out(self.symbols[k]) for k in alike)}. Give the symbol "
                     "itself."
                 )
             return alike[0] if alike else None
-        return place
+        return position
 
     def unknown(self, values: Mapping[Any, Any], argument: str) -> list[Any]:
-        """Return the keys of a dictionary that mean none of the symbols."""
-        if [*values] in (self._known[0], self._some[0]) or values.keys() <= self._place.keys():
+        """Return the keys of a dictionary that denote none of the symbols."""
+        if [*values] in (
+            self._full_order[0],
+            self._partial_order[0],
+        ) or values.keys() <= self._position.keys():
             return []
         # A copy: another thread may add to the dictionary.
         return [key for key in [*values] if self.get(key, argument) is None]
 
     def meaning(self, key: Any, argument: str) -> Any:
-        """Return the symbol or tuple of symbols that a key means; leave other keys alone."""
+        """Return the symbol or tuple of symbols that a key denotes; other keys unchanged."""
         if isinstance(key, (tuple, list)):
             return tuple(self.meaning(k, argument) for k in key)
-        place = self.get(key, argument)
-        return key if place is None else self.symbols[place]
+        position = self.get(key, argument)
+        return key if position is None else self.symbols[position]
 
     def find(self, key: Any, argument: str) -> int:
         """Return the position of a symbol or name; errors tell apart symbols of one name."""
-        place = self.get(key, argument)
-        if place is None:
+        position = self.get(key, argument)
+        if position is None:
             label = shown(key) if isinstance(key, (tuple, list)) else text_of(key)
             raise ValueError(
-                f"`{argument}` has the key `{label}`, which is not one of the {self.what}: "
-                f"{describe(self.symbols)}.{self.meant(key)}"
+                f"`{argument}` has the key `{label}`, which is not one of the {self.description}: "
+                f"{describe(self.symbols)}.{self.suggestion(key)}"
             )
-        return place
+        return position
 
-    def meant(self, key: Any) -> str:
+    def suggestion(self, key: Any) -> str:
         """Return a sentence, after a space, that suggests symbols similar to a key, or ''."""
         if isinstance(key, str):
             close = nearest(key, sorted(map(name_of, self.symbols)), or_all=False)
@@ -544,57 +557,57 @@ class Places:
         )
 
     def columns(self, keys: Iterable[Any], argument: str) -> np.ndarray:
-        """Return the positions of some symbols or names, none of which may occur twice."""
-        places = [self.find(key, argument) for key in keys]
-        if len({*places}) < len(places):
-            refuse_twice(map(self.symbols.__getitem__, places), argument)
-        return np.array(places, dtype=np.int64)
+        """Return the positions of symbols or names, which must be different."""
+        positions = [self.find(key, argument) for key in keys]
+        if len({*positions}) < len(positions):
+            refuse_twice(map(self.symbols.__getitem__, positions), argument)
+        return np.array(positions, dtype=np.int64)
 
     def chosen(self, keys: Iterable[Any], argument: str) -> list[Any]:
-        """Return the symbols that keys mean, none of which may occur twice."""
+        """Return the symbols that keys denote, which must be different."""
         return [self.symbols[k] for k in self.columns(keys, argument)]
 
     def by_symbol(
-        self, values: Mapping[Any, Any], argument: str, *, others: bool = False
+        self, values: Mapping[Any, Any], argument: str, *, allow_others: bool = False
     ) -> dict[Any, Any]:
-        """Return a dictionary keyed by symbols, each once; other keys stay if `others` is true."""
-        if not others:
+        """Return a dictionary keyed by symbols; with `allow_others`, other keys are unchanged."""
+        if not allow_others:
             return dict(zip(self.chosen(values, argument), values.values(), strict=True))
         keys = [self.meaning(key, argument) for key in values]
         refuse_twice([s for k in keys for s in (k if isinstance(k, tuple) else (k,))], argument)
         return dict(zip(keys, values.values(), strict=True))
 
     def check_order(self, table: Any, argument: str) -> None:
-        """Refuse a table with labels in another order than the symbols: it is read by position."""
+        """Refuse a table, which is read by position, with labels in another order."""
         if isinstance(table, (np.ndarray, list, tuple)):
             return
         if dims := getattr(table, "dims", None):  # of xarray
             labels = getattr(table, "indexes", {}).get(dims[-1], ())
         else:
             labels = getattr(table, "columns" if getattr(table, "ndim", 1) == 2 else "index", ())
-        places = [] if callable(labels) else [self.get(key, argument) for key in labels]
-        known = [place for place in places if place is not None]
-        if len(known) < len(places) or known == sorted(known):
+        positions = [] if callable(labels) else [self.get(key, argument) for key in labels]
+        valid = [position for position in positions if position is not None]
+        if len(valid) < len(positions) or valid == sorted(valid):
             return
         raise ValueError(
-            f"`{argument}` has the labels {describe(labels)}, and the {self.what} are in the order "
-            f"{describe(self.symbols)}. A table is read by place: reorder it."
+            f"`{argument}` has the labels {describe(labels)}, and the {self.description} are in "
+            f"the order {describe(self.symbols)}. A table is read by place: reorder it."
         )
 
     def groups(self, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
         """Return (symbols, positions, whether the key is a tuple) for each key of a dictionary."""
         keys = [*values]
-        known, groups = self._groups
-        if keys != known:
+        stored_keys, groups = self._groups
+        if keys != stored_keys:
             groups = []
             for key in keys:
                 several = isinstance(key, (tuple, list))
                 if several and not key:
                     raise ValueError(f"`{argument}` has an empty tuple for a key.")
-                places = np.array(
+                positions = np.array(
                     [self.find(k, argument) for k in (key if several else (key,))], dtype=np.int64
                 )
-                groups.append((tuple(self.symbols[k] for k in places), places, several))
+                groups.append((tuple(self.symbols[k] for k in positions), positions, several))
             refuse_twice([symbol for symbols, _, _ in groups for symbol in symbols], argument)
             self._groups = (keys, groups)
         return groups
@@ -602,39 +615,41 @@ class Places:
     def read(
         self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None
     ) -> np.ndarray:
-        """Return a dictionary's numbers in the symbols' order; `base` has the missing ones."""
+        """Return a dictionary's numbers in the symbols' order; missing ones are those of `base`."""
         keys = [*values]
-        known, columns = self._some
-        if keys != known:
-            array = self.plain(values, finite=base is not None)
+        stored_keys, columns = self._partial_order
+        if keys != stored_keys:
+            array = self.plain_numbers(values, finite=base is not None)
             if array is not None:
                 return array
             values = merged(values)
             keys = [*values]
             columns = self.columns(keys, argument)
-            self._some = (keys, columns)
+            self._partial_order = (keys, columns)
         if base is None and len(columns) < len(self.symbols):
-            given = set(columns.tolist())
-            missing = [s for k, s in enumerate(self.symbols) if k not in given]
+            present = set(columns.tolist())
+            missing = [s for k, s in enumerate(self.symbols) if k not in present]
             raise ValueError(
-                f"`{argument}` has no value for the {self.what} {describe(missing)}: a dictionary "
-                "must give all of them."
+                f"`{argument}` has no value for the {self.description} {describe(missing)}: a "
+                "dictionary must give all of them."
             )
         result = np.full(len(self.symbols), 0.0 if base is None else base)
         finite = base is not None
         for key, column, value in zip(keys, columns.tolist(), values.values(), strict=True):
-            # SymPy takes longer to print a name than many a model to integrate.
+            # Printing a name with SymPy can take longer than an integration, so avoid it.
             usual = type(value) is float and isfinite(value)
             result[column] = (
                 value if usual else number(value, f"`{argument}[{key}]`", finite=finite)
             )
         return result
 
-    def plain(self, values: Mapping[Any, Any], *, finite: bool = False) -> np.ndarray | None:
-        """Return the numbers if a dictionary has a plain one for every symbol, else None."""
+    def plain_numbers(
+        self, values: Mapping[Any, Any], *, finite: bool = False
+    ) -> np.ndarray | None:
+        """Return the numbers if a dictionary has a Python number for every symbol, else None."""
         keys, numbers = [*values], [*values.values()]
-        known, reorder = self._known
-        if keys != known:
+        stored_keys, reorder = self._full_order
+        if keys != stored_keys:
             try:
                 columns = self.columns(keys, "")
             except ValueError:
@@ -642,29 +657,33 @@ class Places:
             if len(columns) < len(self.symbols):
                 return None
             reorder = None if (np.diff(columns) == 1).all() else itemgetter(*np.argsort(columns))
-            self._known = (keys, reorder)
-        if not _PLAIN.issuperset(map(type, numbers)):  # an array of gigabytes would be summed
+            self._full_order = (keys, reorder)
+        if not _NUMBER_TYPES.issuperset(
+            map(type, numbers)
+        ):  # an array of gigabytes would be summed
             return None
         try:
             if not finite or isfinite(sum(numbers)):
                 return np.array(numbers if reorder is None else reorder(numbers), dtype=float)
         except (TypeError, ValueError, OverflowError):
-            pass  # `read` says which one it is
+            pass  # `read` reports which one it is
         return None
 
 
 C = TypeVar("C", bound=Callable[..., Any])
 
 
-def names_meant(what: str, meant: Mapping[str, str]) -> Callable[[C], C]:
-    """Name the argument that is meant by another library's name for it, in a TypeError."""
+def suggest_arguments(function_name: str, suggestions: Mapping[str, str]) -> Callable[[C], C]:
+    """Raise a TypeError with a suggestion if an argument has another library's name."""
 
     def named(call: C) -> C:
         @wraps(call)
         def checked(*args: Any, **options: Any) -> Any:
             for name in options:
-                if name in meant:
-                    raise TypeError(f"{what} has no argument `{name}`: {meant[name]}.")
+                if name in suggestions:
+                    raise TypeError(
+                        f"{function_name} has no argument `{name}`: {suggestions[name]}."
+                    )
             return call(*args, **options)
 
         return cast(C, checked)

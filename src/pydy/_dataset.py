@@ -1,6 +1,6 @@
 """Named columns over time as an xarray.Dataset, and as a NetCDF file.
 
-The caller hands in the module xarray, which is optional.
+The caller passes the module xarray, which is an optional dependency.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ ENERGIES = ("kinetic_energy", "potential_energy", "total_energy")
 
 
 @dataclass
-class Parts:
+class DatasetParts:
     """The columns, labels and events of a dataset."""
 
     times: np.ndarray  # (m,)
@@ -34,20 +34,19 @@ class Parts:
     columns: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
     constants: dict[str, float] = field(default_factory=dict)
     latex: dict[str, str] = field(default_factory=dict)
-    # (names, (m, q, k)): names of the parameters, and derivatives of the states
-    # and outputs
+    # (names, (m, q, k)): names of the parameters, and derivatives of the states and outputs
     sensitivity: tuple[list[str], np.ndarray] | None = None
 
     def table(self, *roles: str) -> np.ndarray:
         """Return the columns of some roles, shape (m, columns)."""
-        found = [own for role in roles for own in self.columns.get(role, {}).values()]
-        return np.array(found).reshape(len(found), len(self.times)).T
+        columns = [values for role in roles for values in self.columns.get(role, {}).values()]
+        return np.array(columns).reshape(len(columns), len(self.times)).T
 
 
 SENSITIVITY = "sensitivity"
 _CONSTANT = " (constant)"
 _CHECKSUM = "pydy_checksum"
-# Suffixes that promise another format than NetCDF, and what writes that.
+# Suffixes of other formats than NetCDF, and the calls that write these.
 _OTHER_FORMATS = {
     **{
         suffix: f"`trajectory.to_dataframe().{method}(path)`"
@@ -76,8 +75,8 @@ def to_dataset(
 ) -> Any:
     """Return a Dataset of columns (name, role, latex, values) along ``time``.
 
-    A `pydy.trajectory.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too. A
-    name that is taken gets its role behind it, and keeps itself as the attribute ``label``.
+    A `pydy.trajectory.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too. If
+    a name is already used, its role is appended, and the attribute ``label`` has the name.
     """
     variables: dict[str, tuple[Any, ...]] = {}
     coords: dict[str, tuple[Any, ...]] = {"time": ("time", times)}
@@ -92,8 +91,8 @@ def to_dataset(
         while free in variables or free in coords:
             free += f" ({role})"
         attrs = {"role": role, "latex": latex}
-        plain = free == name and not name.endswith(_CONSTANT)
-        return free, attrs if plain else {**attrs, "label": name}
+        has_own_name = free == name and not name.endswith(_CONSTANT)
+        return free, attrs if has_own_name else {**attrs, "label": name}
 
     for name, role, latex, values in columns:
         free, attrs = labelled(name, role, latex)
@@ -106,11 +105,11 @@ def to_dataset(
     return xarray.Dataset(variables, coords)
 
 
-def from_dataset(dataset: Any) -> Parts:
-    """Take a Dataset of `to_dataset` apart; older files have no labels."""
+def from_dataset(dataset: Any) -> DatasetParts:
+    """Split a Dataset of `to_dataset` into its parts; older files have no labels."""
     if "time" not in dataset.variables:  # xarray would count the rows
         raise ValueError("it holds no 'time'")
-    parts = Parts(np.array(dataset["time"]))
+    parts = DatasetParts(np.array(dataset["time"]))
     for name, variable in dataset.variables.items():
         if name in dataset.dims:
             continue
@@ -146,21 +145,21 @@ def write_netcdf(
             f"Write {suffix} with {_OTHER_FORMATS[suffix]}."
         )
     dataset = dataset.copy()
-    plain: dict[str, str] = {}
+    ascii_names: dict[str, str] = {}
     for name, variable in dataset.variables.items():
         # SciPy writes Latin letters only in names, but any in attributes.
         variable.attrs["name"] = name
         short = re.sub(r"[^A-Za-z0-9_]+", "_", name)
-        while short in plain.values():
+        while short in ascii_names.values():
             short += "_"
-        plain[name] = short
-    dataset = dataset.rename({n: p for n, p in plain.items() if n != p})
-    dataset.attrs["pydy_statistics"] = json.dumps(statistics, default=_plain)
-    dataset.attrs["pydy_events"] = json.dumps(list(events), default=_plain)
-    dataset.attrs["pydy_facts"] = json.dumps(dict(facts), default=_plain)
+        ascii_names[name] = short
+    dataset = dataset.rename({n: p for n, p in ascii_names.items() if n != p})
+    dataset.attrs["pydy_statistics"] = json.dumps(statistics, default=_json_value)
+    dataset.attrs["pydy_events"] = json.dumps(list(events), default=_json_value)
+    dataset.attrs["pydy_facts"] = json.dumps(dict(facts), default=_json_value)
     dataset.attrs[_CHECKSUM] = _checksum(dataset)
-    with replacing(path) as (place,):
-        dataset.to_netcdf(place, engine="scipy", format="NETCDF3_64BIT")
+    with replacing(path) as (temporary,):
+        dataset.to_netcdf(temporary, engine="scipy", format="NETCDF3_64BIT")
 
 
 def _checksum(dataset: Any) -> str:
@@ -174,7 +173,7 @@ def _checksum(dataset: Any) -> str:
     return f"{zlib.crc32(json.dumps(parts).encode()):08x}"
 
 
-def _plain(value: Any) -> Any:
+def _json_value(value: Any) -> Any:
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
     return str(value)
@@ -183,7 +182,7 @@ def _plain(value: Any) -> Any:
 def _arrays(value: Any) -> Any:
     """Return a list as an array, also those of a dictionary."""
     if isinstance(value, dict):
-        return {name: _arrays(own) for name, own in value.items()}
+        return {name: _arrays(entry) for name, entry in value.items()}
     return np.array(value) if isinstance(value, list) else value
 
 
@@ -207,15 +206,15 @@ def _checked(path: Any) -> str:
 
 def read_netcdf(
     xarray: Any, path: str | os.PathLike[str], record: Callable[..., Any]
-) -> tuple[Parts, dict[str, Any] | None, list[Any], dict[str, Any]]:
+) -> tuple[DatasetParts, dict[str, Any] | None, list[Any], dict[str, Any]]:
     """Return the Parts, statistics, events and facts of a file of `write_netcdf`.
 
-    `record` makes an event of its attributes.
+    `record` constructs an event from its attributes.
     """
     path = _checked(path)
     try:
-        with xarray.open_dataset(path, engine="scipy") as opened:
-            dataset = opened.load()
+        with xarray.open_dataset(path, engine="scipy") as file:
+            dataset = file.load()
         written = dataset.attrs.pop(_CHECKSUM, None)  # older files have none
         sound = written in (None, _checksum(dataset))
         if "pydy_events" in dataset.attrs:

@@ -22,46 +22,50 @@ class PyDyUserWarning(UserWarning):
 
 
 def warn_user(message: str) -> None:
-    """Give a warning that points at the user's line that called this package."""
+    """Issue a warning that points at the line of user code that called this package."""
     level, frame = 1, sys._getframe()
-    while frame.f_back is not None and _within(frame.f_globals.get("__name__", "")):
+    while frame.f_back is not None and _is_internal(frame.f_globals.get("__name__", "")):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, PyDyUserWarning, stacklevel=level)
 
 
-def _within(module: str) -> bool:
-    """Return whether a frame is the package's own, or `np.errstate` around one of its methods."""
+def _is_internal(module: str) -> bool:
+    """Return whether a module is part of this package, or `np.errstate` around its methods."""
     return module.startswith("pydy.") or module.endswith("._ufunc_config")
 
 
 def warn_not_finite(
-    wrong: np.ndarray, names: Sequence[str], place: Callable[[int], tuple[str, str | None]]
+    wrong: np.ndarray,
+    names: Sequence[str],
+    describe_sample: Callable[[int], tuple[str, str | None]],
 ) -> None:
     """Warn of named values that are not finite (`wrong`, (m, o)) although their inputs are.
 
-    The `place` of a sample describes its position, and the singularity there if that is known.
+    `describe_sample` returns a sample's position, and the singularity there if it is known.
     """
     bad = np.flatnonzero(wrong.any(axis=1))
     if bad.size:
         rows = [name for name, flag in zip(names, wrong[bad[0]], strict=True) if flag]
-        more = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
-        where, why = place(int(bad[0]))
+        others_text = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
+        position, why = describe_sample(int(bad[0]))
         why = why or "Look for a division by zero, or a function outside its domain."
-        warn_user(f"These values are not finite: {few(rows, 4, ', ')} at {where}{more}. {why}")
+        warn_user(
+            f"These values are not finite: {few(rows, 4, ', ')} at {position}{others_text}. {why}"
+        )
 
 
-def note_finished(error: MemoryError, what: str, **finished: object) -> None:
-    """Attach finished results to an error as attributes, which a note names."""
+def note_finished(error: MemoryError, results_text: str, **finished: object) -> None:
+    """Attach finished results to an error as attributes, and add a note with their names."""
     vars(error).update(finished)
-    error.add_note(f"{what} in the attributes of this error: {', '.join(finished)}.")
+    error.add_note(f"{results_text} in the attributes of this error: {', '.join(finished)}.")
 
 
 def finished_before(
     stop: BaseException, finished: str, message: str, results: object
 ) -> BaseException:
-    """Return the error to raise when Ctrl-C or lack of memory stopped an analysis.
+    """Return the error to raise after Ctrl-C or lack of memory stopped an analysis.
 
-    An `AnalysisInterrupted` with its message, or the MemoryError, which notes what is `finished`.
+    This is an `AnalysisInterrupted`, or the MemoryError with a note about the `finished` results.
     """
     if isinstance(stop, MemoryError):
         note_finished(stop, finished, results=results)

@@ -1,4 +1,4 @@
-"""Files of the user's are replaced as a whole, or not at all."""
+"""Replace users' files atomically."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ from pydy._checks import shown
 def replacing(*paths: Path) -> Iterator[list[Path]]:
     """Yield temporary paths for files, which replace the files together at the end.
 
-    A full disk, an error or Ctrl-C leaves what was there before. A folder of its own keeps the
-    file's name and suffix, which writers read, and its usual permissions. Devices and pipes are
-    written to as they are.
+    After a full disk, an error or Ctrl-C, the previous files remain. Each temporary file is in a
+    separate folder, so that it has the final name and suffix, which writers may inspect, and the
+    usual permissions. Devices and pipes are written to directly.
     """
     with contextlib.ExitStack() as folders:
-        moves: list[tuple[Path, Path]] = []
-        places = []
+        replacements: list[tuple[Path, Path]] = []
+        writable = []
         for path in paths:
             if _is_special(path):
-                places.append(path)
+                writable.append(path)
                 continue
-            target = Path(os.path.realpath(path))  # a link stays one
-            places.append(Path(folders.enter_context(folder_beside(target)), target.name))
-            moves.append((places[-1], target))
-        yield places
-        for aside, target in moves:
+            target = Path(os.path.realpath(path))  # symbolic links are preserved
+            writable.append(Path(folders.enter_context(folder_beside(target)), target.name))
+            replacements.append((writable[-1], target))
+        yield writable
+        for temporary, target in replacements:
             with contextlib.suppress(FileNotFoundError):
-                shutil.copymode(target, aside)
-            with open(aside, "rb+") as file:
-                os.fsync(file.fileno())  # some file systems say only now that they are full
-        for aside, target in moves:
-            os.replace(aside, target)
+                shutil.copymode(target, temporary)
+            with open(temporary, "rb+") as file:
+                os.fsync(file.fileno())  # some file systems report only here that they are full
+        for temporary, target in replacements:
+            os.replace(temporary, target)
 
 
 @contextlib.contextmanager
@@ -70,20 +70,20 @@ def folder_beside(target: Path) -> Iterator[Path]:
         with temporary_folder(start) as folder:
             yield folder
     except OSError as error:
-        # A full disk is told without a name.
+        # The error of a full disk has no file name.
         if error.errno is not None and str(start) in str(error.filename or start):
             raise type(error)(error.errno, error.strerror, str(target)) from error
         raise
 
 
 def write_files(contents: dict[Path, Any]) -> None:
-    """Write texts or bytes to files: all of them, or none where one cannot be written."""
-    with replacing(*contents) as places:
-        for place, content in zip(places, contents.values(), strict=True):
+    """Write texts or bytes to files: all of them, or none if one cannot be written."""
+    with replacing(*contents) as paths:
+        for path, content in zip(paths, contents.values(), strict=True):
             data = (
                 content.encode(errors="backslashreplace") if isinstance(content, str) else content
             )
-            place.write_bytes(data)
+            path.write_bytes(data)
 
 
 def _is_special(path: Path) -> bool:
@@ -93,20 +93,20 @@ def _is_special(path: Path) -> bool:
         return False
 
 
-def path_of(value: Any, what: str) -> Path:
+def path_of(value: Any, label: str) -> Path:
     """Return a path, or raise an error that shows the value."""
     if not isinstance(value, (str, PathLike)) or "\0" in os.fsdecode(value):
-        raise TypeError(f"{what} must be a path, got {shown(value)}.")
+        raise TypeError(f"{label} must be a path, got {shown(value)}.")
     try:
         os.fsencode(value)
     except UnicodeEncodeError:
         raise ValueError(
-            f"{what} has a character that no file's name can have, got {value!a}."
+            f"{label} has a character that no file's name can have, got {value!a}."
         ) from None
     if "://" in os.fsdecode(value):
         raise ValueError(
-            f"{what} must be a path on this computer, got the URL {value!r}. Copy what is there to "
-            "a file or folder, or a file or folder there afterwards."
+            f"{label} must be a path on this computer, got the URL {value!r}. Copy what is there "
+            "to a file or folder, or a file or folder there afterwards."
         )
     path = Path(os.fsdecode(value))
     if not path.is_absolute():
@@ -114,22 +114,24 @@ def path_of(value: Any, what: str) -> Path:
             os.getcwd()
         except FileNotFoundError:
             raise FileNotFoundError(
-                f"{what} is {str(path)!r}, relative to the current folder, but that was removed. "
+                f"{label} is {str(path)!r}, relative to the current folder, but that was removed. "
                 "Give an absolute path, or go to another folder with `os.chdir`."
             ) from None
     return path
 
 
-def file_of(value: Any, what: str) -> Path:
+def file_of(value: Any, label: str) -> Path:
     """Return the path of a file to be written; its folder must exist."""
-    path = path_of(value, what)
+    path = path_of(value, label)
     with contextlib.suppress(FileNotFoundError, NotADirectoryError):
-        path.lstat()  # a name that is too long is told before any work is done
+        path.lstat()  # raises early if the name is too long
     if not path.parent.is_dir():
         raise FileNotFoundError(
-            f"{what} is {str(path)!r}, but there is no folder {str(path.parent)!r}: make it first, "
-            "with `Path(...).mkdir(parents=True)`, or choose another."
+            f"{label} is {str(path)!r}, but there is no folder {str(path.parent)!r}: make it "
+            "first, with `Path(...).mkdir(parents=True)`, or choose another."
         )
     if path.is_dir():
-        raise IsADirectoryError(f"{what} must be a file, got the folder {str(path)!r}: add a name.")
+        raise IsADirectoryError(
+            f"{label} must be a file, got the folder {str(path)!r}: add a name."
+        )
     return path

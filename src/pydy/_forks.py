@@ -1,12 +1,12 @@
-"""Forks of the process while its other threads are at work.
+"""Make forks safe while other threads of the process are running.
 
-A forked child has one thread, and every lock as it was: what another thread held stays locked for
-ever. What compiling holds is of two kinds:
+A forked child has one thread and a copy of every lock: a lock that another thread held remains
+locked for ever. Compilation has locks of two kinds:
 
-- `Lock` protects what is sound at any moment, such as a table that is looked up and then filled.
-  The child finds it open, and does again what was under way.
-- llvmlite changes structures of its own, which are not sound in between: a fork waits until it is
-  done, as it does for `fork_lock`, which is held while modules are loaded.
+- `Lock` protects data that are consistent at any moment, such as a table of results. It is open in
+  the child, which repeats interrupted work.
+- llvmlite's internal structures are inconsistent during changes: a fork waits for llvmlite's lock,
+  and for `fork_lock`, which is held while modules are loaded.
 """
 
 from __future__ import annotations
@@ -24,47 +24,47 @@ T = TypeVar("T")
 class Lock:
     """A reentrant lock that is open in a forked child.
 
-    Nothing keeps a list of all locks: where such a list is told of a lock that goes, Python loses
-    what a signal handler raises at that moment.
+    There is no list of all locks: with weak references, Python would lose an exception that a
+    signal handler raises in the callback of a deleted lock.
     """
 
     def __init__(self) -> None:
         self._locks: dict[int, threading.RLock] = {}  # by generation of forks
 
-    def _own(self) -> threading.RLock:
+    def _current(self) -> threading.RLock:
         generation = _generation
         return self._locks.get(generation) or self._locks.setdefault(generation, threading.RLock())
 
     def __enter__(self) -> None:
-        self._own().acquire()
+        self._current().acquire()
 
     def __exit__(self, *_: object) -> None:
-        self._own().release()
+        self._current().release()
 
 
 def once(function: Callable[..., T]) -> Callable[..., T]:
     """Cache a function's results, each computed once for all threads.
 
-    `functools.cache` lets each thread that comes first make one and keeps the last of them. Machine
-    code is handed on by its address, so that the others would go while they are in use.
+    With `functools.cache`, concurrent threads may compute several results, of which only the last
+    is stored. Machine code is passed on by address, so that the others would be freed while in use.
     """
-    lock, known = Lock(), dict[tuple[Any, ...], T]()
+    lock, results = Lock(), dict[tuple[Any, ...], T]()
 
     @wraps(function)
-    def called(*key: Any) -> T:
-        if key not in known:
+    def cached(*key: Any) -> T:
+        if key not in results:
             with lock:
-                if key not in known:
-                    known[key] = function(*key)
-        return known[key]
+                if key not in results:
+                    results[key] = function(*key)
+        return results[key]
 
-    called.cache_clear = known.clear  # type: ignore[attr-defined]
-    return called
+    cached.cache_clear = results.clear  # type: ignore[attr-defined]
+    return cached
 
 
 _generation = 0
 fork_lock = threading.RLock()
-"""Held while something happens that a fork waits for."""
+"""Held during operations that a fork must wait for."""
 
 
 class cached_property(Generic[T]):  # noqa: N801 - as functools has it
@@ -97,7 +97,7 @@ def in_child(function: Callable[[], None]) -> Callable[[], None]:
     return function
 
 
-_held: list[Any] = []
+_acquired: list[Any] = []
 
 
 def _before() -> None:
@@ -107,12 +107,12 @@ def _before() -> None:
         lock = getattr(lock, name, None)
     if lock is not None:
         lock.__enter__()
-        _held.append(lock)
+        _acquired.append(lock)
 
 
 def _after() -> None:
-    while _held:
-        _held.pop().__exit__(None, None, None)
+    while _acquired:
+        _acquired.pop().__exit__(None, None, None)
     fork_lock.release()
 
 

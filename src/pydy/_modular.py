@@ -1,7 +1,7 @@
-"""Arithmetic modulo a prime: what an expression is worth at a random point, without rounding.
+"""Arithmetic modulo a prime, to evaluate expressions at random points without rounding.
 
-Sums, products and quotients of the inputs that agree there agree everywhere, up to a chance of
-about the degree in 2⁶¹ (J. T. Schwartz, "Fast probabilistic algorithms for verification of
+Rational expressions that agree at a random point are identical, except with a probability of about
+their degree divided by 2⁶¹ (J. T. Schwartz, "Fast probabilistic algorithms for verification of
 polynomial identities", Journal of the ACM 27 (1980) 701-717).
 """
 
@@ -10,14 +10,14 @@ from __future__ import annotations
 import hashlib
 from functools import lru_cache
 
-# Floats are whole numbers times powers of two: p = 2 q + 1 with a prime q, so that these powers
-# repeat after q of them. p = 3 (mod 4), so that −1 is no square and no 1 + x² vanishes.
+# Floats are integers times powers of two. With p = 2 q + 1 and a prime q, the powers of two have
+# the period q. Since p = 3 (mod 4), −1 is not a square and 1 + x² is never zero.
 PRIME = 2**61 - 2373
 
 
-def arbitrary(*what: object) -> int:
-    """Return a number below the prime that depends on nothing but the arguments."""
-    digest = hashlib.blake2b(repr(what).encode(), digest_size=8).digest()
+def arbitrary(*seeds: object) -> int:
+    """Return a pseudo-random number below the prime that depends only on the arguments."""
+    digest = hashlib.blake2b(repr(seeds).encode(), digest_size=8).digest()
     return int.from_bytes(digest, "big") % PRIME
 
 
@@ -29,9 +29,9 @@ def residue(number: float) -> int:
     return top * pow(bottom, -1, PRIME) % PRIME
 
 
-@lru_cache(maxsize=1024)  # a sine and a cosine are asked for one after the other
+@lru_cache(maxsize=1024)  # sine and cosine of an angle are usually requested together
 def _on_circle(angle: int) -> tuple[int, int]:
-    """Return a random point of the unit circle for each angle: its sine and cosine."""
+    """Return a pseudo-random point on the unit circle for each angle: its sine and cosine."""
     half = arbitrary("angle", angle)
     scale = pow(1 + half * half, -1, PRIME)
     return 2 * half * scale % PRIME, (1 - half * half) * scale % PRIME
@@ -57,9 +57,9 @@ def inverse(matrix: list[list[int]]) -> list[list[int]] | None:
             return None
         rows[k], rows[pivot] = rows[pivot], rows[k]
         scale = pow(rows[k][k], -1, PRIME)
-        rows[k] = own = [value * scale % PRIME for value in rows[k]]
+        rows[k] = scaled = [value * scale % PRIME for value in rows[k]]
         for i in range(n):
             factor = rows[i][k]
             if i != k and factor:
-                rows[i] = [(a - factor * b) % PRIME for a, b in zip(rows[i], own, strict=True)]
+                rows[i] = [(a - factor * b) % PRIME for a, b in zip(rows[i], scaled, strict=True)]
     return [row[n:] for row in rows]

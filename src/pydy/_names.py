@@ -20,7 +20,7 @@ def name_of(symbol: Any) -> str:
 
 
 def text_of(symbol: Any) -> str:
-    """Return how a symbol prints; what users give in place of one may be nested too deeply."""
+    """Return str(symbol), or a short description of arrays and of values nested too deeply."""
     kind = type(symbol).__name__
     try:
         text = str(symbol)
@@ -33,38 +33,38 @@ def text_of(symbol: Any) -> str:
     return label if shape is None else f"{label} of the shape {shape}"
 
 
-def place_of(key: Any, names: Sequence[str], what: str) -> int:
-    """Return the position of a name or of a symbol's name; `what` describes the names in errors."""
+def place_of(key: Any, names: Sequence[str], description: str) -> int:
+    """Return the position of a symbol or name; `description` describes the names in errors."""
     name = name_of(key)
     if name not in names:
-        raise KeyError(f"`{text_of(key)}` is not one of the {what}: {some(names)}.")
+        raise KeyError(f"`{text_of(key)}` is not one of the {description}: {some(names)}.")
     return list(names).index(name)
 
 
 def item_of_name(items: Sequence[Any], key: Any) -> Any:
-    """Return the item with a name; keys that name no item, or several, as they are."""
+    """Return the item with a name; keys that name no item, or several, are returned unchanged."""
     matching = [item for item in items if isinstance(key, str) and name_of(item) == key]
     return matching[0] if len(matching) == 1 else key
 
 
-def untaken(name: str, taken: Container[str], between: str = "_") -> str:
-    """Return a name, numbered if it is already taken."""
-    if name not in taken:
+def unused_name(name: str, used: Container[str], separator: str = "_") -> str:
+    """Return a name, with a number appended if it is already used."""
+    if name not in used:
         return name
-    return next(one for k in count(2) if (one := f"{name}{between}{k}") not in taken)
+    return next(candidate for k in count(2) if (candidate := f"{name}{separator}{k}") not in used)
 
 
 def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
     """Return a distinct name for each symbol.
 
-    Those that would be alike are written out in full, then with their assumptions, and numbered
-    where that does not tell them apart either.
+    Equal names are replaced by the full expressions, then by these with their assumptions, and
+    numbered if they are still equal.
     """
-    names = told_apart(symbols, [name_of(s) for s in symbols], str, written_out)
-    taken: set[str] = set()
+    names = distinguished(symbols, [name_of(s) for s in symbols], str, written_out)
+    used: set[str] = set()
     for k, name in enumerate(names):
-        names[k] = untaken(name, taken, " ")
-        taken.add(names[k])
+        names[k] = unused_name(name, used, " ")
+        used.add(names[k])
     return tuple(names)
 
 
@@ -76,12 +76,12 @@ def column_names(counts: Mapping[Any, int]) -> tuple[str, ...]:
     )
 
 
-def told_apart(
+def distinguished(
     symbols: Sequence[Any], names: Sequence[str], *spellings: Callable[[Any], str]
 ) -> list[str]:
     """Return names of symbols; equal names are replaced by the first spelling that differs.
 
-    By default they are written out with their assumptions.
+    The default spelling is the symbol with its assumptions.
     """
     names = list(names)
     for spelled in spellings or (written_out,):
@@ -95,9 +95,9 @@ def told_apart(
 def nearest(name: str, names: Sequence[str], *, or_all: bool = True) -> str:
     """Return a sentence that suggests the nearest name, or lists all names, or ''.
 
-    A name that differs in upper and lower case alone is nearer than any other.
+    A name that differs only in upper and lower case is nearer than any other.
     """
-    alike = [other for other in names if other.lower() == name.lower()]
+    alike = [candidate for candidate in names if candidate.lower() == name.lower()]
     close = alike or get_close_matches(name, names, n=1)
     if not close and not or_all:
         return ""
@@ -124,14 +124,14 @@ def _assumptions(symbol: Any) -> list[str]:
     """Return a symbol's assumptions in words, without those that follow from another."""
     import sympy as sm
 
-    held = [name for name in _ASSUMPTIONS if getattr(symbol, f"is_{name}", None)]
+    true_assumptions = [name for name in _ASSUMPTIONS if getattr(symbol, f"is_{name}", None)]
     implied = {
-        other
-        for name in held
-        for other in sm.Symbol("x", **{name: True}).assumptions0
-        if other != name
+        implied_name
+        for name in true_assumptions
+        for implied_name in sm.Symbol("x", **{name: True}).assumptions0
+        if implied_name != name
     }
-    notes = [name for name in held if name not in implied]
+    notes = [name for name in true_assumptions if name not in implied]
     return notes if getattr(symbol, "is_commutative", True) else ["not commutative", *notes]
 
 
@@ -154,17 +154,17 @@ _MARKED = re.compile(rf"(?P<letter>[A-Za-z]|{'|'.join(GREEK)})(?P<mark>{'|'.join
 _WORD = re.compile(r"[A-Za-z]\w*", re.ASCII)
 
 
-def _taken_apart(label: str) -> tuple[str, str, str, str] | None:
+def _split_label(label: str) -> tuple[str, str, str, str] | None:
     """Split a label into letter, mark, index and primes; None if it is a word or a phrase."""
-    found = _SYMBOL.fullmatch(label)
-    if found is None:
+    match = _SYMBOL.fullmatch(label)
+    if match is None:
         return None
-    letter, mark, index = found["base"], "", found["index"] or ""
+    letter, mark, index = match["base"], "", match["index"] or ""
     if letter not in GREEK and (marked := _MARKED.fullmatch(letter)):
         letter, mark = marked["letter"], marked["mark"]
     if letter not in GREEK and len(letter) > 2 and not index.isdigit():
         return None
-    return letter, mark, index, found["rate"]
+    return letter, mark, index, match["rate"]
 
 
 def label_parts(label: str) -> list[str]:
@@ -176,7 +176,7 @@ def label_parts(label: str) -> list[str]:
     >>> label_parts('theta_1'), label_parts("q2'"), label_parts('x_foot'), label_parts('energy')
     (['θ', '1'], ["q'", '2'], ['x', 'foot'], ['energy', ''])
     """
-    parts = _taken_apart(label)
+    parts = _split_label(label)
     if parts is None:
         return [label, ""]
     letter, mark, index, rate = parts
@@ -184,7 +184,7 @@ def label_parts(label: str) -> list[str]:
 
 
 def _latex_of_label(label: str) -> str:
-    parts = _taken_apart(label)
+    parts = _split_label(label)
     if parts is None:
         return r"\mathrm{" + label.replace("_", r"\_").replace(" ", r"\ ") + "}"
     letter, mark, index, rate = parts
@@ -205,7 +205,7 @@ def _is_word(symbol: Any) -> bool:
     name = getattr(symbol, "name", None)
     if not isinstance(name, str) or len(getattr(symbol, "args", ())) > 1:
         return False
-    return _WORD.fullmatch(name) is not None and _taken_apart(name) is None
+    return _WORD.fullmatch(name) is not None and _split_label(name) is None
 
 
 def latex_of(symbol: Any) -> str:
@@ -222,7 +222,7 @@ def latex_of(symbol: Any) -> str:
 def latex_of_rate(symbol: Any) -> str:
     """Return the LaTeX of a symbol's derivative by time: with a dot."""
     if getattr(symbol, "args", ()) and not _is_word(symbol):
-        # A function of time, which says by itself where the dot goes.
+        # A function of time: SymPy prints its derivative with a dot.
         return latex_of(symbol.diff(symbol.args[0]))
     return rf"\dot{{{latex_of(symbol)}}}"
 
@@ -233,10 +233,10 @@ def printable(text: str, stream: Any) -> str:
     return text.encode(encoding, "backslashreplace").decode(encoding)
 
 
-def few(texts: Sequence[str], most: int = 2, between: str = "; ") -> str:
-    """Join the first texts of a list, and the number of the others."""
-    more = [f"and {len(texts) - most} more"] if len(texts) > most else []
-    return between.join([*texts[:most], *more])
+def few(texts: Sequence[str], most: int = 2, separator: str = "; ") -> str:
+    """Join the first `most` texts of a list, and append the number of the others."""
+    remainder = [f"and {len(texts) - most} more"] if len(texts) > most else []
+    return separator.join([*texts[:most], *remainder])
 
 
 def some(names: Iterable[str]) -> str:
@@ -245,7 +245,7 @@ def some(names: Iterable[str]) -> str:
 
 
 def numbers_of(names: Iterable[str], values: Iterable[float], digits: int = 6) -> str:
-    """Return names with values, such as a state, for a message; there may be more values."""
+    """Return names with values, such as a state, for a message; surplus values are ignored."""
     return some(f"{n} = {v:.{digits}g}" for n, v in zip(names, values, strict=False))
 
 

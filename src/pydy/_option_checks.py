@@ -7,23 +7,23 @@ from typing import Any
 
 from pydy._checks import choice
 
-# Called with a value and what messages call it; returns the value as it is used.
+# Called with a value and its name for messages; returns the converted value.
 Check = Callable[[Any, str], Any]
 
 
-def checked(table: Mapping[str, Check], given: Mapping[str, Any]) -> dict[str, Any]:
-    """Apply each option's check; leave options without a check as they are."""
+def checked(table: Mapping[str, Check], options: Mapping[str, Any]) -> dict[str, Any]:
+    """Apply each option's check; options without a check are returned unchanged."""
     return {
         name: table[name](value, f"`{name}`") if name in table else value
-        for name, value in given.items()
+        for name, value in options.items()
     }
 
 
 def one_of(*options: Any) -> Check:
     """Return a check for `choice` among these options."""
-    return lambda value, what: choice(value, options, what)
+    return lambda value, label: choice(value, options, label)
 
 
 def optional(check: Check) -> Check:
     """Return a check that lets None pass."""
-    return lambda value, what: None if value is None else check(value, what)
+    return lambda value, label: None if value is None else check(value, label)

@@ -23,33 +23,34 @@ def require(module: str, extra: str, purpose: str) -> Any:
 
 
 def bar_of(*rows: Any, **options: Any) -> Any:
-    """Return a bar of tqdm, disabled where there is no output, as under pythonw."""
+    """Return a progress bar of tqdm, disabled if there is no stderr, as with pythonw."""
     try:
-        made = import_module("tqdm.auto").tqdm
+        bar_class = import_module("tqdm.auto").tqdm
     except ImportError:
         raise MissingDependencyError(
             "`progress=True` needs tqdm: pip install tqdm, or pass progress=False."
         ) from None
-    return made(*rows, **options, **({"disable": True} if sys.stderr is None else {}))
+    return bar_class(*rows, **options, **({"disable": True} if sys.stderr is None else {}))
 
 
 @contextmanager
 def progress_of(
-    wanted: bool, unit: str, total: int | None = None, **options: Any
+    visible: bool, unit: str, total: int | None = None, **options: Any
 ) -> Iterator[Callable[..., None]]:
-    """Show a bar of tqdm, if wanted, until the block ends.
+    """Show a progress bar of tqdm until the block ends, if `visible`.
 
-    Yields ``told(number, **shown)``, which moves the bar on and shows what is named beside it. With
-    the number 0 it is shown at once: what begins now may take long. Options are those of tqdm.
+    Yields ``report(number, **postfix)``, which advances the bar and shows the postfix next to it.
+    With the number 0 the postfix is shown at once, for steps that take long. The options are those
+    of tqdm.
     """
-    if not wanted:
-        yield lambda number, **shown: None
+    if not visible:
+        yield lambda number, **postfix: None
         return
     with bar_of(total=total, unit=unit, **options) as bar:
 
-        def told(number: int, **shown: str) -> None:
-            if shown:
-                bar.set_postfix(shown, refresh=number == 0)
+        def report(number: int, **postfix: str) -> None:
+            if postfix:
+                bar.set_postfix(postfix, refresh=number == 0)
             bar.update(number)
 
-        yield told
+        yield report

@@ -1,8 +1,8 @@
-"""What is zero, small and dependent among computed numbers: the one place that decides it.
+"""Decide which computed numbers are zero and which rows are linearly dependent.
 
-No decision knows a unit. A value is zero when it is within the rounding of the terms it is made of.
-A matrix is judged after its rows and columns were brought to one size: a constraint in millimetres
-is the same constraint, and a coordinate in nanometres the same coordinate.
+All decisions are independent of units. A value is zero if it is within the rounding error of its
+terms. The rank of a matrix is determined after its rows and columns were scaled to equal size, so
+that it does not matter whether a constraint is in millimetres or a coordinate in nanometres.
 """
 
 from __future__ import annotations
@@ -13,26 +13,26 @@ ROUNDING = 2.0**-52
 """The distance from 1.0 to the next float."""
 
 ROUNDED = 2.0**-42
-"""What rounding leaves of a sum that is zero, in units of its terms: a thousand roundings.
+"""The largest rounding error of a sum that should be zero, relative to its terms: 1000 roundings.
 
-A value passes some hundred operations on its way; each adds one rounding at most.
+A value results from some hundred operations, each of which adds at most one rounding.
 """
 
 OF_FEW = 100 * ROUNDING
-"""The same of a few numbers that add up to zero, such as those of a row without variables."""
+"""The same for a sum of a few numbers, such as a row without variables."""
 
 DEPENDENT = 1e-10
-"""A row that is this much shorter without the directions of the others follows from them.
+"""A row depends on others if its part orthogonal to them is below this share of its length.
 
-Rounding leaves 1e-16 times the condition of the rows before: up to a million of it, rows that
-follow from others are recognised, and independent ones stay so up to 1e10.
+Rounding errors are 1e-16 times the condition number of the rows before. Dependent rows are
+recognised up to a condition number of a million, independent ones up to 1e10.
 """
 
 SOUND = 1e-2
-"""A row of which this share is left without the directions of those before is sound to solve with.
+"""A row is well conditioned if its part orthogonal to the rows before exceeds this share of it.
 
-A ratio of lengths of one row, without a unit: below it two of sixteen digits would be lost, and
-others are taken, or all of them. Either way all rows hold; it decides how well, not which.
+Below this dimensionless ratio two of sixteen digits would be lost, and other rows are selected, or
+all of them. All rows are satisfied in either case; the choice affects only the accuracy.
 """
 
 HALF = 2.0**-26
@@ -42,7 +42,8 @@ were computed in different ways; numbers for different things agree in fewer."""
 DIGITS = 1e-5
 """The precision of numbers that were typed to six digits."""
 
-_SWEEPS, _EXACT = 8, 30  # the exponents' error halves at each; then pivots of one size are such
+# The error of the exponents halves in each sweep; after 30, equal pivots are equal to rounding.
+_SWEEPS, _EXACT = 8, 30
 
 
 def is_zero(value: np.ndarray | float, bound: np.ndarray | float) -> np.ndarray:
@@ -58,14 +59,14 @@ def or_one(sizes: np.ndarray) -> np.ndarray:
 def unrounded(sizes: np.ndarray, units: np.ndarray | None = None) -> np.ndarray:
     """Return magnitudes of entries (..., m, k), zero where they are rounding errors of a row.
 
-    Otherwise a column of rounding errors would be as large as the others. The numbers alone do not
-    tell these from what is small in the user's units, as lengths of planets are beside angles:
-    where `units` (..., k) of the columns are known, 0 being none, it is what is small in both.
+    Otherwise scaling would make a column of rounding errors as large as the others. Entries may
+    also be small because of the user's units, as angles are compared with lengths of planets: if
+    `units` (..., k) of the columns are given (0 means unknown), entries must be small in both.
     """
     small = sizes <= ROUNDED * sizes.max(axis=-1, keepdims=True, initial=0.0)
     if units is not None:
-        told = sizes * or_one(units)[..., None, :]
-        small &= told <= ROUNDED * told.max(axis=-1, keepdims=True, initial=0.0)
+        scaled = sizes * or_one(units)[..., None, :]
+        small &= scaled <= ROUNDED * scaled.max(axis=-1, keepdims=True, initial=0.0)
     return np.where(small, 0.0, sizes)
 
 
@@ -75,9 +76,9 @@ def equilibrated(
     """Scale matrices (..., m, k) so that the largest entry of each row and column is near 1.
 
     After D. Ruiz, "A scaling algorithm to equilibrate both rows and columns norms in matrices",
-    RAL-TR-2001-034. It begins with the columns in their `units`, where these are known; entries of
-    rounding errors do not count, see `unrounded`.
-    `exact` is for choices that no unit may decide: then it matters which entries are equal.
+    RAL-TR-2001-034. The initial scales of columns are their `units`, if known. Rounding errors are
+    ignored, see `unrounded`. With `exact`, the scaling converges fully, so that no choice depends
+    on units.
     Returned are ``matrix * columns / rows``, the rows (..., m, 1) and the columns (..., 1, k).
     """
     with np.errstate(invalid="ignore"):  # NaN where entries are not finite
@@ -95,7 +96,7 @@ def equilibrated(
 
 
 def rank(matrix: np.ndarray, least: float = DEPENDENT, units: np.ndarray | None = None) -> int:
-    """Return how many rows of a matrix (m, k) are independent, in whatever units.
+    """Return the number of independent rows of a matrix (m, k), independently of units.
 
     Singular values below the share `least` of the largest are zero. For `units` see `unrounded`.
     """
@@ -106,7 +107,7 @@ def rank(matrix: np.ndarray, least: float = DEPENDENT, units: np.ndarray | None 
 def null_space(
     matrix: np.ndarray, units: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return directions (k − rank, k) in which no row changes, and the units (k,) of columns.
+    """Return the null space (k − rank, k) of a matrix, and the units (k,) of its columns.
 
     The directions are orthonormal in these units: ``directions * columns`` solves the homogeneous
     equations of the matrix (m, k). For `units` see `unrounded`.
@@ -119,56 +120,55 @@ def null_space(
 def least_step(
     matrix: np.ndarray, values: np.ndarray, units: np.ndarray | None = None
 ) -> np.ndarray:
-    """Return the least z with ``matrix @ z = values``, in units of the columns.
+    """Return the minimum-norm solution z of ``matrix @ z = values``, in units of the columns.
 
+    Matrices (..., m, k) have values (..., m); a single one may have several right-hand sides
+    (m, n). If rows contradict each other, z is the least-squares solution, in units of the rows.
     For `units` see `unrounded`.
-    Matrices (..., m, k) have values (..., m); a single one may have several right-hand sides (m,
-    n). Where rows contradict each other, z solves them as nearly as they allow, in units of the
-    rows.
     """
     scaled, rows, columns = equilibrated(matrix, units=units)
     inverse = np.linalg.pinv(scaled, rcond=DEPENDENT)
     if matrix.ndim == 2 and values.ndim == 2:
-        found: np.ndarray = columns[0, :, None] * (inverse @ (values / rows))
-        return found
-    found = columns[..., 0, :] * (inverse @ (values[..., None] / rows))[..., 0]
-    return found
+        step: np.ndarray = columns[0, :, None] * (inverse @ (values / rows))
+        return step
+    step = columns[..., 0, :] * (inverse @ (values[..., None] / rows))[..., 0]
+    return step
 
 
 def roundings(slopes: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     """Return bounds on the residuals, due to rounding, of rows at states solved from them.
 
     The `slopes` (..., m, k) are the rows' derivatives by the states, the `sizes` (..., m) those of
-    their terms. By elimination, errors of a row become errors of all others that hold the same
-    unknowns, and those of these. A row of unknowns that are zero has no larger terms of its own.
+    their terms. Elimination propagates errors of a row to all rows that share unknowns with it,
+    directly or through other rows; a row whose unknowns are zero has no larger terms itself.
     """
     scaled, rows, _ = equilibrated(slopes)
-    # The share of a row's error that comes from another: that of the unknown that both hold.
+    # The share of a row's error that another row contributes: that of their common unknown.
     linked = np.minimum(np.abs(scaled) @ np.abs(scaled).swapaxes(-1, -2), 1.0)
     for _ in range(rows.shape[-2].bit_length()):
         linked = np.minimum(linked @ linked, 1.0)
-    found: np.ndarray = ROUNDED * rows[..., 0] * (linked @ (sizes[..., None] / rows))[..., 0]
-    return found
+    bounds: np.ndarray = ROUNDED * rows[..., 0] * (linked @ (sizes[..., None] / rows))[..., 0]
+    return bounds
 
 
 def independent_columns(scaled: np.ndarray) -> list[int]:
-    """Return columns that the rows can be solved for, as many as there are independent rows.
+    """Return columns for which the rows can be solved, as many as there are independent rows.
 
-    The matrix (m, k) is scaled as by `equilibrated`. By elimination with complete pivoting; of
-    pivots of one size the first is taken, so that rounding does not choose.
+    The matrix (m, k) is scaled as by `equilibrated`. The method is elimination with complete
+    pivoting; of equal pivots the first is selected, so that rounding does not decide.
     """
-    work, found = scaled.copy(), []
+    work, columns = scaled.copy(), []
     for _ in range(min(work.shape)):
         sizes = np.abs(work)
         if not sizes.max() > DEPENDENT:
             break
         i, j = np.argwhere(sizes >= (1.0 - HALF) * sizes.max())[0]
-        found.append(int(j))
+        columns.append(int(j))
         work = work - np.outer(work[:, j], work[i] / work[i, j])
         work[i], work[:, j] = 0.0, 0.0
-    return found
+    return columns
 
 
 def rank_of(sizes: np.ndarray, least: float = DEPENDENT) -> int:
-    """Return how many singular values of a matrix, in units of its own, are not zero."""
+    """Return the number of nonzero singular values of a scaled matrix."""
     return int((sizes > least * sizes.max(initial=0.0)).sum())

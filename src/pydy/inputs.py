@@ -14,7 +14,7 @@ from pydy._rank import ROUNDED
 __all__ = ["SampledInput"]
 
 _INTERPOLATIONS = ("linear", "previous", "pchip")
-_SLACK = 1e-9  # of the time that samples span: times may have been added up
+_SLACK = 1e-9  # of the time span of samples: times may be accumulated sums
 
 
 class SampledInput:
@@ -122,8 +122,8 @@ class SampledInput:
         several = self._values.ndim == 2
         instants = real_array(t, "`t`")
         if instants.ndim == 0:
-            found = self.at(float(instants))
-            return np.array(found) if several else found[0]
+            values = self.at(float(instants))
+            return np.array(values) if several else values[0]
         if instants.ndim != 1:
             raise ValueError(
                 f"`t` must be a number or one-dimensional, got the shape {instants.shape}."
@@ -159,19 +159,19 @@ class SampledInput:
     def rows(self, t: np.ndarray) -> np.ndarray:
         """Return the values at n times, shape (n, k)."""
         t = np.clip(t, self.breaks[0], self.breaks[-1])
-        places = np.searchsorted(self.breaks, t, side="right") - 1
-        places = np.clip(places, 0, len(self.breaks) - 2)
-        s = (t - self.breaks[places])[:, None]
-        a, b, c, d = np.moveaxis(self.coefficients[places], 1, 0)
-        found: np.ndarray = ((a * s + b) * s + c) * s + d
-        found[t == self.breaks[-1]] = self.last
-        return found
+        intervals = np.searchsorted(self.breaks, t, side="right") - 1
+        intervals = np.clip(intervals, 0, len(self.breaks) - 2)
+        s = (t - self.breaks[intervals])[:, None]
+        a, b, c, d = np.moveaxis(self.coefficients[intervals], 1, 0)
+        values: np.ndarray = ((a * s + b) * s + c) * s + d
+        values[t == self.breaks[-1]] = self.last
+        return values
 
-    def of(self, places: list[int]) -> SampledInput:
+    def of(self, columns: list[int]) -> SampledInput:
         """Return a SampledInput of some of the quantities."""
-        if len(places) == self.size:
+        if len(columns) == self.size:
             return self
-        return SampledInput(self.breaks, self._values[:, places], self.interpolation)
+        return SampledInput(self.breaks, self._values[:, columns], self.interpolation)
 
     def covers(self, t: np.ndarray) -> bool:
         """Return whether all times lie within the samples, up to rounding."""
@@ -180,9 +180,9 @@ class SampledInput:
         return not (np.any(t < start - slack) or np.any(t > end + slack))
 
     def __repr__(self) -> str:
-        what = f" of {self.size} values" if self._values.ndim == 2 else ""
+        size_text = f" of {self.size} values" if self._values.ndim == 2 else ""
         return (
-            f"SampledInput({len(self.breaks)} samples{what} from t = {self._knots[0]!r} to "
+            f"SampledInput({len(self.breaks)} samples{size_text} from t = {self._knots[0]!r} to "
             f"{self._knots[-1]!r}, interpolation={self.interpolation!r})"
         )
 
@@ -208,23 +208,24 @@ class SampledInput:
 
 
 def jumps_of(sampled: Sequence[tuple[Any, SampledInput]]) -> np.ndarray:
-    """Return when sampled inputs jump, the last numbers before, and the times again, as rows.
+    """Return rows (time, previous float, time) for the jumps of sampled inputs.
 
-    They are as those of `pydy._program.switch_times.SwitchTimes`.
+    The rows are those of `pydy._program.switch_times.SwitchTimes`.
     """
-    found = [np.zeros(0)]
+    times_of_jumps = [np.zeros(0)]
     for _, samples in sampled:
         if samples.interpolation == "previous":
             changes = np.diff(samples.values.reshape(len(samples.breaks), -1), axis=0)
-            found.append(samples.breaks[1:][changes.any(axis=1)])
-    times = np.unique(np.concatenate(found))
+            times_of_jumps.append(samples.breaks[1:][changes.any(axis=1)])
+    times = np.unique(np.concatenate(times_of_jumps))
     return np.stack([times, np.nextafter(times, -np.inf), times], axis=1)
 
 
 def merged_jumps(tables: Iterable[np.ndarray]) -> np.ndarray:
-    """Return rows of times and windows in order; those whose windows overlap are one.
+    """Return sorted rows of times and windows, in which overlapping windows are merged.
 
-    Its time is that of a row without a window after it, such as a sample's, if there is one.
+    The time of a merged row is that of a row whose window ends at its time, such as a sample's, if
+    there is one.
     """
     rows = np.concatenate([np.zeros((0, 3)), *tables])
     if not len(rows):
@@ -268,10 +269,10 @@ def _check_values(values: Any, times: np.ndarray) -> np.ndarray:
             f"of its {m} times, got {array.shape}."
         )
     if not np.isfinite(array).all():
-        where = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
-        place = where[0] if len(where) == 1 else where
+        index = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
+        index_text = index[0] if len(index) == 1 else index
         raise ValueError(
-            f"`values` of a SampledInput must be finite, got {array[where]} at index {place}. "
+            f"`values` of a SampledInput must be finite, got {array[index]} at index {index_text}. "
             "Drop or fill such samples first."
         )
     return array
@@ -288,11 +289,11 @@ def _coefficients(breaks: np.ndarray, values: np.ndarray, interpolation: str) ->
         if interpolation == "pchip" and np.isfinite(cubics).all():
             from scipy.interpolate import PchipInterpolator  # a tenth of a second to import
 
-            # SciPy adds up a few slopes, which may be near the end of the range.
+            # SciPy adds a few slopes, which may be close to overflow.
             curves = PchipInterpolator(breaks, values / 16.0, axis=0).c
             cubics[:, :3] = 16.0 * np.moveaxis(curves, 0, 1)[:, :3]
         a, b, c, _ = np.moveaxis(np.abs(cubics), 1, 0)
-        slopes = (3.0 * a * steps + 2.0 * b) * steps + c  # no sum on the way is larger
+        slopes = (3.0 * a * steps + 2.0 * b) * steps + c  # bounds all intermediate sums
         sound = np.isfinite(slopes * np.maximum(steps, 1.0)).all(axis=1)
     if not sound.all():
         k = int(sound.argmin())

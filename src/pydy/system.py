@@ -19,24 +19,24 @@ import sympy as sm
 
 from pydy._assembly import CompiledModel, Definition, check_expressions
 from pydy._checks import (
-    Keyed,
+    SymbolDict,
     check_mapping,
     choice,
     flag,
     instance,
     listed,
     merged,
-    names_meant,
     shown,
+    suggest_arguments,
     text,
 )
 from pydy._errors import warn_user
 from pydy._evaluation import (
     BLOCKS,
     BaseParameters,
+    Evaluator,
     GeneratedFunction,
     Quantity,
-    QuantityFunction,
     all_accelerations,
     base_parameters,
     checked_options,
@@ -214,7 +214,7 @@ class System:
     (3, 4)
     """
 
-    @names_meant("System", _NAMES_OF_METHODS)
+    @suggest_arguments("System", _NAMES_OF_METHODS)
     def __init__(
         self,
         eom_method: Any,
@@ -536,7 +536,7 @@ class System:
         A symbol and its name are one key: ``system.constants['m'] = 2.0`` replaces the value
         that was set by the symbol.
         """
-        return Keyed(self._constants)
+        return SymbolDict(self._constants)
 
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
@@ -569,7 +569,7 @@ class System:
 
         The order of ``'symbols'`` is the order of r in the generated function.
         """
-        return Keyed(self._specifieds)
+        return SymbolDict(self._specifieds)
 
     @specifieds.setter
     def specifieds(self, specifieds: Mapping[Any, Any] | None) -> None:
@@ -588,7 +588,7 @@ class System:
         A symbol and its name are one key: ``system.initial_conditions['q1'] = 2.0`` replaces the
         value that was set by the symbol.
         """
-        return Keyed(self._initial_conditions)
+        return SymbolDict(self._initial_conditions)
 
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
@@ -604,7 +604,7 @@ class System:
         """Warn of values that an assignment sets back to the default; an empty one says so."""
         if self._contradicted is None or before is values:
             return
-        known = Keyed({**values})
+        known = SymbolDict({**values})
         dropped = {
             key: value
             for key, value in merged(before).items()
@@ -647,7 +647,7 @@ class System:
         user's outputs are followed by the residuals of the constraints, and by the noncontributing
         forces if there are any.
         """
-        return Keyed(self._outputs)
+        return SymbolDict(self._outputs)
 
     @outputs.setter
     def outputs(self, outputs: Mapping[Any, Any] | None) -> None:
@@ -1062,7 +1062,7 @@ class System:
         """
         problem = self._now(constants=p)
         names = partial(problem.definition.row_names, "energy")
-        values = QuantityFunction(problem, problem.model.energies.kernel, names)(t, x, r, p)
+        values = Evaluator(problem, problem.model.energies.kernel, names)(t, x, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(

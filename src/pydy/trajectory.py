@@ -27,13 +27,13 @@ from pydy._interpolation import (
     Model,
     SensitivityModel,
     Sides,
-    between,
     breaks,
     check_sensitivities,
     checked_times,
+    reversed_rows,
     states_at_jumps,
+    states_between,
     straight,
-    turned,
 )
 from pydy._names import (
     column_names,
@@ -570,13 +570,13 @@ class Trajectory(Continued):
         """
         times = checked_times(times, self.times)
         if descends(times):
-            found: Trajectory = turned(self.at(times[::-1]))
+            found: Trajectory = reversed_rows(self.at(times[::-1]))
             return found
         if descends(self.times):
-            found = turned(self).at(times)
+            found = reversed_rows(self).at(times)
             return found
         known = self._sensitivity
-        states, values = between(self, times)
+        states, values = states_between(self, times)
         if self._model is not None:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)
@@ -745,7 +745,7 @@ class Trajectory(Continued):
         self._keep_jumps()
         events = [dict(vars(event)) for event in breaks(self)]
         if events and (self._model is not None or self._sides is not None):
-            sides = Sides.of(self)._asdict()
+            sides = Sides.of_trajectory(self)._asdict()
             for k, event in enumerate(events):
                 event["beside"] = {name: t[2 * k : 2 * k + 2] for name, t in sides.items()}
         write_netcdf(dataset, path, self.statistics, events, self._facts)
@@ -795,6 +795,6 @@ class Trajectory(Continued):
             loaded._derivatives = parts.table("derivative")
         if "energy" in parts.columns:
             loaded._energy = parts.table("energy")
-        loaded._sides = Sides.joined(sides)
+        loaded._sides = Sides.concatenated(sides)
         loaded._describe(facts)
         return loaded

@@ -17,7 +17,7 @@ from .evaluation import (
     variables as variables,
 )
 from .exporting import exported_model as exported_model, live_system as live_system
-from .function import QuantityFunction as QuantityFunction
+from .function import Evaluator as Evaluator
 from .generated import (
     GeneratedFunction as GeneratedFunction,
     checked_options as checked_options,

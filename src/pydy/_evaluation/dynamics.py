@@ -16,7 +16,7 @@ from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import Places, describe, merged, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._evaluation.evaluation import variables
-from pydy._evaluation.function import QuantityFunction
+from pydy._evaluation.function import Evaluator
 from pydy._graph import SymPyReader, derivative_program, simplify, substitute
 from pydy._judges import first_violation, warn_of_missing_derivatives
 from pydy._kernel import Kernel
@@ -355,7 +355,7 @@ def evaluate(
     def check(state: StateSamples) -> None:
         _warn_of_defaults(state, kernel(state.model).program, defaults)
 
-    f = QuantityFunction(
+    f = Evaluator(
         problem,
         kernel,
         lambda: [*quantity.rows] or [f"entry {k} of the {quantity.name}" for k in range(size)],

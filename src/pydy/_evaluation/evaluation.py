@@ -12,7 +12,7 @@ import sympy as sm
 
 from pydy._assembly import Assembly, CompiledModel, Definition, every_input
 from pydy._checks import listed, one_or_more, real_array, shown
-from pydy._evaluation.function import QuantityFunction
+from pydy._evaluation.function import Evaluator
 from pydy._graph import Graph, derivative_program, simplify
 from pydy._judges import warn_of_missing_derivatives, warn_of_redundant
 from pydy._kernel import Kernel
@@ -135,7 +135,7 @@ def evaluate_block(
     if wrt is None and any(blocks) and any(problem.definition.equations.constraints.redundant):
         check = partial(warn_of_redundant, blocks=blocks)
     x, t, r, p = arguments
-    return QuantityFunction(problem, kernel, names, wrt or (), check=check)(t, x, r, p)
+    return Evaluator(problem, kernel, names, wrt or (), check=check)(t, x, r, p)
 
 
 def evaluate_product(
@@ -176,5 +176,5 @@ def evaluate_product(
         return [target.names[0], *slopes] if kind == "gradient" else slopes
 
     x, t, r, p = arguments
-    out = QuantityFunction(problem, kernel, names, inputs, vectors)(t, x, r, p)
+    out = Evaluator(problem, kernel, names, inputs, vectors)(t, x, r, p)
     return out[..., 0] if squeeze else out

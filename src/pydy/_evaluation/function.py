@@ -40,7 +40,7 @@ def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class QuantityFunction:
+class Evaluator:
     """A quantity of a Problem as a function f(t, x, r, p), at one state or at m of them.
 
     Each argument may be None, which selects the Problem's value. States are (n,) or (m, n) with t

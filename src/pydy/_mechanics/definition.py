@@ -16,9 +16,9 @@ from pydy._checks import (
     describe,
     instance,
     listed,
-    names_meant,
     number,
     shown,
+    suggest_arguments,
 )
 from pydy._forks import cached_property
 from pydy._mechanics.dependents import constrained
@@ -126,7 +126,7 @@ class Definition:
     array([ 0., -2.])
     """
 
-    @names_meant("Definition", _NAMES_OF_SYMPY)
+    @suggest_arguments("Definition", _NAMES_OF_SYMPY)
     def __init__(
         self,
         frame: ReferenceFrame,

@@ -53,7 +53,7 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
             if index is None:
                 raise ValueError(
                     f"`reset` of the event `{event.name}` has a value for `{key}`, which is no "
-                    f"state of the system: {describe(states.symbols)}.{states.meant(key)}"
+                    f"state of the system: {describe(states.symbols)}.{states.suggestion(key)}"
                 )
             if states.symbols[index] in reset:
                 raise ValueError(

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, positive, real_array, shown, tolerance, whole
+from pydy._checks import flag, integer, positive, real_array, shown, tolerance
 from pydy._option_checks import Check, checked, optional
 
 _FOR_ODEINT = {"max_step": "hmax", "first_step": "h0", "min_step": "hmin"}
@@ -62,8 +62,8 @@ _SCIPY: dict[str, Check] = {
     # Zero lets the solver choose.
     "hmax": partial(positive, zero=True),
     **dict.fromkeys(("h0", "hmin", "min_step"), partial(positive, zero=True, finite=True)),
-    **dict.fromkeys(("mxstep", "mxhnil", "mxordn", "mxords"), partial(whole, least=0)),
-    **dict.fromkeys(("ml", "mu", "lband", "uband"), optional(partial(whole, least=0))),
+    **dict.fromkeys(("mxstep", "mxhnil", "mxordn", "mxords"), partial(integer, least=0)),
+    **dict.fromkeys(("ml", "mu", "lband", "uband"), optional(partial(integer, least=0))),
     **dict.fromkeys(("col_deriv", "printmessg", "dense_output", "ixpr"), flag),
     "jac": _jacobian,
     "Dfun": _gradient,

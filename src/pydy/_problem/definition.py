@@ -33,7 +33,7 @@ from pydy._checks import (
 )
 from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics import Equations, find_symbols, sort_symbols
-from pydy._names import name_of, told_apart, untaken
+from pydy._names import distinguished, name_of, unused_name
 from pydy._problem.energy import EnergyModel
 from pydy.codegen import checked_expression, one_format, symbolic_entries
 from pydy.solvers import CompiledEvents, Event
@@ -178,7 +178,7 @@ class DefinitionBuilder:
         taken |= {name_of(n) for n in (*names, *forces)}
         labels: dict[Any, Any] = {}
         for name in clashing:
-            label = untaken(f"{name_of(name)}_output", taken)
+            label = unused_name(f"{name_of(name)}_output", taken)
             taken.add(label)
             labels[name] = sm.Symbol(label)
         own = {
@@ -330,7 +330,7 @@ class SymbolSet(set[Any]):
     def __repr__(self) -> str:
         symbols = list(self)
         return (
-            "{" + ", ".join(told_apart(symbols, [str(s) for s in symbols])) + "}"
+            "{" + ", ".join(distinguished(symbols, [str(s) for s in symbols])) + "}"
             if self
             else "set()"
         )

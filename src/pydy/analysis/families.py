@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly import Definition
-from pydy._checks import check_mapping, flag, positive, real_array, shown, whole
+from pydy._checks import check_mapping, flag, integer, positive, real_array, shown
 from pydy._errors import EquilibriumError, finished_before
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import unique_names

@@ -19,7 +19,7 @@ from pydy._backends import refusal, resolve
 from pydy._checks import number, real_array, vector
 from pydy._forks import cached_property
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy._names import nearest, told_apart
+from pydy._names import distinguished, nearest
 from pydy.codegen.arguments import ConstantsArgument, SpecifiedsArgument, SpecifiedsPlan
 from pydy.inputs import SampledInput
 

@@ -9,7 +9,7 @@ from typing import Any, cast
 import numpy as np
 import sympy as sm
 
-from pydy._checks import Keyed, check_mapping, choice, flag, instance, shown
+from pydy._checks import SymbolDict, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
 from pydy._integration import AugmentedSystem, SensitivityRequest
 from pydy._judges import warn_of_jumps, warn_of_outputs

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._interpolation import between
+from pydy._interpolation import states_between
 from pydy._motion import Motion, Segment
 from pydy._problem import AssumptionChecks, TrajectoryModel
 from pydy.trajectory import Trajectory
@@ -180,7 +180,7 @@ class ContactTrajectory(Trajectory):
         if powers and len(nodes) > 1:
             half, middle = np.diff(nodes) / 2, (nodes[1:] + nodes[:-1]) / 2
             times = (middle[:, None] + half[:, None] * _POINTS).ravel()
-            outputs = self._segments.outputs(times, between(self, times)[0])
+            outputs = self._segments.outputs(times, states_between(self, times)[0])
             power = outputs[:, powers].sum(axis=1).reshape(len(half), -1)
             work[1:] = np.cumsum(half * (power @ _WEIGHTS))
         for time, impact_work in self._impact_work:

@@ -18,10 +18,10 @@ from pydy._checks import (
     choice,
     describe,
     instance,
+    integer,
     listed,
     number,
     shown,
-    whole,
 )
 from pydy._errors import OptimizationError
 from pydy._judges import warn_of_missing_derivatives
@@ -172,7 +172,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         warn_of_missing_derivatives(snapshot)
         definition, plan = snapshot.definition, snapshot.plan
         self._method = choice(method, METHODS, "`method`")
-        points = whole(order, "`order`")
+        points = integer(order, "`order`")
         if points > LARGEST_ORDER:
             raise ValueError(
                 f"`order` must be at most {LARGEST_ORDER}, got {points}. Use more intervals."

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import ascending, real_array, shown, whole
+from pydy._checks import ascending, integer, real_array, shown
 from pydy._errors import OptimizationError, warn_user
 from pydy._kernel import Inputs, Kernel
 from pydy._rank import ROUNDING, or_one
@@ -304,7 +304,7 @@ def checked_mesh(mesh: Any) -> np.ndarray:
     """Return the nodes as fractions."""
     nodes = real_array(mesh, "`mesh`")
     if nodes.ndim == 0:
-        count, most = whole(mesh, "`mesh`"), int(TOLERANCE / ROUNDING)
+        count, most = integer(mesh, "`mesh`"), int(TOLERANCE / ROUNDING)
         if count > most:
             raise ValueError(
                 f"`mesh` must be at most {most:,} intervals, got {count:,}: on shorter ones, "

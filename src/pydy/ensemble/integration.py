@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pydy._assembly import CompiledModel, Definition
-from pydy._checks import flag, shown, whole
+from pydy._checks import flag, integer, shown
 from pydy._dataset import SENSITIVITY
 from pydy._integration import AugmentedSystem, changed_by, program_of_event
 from pydy._judges import check_samples, drift_programs, watched
@@ -65,7 +65,7 @@ def integrate_ensemble(
     plan = _plan_of(problem, varied, common)
     times = _checked_times(problem, plan, times)
     solver = _native(solver)
-    workers = None if workers is None else whole(workers, "`workers`")
+    workers = None if workers is None else integer(workers, "`workers`")
     definition, motions = problem.definition, None
     if problem.hybrid is not None:
         columns = definition.places["specifieds"].columns(varied, "specifieds").tolist()

@@ -25,7 +25,7 @@ from xml.sax.saxutils import quoteattr
 from pydy._backends import HELPERS
 from pydy._errors import GeneratorError
 from pydy._files import temporary_folder
-from pydy._names import untaken
+from pydy._names import unused_name
 from pydy._processes import output_of, started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string

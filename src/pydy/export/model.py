@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pydy._forks import cached_property
-from pydy._names import untaken
+from pydy._names import unused_name
 from pydy._program import Program
 
 # -- Hand-written parts of exported files ----------------------------------------------------------
@@ -221,7 +221,7 @@ def identifiers(names: Iterable[str]) -> list[str]:
     names, used = list(names), set[str]()
     result = [*map(_identifier, names)]
     for k in sorted(range(len(names)), key=lambda k: result[k] != names[k]):
-        result[k] = untaken(result[k], used)
+        result[k] = unused_name(result[k], used)
         used.add(result[k])
     return result
 

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._names import untaken
+from pydy._names import unused_name
 from pydy.mechanics import Definition
 from pydy.robots.tree import EqualityConstraint, Link, Motor, RobotJoint, Tendon, Tree
 

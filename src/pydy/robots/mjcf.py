@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import RobotFileError
-from pydy._names import untaken
+from pydy._names import unused_name
 from pydy._optional import require
 from pydy.robots.tree import (
     EqualityConstraint,
@@ -134,7 +134,7 @@ class _MjcfReader:
                 ) from None
             self._names[kind] = names
             for i in indices:
-                names[i] = names[i] or untaken(self.without_name(kind, i), names)
+                names[i] = names[i] or unused_name(self.without_name(kind, i), names)
         return self._names[kind][k]
 
     def disabled(self, feature: str) -> bool:

@@ -18,7 +18,7 @@ from xml.parsers import expat
 import numpy as np
 
 from pydy._errors import RobotFileError, warn_user
-from pydy._names import untaken
+from pydy._names import unused_name
 from pydy._rank import ROUNDED
 from pydy.robots.tree import (
     Link,

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import Keyed, choice, flag, instance, listed, number, shown, text, vector
+from pydy._checks import SymbolDict, choice, flag, instance, listed, number, shown, text, vector
 from pydy._files import file_of, write_files
 from pydy._interpolation import evenly
 from pydy._names import nearest
@@ -366,7 +366,7 @@ class Scene:
         animation = animate(*scene, taken)
 
         def moved(run: Any) -> Animation:
-            values = (Keyed(motion.values) | dict(run.constants)).data
+            values = (SymbolDict(motion.values) | dict(run.constants)).data
             wanted = symbols_of(self.visuals, self.series)
             return animate(*scene, motion_of_trajectory(run, self._model, values, wanted))
 

@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sm
 from sympy.physics.vector import Point
 
-from pydy._checks import choice, number, real_array, shown, text, whole
+from pydy._checks import choice, integer, number, real_array, shown, text
 from pydy._errors import warn_user
 from pydy._mechanics import checked_vector
 from pydy._names import nearest
@@ -601,7 +601,7 @@ class Spring(_Stretched):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self._set("coils", whole(self.coils, "`coils` of Spring"))
+        self._set("coils", integer(self.coils, "`coils` of Spring"))
         if self.coils > MOST_COILS:
             raise ValueError(
                 f"`coils` of Spring must be at most {MOST_COILS}, got {shown(self.coils)}."

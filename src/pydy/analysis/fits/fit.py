@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import choice, flag, listed, shown, whole
+from pydy._checks import choice, flag, integer, listed, shown
 from pydy.analysis.fits.problem import FitProblem, FittedSystem
 from pydy.analysis.fits.result import FitResult, result_of
 from pydy.analysis.fits.shooting import ShootingFit
@@ -32,7 +32,7 @@ def fit(
 ) -> FitResult:
     """Return the parameters with which a model's motions are nearest to the trials."""
     trials = _listed(parameters, trials)
-    segments, most = whole(segments, "`segments`"), whole(most, "`most`")
+    segments, most = integer(segments, "`segments`"), integer(most, "`most`")
     collocation = choice(method, ("shooting", "collocation"), "`method`") == "collocation"
     only = {"mesh": mesh, "process_noise": process_noise, "solver": solver}
     _check_method(collocation, segments, only, options, model.contacts)
