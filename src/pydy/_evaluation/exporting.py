@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
     """Return the positions in x of the states that constraints determine, or all if unknown."""
-    equations, count = problem.definition.equations, problem.coordinate_count
+    equations, count = problem.definition.equations, len(problem.definition.equations.coordinates)
     columns, solved = problem.dependent, problem.settings.solved_for
     q, u = [k for k in columns if k < count], [k for k in columns if k >= count]
     if solved is None and len(q) < len(equations.constraints.holonomic):

@@ -13,7 +13,15 @@ from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
 from pydy._judges import explain, warn_not_finite
 from pydy._kernel import Kernel
-from pydy._problem import AssumptionChecks, CallArguments, Problem, StateSamples, TOGETHER, read_samples, with_unknowns
+from pydy._problem import (
+    TOGETHER,
+    AssumptionChecks,
+    CallArguments,
+    Problem,
+    StateSamples,
+    read_samples,
+    with_unknowns,
+)
 from pydy._program import Program
 from pydy.codegen import SpecifiedsPlan
 
@@ -55,7 +63,8 @@ class Evaluator:
     wrt: Sequence[tuple[str, int]] = ()  # the inputs that it differentiates by
     vectors: np.ndarray | None = None  # further inputs after r
     extra_columns: int = 0  # further columns of x, after the states
-    check: Callable[[StateSamples], None] | None = None  # called with the states before the evaluation
+    # Called with the states before the evaluation.
+    check: Callable[[StateSamples], None] | None = None
     solve: bool = False  # whether implicit coordinates are solved for, although x is given
     # Whether the user's functions of specifieds are called only where the Kernel reads specifieds.
     skips_unread_inputs: bool = False
@@ -65,8 +74,13 @@ class Evaluator:
         problem = self.problem
         code, definition = problem.model.code, problem.definition
         n = len(definition.states)
-        wide, instants, single = samples(
-            CallArguments(problem).states(x), t, lambda: problem.x, problem.settings.times, n + self.extra_columns
+        arguments = CallArguments(problem)
+        wide, instants, single = read_samples(
+            arguments.states(x),
+            t,
+            lambda: problem.x,
+            problem.settings.times,
+            n + self.extra_columns,
         )
         states = wide[:, :n]
         plan: SpecifiedsPlan | None = None
@@ -100,7 +114,7 @@ class Evaluator:
         kernel, vectors = self.kernel(code), self.vectors
         try:
             if definition.assumptions:
-                problem.check_states(at, x is not None, r)
+                AssumptionChecks(problem).samples(at, plan, x is not None)
             if vectors is None:
                 out = at.evaluate(kernel, wide)
             else:

@@ -20,7 +20,7 @@ from pydy._graph import Graph, directional, jacobian, per_unit, rounding_bounds,
 from pydy._interpolation import evenly
 from pydy._mechanics import Equations, find_symbols
 from pydy._motion import ConstraintNames, Motion, constraint_names
-from pydy._problem import EnergyModel, Problem, StateSamples, TOGETHER
+from pydy._problem import TOGETHER, EnergyModel, Problem, StateSamples
 from pydy._program import Program
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
 from pydy.codegen import SpecifiedsPlan
@@ -111,7 +111,9 @@ def satisfied_to_rounding(at: StateSamples) -> np.ndarray:
     return satisfied
 
 
-def first_violation(at: StateSamples, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
+def first_violation(
+    at: StateSamples, blocks: tuple[bool, bool] = (True, True)
+) -> tuple[int, str] | None:
     """Return the index and the description of the first tested state with `violations`, or None."""
     tried = evenly(len(at.x), DriftCheck.MOST_STATES)
     for k in tried[~satisfied_to_rounding(at.subset(tried))]:
@@ -178,16 +180,16 @@ class _StateInBatch(StateSamples):
     index: int
     cached: dict[Callable[[Assembly], Any], dict[str, np.ndarray]]
 
-    def values(self, parts: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
+    def interpret(self, nodes: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
         """Return the values of nodes at this state, shape (1, o) for each name."""
-        if parts not in self.cached:
-            self.cached[parts] = self.batch.values(parts)
-        return {name: values[[self.index]] for name, values in self.cached[parts].items()}
+        if nodes not in self.cached:
+            self.cached[nodes] = self.batch.interpret(nodes)
+        return {name: values[[self.index]] for name, values in self.cached[nodes].items()}
 
 
 def _states_of(batch: StateSamples) -> list[_StateInBatch]:
     cached: dict[Any, dict[str, np.ndarray]] = {}
-    single = (vars(batch.some([k])) for k in range(len(batch.x)))
+    single = (vars(batch.subset([k])) for k in range(len(batch.x)))
     return [
         _StateInBatch(**fields, batch=batch, index=k, cached=cached)
         for k, fields in enumerate(single)
@@ -370,7 +372,9 @@ def warn_of_redundant(at: StateSamples, blocks: tuple[bool, bool]) -> None:
         )
 
 
-def evaluated_rows(at: StateSamples, scale: Literal["sizes", "bounds"]) -> tuple[np.ndarray, np.ndarray]:
+def evaluated_rows(
+    at: StateSamples, scale: Literal["sizes", "bounds"]
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the residuals of all constraints, (m, rows), and the scales of their rounding errors.
 
     The `scale` is 'sizes', the terms of the last sum, which are cheap to compute, or 'bounds' on
@@ -472,7 +476,7 @@ def _part(motion: Motion, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, 
     """Return values along a motion; see `DriftQuantities`."""
     problem = motion.problem
     part = part_of(problem, slopes_of(problem.definition, problem.plan), name)
-    return {} if part is None else problem.at(t, x).values(part)
+    return {} if part is None else problem.at(t, x).interpret(part)
 
 
 def _drift_check(motion: Motion, projected: bool) -> DriftCheck:

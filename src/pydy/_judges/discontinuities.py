@@ -151,7 +151,9 @@ def _switches(at: StateSamples, parts: Any) -> bool:
     return bool(cache[parts])
 
 
-def watched(at: StateSamples, sensitive: Any = None, integral: Any = None) -> WatchedQuantities | None:
+def watched(
+    at: StateSamples, sensitive: Any = None, integral: Any = None
+) -> WatchedQuantities | None:
     """Return the quantities whose jumps must be detected, or None if nothing switches."""
     equations, states = at.definition.equations, at.definition.states
     parts = Discontinuities(len(equations.coordinates), integral)
@@ -286,7 +288,9 @@ def _acts(problem: Problem, columns: Sequence[int], t: float) -> bool:
         [problem.x, *problem.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(problem.x)))]
     )
     times = np.full(len(x), t)
-    at = replace(problem.at(times, x), model=problem.model.code, r=evaluate_specifieds(problem, times, x))
+    at = replace(
+        problem.at(times, x), model=problem.model.code, r=evaluate_specifieds(problem, times, x)
+    )
     values = at.interpret(_Slopes(tuple(columns)))
     return not is_zero(values["slopes"], values["bounds"]).all()
 
@@ -336,7 +340,7 @@ def warn_of_pulses(motion: Motion) -> None:
     excess = moved / (_MISSED * (atol + rtol * np.abs(x)) + np.finfo(float).tiny)
     k, state = np.unravel_index(excess.argmax(), excess.shape)
     if excess[k, state] > 1.0:
-        by_samples = first[k] in problem.jumps()
+        by_samples = first[k] in jumps_of(problem.inputs.sampled)[:, 0]
         cause = "the 'previous' samples" if by_samples else "the loads that time alone switches"
         warn_user(
             f"The solver evaluated nothing from t = {first[k]:.6g} to {last[k]:.6g}, so that it "

@@ -55,8 +55,8 @@ class Motion:
 
     `times`, `states` and `sensitivities` are those of the requested times, up to a terminal event;
     `end`, `end_state` and `end_sensitivities` are those of the end. The outputs are
-    ``motion.problem.at(motion.times, motion.states).outputs()``. `dense` is the dense output: it returns
-    the states at any time of the motion, followed by columns of sensitivities if there are any;
+    ``motion.problem.at(motion.times, motion.states).outputs()``. `dense` is the dense output: it
+    returns the states at any time of the motion, followed by columns of sensitivities, if any;
     `dense.starts` are the times at which steps begin. `proceed` continues the motion with the same
     options.
     """

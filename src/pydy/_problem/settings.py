@@ -62,7 +62,7 @@ def read_numbers(
                 "reaction or energy needs it; or check the velocities and angular velocities given."
             ) from None
         name = name_of(unknown[0]) if unknown else ""
-        if kind == "constants" and name.isidentifier() and not symbols.meant(unknown[0]):
+        if kind == "constants" and name.isidentifier() and not symbols.suggestion(unknown[0]):
             raise ValueError(
                 f"{error} Remove it if it belonged to an expression that you replaced. If it "
                 f"occurs in events only, assign it in place, `system.constants[{name!r}] = ...`, "

@@ -288,7 +288,7 @@ def with_dependents(problem: Problem, symbols: Sequence[Any]) -> Problem:
     x = solve_dependents(problem, columns, {}, False, {})
     solved = {states[k]: float(x[k]) for part in columns for k in part}
     initial = {**problem.settings.initial_conditions, **solved}
-    return replace(problem, user={**problem.user, "initial_conditions": initial})
+    return with_settings(problem, initial_conditions=initial)
 
 
 def consistent(problem: Problem) -> Problem:

@@ -99,9 +99,9 @@ class EvaluationPoints(StateSamples):
 
     def inertias(self) -> np.ndarray:
         """Return the diagonal of the mass matrix of all speeds, shape (m, n)."""
-        masses = self.values(_masses)["masses"]
+        masses = self.interpret(_masses)["masses"]
         if not masses.size:
-            masses = self.values(ForcesWithoutConstraints(self.definition))["masses"]
+            masses = self.interpret(ForcesWithoutConstraints(self.definition))["masses"]
         sizes: np.ndarray = np.abs(masses)
         return sizes
 

@@ -210,7 +210,7 @@ class Task:
     def wrt(self) -> tuple[InputSlot, ...]:
         """The inputs to differentiate with respect to; sampled specifieds come last."""
         groups = {"constants": "p", "specifieds": "r"}
-        return tuple((groups[p.kind], p.place) for p in (*self._unsampled, *self.sampled))
+        return tuple((groups[p.kind], p.index) for p in (*self._unsampled, *self.sampled))
 
     def call_full(self, kernel: Kernel, further: int = 0) -> KernelCall:
         """Return the call of a Kernel of `full_model`, with `further` inputs after r."""
@@ -248,7 +248,7 @@ class Task:
         augmented = replace(
             sensitive, model=self.full_model, parameters=parameters, width=len(full_state)
         )
-        compiled = augmented.compiled(full_state, options, wanted=True)
+        compiled = augmented.compiled(full_state, options, controlled=True)
         values = np.zeros((len(full_state), len(moving)))
         values[: len(states)] = columns[:, moving]
         call = self.call_full(augmented.kernel())
@@ -602,7 +602,12 @@ class MotionSegment:
     def _projections(self, times: np.ndarray, states: np.ndarray) -> Projections:
         task, constraints = self.task, self.options.constraints
         return Projections(
-            task.sensitive.whole.model, constraints, task.wrt, task.call, times, states
+            task.sensitive.with_all_constraints.model,
+            constraints,
+            task.wrt,
+            task.call,
+            times,
+            states,
         )
 
     def _projected(self, projections: Projections) -> None:
@@ -703,7 +708,7 @@ class MotionSegment:
                 derivatives.append(0.0)
             elif parameter.samples is None:
                 group = "p" if parameter.kind == "constants" else "r"
-                derivatives.append(float(self._totals[index_of[group, parameter.place]]))
+                derivatives.append(float(self._totals[index_of[group, parameter.index]]))
             else:
                 weights, total = by_samples(parameter), np.zeros(parameter.count)
                 for times, slopes in self._sample_derivatives:

@@ -87,9 +87,12 @@ class EquilibriumResidual:
         self.rows = [k for k in range(n) if k not in steady]
         by_specified, self.columns = all_unknowns.of_kind("specifieds")
         unknown_specifieds = {definition.specifieds[k]: k for k in self.columns}
+        starting = np.empty(0)
+        if unknown_specifieds:
+            starting = problem.inputs.rows(problem.x[None], np.array([problem.t]))[0]
         self.plan = problem.plan.updated(
             SpecifiedsPlan(
-                {s: problem.value("specifieds", k) for s, k in unknown_specifieds.items()}
+                {s: float(starting[k]) for s, k in unknown_specifieds.items()}
                 | {s: v for s, v in self.fixed_values.items() if s in definition.specifieds},
                 definition.places["specifieds"],
                 argument="given",
@@ -138,8 +141,8 @@ class EquilibriumResidual:
         column = dict(zip(*reversed(self.unknowns.of_kind("states")), strict=True))
         return {row: column[q] for row, q in enumerate(self.rows) if column.get(q, k) < k}
 
-    def point_at(self, z: np.ndarray) -> Point:
-        """Return the Point of unknowns z (m, l); its p has m rows if constants are unknown."""
+    def point_at(self, z: np.ndarray) -> EvaluationPoints:
+        """Return the points of unknowns z (m, l); p has m rows if constants are unknown."""
         m = len(z)
         by_state, at_state = self.unknowns.of_kind("states")
         by_constant, at_constant = self.unknowns.of_kind("constants")
@@ -152,7 +155,7 @@ class EquilibriumResidual:
             self.plan.inputs.rows(x, t), (m, len(self.definition.specifieds))
         ).copy()
         r[:, self.columns] = z[:, self.unknowns.of_kind("specifieds")[0]]
-        return Point(self.definition, self.model, t, x, r, p, self.plan)
+        return EvaluationPoints(self.definition, self.model, t, x, r, p, self.plan)
 
     def residuals(self, z: np.ndarray) -> np.ndarray:
         """Return the residuals, shape (m, rows); NaN in singular states."""
@@ -163,7 +166,7 @@ class EquilibriumResidual:
     def slopes(self, z: np.ndarray) -> np.ndarray:
         """Return the derivatives of the residuals by the unknowns, shape (m, rows, l)."""
         m, model, point = len(z), self.model, self.point_at(z)
-        input_by_state = point.through
+        input_by_state = point.input_feedback
         input_by_state[:, self.columns] = 0.0
         by_state, at_state = self.unknowns.of_kind("states")
         parts = []
@@ -198,7 +201,7 @@ class EquilibriumResidual:
             for i in range(m)
         ]
 
-    def _inertia(self, point: Point) -> np.ndarray:
+    def _inertia(self, point: EvaluationPoints) -> np.ndarray:
         """Return the size of the rows for motions of one energy, shape (m, rows); see `Sizes`."""
         equations = self.definition.equations
         first, n = len(equations.coordinates), len(equations.speeds)
@@ -226,7 +229,7 @@ class EquilibriumResidual:
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)
         first, n = len(self.definition.equations.coordinates), len(self.model.assembly.speeds)
-        forces = point.values(ForcesWithoutConstraints(self.definition))["forces"][0]
+        forces = point.interpret(ForcesWithoutConstraints(self.definition))["forces"][0]
         speeds = point.motions[0, first : first + n]
         parts[0][first : first + n] += np.max(forces * speeds, initial=0.0) * speeds
         return np.concatenate([parts[0][self.rows], *parts[1:]])

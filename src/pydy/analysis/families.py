@@ -247,7 +247,7 @@ def eigenvalues(
         family = Family(problem, parameter, unknowns, given, moving)
         at = np.broadcast_to(at, (len(values), at.shape[-1]))
         point = family.residual.point_at(family.unknowns_at(values, at))
-        at = point.with_unknowns(given_at, lambda x, t: point.r).x
+        at = with_unknowns(point, given_at, lambda x, t: point.r).x
         given_z = family.unknowns_at(values, at)
         models = family.at
     else:
@@ -297,7 +297,7 @@ def follow_equilibria(
     if len(family.names) < 2:
         raise ValueError("`unknowns` must name at least one state, constant or specified.")
     start = family.solve_from(np.append(residual.start[:-1], values[0]))
-    most = whole(most, "`most`", 2)
+    most = integer(most, "`most`", 2)
     with progress_of(flag(progress, "`progress`"), " points") as report:
         z, stable, special, ended, stop = trace(
             family.functions(start),

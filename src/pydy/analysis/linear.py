@@ -23,7 +23,14 @@ from pydy._judges import first_violation, warn_of_kinks, warn_of_missing_derivat
 from pydy._motion import constraint_names
 from pydy._names import few, some, unique_names
 from pydy._optional import require
-from pydy._problem import AssumptionChecks, CallArguments, Problem, StateSamples, read_samples, with_unknowns
+from pydy._problem import (
+    AssumptionChecks,
+    CallArguments,
+    Problem,
+    StateSamples,
+    read_samples,
+    with_unknowns,
+)
 from pydy._rank import ROUNDED
 from pydy._states import EvaluationPoints
 from pydy.analysis.equilibria import Equilibrium
@@ -248,7 +255,7 @@ def linearize(
     warn_of_missing_derivatives(problem)
     definition = problem.definition
     n, s = len(definition.states), len(definition.specifieds)
-    plan, p = problem.plan, problem.p
+    plan, p, arguments = problem.plan, problem.p, CallArguments(problem)
     is_user_state = at is not None and not isinstance(at, Equilibrium)
     if isinstance(at, Equilibrium):
         fixed_values = {**at.given, **at.constants, **at.specifieds}
@@ -256,13 +263,14 @@ def linearize(
         r, c = (
             {s: fixed_values[s] for s in getattr(definition, k) if s in fixed_values} for k in kinds
         )
-        plan, p, at = CallArguments(problem).plan(r or None), CallArguments(problem).constants(c), at.state
-    x, t, single = samples(CallArguments(problem).states(at, "at"), t, lambda: problem.x, problem.settings.times, n, "at")
+        plan, p, at = arguments.plan(r or None), arguments.constants(c), at.state
+    times = problem.settings.times
+    x, t, single = read_samples(arguments.states(at, "at"), t, lambda: problem.x, times, n, "at")
     model = problem.model.with_compiled_inputs(plan, perturbed=True)
     if is_user_state:  # in states of an Equilibrium, zeros may be rounding errors
         AssumptionChecks(problem).columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
-    point = Point(definition, model, t, x, plan.inputs.rows(x, t), p, plan)
-    point = point.with_unknowns(at, plan.inputs.rows)
+    point = EvaluationPoints(definition, model, t, x, plan.inputs.rows(x, t), p, plan)
+    point = with_unknowns(point, at, plan.inputs.rows)
     value, slopes, blocks = point.value, point.slopes, point.blocks
     T, free = point.tangents()
     if definition.equations.constraints.are_present:
@@ -380,7 +388,7 @@ def _outputs(
     return C, D, tuple(titles[row] for row in rows)
 
 
-def _unknowns_by_inputs(point: Point, columns: list[int]) -> np.ndarray:
+def _unknowns_by_inputs(point: EvaluationPoints, columns: list[int]) -> np.ndarray:
     """Return derivatives of an Implicit's unknowns by some specifieds, (m, unknowns, k)."""
     residuals = point.definition.equations.constraints.residuals
     rows, unknowns = [*residuals.rows], [*residuals.columns]

@@ -159,7 +159,7 @@ class _OrbitSearch:
             "period": self.guess,
             "initial_conditions": _initial_conditions(problem),
         }
-        self.autonomous = until is None and not problem.depends_on_time
+        self.autonomous = until is None and not _depends_on_time(problem)
         # Trial values need not satisfy the symbols' assumptions.
         self.problem = problem.replace(contradicted=None)
         self.options = {"rtol": ORBIT, **options}
@@ -384,9 +384,7 @@ def _check_period(motion: Motion, period: float) -> None:
     if motion.problem.inputs.sampled:  # samples end with the period
         return
     times, states = motion.times[:: _SAMPLES // 16], motion.states[:: _SAMPLES // 16]
-    rates, later_rates = (
-        motion.problem.at(times + late, states).rates() for late in (0.0, period)
-    )
+    rates, later_rates = (motion.problem.at(times + late, states).rates() for late in (0.0, period))
     difference = np.abs(later_rates - rates) / or_one(
         np.maximum(np.abs(rates), np.abs(later_rates)).max(axis=0)
     )

@@ -51,7 +51,7 @@ class _Argument:
         """Convert a dictionary of numbers for all symbols to an array; return others unchanged."""
         if self.arg_type not in (None, "dictionary"):
             return values
-        numbers = self.symbol_index.plain(values)
+        numbers = self.symbol_index.plain_numbers(values)
         return values if numbers is None else numbers
 
 

@@ -131,7 +131,7 @@ y : ndarray, shape({o},)
 
 
 def _items(names: Sequence[Any]) -> str:
-    labels = told_apart(names, [_name(name) for name in names])
+    labels = distinguished(names, [_name(name) for name in names])
     return "\n".join(f"        - {name}" for name in labels)
 
 

@@ -38,12 +38,14 @@ class RecordedTransitions(Transitions):
     def __init__(
         self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, problem: Problem
     ) -> None:
-        sensitive = AugmentedSystem.of(problem, problem.model.code, problem.plan, wrt, "wrt")
+        sensitive = AugmentedSystem.for_parameters(
+            problem, problem.model.code, problem.plan, wrt, "wrt"
+        )
         self.start = sensitive.start(problem.x, float(problem.settings.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
         self.together = False
         n, constants = len(problem.definition.states), problem.definition.constants
-        requested = Task(sensitive, None, None).wanted
+        requested = Task(sensitive, None, None).wrt
         constants_by_column = [
             constants[index] if group == "p" else None for group, index in requested
         ]
@@ -66,7 +68,7 @@ class RecordedTransitions(Transitions):
         judge_start(problem, times, ready)
         symbol_tables = definition.places  # a mode has further constants, so indices differ
         parameters = tuple(
-            replace(p, place=symbol_tables[p.kind].symbols.index(p.symbol))
+            replace(p, index=symbol_tables[p.kind].symbols.index(p.symbol))
             for p in self._parameters
         )
         sensitive = AugmentedSystem(

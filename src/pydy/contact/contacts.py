@@ -330,7 +330,7 @@ class Contacts:
 
     def refuse_lost(self, constants: dict[Any, Any]) -> None:
         """Refuse constants that lack those of the Contacts, which would default to 1.0."""
-        numbers = Keyed(constants)
+        numbers = SymbolDict(constants)
         if missing := [key for key in self.contact_constants if key not in numbers]:
             raise ValueError(
                 f"`system.constants` has no value of `{missing[0]}`, "
@@ -426,7 +426,9 @@ class ContactMotions:
         self.columns: tuple[str, ...] = ()
         requested, self._control = map(self.options.pop, ("sensitivities", "control_sensitivities"))
         if requested is not None:
-            augmented = AugmentedSystem.of(problem, problem.model.code, problem.plan, requested)
+            augmented = AugmentedSystem.for_parameters(
+                problem, problem.model.code, problem.plan, requested
+            )
             requested = [p.symbol for p in augmented.parameters]
             self.columns = column_names({p.symbol: p.count for p in augmented.parameters})
         self._parameters = requested

@@ -263,7 +263,7 @@ class HybridSensitivities(Transitions):
     def __init__(
         self, requested: Any, controlled: bool, rows: ContactRows, problem: Problem
     ) -> None:
-        self.sensitive = sensitive = AugmentedSystem.of(
+        self.sensitive = sensitive = AugmentedSystem.for_parameters(
             problem, problem.model.code, problem.plan, requested
         )
         parameters = sensitive.parameters

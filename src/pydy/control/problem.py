@@ -26,7 +26,6 @@ from pydy._checks import (
 from pydy._errors import OptimizationError
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import some, unique_names
-from pydy._problem import with_settings
 from pydy._rank import DIGITS, rank
 from pydy.codegen import checked_expression
 from pydy.control.expressions import ExpressionReader, bends

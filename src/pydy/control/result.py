@@ -67,7 +67,7 @@ class OptimalTrajectory(Trajectory):
 
     def __init__(
         self,
-        snapshot: Any,
+        problem: Problem,
         transcription: Transcription,
         controls: Sequence[Any],
         free: Sequence[Any],
@@ -82,7 +82,7 @@ class OptimalTrajectory(Trajectory):
         self.duration = duration
         self.objective = solution.objective
         self.controls, self._free = tuple(controls), tuple(free)
-        self._states = tuple(snapshot.definition.states)
+        self._states = tuple(problem.definition.states)
         self.mesh = transcription.mesh * duration
         self.error = error
         self.status = solution.status
@@ -91,17 +91,18 @@ class OptimalTrajectory(Trajectory):
         self.solution = solution
         self._nlp, self._transcription = nlp, transcription
         self.multipliers, self.collocation_times = _multipliers(nlp, solution, duration)
-        snapshot_with_solution = moving(snapshot, transcription, z, controls, free)
+        solved = moving(problem, transcription, z, controls, free)
+        model = TrajectoryModel(solved)
         states = transcription.states_at(z, times)
         super().__init__(
             times,
             states,
-            Columns(snapshot_with_solution.definition.symbols_by_kind),
-            outputs=snapshot_with_solution.outputs(times, states),
-            specifieds=snapshot_with_solution.specifieds(times, states),
-            constants=snapshot_with_solution.constants,
+            Columns(solved.definition.symbols_by_kind),
+            outputs=model.outputs(times, states),
+            specifieds=model.specifieds(times, states),
+            constants=solved.constants,
             statistics={"iterations": solution.iterations},
-            model=snapshot_with_solution,
+            model=model,
             dense=partial(transcription.states_at, z),
         )
 
@@ -342,7 +343,7 @@ class _Controls(OfTime):
 
 
 def moving(
-    snapshot: Any,
+    problem: Problem,
     transcription: Transcription,
     z: np.ndarray,
     controls: Sequence[Any],
@@ -350,13 +351,12 @@ def moving(
 ) -> Any:
     """Return a System's snapshot with the controls and constants of a solution."""
     constants = transcription.split(z)[2][: len(free)]
-    user: Mapping[str, dict[Any, Any]] = snapshot.user
-    specifieds, _ = one_format(user["specifieds"], "specifieds")
+    specifieds, _ = one_format(problem.settings.specifieds, "specifieds")
     if controls:
         specifieds = {**specifieds, tuple(controls): _Controls(transcription, z)}
-    values = dict(zip(snapshot.definition.constants, snapshot.p.tolist(), strict=True))
+    values = dict(zip(problem.definition.constants, problem.p.tolist(), strict=True))
     values |= dict(zip(free, constants.tolist(), strict=True))
-    return replace(snapshot, user={**user, "specifieds": specifieds, "constants": values})
+    return with_settings(problem, specifieds=specifieds, constants=values)
 
 
 def _multipliers(

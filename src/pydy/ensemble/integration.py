@@ -15,7 +15,14 @@ from pydy._integration import AugmentedSystem, changed_by, program_of_event
 from pydy._judges import check_samples, drift_programs, watched
 from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_projected
 from pydy._names import column_names
-from pydy._problem import AssumptionChecks, CallArguments, Problem, StateSamples, check_times, read_samples, refuse_descending
+from pydy._problem import (
+    AssumptionChecks,
+    CallArguments,
+    Problem,
+    StateSamples,
+    check_times,
+    refuse_descending,
+)
 from pydy._version import __version__
 from pydy.codegen import SpecifiedsPlan
 from pydy.ensemble.engine import Ensemble
@@ -255,7 +262,9 @@ def ensemble_sensitivities(
         gradients=tuple(model.jacobian_program(block, "x") for block in tied),
         unknowns=tuple(sensitive.unknowns),
         residuals=sensitive.tangent("holonomic", "velocity") if tied else None,
-        projected_residuals=sensitive.whole.tangent("holonomic", "velocity") if tied else None,
+        projected_residuals=sensitive.with_all_constraints.tangent("holonomic", "velocity")
+        if tied
+        else None,
         unsolved=sensitive.unsolved(),
         sampled=tuple(sensitive.weights()),
         sized=sensitive.sized(options),

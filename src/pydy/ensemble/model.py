@@ -53,7 +53,9 @@ class EnsembleSensitivities:
     controlled: bool  # whether the sensitivities take part in step-size control
     sources: np.ndarray  # (k, 2): see `solvers.sensitivities`
     jumps: tuple[tuple[Program, tuple[int, ...]], ...]  # each event's Program and changed states
-    watched: Watched | None = None  # discontinuities that the derivatives miss, if there are any
+    watched: WatchedQuantities | None = (
+        None  # discontinuities that the derivatives miss, if there are any
+    )
 
     @property
     def programs(self) -> list[Any]:
@@ -509,7 +511,7 @@ class Batch:
             start[k, :n], start[k, n:] = self.x[k], values.ravel()
         return replace(batch, x=start), codes
 
-    def passed(self, k: int, times: np.ndarray) -> tuple[Passed, Any] | None:
+    def passed(self, k: int, times: np.ndarray) -> tuple[MotionPath, Any] | None:
         """Integrate sample k; return its motion and its interpolated states, or None."""
         from pydy._errors import IntegrationError
 
@@ -535,7 +537,9 @@ class Batch:
 
         if dense is None or not len(sample_times):
             return None
-        return Passed.of(sample_times, dense, info["events"], columns), lambda t: dense(t)[:, :n]
+        return MotionPath.from_solution(
+            sample_times, dense, info["events"], columns
+        ), lambda t: dense(t)[:, :n]
 
     def _one_by_one(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
         """Integrate with the solver of single trajectories."""

@@ -214,7 +214,7 @@ def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
     used = {"time"}
 
     def unique(name: str) -> str:
-        chosen = untaken(plain_text(name), used, " ")
+        chosen = unused_name(plain_text(name), used, " ")
         used.add(chosen)
         return chosen
 

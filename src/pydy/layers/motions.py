@@ -72,7 +72,7 @@ class MotionFunction:
         for part, symbols, values in zip(self.parts, self._symbols, row, strict=True):
             argument = _ARGUMENTS[part.group]
             replaces_all = part.group == "r" and part.is_full
-            before = {} if replaces_all else user[argument]
+            before = {} if replaces_all else getattr(self._problem.settings, argument)
             entries = np.split(values, np.cumsum(part.counts)[:-1])
             new: dict[Any, Any] = {}
             for symbol, entry in zip(symbols, entries, strict=True):
@@ -81,8 +81,8 @@ class MotionFunction:
                     new[symbol] = SampledInput(samples.times, entry, samples.interpolation)
                 else:
                     new[symbol] = float(entry[0])
-            user[argument] = {**before, **new}
-        problem = replace(self._problem, user=user)
+            changes[argument] = {**changes.get(argument, before), **new}
+        problem = with_settings(self._problem, **changes)
         return with_dependents(problem, self._solved_for) if self._solved_for else problem
 
     def _flat(self, arrays: Arrays) -> list[np.ndarray]:

@@ -1,2 +1,6 @@
-from .assemble import JointSymbols as JointSymbols, Place as Place, TendonSymbols as TendonSymbols
+from .assemble import (
+    JointSymbols as JointSymbols,
+    LinkFrame as LinkFrame,
+    TendonSymbols as TendonSymbols,
+)
 from .robot import Robot as Robot, read as read

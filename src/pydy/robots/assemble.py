@@ -117,7 +117,7 @@ class RobotAssembly:
     def _name(self, prefix: str, name: str) -> str:
         """Return a unique name of letters, digits and underscores."""
         clean = re.sub(r"\W+", "_", name).strip("_")
-        unique = untaken(
+        unique = unused_name(
             f"{prefix}_{clean}" if prefix and clean else prefix or clean, self._used_names
         )
         self._used_names.add(unique)

@@ -216,7 +216,7 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     _warn_of_inertias(reader, links)
     _warn_of_ball_joints(tree_links)
     if floating:
-        name = untaken("root", [joint.get("name", "") for joint in joints])
+        name = unused_name("root", [joint.get("name", "") for joint in joints])
         tree_links[0].joints = [RobotJoint(name, "free", location=tree_links[0].location)]
     if root.find("transmission") is not None:
         left_out.append("transmissions: each joint has a force of its own")
@@ -432,7 +432,7 @@ def _joints(
         first_axis = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
         first_axis /= np.linalg.norm(first_axis)
         used_names = reader.joint_names
-        x, y, turn = (untaken(f"{name}_{end}", used_names) for end in ("x", "y", "turn"))
+        x, y, turn = (unused_name(f"{name}_{end}", used_names) for end in ("x", "y", "turn"))
         return [
             RobotJoint(x, "slide", first_axis, location=location),
             RobotJoint(y, "slide", np.cross(normal, first_axis), location=location),

@@ -138,7 +138,9 @@ def _guess(problem: FitProblem, k: int, motion_problem: Problem) -> np.ndarray:
             options["constraints"] = "project"
         try:
             solver = native_solver(problem.model.solver)
-            motion = simulate(motion_problem, motion_problem.settings.times, solver=solver, **options)
+            motion = simulate(
+                motion_problem, motion_problem.settings.times, solver=solver, **options
+            )
             if np.isfinite(motion.states).all():
                 states = motion.states.copy()
         except (IntegrationError, SingularMatrixError):

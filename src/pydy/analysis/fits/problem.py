@@ -71,7 +71,7 @@ class FitProblem:
         self.independent = [s for s in movable if s not in self.dependents]
         slots = [located(definition, key, "parameters") for key in keys]
         self.shared = [(kind, definition.places[kind].symbols[index]) for kind, index in slots]
-        start = [self.base.value(kind, index) for kind, index in slots]
+        start = [self._starting_value(kind, index) for kind, index in slots]
         refuse_twice([symbol for _, symbol in self.shared], "parameters")
         self.names = list(unique_names([s for _, s in self.shared]))
         self.columns: list[int] = []  # of the first unknown initial condition of each trial
@@ -90,6 +90,13 @@ class FitProblem:
         self.limits = np.empty(0), np.empty(0)
         self.priors: list[tuple[int, float, float]] = []
 
+    def _starting_value(self, kind: str, index: int) -> float:
+        """Return the number of a state, constant or specified at the initial time."""
+        base = self.base
+        if kind == "specifieds":
+            return float(base.inputs.rows(base.x[None], np.array([base.t]))[0][index])
+        return float((base.x if kind == "states" else base.p)[index])
+
     def _values(self, argument: str, d: TrialSamples) -> Numbers:
         """Return the values of a trial that are not parameters, by their symbols."""
         symbol_index, label = self.base.definition.places[argument], f"{argument} of {d.label}"
@@ -98,12 +105,12 @@ class FitProblem:
             raise ValueError(
                 f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
             )
-        system = merged(self.base.user[argument])
-        values = symbol_index.by_symbol(system, argument, others=True)
+        system = merged(getattr(self.base.settings, argument))
+        values = symbol_index.by_symbol(system, argument, allow_others=True)
         trial = merged(check_mapping(label, getattr(d.trial, argument)))
-        trial_values = symbol_index.by_symbol(trial, label, others=True)
+        trial_values = symbol_index.by_symbol(trial, label, allow_others=True)
         numbers = {s: v for s, v in trial_values.items() if isinstance(v, (int, float))}
-        self.base.check_values(argument, numbers, f"`{label}` for ")
+        AssumptionChecks(self.base).values(argument, numbers, f"`{label}` for ")
         if len(self.trials) > 1 and (conflicts := parameters & trial_values.keys()):
             raise ValueError(
                 f"`{label}` gives {describe([*conflicts])} a value of its own, but `parameters` "
@@ -116,10 +123,13 @@ class FitProblem:
         base, argument = self.base, f"initial_conditions of {d.label}"
         states = base.definition.places["states"]
         conditions = merged(check_mapping(argument, d.trial.initial_conditions))
-        x, chosen = base.x_with(conditions, argument), states.chosen(conditions, argument)
+        x, chosen = (
+            CallArguments(base).states(conditions, argument),
+            states.chosen(conditions, argument),
+        )
         numbers = {s: x[k] for k, s in enumerate(states.symbols) if s in chosen}
-        base.check_values("states", numbers, f"`{argument}` for ")
-        start = base.at(np.array([d.start]), x[None]).with_unknowns({}, base.inputs.rows)
+        AssumptionChecks(base).values("states", numbers, f"`{argument}` for ")
+        start = with_unknowns(base.at(np.array([d.start]), x[None]), {}, base.inputs.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 
     # -- motions ----------------------------------------------------------------------------------
@@ -156,8 +166,13 @@ class FitProblem:
         if k not in self._problems:
             tried = self.model.tried(self._events, self._outputs, constants, specifieds)
             self._problems[k] = tried
-        user = {"constants": constants, "specifieds": specifieds, "initial_conditions": initial}
-        trial_problem = replace(self._problems[k], user=user, times=times)
+        trial_problem = with_settings(
+            self._problems[k],
+            constants=constants,
+            specifieds=specifieds,
+            initial_conditions=initial,
+            times=times,
+        )
         if self.dependents:
             trial_problem = with_dependents(trial_problem, self.dependents)
         return trial_problem, symbols, columns
