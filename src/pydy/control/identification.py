@@ -424,7 +424,7 @@ class _CombinedExperiments:
                     p[k] = value
                 else:
                     r[:, k - len(p)] = value
-            values = replace(at, p=p, r=r).values(rates)
+            values = replace(at, p=p, r=r).interpret(rates)
             # Rates at rest are rounding errors: compare them with the largest terms of the motion.
             values["sizes"] = np.broadcast_to(values["sizes"].max(axis=0), values["sizes"].shape)
             if not (report := DriftReport.contradiction(values)):
