@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 TimeFunction: TypeAlias = "AppliedUndef | sm.Derivative"
 # What expressions depend on: constants, time, functions of time and their derivatives.
 AnySymbol: TypeAlias = "sm.Symbol | AppliedUndef | sm.Derivative"
+SymbolOrName: TypeAlias = "AnySymbol | str"
+ExpressionOrName: TypeAlias = "sm.Expr | str"
 
 Body: TypeAlias = "RigidBody | Particle"
 # Where a load acts: a force at a point, a torque on a frame.

@@ -6,12 +6,12 @@ Problem, a model with its numbers at one state, which `_now` returns.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import partial
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, Literal, Self, overload
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeAlias, TypeVar, overload
 
 import numpy as np
 import scipy
@@ -76,22 +76,7 @@ from pydy._mechanics import (
 from pydy._motion import SolveIvp, is_odeint, native_solver, resolve_ode_solver
 from pydy._names import name_of, nearest, some
 from pydy._optional import progress_of
-from pydy._problem import (
-    DefinitionBuilder,
-    Energy,
-    EnergyModel,
-    Model,
-    Problem,
-    Settings,
-    SymbolSet,
-    base_symbols,
-    check_forces,
-    check_potential,
-    check_times,
-    checked_plan,
-    evaluate_specifieds,
-    read_numbers,
-)
+from pydy._problem import DefinitionBuilder, Energy, EnergyModel, Model, Problem, Settings, SymbolSet, base_symbols, check_forces, check_potential, check_times, checked_plan, evaluate_specifieds, read_numbers
 from pydy._states import check_dependents, default_dependents, given_values, solve_dependents
 from pydy.analysis import (
     AdjointGradient,
@@ -119,14 +104,47 @@ from pydy.solvers import Event, Solver
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from os import PathLike
     from typing import Unpack
 
     from numpy.typing import ArrayLike
+    from sympy.physics.mechanics import Point, ReferenceFrame, Vector
+    from sympy.physics.mechanics.joint import Joint
+    from xarray import Dataset
 
+    from pydy._mechanics import EomMethod
     from pydy._motion import EnsembleOptions
+    from pydy._sympy_types import (
+        AnySymbol,
+        Body,
+        ExpressionOrName,
+        Load,
+        Location,
+        SymbolOrName,
+        TimeFunction,
+    )
     from pydy.control import OptimalTrajectory
     from pydy.export import Exported
-    from pydy.viz import LiveSystem, Scene
+    from pydy.inputs import SampledInput
+    from pydy.viz import LiveSystem, Scene, Visual
+
+    Value = TypeVar("Value")
+    # By symbols or names; these are Any, as a mapping of the union would refuse a `dict[str, …]`.
+    BySymbol: TypeAlias = Mapping[Any, Value]
+    # Numbers of states, inputs and constants in one call: the arguments x, q, v and a; r; p.
+    StateValues: TypeAlias = ArrayLike | BySymbol[float]
+    InputValues: TypeAlias = ArrayLike | BySymbol[object] | Callable[..., ArrayLike]
+    ConstantValues: TypeAlias = ArrayLike | BySymbol[float]
+    # A value of `specifieds`: also the symbols, in its second format.
+    Specified: TypeAlias = (
+        ArrayLike | sm.Expr | SampledInput | Callable[..., ArrayLike] | tuple[AnySymbol, ...]
+    )
+    Output: TypeAlias = sm.Expr | float | tuple[sm.Expr | float, ...]
+    Variables: TypeAlias = SymbolOrName | Iterable[SymbolOrName]
+    Bounds: TypeAlias = tuple[float | None, float | None]
+    OdeSolver: TypeAlias = Callable[..., Any]
+    Reduction: TypeAlias = str | tuple[str, SymbolOrName | int] | Callable[[Dataset], Dataset]
+    Contacts: TypeAlias = Any  # `pydy.contact.Contacts`, whose module imports this one
 
 __all__ = ["System"]
 
@@ -217,16 +235,16 @@ class System:
     @suggest_arguments("System", _NAMES_OF_METHODS)
     def __init__(
         self,
-        eom_method: Any,
-        constants: Mapping[Any, Any] | None = None,
-        specifieds: Mapping[Any, Any] | None = None,
-        ode_solver: Callable[..., Any] | str | None = None,
-        initial_conditions: Mapping[Any, Any] | None = None,
+        eom_method: EomMethod,
+        constants: BySymbol[float] | None = None,
+        specifieds: BySymbol[Specified] | None = None,
+        ode_solver: OdeSolver | str | None = None,
+        initial_conditions: BySymbol[float] | None = None,
         times: ArrayLike | None = None,
-        outputs: Mapping[Any, Any] | None = None,
-        noncontributing_forces: Iterable[Any] | None = None,
-        constants_symbols: Iterable[Any] | None = None,
-        specifieds_symbols: Iterable[Any] | None = None,
+        outputs: BySymbol[Output] | None = None,
+        noncontributing_forces: Iterable[TimeFunction] | None = None,
+        constants_symbols: Iterable[sm.Symbol] | None = None,
+        specifieds_symbols: Iterable[TimeFunction] | None = None,
         equations: Literal["graph", "method"] | None = None,
         implicit: Implicit | None = None,
     ) -> None:
@@ -239,20 +257,21 @@ class System:
         self._energies = EnergyModel(self._equations)
         base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
         self._define = DefinitionBuilder(self._equations, base, self._energies)
-        self._options: dict[str, Any] = {}
-        self._generated: list[GeneratedFunction] = []  # the latest first
-        self._constants: dict[Any, Any] = {}
-        self._implied: dict[Any, float] = {}  # constants that are not the user's: of contacts
+        self._options: dict[str, object] = {}
+        self._generated: list[Generated] = []  # the latest first
+        self._constants: dict[SymbolOrName, float] = {}
+        self._implied: dict[sm.Symbol, float] = {}  # constants that are not the user's: of contacts
         self._has_contacts = False  # whether Contacts were made of it
-        self._specifieds: dict[Any, Any] = {}
-        self._initial_conditions: dict[Any, Any] = {}
-        self._dependent: dict[Any, float] | None = None  # initial conditions solved for last
-        self._told: set[Any] = set()  # derivatives of specifieds that were warned of
+        self._specifieds: dict[SymbolOrName | tuple[SymbolOrName, ...], Specified] = {}
+        self._initial_conditions: dict[SymbolOrName, float] = {}
+        # Initial conditions that were solved for last.
+        self._dependent: dict[TimeFunction, float] | None = None
+        self._told: set[AnySymbol] = set()  # derivatives of specifieds that were warned of
         # Symbols of which the user knows that values contradict their assumptions; None where
         # that is not judged, as in a fit, which only tries numbers.
         self._contradicted: set[str] | None = set()
-        self._outputs: dict[Any, Any] = {}
-        self._forces: list[Any] = []
+        self._outputs: dict[SymbolOrName | tuple[SymbolOrName, ...], Output] = {}
+        self._forces: list[TimeFunction] = []
         self._set_outputs(outputs, noncontributing_forces)
         self.specifieds = specifieds  # first: an expression may bring constants of its own
         self.constants = constants
@@ -279,7 +298,7 @@ class System:
     def _facts(self) -> list[tuple[str, str]]:
         """Return the lines of a summary: titles and texts."""
         # The last definition that was sound: to print a System never fails.
-        values = {
+        values: dict[str, BySymbol[object]] = {
             "initial_conditions": self._initial_conditions,
             "constants": {**self._implied, **self._constants},
             "specifieds": self._specifieds,
@@ -293,7 +312,7 @@ class System:
         # The user may have edited the dictionaries of outputs, specifieds and constants in place.
         return self._defined(self._constants)
 
-    def _defined(self, constants: Mapping[Any, Any]) -> Definition:
+    def _defined(self, constants: BySymbol[object]) -> Definition:
         """Return the definition with these constants, which the equations need not hold."""
         definition = self._define(self._outputs, self._forces, self._specifieds)
         silent = definition.places["constants"].unknown(constants, "constants")
@@ -311,10 +330,10 @@ class System:
 
     def _now(
         self,
-        events: Any = None,
-        constants: Any = None,
-        contacts: Any = None,
-        further: Iterable[Any] = (),
+        events: Event | Iterable[Event] | None = None,
+        constants: ConstantValues | BySymbol[ArrayLike] | None = None,
+        contacts: Contacts | None = None,
+        further: Iterable[AnySymbol] = (),
     ) -> Problem:
         """Return everything as it is now, with the symbols that one call brings.
 
@@ -333,14 +352,12 @@ class System:
         if further:
             definition = self._define.widened(definition, further)
         made = self._compiled(definition)
-        settings = Settings(
-            {**self._implied, **self._constants},
-            dict(self._specifieds),
-            dict(self._initial_conditions),
-            self._times,
-            self._contradicted,
-            None if self._dependent is None else tuple(self._dependent),
-        )
+        user: dict[str, dict[Any, Any]] = {
+            "constants": {**self._implied, **self._constants},
+            "specifieds": dict(self._specifieds),
+            "initial_conditions": dict(self._initial_conditions),
+        }
+        solved = None if self._dependent is None else tuple(self._dependent)
         return Problem(
             made.definition,
             Model(made.definition, made.code, self._energies, self._told),
@@ -354,13 +371,15 @@ class System:
             self._contradicted -= {assumed.names[k] for k in assumed.columns}
         return self._contradicted
 
-    def _checked_contacts(self, contacts: Any) -> Any:
+    def _checked_contacts(self, contacts: Contacts | None) -> Contacts | None:
         """Return an argument `contacts`, None or Contacts of this System."""
         if contacts is not None and getattr(contacts, "system", None) is not self:
             raise TypeError(f"`contacts` must be Contacts of this System, got {shown(contacts)}.")
         return contacts
 
-    def _set_outputs(self, outputs: Any, forces: Any) -> None:
+    def _set_outputs(
+        self, outputs: BySymbol[Output] | None, forces: Iterable[TimeFunction] | None
+    ) -> None:
         names = check_forces(self._equations, forces)
         own = self._define.users(outputs, self._forces)
         self._define(own, names, self._specifieds)
@@ -389,22 +408,22 @@ class System:
         return method_of(self._eom_method)
 
     @property
-    def coordinates(self) -> list[Any]:
+    def coordinates(self) -> list[TimeFunction]:
         """List of the generalized coordinates, functions of time."""
         return list(self._equations.coordinates)
 
     @property
-    def speeds(self) -> list[Any]:
+    def speeds(self) -> list[TimeFunction]:
         """List of the generalized speeds, functions of time."""
         return list(self._equations.speeds)
 
     @property
-    def auxiliaries(self) -> list[Any]:
+    def auxiliaries(self) -> list[AnySymbol]:
         """List of the auxiliary states: time integrals of outputs that depend on u' linearly."""
         return list(self._definition.auxiliaries)
 
     @property
-    def states(self) -> list[Any]:
+    def states(self) -> list[AnySymbol]:
         """List of the states in the order of all arrays: coordinates, speeds, auxiliaries.
 
         Coordinates and speeds have the order in which they were given to a `Definition` or a
@@ -429,13 +448,13 @@ class System:
         return SymbolSet(self._definition.specifieds)
 
     @property
-    def constraints(self) -> Any:
+    def constraints(self) -> sm.Matrix:
         """Column matrix of the holonomic, then the nonholonomic constraint expressions."""
         rows = [*self._equations.constraints.holonomic, *self._equations.constraints.nonholonomic]
         return sm.Matrix(rows) if rows else sm.Matrix()
 
     @property
-    def kinetic_energy(self) -> Any:
+    def kinetic_energy(self) -> sm.Expr:
         """The kinetic energy of the method's bodies, as an expression in states and symbols.
 
         The expression is not simplified. Auxiliary speeds are set to zero.
@@ -454,7 +473,7 @@ class System:
         return self._energies.kinetic
 
     @property
-    def potential_energy(self) -> Any:
+    def potential_energy(self) -> sm.Expr:
         """The potential energy, as an expression in coordinates, constants, specifieds and time.
 
         It is derived from the loads: forces that are constant in the inertial frame, such as
@@ -484,7 +503,7 @@ class System:
         return self._energies.potential
 
     @potential_energy.setter
-    def potential_energy(self, energy: Any) -> None:
+    def potential_energy(self, energy: sm.Expr | float | None) -> None:
         definition = self._definition
         others = [self._equations.time, *definition.constants, *definition.specifieds]
         others += EnergyModel(self._equations).symbols
@@ -492,7 +511,7 @@ class System:
         self._energies = self._define.energies = EnergyModel(self._equations, given)
 
     @property
-    def outputs_symbols(self) -> list[Any]:
+    def outputs_symbols(self) -> list[AnySymbol]:
         """List of the names of all outputs, in the order of `evaluate_outputs`.
 
         An output may be called like a state, constant or specified. Where names are labels, in
@@ -530,7 +549,7 @@ class System:
     )
 
     @property
-    def constants(self) -> MutableMapping[Any, Any]:
+    def constants(self) -> MutableMapping[SymbolOrName, float]:
         """Dictionary of the constants' values that the user has set; all others are 1.0.
 
         A symbol and its name are one key: ``system.constants['m'] = 2.0`` replaces the value
@@ -539,7 +558,7 @@ class System:
         return SymbolDict(self._constants)
 
     @constants.setter
-    def constants(self, constants: Mapping[Any, Any] | None) -> None:
+    def constants(self, constants: BySymbol[float] | None) -> None:
         values = check_mapping("constants", constants)
         definition = self._defined(values)
         told = self._told_again(definition, "constants")
@@ -572,17 +591,17 @@ class System:
         return SymbolDict(self._specifieds)
 
     @specifieds.setter
-    def specifieds(self, specifieds: Mapping[Any, Any] | None) -> None:
+    def specifieds(self, specifieds: BySymbol[Specified] | None) -> None:
         values = check_mapping("specifieds", specifieds)
         definition = self._define(self._outputs, self._forces, values)
-        told: set[Any] = set()
+        told: set[AnySymbol] = set()
         contradicted = self._told_again(definition, "specifieds")
         plan = checked_plan(definition, values, told, contradicted)
         check_expressions(definition, plan)
         self._specifieds, self._told = values, told
 
     @property
-    def initial_conditions(self) -> MutableMapping[Any, Any]:
+    def initial_conditions(self) -> MutableMapping[SymbolOrName, float]:
         """Dictionary of the states' values at the first time; all others are 0.0.
 
         A symbol and its name are one key: ``system.initial_conditions['q1'] = 2.0`` replaces the
@@ -591,7 +610,7 @@ class System:
         return SymbolDict(self._initial_conditions)
 
     @initial_conditions.setter
-    def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
+    def initial_conditions(self, initial_conditions: BySymbol[float] | None) -> None:
         values = check_mapping("initial_conditions", initial_conditions)
         definition = self._definition
         told = self._told_again(definition, "states")
@@ -599,7 +618,7 @@ class System:
         self._initial_conditions = values
 
     def _warn_of_dropped(
-        self, argument: str, before: Mapping[Any, Any], values: Mapping[Any, Any], default: float
+        self, argument: str, before: BySymbol[float], values: BySymbol[float], default: float
     ) -> None:
         """Warn of values that an assignment sets back to the default; an empty one says so."""
         if self._contradicted is None or before is values:
@@ -650,20 +669,20 @@ class System:
         return SymbolDict(self._outputs)
 
     @outputs.setter
-    def outputs(self, outputs: Mapping[Any, Any] | None) -> None:
+    def outputs(self, outputs: BySymbol[Output] | None) -> None:
         self._set_outputs(outputs, self._forces)
 
     @property
-    def noncontributing_forces(self) -> list[Any]:
+    def noncontributing_forces(self) -> list[TimeFunction]:
         """List of the names of the noncontributing forces that are computed as outputs."""
         return list(self._forces)
 
     @noncontributing_forces.setter
-    def noncontributing_forces(self, forces: Iterable[Any] | None) -> None:
+    def noncontributing_forces(self, forces: Iterable[TimeFunction] | None) -> None:
         self._set_outputs(self._outputs, forces)
 
     @property
-    def ode_solver(self) -> Callable[..., Any]:
+    def ode_solver(self) -> OdeSolver:
         """Solver: a function with the signature of `scipy.integrate.odeint`.
 
         It may be set to ``'odeint'`` or ``'lsoda'``, the default; to the name of a native solver,
@@ -689,8 +708,8 @@ class System:
         return scipy.integrate.odeint if self._ode_solver is None else self._ode_solver
 
     @ode_solver.setter
-    def ode_solver(self, ode_solver: Callable[..., Any] | str | None) -> None:
-        self._ode_solver: Callable[..., Any] | None = resolve_ode_solver(ode_solver)
+    def ode_solver(self, ode_solver: OdeSolver | str | None) -> None:
+        self._ode_solver: OdeSolver | None = resolve_ode_solver(ode_solver)
 
     @property
     def evaluate_ode_function(self) -> Any:
@@ -702,7 +721,7 @@ class System:
             return None
         return self._compiled().function(any_layout=self._ode_solver is not None)
 
-    def generate_ode_function(self, **kwargs: Any) -> Any:
+    def generate_ode_function(self, **kwargs: Any) -> Callable[..., np.ndarray]:
         """Generate the function that evaluates the derivatives, and keep it.
 
         Parameters
@@ -737,13 +756,13 @@ class System:
         made = generate(self._definition, self._eom_method, kwargs)
         if self._equations.constraints.undifferentiated_holonomic:
             warn_of_missing_derivatives(self._now())
-        function = made.function(any_layout=self._ode_solver is not None)
+        function: Callable[..., np.ndarray] = made.function(any_layout=self._ode_solver is not None)
         self._options, self._generated = kwargs, [made]
         return function
 
     if not TYPE_CHECKING:  # or type checkers would let any attribute pass
 
-        def __setattr__(self, name: str, value: Any) -> None:
+        def __setattr__(self, name: str, value: object) -> None:
             # A misspelt attribute would be set, and never read.
             if name[0] != "_" and type(self) is System and not hasattr(System, name):
                 settable = [n for n in dir(System) if getattr(getattr(System, n), "fset", None)]
@@ -768,7 +787,10 @@ class System:
     # -- Simulation --------------------------------------------------------------------------------
 
     def set_dependent_initial_conditions(
-        self, dep_vars: Iterable[Any] | None = None, use_jac: bool = False, **root_kwargs: Any
+        self,
+        dep_vars: Iterable[SymbolOrName] | None = None,
+        use_jac: bool = False,
+        **root_kwargs: Any,
     ) -> None:
         """Set the dependent states' initial conditions so that the constraints are satisfied.
 
@@ -804,7 +826,7 @@ class System:
         # A new dictionary: the old one may be the caller's own. Its keys may be names.
         conditions, latest = dict(self._initial_conditions), self._dependent or {}
         keys = {own.symbols[own.find(key, "initial_conditions")]: key for key in conditions}
-        given: dict[Any, float] = {}
+        given: dict[TimeFunction, float] = {}
         if dep_vars is None:
             given = given_values(problem, keys, latest)
             dep_vars = default_dependents(problem, given)
@@ -894,7 +916,7 @@ class System:
     def simulate(
         self,
         *,
-        sensitivities: Any = None,
+        sensitivities: Any = None,  # or else `**` of a dict of numbers would be refused
         control_sensitivities: Any = False,
         **solver_kwargs: Any,
     ) -> Trajectory:
@@ -970,7 +992,12 @@ class System:
     # -- Values and exact derivatives --------------------------------------------------------------
 
     def evaluate_ode(
-        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+        self,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return the derivatives of the states.
 
@@ -1008,7 +1035,12 @@ class System:
         return evaluate_block(self._now(), "rates", (x, t, r, p))
 
     def evaluate_outputs(
-        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+        self,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return the outputs, in the order of `outputs_symbols`.
 
@@ -1031,7 +1063,12 @@ class System:
         return evaluate_block(self._now(), "outputs", (x, t, r, p))
 
     def evaluate_energy(
-        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+        self,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> Energy:
         """Return the kinetic, the potential and the total energy.
 
@@ -1066,7 +1103,12 @@ class System:
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(
-        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+        self,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return the residuals of the holonomic, then the nonholonomic constraints.
 
@@ -1091,7 +1133,12 @@ class System:
         return evaluate_block(self._now(), "constraints", (x, t, r, p))
 
     def evaluate_holonomic_constraints(
-        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+        self,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return the residuals of the holonomic constraints.
 
@@ -1111,7 +1158,12 @@ class System:
         return evaluate_block(self._now(), "holonomic", (x, t, r, p))
 
     def evaluate_velocity_constraints(
-        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+        self,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return the residuals of all velocity constraints.
 
@@ -1137,13 +1189,13 @@ class System:
 
     def evaluate_jacobian(
         self,
-        x: Any = None,
-        t: Any = None,
-        wrt: Any = "states",
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        wrt: Variables = "states",
         *,
-        of: Any = "ode",
-        r: Any = None,
-        p: Any = None,
+        of: ExpressionOrName | Iterable[ExpressionOrName] = "ode",
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return exact partial derivatives, computed by differentiating the expression graph.
 
@@ -1191,13 +1243,13 @@ class System:
 
     def evaluate_gradient(
         self,
-        of: Any,
-        x: Any = None,
-        t: Any = None,
-        wrt: Any = "states",
+        of: ExpressionOrName,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        wrt: Variables = "states",
         *,
-        r: Any = None,
-        p: Any = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
         value: bool = False,
     ) -> Any:
         """Return the exact gradient of one quantity, by reverse accumulation.
@@ -1239,14 +1291,14 @@ class System:
 
     def evaluate_jacobian_vector(
         self,
-        v: Any,
-        x: Any = None,
-        t: Any = None,
-        wrt: Any = "states",
+        v: ArrayLike,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        wrt: Variables = "states",
         *,
-        of: Any = "ode",
-        r: Any = None,
-        p: Any = None,
+        of: ExpressionOrName | Iterable[ExpressionOrName] = "ode",
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return exact directional derivatives: the Jacobian times vectors, without the Jacobian.
 
@@ -1272,14 +1324,14 @@ class System:
 
     def evaluate_vector_jacobian(
         self,
-        v: Any,
-        x: Any = None,
-        t: Any = None,
-        wrt: Any = "states",
+        v: ArrayLike,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        wrt: Variables = "states",
         *,
-        of: Any = "ode",
-        r: Any = None,
-        p: Any = None,
+        of: ExpressionOrName | Iterable[ExpressionOrName] = "ode",
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return vectors times the exact Jacobian, by reverse accumulation.
 
@@ -1305,14 +1357,14 @@ class System:
 
     def evaluate_hessian_vector(
         self,
-        v: Any,
-        of: Any,
-        x: Any = None,
-        t: Any = None,
-        wrt: Any = "states",
+        v: ArrayLike,
+        of: ExpressionOrName,
+        x: StateValues | None = None,
+        t: ArrayLike | None = None,
+        wrt: Variables = "states",
         *,
-        r: Any = None,
-        p: Any = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return exact second derivatives of one quantity times vectors.
 
@@ -1442,7 +1494,12 @@ class System:
         return Reactions(self._equations, self._forces).multipliers()
 
     def reaction(
-        self, bodies: Any, point: Any = None, *, frame: Any = None, loads: Iterable[Any] = ()
+        self,
+        bodies: Body | str | Joint | Iterable[Body | Location | str],
+        point: Point | None = None,
+        *,
+        frame: ReferenceFrame | None = None,
+        loads: Iterable[Load] = (),
     ) -> Reaction:
         """Return the force and torque of a joint, bearing or contact on a group of bodies.
 
@@ -1506,28 +1563,36 @@ class System:
 
     # -- Inverse dynamics, terms of the equations of motion, frames --------------------------------
 
-    def _evaluated(self, made: Quantity, q: Any, t: Any, r: Any, p: Any, wrt: Any) -> np.ndarray:
+    def _evaluated(
+        self,
+        made: Quantity,
+        q: StateValues | None,
+        t: ArrayLike | None,
+        r: InputValues | None,
+        p: ConstantValues | None,
+        wrt: Variables | None,
+    ) -> np.ndarray:
         """Evaluate what depends on no speeds."""
         at = q, None, np.zeros(0), t
         return evaluate(self._now(constants=p), made, at, r, p, wrt, self._values)
 
     @property
-    def _values(self) -> Mapping[Any, float]:
+    def _values(self) -> Mapping[sm.Symbol, float]:
         """The method's values of constants that the motion does not depend on."""
-        values: Mapping[Any, float] = getattr(self._eom_method, "values", {})
+        values: Mapping[sm.Symbol, float] = getattr(self._eom_method, "values", {})
         return values
 
     def inverse_dynamics(
         self,
-        q: Any = None,
-        v: Any = None,
-        a: Any = None,
-        t: Any = None,
+        q: StateValues | None = None,
+        v: StateValues | None = None,
+        a: StateValues | None = None,
+        t: ArrayLike | None = None,
         *,
-        at: Any = None,
-        r: Any = None,
-        p: Any = None,
-        wrt: Any = None,
+        at: str | Iterable[SymbolOrName] | None = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
+        wrt: Variables | None = None,
     ) -> np.ndarray:
         """Return the generalised forces that a motion needs in addition to the loads.
 
@@ -1591,7 +1656,13 @@ class System:
         return inverse_dynamics(problem, (q, v, a, t), at, r, p, wrt, self._values)
 
     def mass_matrix(
-        self, q: Any = None, t: Any = None, *, r: Any = None, p: Any = None, wrt: Any = None
+        self,
+        q: StateValues | None = None,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
+        wrt: Variables | None = None,
     ) -> np.ndarray:
         """Return the mass matrix of all speeds, before any constraint reduces it.
 
@@ -1618,13 +1689,13 @@ class System:
 
     def bias(
         self,
-        q: Any = None,
-        v: Any = None,
-        t: Any = None,
+        q: StateValues | None = None,
+        v: StateValues | None = None,
+        t: ArrayLike | None = None,
         *,
-        r: Any = None,
-        p: Any = None,
-        wrt: Any = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
+        wrt: Variables | None = None,
     ) -> np.ndarray:
         """Return the generalised forces at zero accelerations, one for each speed.
 
@@ -1651,13 +1722,13 @@ class System:
 
     def gravity(
         self,
-        q: Any = None,
-        t: Any = None,
+        q: StateValues | None = None,
+        t: ArrayLike | None = None,
         *,
-        acceleration: Any = None,
-        r: Any = None,
-        p: Any = None,
-        wrt: Any = None,
+        acceleration: Vector | None = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
+        wrt: Variables | None = None,
     ) -> np.ndarray:
         """Return the generalised forces that hold all masses against gravity.
 
@@ -1693,13 +1764,13 @@ class System:
 
     def frame_position(
         self,
-        where: Any,
-        q: Any = None,
-        t: Any = None,
+        where: str | Body | Location | tuple[ReferenceFrame, Point],
+        q: StateValues | None = None,
+        t: ArrayLike | None = None,
         *,
-        r: Any = None,
-        p: Any = None,
-        wrt: Any = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
+        wrt: Variables | None = None,
     ) -> np.ndarray:
         """Return where a point is, in the axes of the inertial frame.
 
@@ -1730,13 +1801,13 @@ class System:
 
     def frame_rotation(
         self,
-        where: Any,
-        q: Any = None,
-        t: Any = None,
+        where: str | Body | Location | tuple[ReferenceFrame, Point],
+        q: StateValues | None = None,
+        t: ArrayLike | None = None,
         *,
-        r: Any = None,
-        p: Any = None,
-        wrt: Any = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
+        wrt: Variables | None = None,
     ) -> np.ndarray:
         """Return the rotation matrix of a frame: its axes as columns, in the inertial frame.
 
@@ -1756,13 +1827,13 @@ class System:
 
     def frame_jacobian(
         self,
-        where: Any,
-        q: Any = None,
-        t: Any = None,
+        where: str | Body | Location | tuple[ReferenceFrame, Point],
+        q: StateValues | None = None,
+        t: ArrayLike | None = None,
         *,
-        r: Any = None,
-        p: Any = None,
-        wrt: Any = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
+        wrt: Variables | None = None,
     ) -> np.ndarray:
         """Return how fast a frame moves with each speed, all speeds free.
 
@@ -1796,7 +1867,7 @@ class System:
 
     # -- Inertial parameters -----------------------------------------------------------------------
 
-    def inertial_parameters(self, *, p: Any = None) -> dict[str, float]:
+    def inertial_parameters(self, *, p: ConstantValues | None = None) -> dict[str, float]:
         """Return mass, first moments and inertia of each body, as `regressor` takes them.
 
         Parameters
@@ -1818,13 +1889,13 @@ class System:
 
     def regressor(
         self,
-        q: Any = None,
-        v: Any = None,
-        a: Any = None,
-        t: Any = None,
+        q: StateValues | None = None,
+        v: StateValues | None = None,
+        a: StateValues | None = None,
+        t: ArrayLike | None = None,
         *,
-        r: Any = None,
-        p: Any = None,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> np.ndarray:
         """Return the matrix Y that is multiplied by the inertial parameters in `inverse_dynamics`.
 
@@ -1860,7 +1931,14 @@ class System:
         return evaluate(self._now(constants=p), made, at, r, p, None, self._values)
 
     def base_parameters(
-        self, q: Any, v: Any, a: Any, t: Any = None, *, r: Any = None, p: Any = None
+        self,
+        q: StateValues,
+        v: StateValues,
+        a: StateValues,
+        t: ArrayLike | None = None,
+        *,
+        r: InputValues | None = None,
+        p: ConstantValues | None = None,
     ) -> BaseParameters:
         """Return the combinations of inertial parameters that some motions determine.
 
@@ -1890,11 +1968,11 @@ class System:
     @np.errstate(under="ignore")  # shares of sizes may be zero
     def linearize(
         self,
-        at: Any = None,
-        t: Any = None,
+        at: StateValues | Equilibrium | None = None,
+        t: ArrayLike | None = None,
         *,
-        inputs: Iterable[Any] | None = None,
-        outputs: Iterable[Any] | None = None,
+        inputs: Iterable[SymbolOrName] | None = None,
+        outputs: Iterable[SymbolOrName] | None = None,
     ) -> LinearModel:
         """Return the linear model of small motions that satisfy the constraints.
 
@@ -1947,11 +2025,11 @@ class System:
     @np.errstate(under="ignore")  # shares of sizes may be zero
     def find_equilibrium(
         self,
-        unknowns: Iterable[Any] | None = None,
-        given: dict[Any, float] | None = None,
+        unknowns: Iterable[SymbolOrName] | None = None,
+        given: BySymbol[float] | None = None,
         *,
-        moving: Iterable[Any] = (),
-        bounds: dict[Any, Any] | None = None,
+        moving: Iterable[SymbolOrName] = (),
+        bounds: BySymbol[Bounds] | None = None,
     ) -> Equilibrium:
         """Find a state in which the system remains at rest or moves steadily.
 
@@ -2009,12 +2087,12 @@ class System:
     @np.errstate(under="ignore")  # shares of sizes may be zero
     def eigenvalues(
         self,
-        over: dict[Any, Any],
-        at: Any = None,
+        over: BySymbol[ArrayLike],
+        at: StateValues | None = None,
         *,
-        unknowns: Iterable[Any] | None = None,
-        given: dict[Any, float] | None = None,
-        moving: Iterable[Any] = (),
+        unknowns: Iterable[SymbolOrName] | None = None,
+        given: BySymbol[float] | None = None,
+        moving: Iterable[SymbolOrName] = (),
         progress: bool = False,
     ) -> EigenvalueSweep:
         """Return the eigenvalues of the linear models along a parameter, sorted into branches.
@@ -2071,11 +2149,11 @@ class System:
     @np.errstate(under="ignore")  # shares of sizes may be zero
     def follow_equilibria(
         self,
-        over: dict[Any, Any],
-        unknowns: Iterable[Any] | None = None,
-        given: dict[Any, float] | None = None,
+        over: BySymbol[ArrayLike],
+        unknowns: Iterable[SymbolOrName] | None = None,
+        given: BySymbol[float] | None = None,
         *,
-        moving: Iterable[Any] = (),
+        moving: Iterable[SymbolOrName] = (),
         step: float = 0.02,
         most: int = 500,
         progress: bool = False,
@@ -2136,10 +2214,10 @@ class System:
         self,
         period: float,
         *,
-        moving: Iterable[Any] = (),
+        moving: Iterable[SymbolOrName] = (),
         until: Event | None = None,
         progress: bool = False,
-        contacts: Any = None,
+        contacts: Contacts | None = None,
         **solver_kwargs: Any,
     ) -> PeriodicOrbit:
         """Find a periodic motion by shooting, and its Floquet multipliers.
@@ -2213,11 +2291,11 @@ class System:
 
     def adjoint_gradient(
         self,
-        wrt: Any,
+        wrt: Variables,
         *,
-        final: Any = None,
-        integral: Any = None,
-        contacts: Any = None,
+        final: ExpressionOrName | None = None,
+        integral: ExpressionOrName | None = None,
+        contacts: Contacts | None = None,
         **solver_kwargs: Any,
     ) -> AdjointGradient:
         """Return a scalar of a simulation and its derivatives with respect to many parameters.
@@ -2288,7 +2366,8 @@ class System:
                 "specifieds, constants and time."
             )
         solver = explicit_solver(self.ode_solver)
-        if self._checked_contacts(contacts) is not None:
+        contacts = self._checked_contacts(contacts)
+        if contacts is not None:
             found: AdjointGradient = contacts.gradient(wrt, final, integral, **solver_kwargs)
             return found
         return adjoint_gradient(
@@ -2305,19 +2384,19 @@ class System:
 
     def fit(
         self,
-        parameters: Iterable[Any],
+        parameters: Variables,
         trials: Trial | Iterable[Trial],
         *,
-        bounds: dict[Any, Any] | None = None,
-        priors: dict[Any, Any] | None = None,
+        bounds: BySymbol[Bounds] | None = None,
+        priors: BySymbol[tuple[float, float]] | None = None,
         segments: int = 1,
         method: str = "shooting",
-        mesh: Any = None,
-        process_noise: Mapping[Any, Any] | None = None,
+        mesh: int | ArrayLike | None = None,
+        process_noise: BySymbol[float] | None = None,
         solver: str | None = None,
         most: int = 100,
         progress: bool = False,
-        contacts: Any = None,
+        contacts: Contacts | None = None,
         **solver_kwargs: Any,
     ) -> FitResult:
         """Estimate parameters from measured motions by least squares with exact derivatives.
@@ -2410,10 +2489,15 @@ class System:
         twin._contradicted = None  # its numbers are only tried
         self._checked_contacts(contacts)
 
-        def settings(events: Any, constants: Mapping[Any, Any]) -> Problem:
+        def settings(events: Event | Iterable[Event] | None, constants: BySymbol[float]) -> Problem:
             return self._now(events, constants, contacts)
 
-        def tried(events: Any, outputs: Any, constants: Any, specifieds: Any) -> Problem:
+        def tried(
+            events: Event | Iterable[Event] | None,
+            outputs: BySymbol[Output],
+            constants: BySymbol[float],
+            specifieds: BySymbol[Specified],
+        ) -> Problem:
             if outputs:
                 twin.outputs = {**self.outputs, **outputs}
             twin.constants, twin.specifieds = constants, specifieds
@@ -2439,22 +2523,22 @@ class System:
 
     def optimize_trajectory(
         self,
-        objective: Any,
-        duration: Any,
+        objective: sm.Expr,
+        duration: float | sm.Symbol,
         *,
-        start: Mapping[Any, Any] | None = None,
-        end: Mapping[Any, Any] | None = None,
-        boundary: Iterable[Any] = (),
-        path: Iterable[Any] | None = None,
+        start: BySymbol[float] | None = None,
+        end: BySymbol[float] | None = None,
+        boundary: Iterable[sm.Basic] = (),
+        path: Iterable[sm.Basic] | None = None,
         bounds: Mapping[Any, Any] | None = None,
-        free: Iterable[Any] = (),
-        mesh: Any = 20,
+        free: Iterable[SymbolOrName] = (),
+        mesh: int | ArrayLike = 20,
         method: str = "radau",
         order: int = 3,
         hessian: str = "exact",
         guess: Any = None,
         mesh_tol: float | None = None,
-        options: Mapping[str, Any] | None = None,
+        options: Mapping[str, object] | None = None,
         progress: bool = False,
         solver: str = "ipopt",
     ) -> OptimalTrajectory:
@@ -2524,24 +2608,24 @@ class System:
     def integrate_ensemble(
         self,
         *,
-        initial_conditions: Mapping[Any, Any] | None = None,
-        constants: Mapping[Any, Any] | None = None,
-        specifieds: Mapping[Any, Any] | None = None,
+        initial_conditions: BySymbol[ArrayLike] | None = None,
+        constants: BySymbol[ArrayLike] | None = None,
+        specifieds: BySymbol[Specified] | None = None,
         times: ArrayLike | None = None,
-        ode_solver: Any = None,
+        ode_solver: Solver | str | None = None,
         product: bool = False,
-        sensitivities: Any = None,
-        control_sensitivities: Any = False,
-        reduce: Any = None,
-        chunks: Any = None,
-        store: Any = None,
+        sensitivities: Variables | None = None,
+        control_sensitivities: bool = False,
+        reduce: Reduction | Sequence[Reduction] | None = None,
+        chunks: int | str | Mapping[str, int] | None = None,
+        store: str | PathLike[str] | None = None,
         resume: bool | str = False,
         workers: int | None = None,
         progress: bool = False,
-        units: Mapping[Any, str] | None = None,
-        contacts: Any = None,
+        units: BySymbol[str] | None = None,
+        contacts: Contacts | None = None,
         **solver_kwargs: Unpack[EnsembleOptions],
-    ) -> Any:
+    ) -> Dataset:
         """Integrate many trajectories of the system, each with different values.
 
         Values that are not passed are those of the System. Eight trajectories at a time share the
@@ -2648,7 +2732,7 @@ class System:
         if contacts is not None:
             self._checked_contacts(contacts)
         problem = self._now(solver_kwargs.get("events"), constants, contacts)
-        return integrate_ensemble(
+        results: Dataset = integrate_ensemble(
             problem,
             initial_conditions=initial_conditions,
             constants=constants,
@@ -2667,17 +2751,18 @@ class System:
             units=units,
             options=dict(solver_kwargs),
         )
+        return results
 
     # -- JAX and PyTorch ---------------------------------------------------------------------------
 
-    def _layer_functions(self, contacts: Any, options: dict[str, Any]) -> LayerFunctions:
+    def _layer_functions(self, contacts: Contacts | None, options: dict[str, Any]) -> Functions:
         """Return the functions of the System as it is now."""
         if contacts is not None:
             self._checked_contacts(contacts)
         problem = self._now(options.get("events"), contacts=contacts)
         return LayerFunctions(problem, native_solver(self.ode_solver), options)
 
-    def as_jax(self, *, contacts: Any = None, **solver_kwargs: Any) -> Layer:
+    def as_jax(self, *, contacts: Contacts | None = None, **solver_kwargs: Any) -> Layer:
         """Return the equations and simulations as functions of JAX.
 
         They are compiled as for `evaluate_ode` and `simulate`. They work under `jax.jit`,
@@ -2719,7 +2804,7 @@ class System:
 
         return Layer(self._layer_functions(contacts, solver_kwargs), JaxArrays(), "JAX")
 
-    def as_torch(self, *, contacts: Any = None, **solver_kwargs: Any) -> Layer:
+    def as_torch(self, *, contacts: Contacts | None = None, **solver_kwargs: Any) -> Layer:
         """Return the equations and simulations as functions of PyTorch.
 
         They take and return tensors of float64, and work with autograd, and with `torch.func`:
@@ -2753,7 +2838,7 @@ class System:
 
     # -- Pictures ----------------------------------------------------------------------------------
 
-    def _motion(self, times: Any, states: Any) -> Trajectory:
+    def _motion(self, times: np.ndarray, states: np.ndarray) -> Trajectory:
         """Return a trajectory of checked arrays, and the model that moves the scene."""
         problem = self._now()
         kinds = problem.definition.symbols_by_kind
@@ -2761,12 +2846,18 @@ class System:
         along = evaluate_specifieds(problem, times, states)
         return Trajectory(times, states, symbols, specifieds=along, constants=problem.constants)
 
-    def _live_system(self, *, events: Any = None, **options: Any) -> LiveSystem:
+    def _live_system(
+        self, *, events: Event | Iterable[Event] | None = None, **options: Any
+    ) -> LiveSystem:
         """Return what a page that simulates needs."""
         return live_system(self._now(events), events=events, **options)
 
     def scene(
-        self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
+        self,
+        *visuals: Visual | Body,
+        reference_frame: ReferenceFrame | None = None,
+        origin: Point | None = None,
+        **options: Any,
     ) -> Scene:
         """Return a scene of the system, which can be animated and written as an HTML page.
 
@@ -2817,10 +2908,11 @@ class System:
         moving = partial(attrgetter("_times"), self), self._motion, self._live_system
         return make_scene(definition, numbers, assembly, visuals, given, moving)
 
-    def _moved(self, contacts: Any, method: str) -> Trajectory:
+    def _moved(self, contacts: Contacts | None, method: str) -> Trajectory:
         """Simulate with contacts or without; refuse to leave out those that were made."""
         if contacts is not None:
-            moved: Trajectory = self._checked_contacts(contacts).simulate()
+            self._checked_contacts(contacts)
+            moved: Trajectory = contacts.simulate()
             return moved
         if self._has_contacts:
             raise ValueError(
@@ -2830,7 +2922,13 @@ class System:
             )
         return self.simulate()
 
-    def plot(self, names: list[Any] | None = None, *, contacts: Any = None, **options: Any) -> Any:
+    def plot(
+        self,
+        names: list[SymbolOrName] | None = None,
+        *,
+        contacts: Contacts | None = None,
+        **options: Any,
+    ) -> Any:
         """Simulate, and plot the states or selected quantities over time.
 
         Equivalent to ``system.simulate().plot(...)``; see `pydy.trajectory.Trajectory.plot`. For
@@ -2860,7 +2958,9 @@ class System:
         """
         return self._moved(contacts, "plot").plot(names, **options)
 
-    def animate(self, *visuals: Any, contacts: Any = None, **options: Any) -> Scene:
+    def animate(
+        self, *visuals: Visual | Body, contacts: Contacts | None = None, **options: Any
+    ) -> Scene:
         """Simulate, and return an animated scene, which a notebook displays.
 
         Equivalent to ``system.scene(...).animate(system.simulate())``, with the arguments of
@@ -2886,11 +2986,11 @@ class System:
 
     def export(
         self,
-        path: Any,
+        path: str | PathLike[str],
         *,
         name: str | None = None,
-        events: Any = None,
-        inputs: Iterable[Any] = (),
+        events: Event | Iterable[Event] | None = None,
+        inputs: Iterable[SymbolOrName] = (),
         progress: bool = False,
         **options: Any,
     ) -> Exported:

@@ -1,6 +1,6 @@
 from .acceleration_constraints import AccelerationConstraints as AccelerationConstraints
 from .components import dot as dot
-from .definition import Definition as Definition
+from .definition import Definition as Definition, EomMethod as EomMethod
 from .equations import Equations as Equations, Mechanism as Mechanism
 from .equations_of_motion import (
     EquationsOfMotion as EquationsOfMotion,
