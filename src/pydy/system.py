@@ -142,6 +142,8 @@ if TYPE_CHECKING:
     Output: TypeAlias = sm.Expr | float | tuple[sm.Expr | float, ...]
     Variables: TypeAlias = SymbolOrName | Iterable[SymbolOrName]
     Bounds: TypeAlias = tuple[float | None, float | None]
+    # Of optimal control, where it may vary over the motion.
+    SignalBound: TypeAlias = ArrayLike | SampledInput | None
     OdeSolver: TypeAlias = Callable[..., Any]
     Reduction: TypeAlias = str | tuple[str, SymbolOrName | int] | Callable[[Dataset], Dataset]
     Contacts: TypeAlias = Any  # `pydy.contact.Contacts`, whose module imports this one
@@ -2526,11 +2528,11 @@ class System:
         objective: sm.Expr,
         duration: float | sm.Symbol,
         *,
-        start: BySymbol[float] | None = None,
-        end: BySymbol[float] | None = None,
+        start: BySymbol[float | Bounds | None] | None = None,
+        end: BySymbol[float | Bounds | None] | None = None,
         boundary: Iterable[sm.Basic] = (),
         path: Iterable[sm.Basic] | None = None,
-        bounds: Mapping[Any, Any] | None = None,
+        bounds: BySymbol[tuple[SignalBound, SignalBound]] | None = None,
         free: Iterable[SymbolOrName] = (),
         mesh: int | ArrayLike = 20,
         method: str = "radau",

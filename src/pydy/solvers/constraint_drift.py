@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isqrt
-from typing import Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -32,6 +32,9 @@ from pydy._names import few
 from pydy._rank import DIGITS, least_step, or_one, roundings
 from pydy.solvers.outcome import Outcome
 from pydy.solvers.tuning import EXCESS, LOST, NEAR_SINGULAR
+
+if TYPE_CHECKING:
+    pass
 
 DriftQuantities = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 """Evaluates quantities at times (m,) and states (m, n), by name, each of the shape (m, values):
@@ -163,8 +166,8 @@ class DriftCheck:
     times: np.ndarray  # (m,)
     states: np.ndarray  # (m, n): the first is where the motion begins
     steps: float | None  # None if errors are not controlled
-    rtol: Any
-    atol: Any
+    rtol: float | np.ndarray
+    atol: float | np.ndarray
     # The smallest measure of the constraints' rank, if the solver projects the states.
     nearness: float | None = None
     corrected: bool = False  # whether the motion is brought back onto the constraints

@@ -71,7 +71,7 @@ class Event:
     'bounce'
     """
 
-    expression: Any
+    expression: Any  # of SymPy, or a number
     direction: int = 0
     terminal: bool = False
     reset: Mapping[Any, Any] = field(default_factory=dict)
@@ -107,7 +107,7 @@ class Turn(Event):
     """The minimum of the previous event's expression, which is located near its zeros."""
 
 
-def _check_expression(value: Any, what: str) -> None:
+def _check_expression(value: object, what: str) -> None:
     """Check that a value is a scalar expression, by its attributes: solvers never import SymPy."""
     number = isinstance(value, Real) and not isinstance(value, bool | np.bool_ | np.timedelta64)
     symbolic = isinstance(getattr(value, "free_symbols", None), set)

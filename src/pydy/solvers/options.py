@@ -56,8 +56,8 @@ class Options:
     """The options of a solver."""
 
     # a number or (n,): the error allowed in a step is ``atol + rtol * abs(x)``
-    rtol: Any = _DEFAULT
-    atol: Any = _DEFAULT
+    rtol: float | np.ndarray = _DEFAULT
+    atol: float | np.ndarray = _DEFAULT
     first_step: float | None = None  # chosen automatically by default
     max_step: float = np.inf
     max_steps: int = 10_000_000  # accepted and rejected ones together
@@ -77,11 +77,11 @@ class Options:
     continuation: EventContinuation | None = None  # None: the motion starts at the first time
 
 
-def _max_step(value: Any, what: str) -> float:
+def _max_step(value: object, what: str) -> float:
     return np.inf if value is None else positive(value, what)
 
 
-def _max_steps(value: Any, what: str) -> int:
+def _max_steps(value: object, what: str) -> int:
     most = number(value, what)
     if not most >= 1.0:
         raise ValueError(f"{what} must be at least 1, got {value!r}.")
@@ -116,7 +116,7 @@ _NATIVE: dict[str, Check] = {
 }
 
 
-def read_options(method: str, adaptive: bool, values: Mapping[str, Any]) -> Options:
+def read_options(method: str, adaptive: bool, values: Mapping[str, object]) -> Options:
     """Check the names and values of options."""
     foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
     check_option_names(method, _NATIVE.keys() - foreign, values)
@@ -135,7 +135,7 @@ _SAME = (
 )
 
 
-def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, Any]) -> None:
+def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, object]) -> None:
     """Refuse an option that a solver does not have, and suggest the nearest one."""
     names = sorted({*names} - {"continuation"} if "continuation" not in options else names)
     unknown = [name for name in options if name not in names]

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -29,6 +29,11 @@ from pydy.solvers.events import CompiledEvents
 from pydy.solvers.options import Options
 from pydy.solvers.sensitivities import CompiledSensitivities
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._program import Program
+
 
 def reversed_times(times: Any) -> Any:
     """Return −t, without a negative zero."""
@@ -36,8 +41,8 @@ def reversed_times(times: Any) -> Any:
 
 
 def reflected(
-    f: Callable[..., Any], n: int, args: tuple[Any, ...], options: Options
-) -> tuple[Callable[..., Any], Options]:
+    f: Callable[..., ArrayLike], n: int, args: tuple[object, ...], options: Options
+) -> tuple[Callable[..., ArrayLike], Options]:
     """Return the right-hand side of n states, and options, of the motion in reversed time.
 
     Raises
@@ -60,13 +65,15 @@ def reflected(
 # -- the right-hand side ---------------------------------------------------------------------------
 
 
-def _right_hand_side(f: Callable[..., Any], n: int, args: tuple[Any, ...]) -> Callable[..., Any]:
+def _right_hand_side(
+    f: Callable[..., ArrayLike], n: int, args: tuple[object, ...]
+) -> Callable[..., ArrayLike]:
     native = getattr(f, "native", None)
     call: KernelCall | None = None if native is None else native(args)
     if call is not None:
         return _call(call)
 
-    def negative(x: np.ndarray, s: float, *args: Any) -> np.ndarray:
+    def negative(x: np.ndarray, s: float, *args: object) -> np.ndarray:
         rates = f(x, reversed_times(s), *args)
         return -vector(rates, n, "What `f(x, t)` returns, one derivative for each state of `x0`,")
 
@@ -90,7 +97,7 @@ def _call(call: KernelCall) -> KernelCall:
     )
 
 
-def _at_reversed(function: Callable[..., Any]) -> Callable[..., Any]:
+def _at_reversed(function: Callable[..., ArrayLike]) -> Callable[..., ArrayLike]:
     return lambda x, s: function(x, reversed_times(s))
 
 
@@ -117,8 +124,10 @@ def _kernel(kernel: Kernel, negated: int | None = None) -> Kernel:
     return reflections[count]
 
 
-def _rebuilt(program: Any, kernel: Kernel, count: int) -> Kernel:
-    def sweep(s: Any, x: Any, r: Any, p: Any, *out: Any) -> tuple[np.ndarray, np.ndarray]:
+def _rebuilt(program: Program, kernel: Kernel, count: int) -> Kernel:
+    def sweep(
+        s: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, *out: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         values, failed = kernel.sweep(reversed_times(s), x, r, p, *out)
         values[:, :count] *= -1.0
         return values, failed
@@ -136,7 +145,7 @@ def _rebuilt(program: Any, kernel: Kernel, count: int) -> Kernel:
     )
 
 
-def _no_gate(*args: Any) -> int:
+def _no_gate(*args: object) -> int:
     return -1  # the caller then evaluates by `sweep`
 
 
@@ -180,7 +189,9 @@ def _event(kernel: Kernel) -> Kernel:
     blocks = [b for b in program.blocks if b.name in ("rate", "after_rates")]
     odd = [k for b in blocks for k in range(b.start, b.stop)]
 
-    def sweep(s: Any, x: Any, r: Any, p: Any) -> tuple[np.ndarray, np.ndarray]:
+    def sweep(
+        s: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         inputs = np.array(r)
         inputs[:, first:] *= -1.0
         values, failed = kernel.sweep(reversed_times(s), x, inputs, p)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
+    from pydy._kernel import KernelCall
     from pydy.solvers.options import SolverOptions
     from pydy.solvers.run.integration import Integration
 
@@ -55,7 +56,7 @@ class Solver:
     def __repr__(self) -> str:
         return f"pydy.solvers.{self.name}"
 
-    def __reduce__(self) -> str | tuple[Any, ...]:
+    def __reduce__(self) -> str | tuple[Callable[[Tableau], Solver], tuple[Tableau]]:
         if SOLVERS.get(self.name) is self:
             return self.name  # unpickled as the one object of this method
         return Solver.from_tableau, (tableau_of(self.name),)
@@ -99,10 +100,10 @@ class Solver:
     @overload
     def __call__(
         self,
-        f: Callable[..., Any],
+        f: Callable[..., ArrayLike],
         x0: ArrayLike,
         t: ArrayLike,
-        args: Any = (),
+        args: object = (),
         *,
         full_output: Literal[False] = False,
         **options: Unpack[SolverOptions],
@@ -111,17 +112,22 @@ class Solver:
     @overload
     def __call__(
         self,
-        f: Callable[..., Any],
+        f: Callable[..., ArrayLike],
         x0: ArrayLike,
         t: ArrayLike,
-        args: Any = (),
+        args: object = (),
         *,
         full_output: Literal[True],
         **options: Unpack[SolverOptions],
     ) -> tuple[np.ndarray, dict[str, Any]]: ...
 
     def __call__(
-        self, f: Callable[..., Any], x0: Any, t: Any, args: Any = (), **options: Any
+        self,
+        f: Callable[..., ArrayLike],
+        x0: ArrayLike,
+        t: ArrayLike,
+        args: object = (),
+        **options: Any,
     ) -> Any:
         """Integrate ``x' = f(x, t, *args)``.
 
@@ -189,10 +195,10 @@ class Solver:
 
     def prepare(
         self,
-        f: Callable[..., Any],
+        f: Callable[..., ArrayLike],
         x0: ArrayLike,
         t: ArrayLike,
-        args: Any = (),
+        args: object = (),
         **options: Unpack[SolverOptions],
     ) -> Prepared:
         """Prepare an integration that is run many times from different initial states.
@@ -228,7 +234,7 @@ class Solver:
         return _prepared(self.name, f, x0, times, args, read)
 
 
-def _prepared(name: str, f: Any, x0: np.ndarray, *arguments: Any) -> Prepared:
+def _prepared(name: str, f: Callable[..., ArrayLike], x0: np.ndarray, *arguments: Any) -> Prepared:
     """Return a prepared integration, which pickles as its arguments."""
     with fork_lock:
         from pydy.solvers.run.integration import Integration
@@ -238,7 +244,7 @@ def _prepared(name: str, f: Any, x0: np.ndarray, *arguments: Any) -> Prepared:
     return prepared
 
 
-def _checked_times(times: Any) -> np.ndarray:
+def _checked_times(times: ArrayLike) -> np.ndarray:
     array = monotonic(times, "`t`")
     if not array.size:
         raise ValueError("`t` must have one time or more, got none.")
@@ -248,14 +254,16 @@ def _checked_times(times: Any) -> np.ndarray:
 # -- repeated calls: checking options and allocating memory would take most of a short one ---------
 
 
-def _store_prepared(f: Any, prepared: Prepared) -> None:
+def _store_prepared(f: Callable[..., ArrayLike], prepared: Prepared) -> None:
     """Store an integration in its function, for the next call with these options."""
     immutable = _IMMUTABLE.issuperset(prepared.key[1 + len(prepared.key) // 2 :])
     if immutable and prepared.reusable and type(f) is FunctionType:
         f.__dict__["_prepared"] = prepared
 
 
-def _take_prepared(f: Any, key: tuple[Any, ...], x0: Any, t: Any, args: Any) -> Prepared | None:
+def _take_prepared(
+    f: Callable[..., ArrayLike], key: tuple[object, ...], x0: ArrayLike, t: Any, args: object
+) -> Prepared | None:
     """Take the integration that an earlier call stored if it fits; no other thread can take it."""
     prepared: Prepared | None
     if type(f) is not FunctionType or (prepared := f.__dict__.pop("_prepared", None)) is None:
@@ -265,11 +273,11 @@ def _take_prepared(f: Any, key: tuple[Any, ...], x0: Any, t: Any, args: Any) -> 
         return None
     if t.tobytes() != prepared.times.tobytes():
         _checked_times(t)
-    native: Any = f.__dict__["native"]
+    native: Callable[[object], KernelCall] = f.__dict__["native"]
     return prepared if prepared.rebind(native(args), t) else None
 
 
-def _same_layout(array: Any, stored: np.ndarray) -> bool:
+def _same_layout(array: object, stored: np.ndarray) -> bool:
     return type(array) is np.ndarray and array.dtype is _FLOAT and array.shape == stored.shape
 
 
@@ -292,7 +300,7 @@ class Prepared:
 
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
         self.x0 = x0
-        self.key: tuple[Any, ...] = ()
+        self.key: tuple[object, ...] = ()
         self.arguments: tuple[Any, ...] = ()
         self._integration = integration
         self._shape = x0.shape
@@ -331,7 +339,7 @@ class Prepared:
             )
         return states
 
-    def retune(self, solver: Solver, options: Mapping[str, Any]) -> bool:
+    def retune(self, solver: Solver, options: Mapping[str, object]) -> bool:
         """Change tolerances and step sizes of the same solver; return False if that is impossible.
 
         Raises
@@ -343,7 +351,7 @@ class Prepared:
         self.arguments = (*self.arguments[:-1], read)
         return self._integration.retune(read)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[Callable[..., Prepared], tuple[Any, ...]]:
         return _prepared, self.arguments
 
     @property

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 from types import ModuleType
-from typing import Any, get_type_hints
+from typing import Any, TypeAlias, get_type_hints
 
 import numpy as np
 
@@ -21,9 +21,12 @@ from pydy.solvers.tableaus import radau
 
 FOLDER = Path(__file__).parent
 
+# Numbers of C, and arrays of them.
+Constant: TypeAlias = "float | Sequence[Constant]"
+
 _ARRAYS = {np.int64: "Words", np.float64: "Numbers"}
 _ITEMS = {"Words": "int64_t", "Numbers": "double"}
-_TABLES: dict[str, Sequence[Any]] = {
+_TABLES: dict[str, Sequence[type]] = {
     "Run": layout.RUN,
     "LaneRun": layout.STEPPING,
     "LaneEvaluation": layout.EVALUATION,
@@ -65,11 +68,11 @@ def layout_header(text: str | None = None, plain: bool = False) -> str:
 
     A `plain` header is for any C99 compiler: blocks of one number, and explicit methods only.
     """
-    tables: dict[str, Sequence[Any]] = {"Run": layout.RUN[:-1]} if plain else _TABLES
+    tables: dict[str, Sequence[type]] = {"Run": layout.RUN[:-1]} if plain else _TABLES
     parts = [*tables.values()] + (
         [] if plain else [layout.EXTENSION, layout.PROJECTION, layout.ALONG]
     )
-    kinds: dict[Any, None] = dict.fromkeys(chain.from_iterable(parts))
+    kinds: dict[type, None] = dict.fromkeys(chain.from_iterable(parts))
     structs = [*map(_struct, kinds)]
     items = {name: item for name, item in _ITEMS.items() if any(name in s for s in structs)}
     constants = {name: _exact(value) for name, value in native_constants().items()}
@@ -83,7 +86,7 @@ def layout_header(text: str | None = None, plain: bool = False) -> str:
     return "\n".join([_BEGIN, *lines, "", "#endif", ""])
 
 
-def native_constants() -> dict[str, Any]:
+def native_constants() -> dict[str, Constant]:
     """Return the constants of the loops: thresholds, outcomes, and indices of array elements."""
     indices = _numeric(layout)
     # A threshold with the name of an index reaches C as that element of an array.
@@ -101,7 +104,7 @@ def _numeric(module: ModuleType) -> dict[str, int | float]:
     return {name: x for name, x in constants if name.isupper() and isinstance(x, int | float)}
 
 
-def _exact(value: Any) -> str:
+def _exact(value: Constant) -> str:
     """Write a number in C with all its bits, or an initialiser of several."""
     if isinstance(value, Sequence):
         return "{" + ", ".join(map(_exact, value)) + "}"
@@ -115,7 +118,7 @@ def _struct(kind: Any) -> str:
     return f"typedef struct {{ {' '.join(fields)} }} {kind.__name__};"
 
 
-def _table(name: str, parts: Sequence[Any]) -> str:
+def _table(name: str, parts: Sequence[type]) -> str:
     """Write a table of named tuples as a C struct, with their names in small letters."""
     names = [part.__name__ for part in parts]
     fields = [f"{kind} {re.sub(r'(?<=[a-z])(?=[A-Z])', '_', kind).lower()};" for kind in names]

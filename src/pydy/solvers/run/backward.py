@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -26,6 +26,9 @@ from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
 from pydy.solvers.tuning import BLOCK
+
+if TYPE_CHECKING:
+    from pydy.solvers.layout import Problem
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +84,7 @@ class DiscreteAdjoint:
         self._python = derivatives.kernel.addresses is None
         self._problem = self._bind(replace(derivatives, switched=rates.switched))
 
-    def _bind(self, call: KernelCall) -> Any:
+    def _bind(self, call: KernelCall) -> Problem:
         """Return the derivatives as arguments of the compiled loop."""
         n = self.n
         if not self._python:

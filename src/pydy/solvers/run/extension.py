@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from pydy._array_layout import address
@@ -58,9 +56,9 @@ class DenseOutput:
         self._workspaces.release(work)
         return out[: m * n].reshape(m, n)
 
-    def __deepcopy__(self, memo: Any) -> DenseOutput:
+    def __deepcopy__(self, memo: dict[int, object]) -> DenseOutput:
         return self
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[type[None], tuple[()]]:
         """Pickle as None: machine code cannot leave the process."""
         return type(None), ()

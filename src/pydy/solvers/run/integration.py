@@ -12,7 +12,7 @@ from dataclasses import replace
 from math import isfinite
 from time import perf_counter
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
 
 import numpy as np
@@ -60,6 +60,9 @@ from pydy.solvers.tuning import (
 )
 from pydy.trajectory import EventRecord
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
 SLICE = 0.02
 """Approximate time in compiled code, in seconds, between checks for interrupts."""
 
@@ -103,10 +106,10 @@ class Integration(Workspace):
     def __init__(
         self,
         method: str,
-        f: Callable[..., Any],
+        f: Callable[..., ArrayLike],
         n: int,
         times: np.ndarray,
-        args: tuple[Any, ...],
+        args: tuple[object, ...],
         options: Options,
         stopped: Callable[[], bool] = lambda: False,
     ) -> None:
@@ -761,7 +764,7 @@ class Integration(Workspace):
         """How the latest run ended, in words."""
         return Outcome(self.code).text.format(**self.details)
 
-    def _end(self, code: int, **details: Any) -> None:
+    def _end(self, code: int, **details: object) -> None:
         """Store how the run ended."""
         self.code, self.details = int(code), details
 
@@ -769,7 +772,7 @@ class Integration(Workspace):
         self,
         code: int,
         kind: type[IntegrationError] | type[IntegrationInterrupted] = IntegrationError,
-        **details: Any,
+        **details: object,
     ) -> None:
         """Raise the error of an outcome."""
         self._empty_log()

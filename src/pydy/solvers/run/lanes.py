@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar, TypeAlias
 
 import numpy as np
 
@@ -42,7 +42,11 @@ from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LARGEST_IN_LANES, LEAST_TOLERANCE, ROUNDING, STARTING_MOVE
 from pydy.trajectory import EventRecord
 
-SampledInputs = Sequence[tuple[np.ndarray, Any]]
+if TYPE_CHECKING:
+    from pydy._program import Program
+    from pydy.inputs import SampledInput
+
+SampledInputs: TypeAlias = "Sequence[tuple[np.ndarray, SampledInput]]"
 """Sampled inputs, each with its columns in r."""
 
 _NO_RUNS = Alone(np.zeros(0, dtype=np.int64), np.zeros((0, 1), dtype=np.int64))
@@ -68,7 +72,7 @@ class LaneTasks:
         workspace: Workspace,
         samples: tuple[np.ndarray, np.ndarray, SampledInputs],
         times: np.ndarray,
-        kernel: Callable[[Any], Kernel],
+        kernel: Callable[[Program], Kernel],
         logs: bool,
     ) -> LaneTasks:
         """Return tasks that detect events, and record them where `logs` is True.
@@ -142,7 +146,7 @@ class _EventTasks(LaneTasks):
         workspace: Workspace,
         samples: tuple[np.ndarray, np.ndarray, SampledInputs],
         times: np.ndarray,
-        kernel: Callable[[Any], Kernel],
+        kernel: Callable[[Program], Kernel],
         logs: bool,
     ) -> None:
         events = workspace.options.events

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,6 +23,11 @@ from pydy.solvers.layout import REFLECTED, Problem
 from pydy.solvers.options import Options
 from pydy.solvers.run import shipped
 from pydy.solvers.tuning import BLOCK
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy.inputs import SampledInput
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
@@ -90,7 +95,7 @@ def _prepare(entry: int) -> Callable[[int, int], None]:
 
 
 def sampled_input_tables(
-    sampled: Sequence[tuple[np.ndarray, Any]],
+    sampled: Sequence[tuple[np.ndarray, SampledInput]],
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Concatenate sampled inputs, with one table for each column of r."""
     tables, knots, cubics = [], [], []
@@ -101,7 +106,7 @@ def sampled_input_tables(
             tables.append((column, first, number, 0))
             knots.append(samples.breaks)
             cubics.append(samples.coefficients[:, ::-1, j])
-            cubics.append([[samples.last[j], 0.0, 0.0, 0.0]])
+            cubics.append(np.array([[samples.last[j], 0.0, 0.0, 0.0]]))
             first += number
     if not tables:
         return _NO_TABLES
@@ -127,7 +132,7 @@ class Callback:
 
     def __init__(
         self,
-        function: Callable[..., Any],
+        function: Callable[..., ArrayLike],
         n: int,
         outputs: int,
         what: str,
@@ -182,7 +187,7 @@ def jumps_of_call(call: KernelCall) -> np.ndarray:
 
 def problem_arrays(binding: KernelBinding | Callback, n: int, call: KernelCall | None) -> Problem:
     """Return the `Problem` of a native function, with the numeric inputs of its `call`."""
-    sampled: Sequence[tuple[np.ndarray, Any]] = ()
+    sampled: Sequence[tuple[np.ndarray, SampledInput]] = ()
     r, jumps, switched = np.zeros(1), NO_JUMPS, 0
     if call is not None and call.inputs is None:
         r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled

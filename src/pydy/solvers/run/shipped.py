@@ -9,7 +9,6 @@ import ctypes
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -44,7 +43,7 @@ def function_of(name: str, python: bool = False) -> Callable[..., int]:
     they raise.
     """
     kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
-    numbers: tuple[Any, ...] = (ctypes.c_double, ctypes.c_int64, ctypes.c_int64)
+    numbers: tuple[type, ...] = (ctypes.c_double, ctypes.c_int64, ctypes.c_int64)
     if not name.startswith("project"):
         numbers = (ctypes.c_int64,) if name in ("extend", "step_back") else ()
     return kind(ctypes.c_int64, ctypes.c_int64, *numbers)(address_of(name))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache, partial
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -46,6 +46,9 @@ from pydy.solvers.run.problem import (
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
 from pydy.solvers.tuning import BLOCK, CROWD, LEAST_TOLERANCE, STEPS_MEMORY
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 _STEPS = 2**13  # numbers of recorded steps between two returns to Python
 
@@ -95,7 +98,7 @@ def constraints_for(
     binding: tuple[int, np.ndarray],
     n: int,
     lanes: int = 1,
-) -> tuple[Constraints, tuple[Any, ...]]:
+) -> tuple[Constraints, tuple[object, ...]]:
     """Return the arrays of the projection of n states, and others that must stay alive.
 
     The projection is an `entry` of the loops. The `binding` of its Kernel is an address slot and
@@ -160,10 +163,10 @@ class Workspace:
     def __init__(
         self,
         method: str,
-        f: Callable[..., Any],
+        f: Callable[..., ArrayLike],
         n: int,
         times: np.ndarray,
-        args: tuple[Any, ...],
+        args: tuple[object, ...],
         options: Options,
         interrupts: Interrupts | None = None,
     ) -> None:
@@ -312,12 +315,12 @@ class Workspace:
         latest = rows[: number + 1 if number and rows[number - 1, 1] > 0.0 else number]
         return np.concatenate([*self._stored_steps, latest, last])
 
-    def _callback(self, function: Callable[..., Any], outputs: int, what: str) -> Callback:
+    def _callback(self, function: Callable[..., ArrayLike], outputs: int, what: str) -> Callback:
         callback = Callback(function, self.n, outputs, what, self.interrupts)
         self.callbacks.append(callback)
         return callback
 
-    def _bind(self, f: Callable[..., Any], args: tuple[Any, ...]) -> Problem:
+    def _bind(self, f: Callable[..., ArrayLike], args: tuple[object, ...]) -> Problem:
         call, n = self.call, self.n
         if call is not None and call.inputs is None and call.kernel.addresses is not None:
             if call.kernel.program.num_states != n:
@@ -328,7 +331,7 @@ class Workspace:
             return problem_arrays(self._bind_native(call.kernel, call.p), n, call)
         what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
 
-        def rates(x: np.ndarray, t: float) -> Any:
+        def rates(x: np.ndarray, t: float) -> ArrayLike:
             try:
                 return f(x, t, *args)
             except TypeError as error:
