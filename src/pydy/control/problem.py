@@ -76,28 +76,28 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     system : System
         Its constants, specifieds and initial conditions are read now.
     objective : SymPy expression
-        What is minimised: integrals over the motion, ``sm.Integral(T**2, t)``, values at instants,
-        ``q.subs(t, tf)``, constants, and the duration. Integrals may be multiplied with constants
-        and with the duration.
+        The objective to minimise, of integrals over the motion, ``sm.Integral(T**2, t)``, values at
+        instants, ``q.subs(t, tf)``, constants, and the duration. Integrals may be multiplied with
+        constants and with the duration.
     duration : float or Symbol
-        In s. The motion begins at t = 0. A Symbol is found, between its `bounds`.
+        In s. The motion begins at t = 0. A Symbol is an unknown, with `bounds`.
     start, end : dict, optional
-        From states to numbers, pairs (low, high), or None for free ones. At the start, states that
-        are not given have the system's initial conditions; but with `start`, dependent states that
-        it leaves out follow from the constraints. At the end, those not given are free.
+        From states to numbers, pairs (low, high), or None for free ones. At the start, other states
+        have the system's initial conditions; but if `start` is given, the constraints determine
+        dependent states that it omits. At the end, other states are free.
     boundary : sequence of relations, optional
         Between values at instants: ``sm.Eq(u.subs(t, tf), u.subs(t, 0))``,
         ``q.subs(t, tf/2) <= 2``.
     path : sequence of relations, optional
-        Of states, controls, accelerations, outputs, constants and time, which hold at every
+        Of states, controls, accelerations, outputs, constants and time, to be satisfied at every
         collocation point.
     bounds : dict, optional
-        From states, controls, free constants and the duration to pairs (low, high); None is
-        no bound. Those of states and controls may be arrays, of values at equal distances over the
+        From states, controls, free constants and the duration to pairs (low, high); None means
+        unbounded. Bounds of states and controls may be arrays of values at equal distances over the
         motion, or `pydy.inputs.SampledInput`.
     free : sequence of constants, optional
-        Constants that are found. The search begins at the system's values. A symbol that stands in
-        the objective and the conditions alone begins at 1, or in the middle of its `bounds`.
+        Constants that are unknowns, with the system's values as a guess. The guess of a symbol that
+        occurs only in the objective and the conditions is 1, or the middle of its `bounds`.
     mesh : int or array_like, optional
         The number of equal intervals, or ascending nodes, which are scaled to the duration.
         Instants of `objective` and `boundary` inside the motion become nodes too, and so do up to
@@ -108,14 +108,14 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     order : int, optional
         Of Radau.
     hessian : {'exact', 'gauss-newton', 'lbfgs'}, optional
-        Second derivatives: exact ones; those that follow from first derivatives if the objective is
-        a sum of squares, while equations count as linear; or none, estimated as the search goes on.
-        The others take more iterations, and build faster.
+        Second derivatives: exact; approximated from first derivatives, for an objective that is a
+        sum of squares, without the curvature of the equations; or estimated during the search. The
+        last two need more iterations, but compile faster.
 
     Raises
     ------
     TypeError, ValueError
-        An argument is not what it should be; the message names it.
+        An argument is invalid; the message names it.
     NotImplementedError
         The system has constraints and no bodies.
 
@@ -442,25 +442,25 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     ) -> Phases:
         """Join problems to one motion in phases, as of a hopper: flight, impact, stance.
 
-        The sum of the objectives is minimised. Each phase has a time of its own, from 0 on, a
-        system, a mesh and conditions. States that are linked begin as the link says: what `start`
-        gives holds in addition, the initial conditions do not count. Free constants, and durations,
-        of the same symbol are the same.
+        The sum of the objectives is minimised. Each phase has its own time, from 0 on, system, mesh
+        and conditions. The link determines the initial values of linked states: conditions in
+        `start` hold in addition, the system's initial conditions do not. Free constants and
+        durations with the same symbol are one unknown.
 
         Parameters
         ----------
         problems : sequence of OptimalControl
         links : sequence of dict, optional
-            For each junction a dictionary from states of the later phase to expressions of states,
-            at the end, and constants of the phase before; None is no link. States that are not in
-            it go on with their values.
+            For each junction, a dictionary from states of the later phase to expressions of states,
+            at the end, and constants of the phase before; None removes a link. Other states are
+            continuous.
 
         Returns
         -------
         Phases
             Its method `solve` takes a list of guesses, and `mesh_tol`, `options` and `progress`; it
             returns a `PhasedTrajectory`, the sequence of the phases' motions. `check` takes such a
-            list, and raises what is wrong before that.
+            list and raises errors of the problem before a search.
 
         Examples
         --------

@@ -55,8 +55,8 @@ class TrajectorySearch(Generic[Result]):
         Raises
         ------
         ValueError
-            Ends that contradict bounds, a guess outside of bounds, a free duration without bounds
-            and guess, or fewer unknowns than equations.
+            `start` or `end` contradicts `bounds`, the guess violates `bounds`, an unknown duration
+            has neither bounds nor a guess, or there are fewer unknowns than equations.
         """
         self._combined_program([problem._mesh for problem in self._problems], self._guesses(guess))
 
@@ -69,24 +69,25 @@ class TrajectorySearch(Generic[Result]):
         progress: bool = False,
         solver: str = "ipopt",
     ) -> Result:
-        """Find the motion.
+        """Find the optimal motion.
 
         Parameters
         ----------
         guess : dict or Trajectory, optional
-            Where the search begins: from states, controls, free constants and the duration to
-            numbers, to arrays of samples at equal distances over the motion, or to SampledInputs;
-            or a motion, such as a simulation or the solution of a similar problem, whose
-            multipliers are taken over too if it is on the same mesh. By default states lie on
-            straight lines between the ends, dependent coordinates follow from the constraints,
-            and controls are zero. For phases a sequence of these, one for each, or a
-            PhasedTrajectory.
+            The initial guess. A dictionary maps states, controls, free constants and the duration
+            to numbers, arrays of samples at equal distances over the motion, or SampledInputs. A
+            motion may be a simulation or the solution of a similar problem; if it is a solution on
+            the same mesh, the search also starts with its multipliers. By default states are
+            interpolated linearly between the ends, dependent coordinates are determined by the
+            constraints, and controls are zero. Phases take a sequence of guesses, one for each
+            phase, or a PhasedTrajectory.
         mesh_tol : float, optional
-            The mesh is refined until the `error` of each interval is below it, and that of the
-            objective, as a share of it (but not for 'backward-euler'); then until a simulation from
-            the start stays within ten times of it beside the nodes, if errors above 1e-9 do. By
-            default the mesh stays as it is. A warning tells where that is in vain: after 12 meshes,
-            or where errors stay on four times as many intervals as controls without jumps need.
+            The mesh is refined until the `error` of each interval and the relative error of the
+            objective (except with 'backward-euler') are below this tolerance, and then until a
+            simulation from the start deviates from the nodes by at most ten times the tolerance, if
+            interval errors above 1e-9 suffice for that. By default the mesh is not refined. A
+            warning is given if the tolerance is not reached on 12 meshes, or with four times as
+            many intervals as controls without jumps need.
         options : dict, optional
             Options of the solver, such as ``{'max_iter': 500, 'tol': 1e-10}``.
         progress : bool, optional
@@ -101,11 +102,12 @@ class TrajectorySearch(Generic[Result]):
         Raises
         ------
         OptimizationError
-            The search did not converge; the error holds the motion where it ended. On a refined
-            mesh that is a warning, and the solution that of the mesh before.
+            The search did not converge; the error contains the motion at which it ended. If that
+            happens on a refined mesh, a warning is given and the solution on the mesh before is
+            returned.
         AnalysisInterrupted
-            The user interrupted it; the error holds the motion of the latest iteration. So does a
-            MemoryError.
+            The user interrupted the search, or memory was exhausted; the error contains the motion
+            of the latest iteration.
         ValueError
             What `check` raises.
         MissingDependencyError
@@ -181,7 +183,7 @@ class TrajectorySearch(Generic[Result]):
         progress: bool = False,
         solver: str = "ipopt",
     ) -> list[Result]:
-        """Find the motions for several values of constants; each search begins at the last motion.
+        """Find the motions for several values of constants; each search starts at the last motion.
 
         Parameters
         ----------
@@ -197,7 +199,7 @@ class TrajectorySearch(Generic[Result]):
         Raises
         ------
         OptimizationError
-            A search did not converge, neither from the last motion nor from the guess.
+            A search converged neither from the last motion nor from the guess.
         """
         keys, rows = _checked_sweep(values)
         owners: list[dict[int, int]] = []  # of each problem, from places in p to those of `keys`
@@ -227,7 +229,7 @@ class TrajectorySearch(Generic[Result]):
                 try:
                     motions.append(self._with_problems(warm_started).solve(motions[-1], **search))
                     continue
-                except OptimizationError:  # then from the guess
+                except OptimizationError:  # then start from the guess
                     pass
             motions.append(self._with_problems(problems).solve(guess, **search))
         return motions
