@@ -151,9 +151,9 @@ class Inputs:
         for columns, samples in self.sampled:
             r[:, columns] = samples.rows(t)
         for columns, function in self.functions:
-            along = getattr(function, "along", None)
-            if along is not None:
-                r[:, columns] = along(t)
+            values_at = getattr(function, "values_at", None)
+            if values_at is not None:
+                r[:, columns] = values_at(t)
                 continue
             for k, instant in enumerate(t):
                 r[k, columns] = function(x[k], float(instant))

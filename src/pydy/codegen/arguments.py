@@ -203,11 +203,11 @@ class OfTime(ABC):
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return the values at a time."""
-        values: np.ndarray = self.along(np.array([t]))[0]
+        values: np.ndarray = self.values_at(np.array([t]))[0]
         return values
 
     @abstractmethod
-    def along(self, times: np.ndarray) -> np.ndarray:
+    def values_at(self, times: np.ndarray) -> np.ndarray:
         """Return the values at m times, shape (m, values)."""
 
 
@@ -231,12 +231,12 @@ class _Checked:
         return self.time_first, self.retained
 
     @property
-    def along(self) -> Callable[[np.ndarray], np.ndarray] | None:
+    def values_at(self) -> Callable[[np.ndarray], np.ndarray] | None:
         """A function of many times at once; None for functions of users."""
         function = self.function
         if not isinstance(function, OfTime):
             return None
-        return lambda times: function.along(times)[:, list(self.retained)]
+        return lambda times: function.values_at(times)[:, list(self.retained)]
 
     def of(self, positions: Iterable[int]) -> _Checked:
         """Return the function restricted to some of its retained specifieds."""
@@ -368,7 +368,7 @@ class SpecifiedsPlan:
         of_expressions = {k for k, s in enumerate(self.symbols) if s in self.expressions}
         return self.inputs.changing | of_expressions
 
-    def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
+    def with_changed_floats(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
         """Return the plan of a dictionary that differs from this plan's in floats only, or None."""
         keys, before = self._entries
         entries, moved = [*values.values()], []

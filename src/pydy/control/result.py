@@ -336,7 +336,7 @@ class _Controls(OfTime):
     transcription: Transcription
     z: np.ndarray
 
-    def along(self, times: np.ndarray) -> np.ndarray:
+    def values_at(self, times: np.ndarray) -> np.ndarray:
         """Return the controls at m times, constant before and after the motion."""
         duration = self.transcription.split(self.z)[3]
         return self.transcription.controls_at(self.z, np.clip(times, 0.0, duration))
