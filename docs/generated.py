@@ -177,7 +177,7 @@ def draw_thumbnail(scene: Any, path: Path) -> None:
     first, last = scene.times[[0, -1]]
     share = MOMENTS.get(path.stem, MOMENT)
     instant = first + share * (last - first)
-    draw(scene._moving(), scene._look, instant, axes, still=True).set_title("")
+    draw(scene._moving(), scene._settings, instant, axes, single=True).set_title("")
     figure.savefig(path, transparent=True)  # on light and on dark paper
 
 

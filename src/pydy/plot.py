@@ -40,13 +40,13 @@ __all__ = [
 # -- Curves from trajectories, ensembles, or several of them: what `pydy.plot` draws ---------------
 
 
-SMOOTH = 400  # parts of a curve that look like one
-NAMES = 3  # how many names fit beside an axis of Matplotlib's usual height; more are in the legend
+SMOOTH = 400  # segments of a curve that looks smooth
+NAMES = 3  # names that fit beside an axis of the usual height; with more, only the legend has them
 Units = Mapping[Any, str] | None
 
 
 @dataclass(frozen=True)
-class Curve:
+class PlotCurve:
     """One quantity over time: shape (m,), or (samples, m)."""
 
     name: str
@@ -55,7 +55,7 @@ class Curve:
     values: np.ndarray
     unit: str = ""
     run: str = ""  # the label of its result, where several are compared
-    number: int = 0  # of that result
+    number: int = 0  # index of that result
 
     @property
     def label(self) -> str:
@@ -67,7 +67,7 @@ def with_unit(label: str, unit: str) -> str:
 
 
 def typeset(name: str, latex: str) -> str:
-    """Return a label that matplotlib's own mathematics can set, or the plain name."""
+    """Return a LaTeX label if matplotlib's mathtext can set it, otherwise the plain name."""
     if not latex and label_parts(name) != [name, ""]:
         latex = latex_of(name)
     if not latex:
@@ -83,10 +83,10 @@ def typeset(name: str, latex: str) -> str:
 def curves_of(
     result: Any,
     kinds: tuple[str, ...],
-    what: str,
+    description: str,
     names: Sequence[Any] | None,
     units: Units,
-) -> list[Curve]:
+) -> list[PlotCurve]:
     """Return the curves of some kinds or names."""
     if names is not None:
         names = listed("names", [names] if isinstance(names, str) else names, "symbols or names")
@@ -96,23 +96,24 @@ def curves_of(
     for k, (label, run) in enumerate(runs_of(result)):
         chosen = names_in(run, kinds) if names is None else [name_in(run, name) for name in names]
         if not chosen:
-            raise nothing_to_plot(what, run)
-        known = units_of(run, units)
+            raise nothing_to_plot(description, run)
+        units_by_name = units_of(run, units)
         for name in chosen:
             if is_trajectory(run):
                 times, latex, values = run.times, run.latex(name), run[name]
             else:
                 times, values = np.asarray(run["time"]), samples_over_time(run[name])
                 latex = run[name].attrs.get("latex", "")
-            curves.append(Curve(name, latex, times, values, known.get(name, ""), label, k))
+            curves.append(
+                PlotCurve(name, latex, times, values, units_by_name.get(name, ""), label, k)
+            )
     return curves
 
 
 def runs_of(result: Any) -> list[tuple[str, Any]]:
     """List the results to draw together, with labels; a single one has none.
 
-    Trajectories have times enough for smooth curves where a solver's continuous extension is there,
-    and both sides of events.
+    Trajectories with dense output get enough times for smooth curves, and both sides of events.
     """
     if isinstance(result, (list, tuple)) and result:
         result = {f"run {k}": run for k, run in enumerate(result, 1)}
@@ -129,15 +130,15 @@ def _smooth(run: Any) -> Any:
 
 
 def is_trajectory(result: Any) -> bool:
-    """Return whether a result is a Trajectory, which imports this module, and no Dataset."""
+    """Return whether a result is a Trajectory; its module imports this one, so no isinstance."""
     return hasattr(result, "names_of")
 
 
 def units_of(result: Any, units: Units) -> dict[str, str]:
-    """Return units by the names in a result; keep other keys, such as rates."""
-    given = check_mapping("units", units)
+    """Return units by the names in a result; other keys, such as rates, stay as they are."""
+    units_by_key = check_mapping("units", units)
     names = []
-    for key in given:
+    for key in units_by_key:
         try:
             names.append(name_in(result, key))
         except KeyError:
@@ -145,7 +146,7 @@ def units_of(result: Any, units: Units) -> dict[str, str]:
     refuse_twice(names, "units")
     return {
         name: text(unit, f"`units[{key}]`")
-        for name, (key, unit) in zip(names, given.items(), strict=True)
+        for name, (key, unit) in zip(names, units_by_key.items(), strict=True)
     }
 
 
@@ -185,14 +186,14 @@ def samples_over_time(variable: Any) -> np.ndarray:
     return table if table.ndim == 1 else table.reshape(-1, table.shape[-1])
 
 
-def rate_of(result: Any, curve: Curve, units: Units) -> Curve:
+def rate_of(result: Any, curve: PlotCurve, units: Units) -> PlotCurve:
     if is_trajectory(result):
         states = result.names_of(*STATES)
         if curve.name in states:
             values = result.derivatives[:, states.index(curve.name)]
             name = f"{curve.name}'"
             latex, unit = result.latex_of_rate(curve.name), units_of(result, units).get(name, "")
-            return Curve(name, latex, curve.times, values, unit)
+            return PlotCurve(name, latex, curve.times, values, unit)
     elif f"{curve.name}'" in result.data_vars:
         return curves_of(result, (), "", [f"{curve.name}'"], units)[0]
     raise ValueError(
@@ -201,12 +202,12 @@ def rate_of(result: Any, curve: Curve, units: Units) -> Curve:
     )
 
 
-def nothing_to_plot(what: str, result: Any) -> ValueError:
+def nothing_to_plot(description: str, result: Any) -> ValueError:
     if is_trajectory(result):
-        return ValueError(f"`result` has no {what} to plot: {result!r}.")
+        return ValueError(f"`result` has no {description} to plot: {result!r}.")
     return ValueError(
-        f"`result` has no variables whose attribute 'role' says that they are {what}; name what "
-        f"to plot with `names`, of {some(result.data_vars)}."
+        f"`result` has no variables whose attribute 'role' says that they are {description}; name "
+        f"what to plot with `names`, of {some(result.data_vars)}."
     )
 
 
@@ -215,7 +216,7 @@ def nothing_to_plot(what: str, result: Any) -> ValueError:
 
 BAND = (0.05, 0.5, 0.95)
 LINES = ("solid", "dashed", "dotted", "dashdot")
-BESIDE = 8.0  # between the axes of further units, in points
+AXIS_SPACING = 8.0  # distance between the axes of further units, in points
 
 
 # -- public ---------------------------------------------------------------------------------------
@@ -367,16 +368,22 @@ def plot_sensitivities(
     'derivatives of x0'
     """
     ((_, result),) = runs_of(result)
-    found, name = result.sensitivity, result.name(quantity)
-    names = found.names
+    sensitivity, name = result.sensitivity, result.name(quantity)
+    names = sensitivity.names
     if parameters is not None:
-        names = [name_of(one) for one in one_or_more("parameters", parameters)]
+        names = [name_of(parameter) for parameter in one_or_more("parameters", parameters)]
         if not names:
             raise ValueError("`parameters` is empty: there is nothing to plot. None means all.")
-    known = units_of(result, units)
+    units_by_name = units_of(result, units)
     curves = [
-        Curve(one, "", result.times, found[quantity, one], _quotient(known, name, one))
-        for one in names
+        PlotCurve(
+            parameter,
+            "",
+            result.times,
+            sensitivity[quantity, parameter],
+            _quotient(units_by_name, name, parameter),
+        )
+        for parameter in names
     ]
     title = f"derivatives of {name} with respect to"
     return _draw(ax, curves, f"derivatives of {name}", time_unit, title)
@@ -419,8 +426,8 @@ def plot_states(
     if not kinds:
         raise nothing_to_plot("states", runs[0])
     size = (6.4, 1.0 + 2.2 * len(kinds))
-    each = f"of {', '.join(kinds)}"
-    _, rows = rows_of_axes(axes, len(kinds), each, "pydy.plot", figsize=size)
+    description = f"of {', '.join(kinds)}"
+    _, rows = rows_of_axes(axes, len(kinds), description, "pydy.plot", figsize=size)
     for ax, kind in zip(rows, kinds, strict=True):
         _plot(result, (kind,), titles[kind], None, ax, units, time_unit)
     for ax in rows[:-1]:
@@ -473,7 +480,7 @@ def plot_energy(result: Any, *, ax: Any = None, unit: str = "", time_unit: str =
     for k, (label, run) in enumerate(runs_of(result)):
         times, table = _energies(run)
         curves += [
-            Curve(name.removesuffix("_energy"), "", times, values, unit, label, k)
+            PlotCurve(name.removesuffix("_energy"), "", times, values, unit, label, k)
             for name, values in table.items()
         ]
     return _draw(ax, curves, "energy", time_unit)
@@ -521,16 +528,18 @@ def plot_phase(
     runs = runs_of(result)
     orbits = []
     for _, run in runs:
-        (across,) = curves_of(run, (), "quantities", [x], units)
+        (horizontal,) = curves_of(run, (), "quantities", [x], units)
         orbits.append(
             (
-                across,
-                rate_of(run, across, units) if y is None else curves_of(run, (), "", [y], units)[0],
+                horizontal,
+                rate_of(run, horizontal, units)
+                if y is None
+                else curves_of(run, (), "", [y], units)[0],
             )
         )
     ax = axes_of(ax)
-    for (label, _), (across, up) in zip(runs, orbits, strict=True):
-        a, b = np.broadcast_arrays(np.atleast_2d(across.values), np.atleast_2d(up.values))
+    for (label, _), (horizontal, vertical) in zip(runs, orbits, strict=True):
+        a, b = np.broadcast_arrays(np.atleast_2d(horizontal.values), np.atleast_2d(vertical.values))
         step = -(-len(a) // 100)
         a, b = a[::step], b[::step]
         faint = {"alpha": 0.4, "linewidth": 0.8} if len(a) > 1 else {}
@@ -538,40 +547,42 @@ def plot_phase(
         first.set_label(label)
         start = {"linestyle": "none", "marker": "o", "markersize": 4}
         ax.plot(a[:, 0], b[:, 0], color=first.get_color(), **start)
-    ax.set_xlabel(across.label)
-    ax.set_ylabel(up.label)
+    ax.set_xlabel(horizontal.label)
+    ax.set_ylabel(vertical.label)
     ax.grid(alpha=0.3)
     if len(runs) > 1:
         ax.legend()
     return ax
 
 
-# -- what is drawn --------------------------------------------------------------------------------
+# -- drawing --------------------------------------------------------------------------------------
 
 
 def _plot(
     result: Any,
     kinds: tuple[str, ...],
-    what: str,
+    description: str,
     names: Sequence[Any] | None,
     ax: Any,
     units: Units,
     time_unit: str,
 ) -> Any:
-    return _draw(ax, curves_of(result, kinds, what, names, units), what, time_unit)
+    return _draw(ax, curves_of(result, kinds, description, names, units), description, time_unit)
 
 
-def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str, title: str = "") -> Any:
-    """Draw curves over time; an axis is labelled `what`, or with the names of its curves."""
+def _draw(
+    ax: Any, curves: Sequence[PlotCurve], description: str, time_unit: str, title: str = ""
+) -> Any:
+    """Draw curves over time; the label of an axis is the description, or names its curves."""
     ax = axes_of(ax)
     time_label = with_unit("time", text(time_unit, "`time_unit`"))
     shared = list(dict.fromkeys(c.unit for c in curves))
-    axes = _axes_of_units(ax, curves, what)
+    axes = _axes_of_units(ax, curves, description)
     quantities = list(dict.fromkeys(c.name for c in curves))
     colours: dict[str, Any] = {}
     lines = []
     for curve in curves:
-        # A unit that all have is told once, at the axis.
+        # A common unit is shown once, at the axis.
         label = typeset(curve.name, curve.latex) if len(shared) == 1 else curve.label
         style: dict[str, Any] = {"label": label}
         if curve.run and len(quantities) == 1:
@@ -584,26 +595,28 @@ def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str, title: st
         # All axes of a plot take their colours from one cycle.
         style.setdefault("color", ax._get_lines.get_next_color())
         colours.setdefault(curve.name, style["color"])
-        own = axes[curve.unit]
+        target_axes = axes[curve.unit]
         if curve.values.ndim == 1:
-            lines += own.plot(curve.times, curve.values, **style)
+            lines += target_axes.plot(curve.times, curve.values, **style)
             continue
         with warnings.catch_warnings():
-            # Where every sample has failed there is nothing to draw.
+            # Times at which all samples have failed are not drawn.
             warnings.filterwarnings("ignore", "All-NaN slice encountered", RuntimeWarning)
             low, middle, high = np.nanquantile(curve.values, BAND, axis=0)
-        lines += own.plot(curve.times, middle, **style)
-        own.fill_between(curve.times, low, high, color=style["color"], alpha=0.2, linewidth=0)
+        lines += target_axes.plot(curve.times, middle, **style)
+        target_axes.fill_between(
+            curve.times, low, high, color=style["color"], alpha=0.2, linewidth=0
+        )
     ax.set_xlabel(time_label)
-    for one in dict.fromkeys(axes.values()):
-        one.margins(x=0)
+    for unit_axes in dict.fromkeys(axes.values()):
+        unit_axes.margins(x=0)
     _place_beside_each_other(ax, [*axes.values()])
     ax.grid(alpha=0.3)
     if any(c.values.ndim > 1 for c in curves):
         title = "median, 5 to 95 %"
     options: dict[str, Any] = {"title": title or None}
     if len({*axes.values()}) == 1:
-        # What the Axes show already, such as another run, is in the legend too.
+        # Curves that the Axes had before, such as another run, are in the legend, too.
         lines = ax.get_legend_handles_labels()[0]
     if ax.figure.get_layout_engine() is None:
         ax.legend(handles=lines, **options)
@@ -616,48 +629,48 @@ def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str, title: st
     return ax
 
 
-def _axes_of_units(ax: Any, curves: Sequence[Curve], what: str) -> dict[str, Any]:
+def _axes_of_units(ax: Any, curves: Sequence[PlotCurve], description: str) -> dict[str, Any]:
     """Return the Axes of each unit; further ones share the time and have a scale at the right.
 
     Quantities without a unit are drawn on the axis of a single one: their labels show none.
     """
     units = list(dict.fromkeys(c.unit for c in curves))
     if len({*units} - {""}) < 2:
-        label = what or _names_at_an_axis(curves)
+        label = description or _names_at_an_axis(curves)
         ax.set_ylabel(with_unit(label, units[0] if len(units) == 1 else ""))
         return dict.fromkeys(units, ax)
     axes = {}
     for k, unit in enumerate(units):
         axes[unit] = ax.twinx() if k else ax
-        label = what or _names_at_an_axis([c for c in curves if c.unit == unit])
+        label = description or _names_at_an_axis([c for c in curves if c.unit == unit])
         axes[unit].set_ylabel(with_unit(label, unit))
     return axes
 
 
-def _names_at_an_axis(curves: Sequence[Curve]) -> str:
-    """Return the names of the quantities at an axis; more than fit beside it are in the legend."""
+def _names_at_an_axis(curves: Sequence[PlotCurve]) -> str:
+    """Return the names of the quantities at an axis, or 'values' if they do not fit beside it."""
     names = list(dict.fromkeys(typeset(c.name, c.latex) for c in curves))
     return ", ".join(names) if len(names) <= NAMES else "values"
 
 
 def _place_beside_each_other(ax: Any, axes: Sequence[Any]) -> None:
-    """Move the further axes at the right of a plot past the numbers and labels of one another."""
+    """Shift the further axes to the right so that their tick labels do not overlap."""
     for before, after in pairwise(axes[1:]):
         reach = before.yaxis.get_tightbbox().x1 - ax.bbox.x1  # in pixels
-        after.spines["right"].set_position(("outward", 72 * reach / ax.figure.dpi + BESIDE))
+        after.spines["right"].set_position(("outward", 72 * reach / ax.figure.dpi + AXIS_SPACING))
 
 
-def axes_of(ax: Any, what: str = "pydy.plot") -> Any:
+def axes_of(ax: Any, feature: str = "pydy.plot") -> Any:
     """Return the given Axes, or those of a new figure."""
     if ax is None:
-        return require("matplotlib.pyplot", "plot", what).subplots(layout="constrained")[1]
+        return require("matplotlib.pyplot", "plot", feature).subplots(layout="constrained")[1]
     if not hasattr(ax, "set_xlabel"):
         raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
     return ax
 
 
 def plot_fit(result: Any, axes: Any = None) -> Any:
-    """Plot what was measured and what was fitted, with the residuals below.
+    """Plot measured and fitted quantities, with the residuals below.
 
     Parameters
     ----------
@@ -699,7 +712,7 @@ def plot_fit(result: Any, axes: Any = None) -> Any:
     flat, _ = rows_of_axes(axes, shape[0] * shape[1], "quantity, its residuals and trial")
     grid = np.array([*flat.ravel()] if isinstance(flat, np.ndarray) else [*flat], dtype=object)
     grid = grid.reshape(shape)
-    for column, (times, measured, fitted, missed, label) in enumerate(
+    for column, (times, measured, fitted, residuals, label) in enumerate(
         zip(result.times, result.measured, result.fitted, result.residuals, result.labels,
             strict=True)
     ):  # fmt: skip
@@ -710,11 +723,11 @@ def plot_fit(result: Any, axes: Any = None) -> Any:
                 lower.set_visible(False)
                 continue
             upper.plot(times, measured[name], ".", markersize=4, color="0.6", label="measured")
-            there = np.isfinite(fitted[name])
-            upper.plot(times[there], fitted[name][there], linewidth=1.2, label="fitted")
+            finite = np.isfinite(fitted[name])
+            upper.plot(times[finite], fitted[name][finite], linewidth=1.2, label="fitted")
             upper.set_ylabel(typeset(name, ""))
             lower.axhline(0.0, color="0.7", linewidth=0.8)
-            lower.plot(times, missed[name], ".", markersize=3)
+            lower.plot(times, residuals[name], ".", markersize=3)
             lower.set_ylabel("residual")
             if name == next(iter(measured)):
                 upper.set_title(label)
@@ -726,17 +739,17 @@ def plot_fit(result: Any, axes: Any = None) -> Any:
 
 
 def rows_of_axes(
-    axes: Any, count: int, each: str, what: str = "a plot", **figure: Any
+    axes: Any, count: int, description: str, feature: str = "a plot", **figure: Any
 ) -> tuple[Any, list[Any]]:
-    """Return the given Axes, or those of a new figure, one below the other; and a list of them."""
+    """Return the given Axes, or those of a new figure in one column, and a list of them."""
     if axes is None:
         options = {"sharex": True, "squeeze": False, "layout": "constrained", **figure}
-        axes = require("matplotlib.pyplot", "plot", what).subplots(count, **options)[1][:, 0]
+        axes = require("matplotlib.pyplot", "plot", feature).subplots(count, **options)[1][:, 0]
     flat = axes.ravel() if isinstance(axes, np.ndarray) else axes
     rows = [axes] if hasattr(axes, "set_xlabel") else [*listed("axes", flat, "Matplotlib Axes")]
     if len(rows) != count:
         raise ValueError(
-            f"`axes` must be {count}, one for each {each}, got {len(rows)}. Pass "
+            f"`axes` must be {count}, one for each {description}, got {len(rows)}. Pass "
             f"plt.subplots({count})[1], or leave it out."
         )
     for ax in rows:

@@ -50,25 +50,25 @@ from pydy._optional import require
 
 __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
 
-# -- The quantities of a trajectory: their symbols by kind, found by symbol or by name -------------
+# -- The quantities of a trajectory: symbols by kind, lookup by symbol or name --------------------
 
 
 class Columns:
-    """Symbols of columns by their kinds, and all of them in this order, with their names."""
+    """Symbols of the columns by kind, in the order of the columns, with unique names."""
 
     def __init__(self, symbols: Mapping[str, Sequence[Any]]) -> None:
-        given = check_mapping("symbols", symbols)
+        symbols_by_kind = check_mapping("symbols", symbols)
         self.kinds = {
-            kind: tuple(listed(f"symbols[{kind!r}]", given.get(kind, ()), hashable=True))
+            kind: tuple(listed(f"symbols[{kind!r}]", symbols_by_kind.get(kind, ()), hashable=True))
             for kind in KINDS
         }
         self.symbols = list(self.of(*KINDS))
-        # of the tables of states, outputs and specifieds
+        # widths of the tables of states, outputs and specifieds
         self.widths = len(self.of(*STATES)), len(self.of(*OUTPUTS)), len(self.of("specified"))
         self.names = unique_names(self.symbols)
-        self.latex_by_name: dict[str, str] = {}  # what is known of it already
-        self._place = {s: k for k, s in reversed(list(enumerate(self.symbols)))}
-        self._place_of_name = {n: k for k, n in enumerate(self.names)}
+        self.latex_by_name: dict[str, str] = {}  # cache
+        self._index = {s: k for k, s in reversed(list(enumerate(self.symbols)))}
+        self._index_of_name = {n: k for k, n in enumerate(self.names)}
 
     def of(self, *kinds: str) -> tuple[Any, ...]:
         """Return the symbols of some kinds, in the order in which the kinds are given."""
@@ -91,18 +91,18 @@ class Columns:
 
     def find(self, key: Any) -> int:
         """Return the position of a quantity, given its symbol or its name."""
-        k = self._place.get(key) if isinstance(key, Hashable) else None
+        k = self._index.get(key) if isinstance(key, Hashable) else None
         if k is None:
-            k = self._place_of_name.get(name_of(key))
+            k = self._index_of_name.get(name_of(key))
             if k is None and isinstance(key, str):  # as a symbol is printed: 'q1(t)'
                 alike = [j for j, s in enumerate(self.symbols) if str(s) == key]
                 k = alike[0] if len(alike) == 1 else None
-            own = None if k is None else self.symbols[k]
-            symbols = own is not None and str not in (type(own), type(key))
-            if symbols and own != key and str(own) == text_of(key):
+            symbol = None if k is None else self.symbols[k]
+            symbols = symbol is not None and str not in (type(symbol), type(key))
+            if symbols and symbol != key and str(symbol) == text_of(key):
                 raise KeyError(
                     f"`{written_out(key)}` is not one of the trajectory's quantities: "
-                    f"`{written_out(own)}` is another symbol, because its assumptions differ. "
+                    f"`{written_out(symbol)}` is another symbol, because its assumptions differ. "
                     "Use that one, or its name."
                 )
         if k is None:
@@ -113,7 +113,7 @@ class Columns:
         return k
 
     def __contains__(self, key: Any) -> bool:
-        return key in self._place or name_of(key) in self._place_of_name
+        return key in self._index or name_of(key) in self._index_of_name
 
 
 # -- Sensitivities, with their names ---------------------------------------------------------------
@@ -122,9 +122,9 @@ class Columns:
 class Sensitivity:
     """Partial derivatives of a trajectory's quantities with respect to parameters.
 
-    `System.simulate` finds them if its argument `sensitivities` names the parameters; they are the
-    trajectory's attribute `sensitivity`. ``sensitivity['q1', 'm1']`` is ∂q1/∂m1 at all times, shape
-    (m,), and ``sensitivity['q1']`` the derivatives of q1 by all parameters, shape (m, k). The
+    `System.simulate` computes them if its argument `sensitivities` names the parameters; they are
+    the trajectory's attribute `sensitivity`. ``sensitivity['q1', 'm1']`` is ∂q1/∂m1 at all times,
+    shape (m,), and ``sensitivity['q1']`` the derivatives of q1 by all parameters, shape (m, k). The
     quantities are the states and the outputs. A parameter that is a state's symbol is its initial
     condition. A specified that is given by samples has a column for each sample:
     ``sensitivity['q1', 'F']`` has the shape (m, samples).
@@ -139,7 +139,6 @@ class Sensitivity:
         Of the columns: those of the parameters; ``F[0]``, ``F[1]``, … for samples.
     """
 
-    # `evaluate` gives the derivatives of the outputs, shape (m, o, k), when first asked for.
     def __init__(
         self,
         values: np.ndarray,
@@ -160,9 +159,9 @@ class Sensitivity:
             start += count
         symbols = (*states, *outputs)
         self.quantities = unique_names(symbols)
-        self._places: dict[Any, int] = {str(symbol): k for k, symbol in enumerate(symbols)}
-        self._places.update((name, k) for k, name in enumerate(self.quantities))
-        self._places.update((symbol, k) for k, symbol in enumerate(symbols))
+        self._index_of: dict[Any, int] = {str(symbol): k for k, symbol in enumerate(symbols)}
+        self._index_of.update((name, k) for k, name in enumerate(self.quantities))
+        self._index_of.update((symbol, k) for k, symbol in enumerate(symbols))
         self._evaluate = evaluate
         self._outputs: np.ndarray | None = None
 
@@ -173,7 +172,7 @@ class Sensitivity:
 
     @property
     def outputs(self) -> np.ndarray:
-        """Derivatives of the outputs, shape (m, o, k), evaluated when first asked for."""
+        """Derivatives of the outputs, shape (m, o, k), evaluated on first use."""
         if self._outputs is None:
             self._outputs = self._evaluate()
         return self._outputs
@@ -181,11 +180,11 @@ class Sensitivity:
     def __getitem__(self, key: Any) -> np.ndarray:
         """Return the derivatives of a quantity, by one parameter or by all."""
         quantity, *parameter = key if isinstance(key, tuple) else (key,)
-        k = _place(self._places, quantity, "states and outputs", self.quantities)
+        k = _lookup(self._index_of, quantity, "states and outputs", self.quantities)
         n = self.values.shape[1]
         table = self.values[:, k] if k < n else self.outputs[:, k - n]
-        for one in parameter:
-            table = table[:, _place(self._columns, one, "parameters", self.names)]
+        for name in parameter:
+            table = table[:, _lookup(self._columns, name, "parameters", self.names)]
         return table
 
     def table(self) -> np.ndarray:
@@ -197,18 +196,18 @@ class Sensitivity:
         return f"Sensitivity of {n} states to {', '.join(self.names)} at {m} times"
 
 
-def _place(places: Mapping[Any, Any], key: Any, what: str, names: Sequence[str]) -> Any:
-    place = places.get(key) if isinstance(key, Hashable) else None
-    if place is None:
-        place = places.get(name_of(key))
-    if place is None:
+def _lookup(index_of: Mapping[Any, Any], key: Any, description: str, names: Sequence[str]) -> Any:
+    index = index_of.get(key) if isinstance(key, Hashable) else None
+    if index is None:
+        index = index_of.get(name_of(key))
+    if index is None:
         raise KeyError(
-            f"`{text_of(key)}` is not one of the {what} of the sensitivities: {some(names)}."
+            f"`{text_of(key)}` is not one of the {description} of the sensitivities: {some(names)}."
         )
-    return place
+    return index
 
 
-# -- EventRecord: an event as a simulation met it --------------------------------------------------
+# -- EventRecord: an event that a simulation located ----------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,7 +219,7 @@ class EventRecord:
     time : float
     name : str
     index : int
-        Its place among the events that were watched.
+        Its position in the sequence of events that the simulation monitored.
     before, after : ndarray, shape (n,)
         The states on both sides; the same without a reset.
     time_sensitivity : ndarray, shape (k,), or None
@@ -334,7 +333,7 @@ class Trajectory(Continued):
         self.outputs = checked_table("outputs", outputs, m, widths[1])
         self.specifieds = checked_table("specifieds", specifieds, m, widths[2])
         self.constants = {
-            # Names are printed where they are needed: that takes longer than short runs.
+            # Names are printed lazily: printing can take longer than a short simulation.
             symbol: value if type(value) is float else number(value, f"`constants[{symbol}]`")
             for symbol, value in check_mapping("constants", constants).items()
         }
@@ -357,8 +356,8 @@ class Trajectory(Continued):
         self._known_sensitivity: Sensitivity | None = None
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
-        self._jumps: tuple[EventRecord, ...] = ()  # of inputs; see `_keep_jumps`
-        self._sides: Sides | None = None  # of a file; a model evaluates them
+        self._jumps: tuple[EventRecord, ...] = ()  # states where inputs jump; see `_keep_jumps`
+        self._sides: Sides | None = None  # read from a file; otherwise a model evaluates them
 
     # -- names ------------------------------------------------------------------------------------
 
@@ -421,10 +420,10 @@ class Trajectory(Continued):
     def __getitem__(self, key: Any) -> np.ndarray:
         """Return the values of one quantity, shape (m,), or of a list of k of them, (m, k)."""
         if isinstance(key, list):
-            return np.array([self._one(k) for k in key]).reshape(len(key), len(self.times)).T
-        return self._one(key)
+            return np.array([self._quantity(k) for k in key]).reshape(len(key), len(self.times)).T
+        return self._quantity(key)
 
-    def _one(self, key: Any) -> np.ndarray:
+    def _quantity(self, key: Any) -> np.ndarray:
         k = self._columns.find(key)
         for table in (self.states, self.outputs, self.specifieds):
             if k < table.shape[1]:
@@ -446,14 +445,14 @@ class Trajectory(Continued):
         return iter(self.names)
 
     def __repr__(self) -> str:
-        shown = ", ".join(self.names[:6]) + (", ..." if len(self.names) > 6 else "")
+        names = ", ".join(self.names[:6]) + (", ..." if len(self.names) > 6 else "")
         span = f" from {self.times[0]} to {self.times[-1]}" if len(self.times) else ""
-        return f"Trajectory of {shown} at {len(self.times)} times{span}"
+        return f"Trajectory of {names} at {len(self.times)} times{span}"
 
     def _repr_html_(self) -> str:
         return table_of_columns(repr(self), self.names[: self.states.shape[1]], self.states)
 
-    # -- what follows from the states -------------------------------------------------------------
+    # -- quantities that follow from the states ---------------------------------------------------
 
     @property
     def constraints(self) -> np.ndarray:
@@ -487,17 +486,17 @@ class Trajectory(Continued):
         ValueError
             The trajectory was simulated without sensitivities.
         """
-        found = self._sensitivity
-        if found is None:
+        result = self._sensitivity
+        if result is None:
             raise ValueError(
                 "The trajectory contains no sensitivities. Name the parameters when you simulate: "
                 "system.simulate(sensitivities=[…])."
             )
-        return found
+        return result
 
     @property
     def _sensitivity(self) -> Sensitivity | None:
-        """The same, or None; its names are found when it is first asked for."""
+        """Like `sensitivity`, or None; its names are created on first use."""
         if self._known_sensitivity is None and self._sensitivities is not None:
             parameters, values = self._sensitivities
             symbols = (self.state_symbols, self.outputs_symbols)
@@ -506,7 +505,7 @@ class Trajectory(Continued):
         return self._known_sensitivity
 
     def _take_sensitivity(self, names: Sequence[str], table: np.ndarray) -> None:
-        """Take sensitivities of states and outputs from a file."""
+        """Set the sensitivities of states and outputs, read from a file."""
         n = self.states.shape[1]
         columns = dict.fromkeys(names, 1)
         symbols = (self.state_symbols, self.outputs_symbols)
@@ -521,17 +520,17 @@ class Trajectory(Continued):
                 "The trajectory has no model to compute the sensitivities of outputs at times that "
                 "were not saved. Use the Trajectory that `System.simulate` returned."
             )
-        found = np.array(model.outputs(self.times, self.states, values))
-        # A Piecewise without a branch there is a NaN that depends on nothing.
-        found[np.isnan(self.outputs)] = np.nan
-        return found
+        outputs = np.array(model.outputs(self.times, self.states, values))
+        # Outputs are NaN where no branch of a Piecewise applies; so are their sensitivities.
+        outputs[np.isnan(self.outputs)] = np.nan
+        return outputs
 
-    def _need_model(self, what: str) -> Model:
+    def _need_model(self, description: str) -> Model:
         if self._model is None:
             raise ValueError(
-                f"The trajectory contains no {what} and no model: it was loaded or created without "
-                "one. Pass it to its System, as in `system.evaluate_energy(trajectory.states)` and "
-                "`system.scene().animate(trajectory)`."
+                f"The trajectory contains no {description} and no model: it was loaded or "
+                "created without one. Pass it to its System, as in `system.scene()."
+                "animate(trajectory)` and `system.evaluate_energy(trajectory.states)`."
             )
         return self._model
 
@@ -570,21 +569,21 @@ class Trajectory(Continued):
         """
         times = checked_times(times, self.times)
         if descends(times):
-            found: Trajectory = reversed_rows(self.at(times[::-1]))
-            return found
+            result: Trajectory = turned(self.at(times[::-1]))
+            return result
         if descends(self.times):
-            found = reversed_rows(self).at(times)
-            return found
-        known = self._sensitivity
-        states, values = states_between(self, times)
+            result = turned(self).at(times)
+            return result
+        source = self._sensitivity
+        states, values = between(self, times)
         if self._model is not None:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)
         else:
-            own = (None, None) if self._sides is None else self._sides[1:]
-            tables = zip((self.outputs, self.specifieds), own, strict=True)
+            side_tables = (None, None) if self._sides is None else self._sides[1:]
+            tables = zip((self.outputs, self.specifieds), side_tables, strict=True)
             outputs, specifieds = (straight(self, times, *pair) for pair in tables)
-        found = Trajectory(
+        result = Trajectory(
             times,
             states,
             self._columns.kinds,
@@ -595,11 +594,11 @@ class Trajectory(Continued):
             statistics=self.statistics,
             model=self._model,
             dense=self._dense,
-            sensitivities=None if known is None or values is None else (known.counts, values),
+            sensitivities=None if source is None or values is None else (source.counts, values),
             sensitivity_model=self._sensitivity_model,
         )
-        found._describe(self._facts)
-        return found
+        result._describe(self._facts)
+        return result
 
     # -- pictures ---------------------------------------------------------------------------------
 
@@ -655,7 +654,7 @@ class Trajectory(Continued):
         """
         return self._need_model("bodies").scene(*visuals, **options).animate(self)
 
-    # -- to and from other forms ------------------------------------------------------------------
+    # -- conversion and files ---------------------------------------------------------------------
 
     def to_xarray(self, derivatives: bool = False, energy: bool = False) -> Any:
         """Return an `xarray.Dataset` with one variable for each quantity along ``time``.
@@ -711,9 +710,9 @@ class Trajectory(Continued):
         return pandas.DataFrame({name: self[name] for name in self.names}, index=index)
 
     def _keep_jumps(self) -> None:
-        """Remember the states where inputs jump, for when the dense output is gone."""
+        """Store the states where inputs jump, for use without dense output."""
         self._jumps = self._jumps or tuple(
-            EventRecord(t, "", -1, x, x, None, own, own) for t, x, own in states_at_jumps(self)
+            EventRecord(t, "", -1, x, x, None, s, s) for t, x, s in states_at_jumps(self)
         )
 
     def __getstate__(self) -> dict[str, Any]:

@@ -185,8 +185,8 @@ def test_a_recorder_thins_like_a_page_that_python_writes(recorded, monkeypatch, 
     times, values, _ = jumping(MOST + 1, 1)
     times, values = start + times, scale * values
     monkeypatch.setattr(thinning, "BUCKETS", BUCKETS)
-    monkeypatch.setattr(thinning, "WHOLE", 0)
-    expected = thinning.thinned(thinning.Curve(times, values))
+    monkeypatch.setattr(thinning, "UNTHINNED", 0)
+    expected = thinning.thinned(thinning.TimeSeries(times, values))
     own, drawn, _ = recorded(times, values)
     np.testing.assert_array_equal((own, drawn), expected)
 
@@ -199,8 +199,10 @@ def test_a_jump_counts_where_both_of_its_sides_are_numbers(recorded, monkeypatch
     (k,) = np.flatnonzero((own[:-1] == times[4]) & (own[1:] == times[4]))
     assert drawn[k : k + 2].tolist() == [0.0, 1.0]
     monkeypatch.setattr(thinning, "BUCKETS", BUCKETS)
-    monkeypatch.setattr(thinning, "WHOLE", 0)
-    np.testing.assert_array_equal((own, drawn), thinning.thinned(thinning.Curve(times, values)))
+    monkeypatch.setattr(thinning, "UNTHINNED", 0)
+    np.testing.assert_array_equal(
+        (own, drawn), thinning.thinned(thinning.TimeSeries(times, values))
+    )
 
 
 def test_a_recorder_stores_repeated_samples_once_and_both_values_of_one_moment(recorded):

@@ -43,12 +43,12 @@ def test_bodies_origin_and_gravity_come_from_the_method():
     scene = sys.scene().animate(sys.simulate())
     assert [v.name for v in scene.visuals[:3]] == ["Pa0", "Pa1", "Pa2"]
     assert scene.origin.name == "O"
-    assert scene._look.up.tolist() == [0, 1, 0]
+    assert scene._settings.up_axis.tolist() == [0, 1, 0]
 
 
 def test_gravity_may_pull_along_any_axis():
     sys = multi_mass_spring_damper(2, apply_gravity=True)
-    assert sys.scene()._look.up.tolist() == [-1, 0, 0]
+    assert sys.scene()._settings.up_axis.tolist() == [-1, 0, 0]
 
 
 @pytest.mark.parametrize("mass", [sm.Symbol("m"), 0.5])
@@ -60,7 +60,7 @@ def test_gravity_may_be_a_number(mass):
     thrust = sm.Symbol("F")
     kane = KanesMethod(N, [y], [v], kd_eqs=[y.diff() - v], bodies=[Particle("ball", P, mass)],
                        forcelist=[(P, -mass * 9.81 * N.y), (P, thrust * N.x)])  # fmt: skip
-    assert System(kane).scene()._look.up.tolist() == [0, 1, 0]
+    assert System(kane).scene()._settings.up_axis.tolist() == [0, 1, 0]
 
 
 def hanging(axis, weight, energy=None):
@@ -83,20 +83,20 @@ G, K, M = sm.symbols("g, k, m")
 def test_gravity_may_be_in_the_potential_energy_alone(axis, weight):
     scene = hanging(axis, weight).scene()
     up = np.array([axis == "x", axis == "y", axis == "z"], dtype=float)
-    np.testing.assert_array_equal(scene._look.up, -up if weight == -M * G else up)
-    assert scene._look.ground is None
+    np.testing.assert_array_equal(scene._settings.up_axis, -up if weight == -M * G else up)
+    assert scene._settings.ground is None
 
 
 def test_springs_are_told_from_weights():
     l = sm.Symbol("l")
     spring = K * (q - 1) ** 2 / 2
     both = hanging("y", M * G, -M * G * l * sm.cos(q) + spring).scene()
-    assert both._look.up.tolist() == [0, 1, 0]
+    assert both._settings.up_axis.tolist() == [0, 1, 0]
     both = hanging("y", M, -M * 9.81 * l * sm.cos(q) + spring).scene()
-    assert both._look.up.tolist() == [0, 1, 0]
+    assert both._settings.up_axis.tolist() == [0, 1, 0]
     alone = hanging("y", M, spring).scene()
-    assert alone._look.up.tolist() == [0, 0, 1]
-    assert alone._look.ground is False
+    assert alone._settings.up_axis.tolist() == [0, 0, 1]
+    assert alone._settings.ground is False
 
 
 def test_a_rigid_body_is_a_bar_from_its_bearing_to_its_mass_centre():
@@ -172,6 +172,6 @@ def test_a_method_without_bodies_needs_visuals():
 def test_options_are_those_of_a_scene():
     sys, *_ = rotor()
     scene = sys.scene(up="z", title="Rotor", ground=False)
-    assert scene._look.up.tolist() == [0, 0, 1]
+    assert scene._settings.up_axis.tolist() == [0, 0, 1]
     with pytest.raises(TypeError, match="colour"):
         sys.scene(colour="red")

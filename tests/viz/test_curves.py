@@ -13,7 +13,7 @@ from pydy.models import multi_mass_spring_damper
 from pydy.plot import plot_energy, plot_phase
 from pydy.trajectory import Trajectory
 from pydy.viz import Scene, Sphere, Visual
-from pydy.viz.curves import BUCKETS, WHOLE, Curve, thinned
+from pydy.viz.curves import BUCKETS, UNTHINNED, TimeSeries, thinned
 from pydy.viz.page import page_data
 from touching import ball, y
 
@@ -29,7 +29,7 @@ def floats(text):
 
 def curves_of(scene):
     """The curves in the data of a page, by label."""
-    data = page_data(scene._animation, scene._look)
+    data = page_data(scene._animation, scene._settings)
     clocks = [floats(text) for text in data["clocks"]]
     return {
         entry["label"]: (clocks[entry["clock"]], floats(entry["values"]))
@@ -54,15 +54,15 @@ def test_a_peak_between_two_pictures_is_in_the_page_with_its_value_and_time(star
         own, drawn = curves_of(scene)[label]
         assert (drawn.min(), drawn.max()) == (low, high)
         assert own[drawn.argmax()] == times[values.argmax()]
-        assert (own[0], own[-1], len(own) <= WHOLE) == (times[0], times[-1], True)
+        assert (own[0], own[-1], len(own) <= UNTHINNED) == (times[0], times[-1], True)
 
 
 def test_a_thinned_curve_covers_the_same_pixels():
     random = np.random.default_rng(3)
     times = np.sort(random.uniform(0.0, 1.0, 200_000)) ** 2
     values = random.normal(size=200_000).cumsum()
-    own, drawn = thinned(Curve(times, values))
-    assert len(own) <= WHOLE
+    own, drawn = thinned(TimeSeries(times, values))
+    assert len(own) <= UNTHINNED
 
     def pixels(t, v):
         column = np.minimum((BUCKETS * (t - times[0]) / np.ptp(times)).astype(int), BUCKETS - 1)
@@ -79,7 +79,7 @@ def test_jumps_and_gaps_of_a_thinned_curve_stay(scale):
     times[50_001] = times[50_000]
     values[50_001:] = -scale
     values[20_000:20_007] = np.nan
-    own, drawn = thinned(Curve(times, values))
+    own, drawn = thinned(TimeSeries(times, values))
     (k,) = np.flatnonzero(np.diff(own) == 0.0)
     assert own[k] == 0.5
     assert drawn[k : k + 2].tolist() == [0.0, -scale]
@@ -92,8 +92,8 @@ def test_the_points_of_a_curve_are_bounded_whatever_it_does():
     times = np.repeat(np.linspace(0.0, 1.0, 100_000), 3)
     values = np.random.default_rng(4).normal(size=300_000)
     values[::5] = np.nan
-    assert len(thinned(Curve(times, values)).times) <= 7 * BUCKETS
-    still = thinned(Curve(np.zeros(300_000), values))
+    assert len(thinned(TimeSeries(times, values)).times) <= 7 * BUCKETS
+    still = thinned(TimeSeries(np.zeros(300_000), values))
     assert len(still.times) <= 7
     assert np.nanmax(still.values) == np.nanmax(values)
 
@@ -101,7 +101,7 @@ def test_the_points_of_a_curve_are_bounded_whatever_it_does():
 def test_curves_with_the_same_times_share_them_on_the_page():
     times = np.linspace(0.0, 1.0, 1001)
     scene = moved(times, times, series={"other": times**2})
-    data = page_data(scene._animation, scene._look)
+    data = page_data(scene._animation, scene._settings)
     assert [entry["clock"] for entry in data["series"]] == [0, 0]
     np.testing.assert_array_equal(floats(data["clocks"][0]), times)
 

@@ -74,9 +74,9 @@ def test_a_free_body_is_not_tied_to_the_origin_and_without_gravity_z_is_up():
     kane.kanes_equations([me.Particle("puck", point, sm.Symbol("m"))], [])
     scene = System(kane).scene()
     assert len(scene.visuals) == 1
-    assert scene._look.up.tolist() == [0, 0, 1]
-    assert scene._look.ground is False
-    assert System(kane).scene(up="y", ground=-1.0)._look.ground == -1.0
+    assert scene._settings.up_axis.tolist() == [0, 0, 1]
+    assert scene._settings.ground is False
+    assert System(kane).scene(up="y", ground=-1.0)._settings.ground == -1.0
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -92,7 +92,7 @@ def test_a_weight_in_the_axes_of_a_turning_body_tells_what_is_up(sign):
     weight = (sign * m * g * N.z).express(B) + b * B.y
     bodies = [me.Particle("bob", bob, m)]
     system = System(Definition(N, [a, b], [ua, ub], bodies=bodies, loads=[(bob, weight)]))
-    assert system.scene()._look.up.tolist() == [0, 0, -sign]
+    assert system.scene()._settings.up_axis.tolist() == [0, 0, -sign]
 
 
 def test_joints_of_sympy_are_reached_by_arms():

@@ -149,7 +149,7 @@ def test_an_image_is_centred_on_what_is_drawn_in_it(tmp_path, unit):
         scene.animate(times, travel, symbols=[q])
         start = scene.save(tmp_path / "a.png")
         end = tmp_path / "b.png"
-        draw(scene._animation, scene._look, 1.0, still=True).figure.savefig(end)
+        draw(scene._animation, scene._settings, 1.0, single=True).figure.savefig(end)
         for path in (start, end):
             rows, columns = coloured(path)
             assert columns.mean() == pytest.approx(0.5, abs=0.02)
@@ -162,7 +162,7 @@ def test_the_trail_of_a_visual_lies_in_its_picture(tmp_path):
     ball = Visual(Sphere(0.1, colour="red"), P, trail=True)
     scene = Scene(N, O, ball, ground=False).animate(times, 5 * times[:, None], symbols=[q])
     path = tmp_path / "a.png"
-    draw(scene._animation, scene._look, 0.8, still=True).figure.savefig(path)
+    draw(scene._animation, scene._settings, 0.8, single=True).figure.savefig(path)
     columns = coloured(path)[1]
     assert columns.mean() == pytest.approx(0.5, abs=0.05)
     assert 0.0 < columns[0] < 0.2

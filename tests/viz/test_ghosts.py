@@ -50,13 +50,13 @@ def test_the_arrows_of_two_runs_have_one_scale(system):
 
 
 def test_a_short_peak_leaves_the_rest_of_an_arrow_to_be_seen():
-    from pydy.viz.animation import _shown
+    from pydy.viz.animation import _arrow_scale
 
     steady = np.linspace(9.0, 10.0, num=101)
     peaked = np.where(np.arange(101) == 50, 300.0, 10.0)
-    assert _shown(steady) * steady.max() == pytest.approx(1 / 3, rel=0.02)
-    assert _shown(peaked) * 300.0 == pytest.approx(1.0)
-    assert _shown(np.zeros(3)) == 1.0
+    assert _arrow_scale(steady) * steady.max() == pytest.approx(1 / 3, rel=0.02)
+    assert _arrow_scale(peaked) * 300.0 == pytest.approx(1.0)
+    assert _arrow_scale(np.zeros(3)) == 1.0
 
 
 def test_torques_are_arrows_at_their_bodies():
@@ -119,7 +119,9 @@ def test_other_runs_are_ghosts_under_their_labels(system):
     for ghost, item in zip(ghosts, alone, strict=True):
         np.testing.assert_allclose(ghost.positions, item.positions, atol=1e-12)
     # Turning frames of both runs are told apart on the page.
-    tracks = {entry.get("track") for entry in page_data(scene._animation, scene._look)["visuals"]}
+    tracks = {
+        entry.get("track") for entry in page_data(scene._animation, scene._settings)["visuals"]
+    }
     assert len(tracks) > 3
 
 

@@ -15,7 +15,7 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
-from pydy.viz.arguments import unknowns_beside
+from pydy.viz.arguments import live_unknowns
 from pydy.viz.defaults import default_shape, inertial_lengths
 
 
@@ -187,13 +187,13 @@ def test_a_page_solves_for_what_has_no_slider():
     # Two of three coordinates depend on the third, and two of the speeds.
     states = ("a", "b", "c", "u", "v", "w")
     determined = ([1, 2], [4, 5])
-    assert unknowns_beside(set(), determined, (3, 3), states) == [[1, 2], [4, 5]]
-    assert unknowns_beside({0}, determined, (3, 3), states) == [[1, 2], [4, 5]]
-    assert unknowns_beside({2, 4}, determined, (3, 3), states) == [[0, 1], [3, 5]]
+    assert live_unknowns(set(), determined, (3, 3), states) == [[1, 2], [4, 5]]
+    assert live_unknowns({0}, determined, (3, 3), states) == [[1, 2], [4, 5]]
+    assert live_unknowns({2, 4}, determined, (3, 3), states) == [[0, 1], [3, 5]]
     # Where it is not known which depend on which, all without a slider are solved for.
-    assert unknowns_beside({1}, ([0, 1, 2], [3]), (3, 1), states) == [[0, 2], [3]]
+    assert live_unknowns({1}, ([0, 1, 2], [3]), (3, 1), states) == [[0, 2], [3]]
     with pytest.raises(ValueError, match=r"`live` sets the coordinates `a`, `b`, but .* 2 of 3"):
-        unknowns_beside({0, 1}, determined, (3, 3), states)
+        live_unknowns({0, 1}, determined, (3, 3), states)
 
 
 def test_a_page_solves_for_what_the_system_solved_for_last():

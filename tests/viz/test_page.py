@@ -36,7 +36,7 @@ def scene(*visuals, states=None, **options):
 
 
 def data_of(scene):
-    return page_data(scene._animation, scene._look)
+    return page_data(scene._animation, scene._settings)
 
 
 def floats(text, dtype="<f4"):

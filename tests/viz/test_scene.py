@@ -12,7 +12,7 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, dynamicsymb
 
 from pydy.trajectory import Trajectory
 from pydy.viz import Arrow, Line, Plane, Scene, Sphere, Trace, Visual
-from pydy.viz.animation import Look, frame
+from pydy.viz.animation import ViewSettings, frame
 from pydy.viz.arguments import watchable_speed
 from pydy.viz.motion import sampled
 
@@ -52,7 +52,7 @@ def test_a_path_among_the_visuals_is_answered_with_what_writes_files(path):
 
 @pytest.mark.parametrize(("up", "expected"), [("-z", [0, 0, -1]), (2 * N.x, [1, 0, 0])])
 def test_up_is_an_axis_or_a_vector(up, expected):
-    assert swing(up=up)._look.up.tolist() == expected
+    assert swing(up=up)._settings.up_axis.tolist() == expected
 
 
 # -- motion ---------------------------------------------------------------------------------------
@@ -170,7 +170,7 @@ def test_series_come_from_the_trajectory_or_are_evaluated_or_are_given(trajector
 
 
 def framed(scene):
-    return frame(scene._animation, scene._look)
+    return frame(scene._animation, scene._settings)
 
 
 def test_the_ground_lies_below_everything_or_where_it_was_put(trajectory):
@@ -219,15 +219,15 @@ def test_a_ball_that_bounces_stays_in_view_and_so_does_the_ground(forward, unit)
 def test_the_camera_stands_upright_whatever_is_up(trajectory, up):
     scene = swing(up=up).animate(trajectory)
     seen = framed(scene)
-    assert seen.right @ seen.up == pytest.approx(0, abs=1e-15)
+    assert seen.right @ seen.up_axis == pytest.approx(0, abs=1e-15)
     assert np.linalg.norm(seen.right) == pytest.approx(1)
     assert np.linalg.norm(seen.direction) == pytest.approx(1)
-    assert seen.direction @ seen.up > 0
+    assert seen.direction @ seen.up_axis > 0
 
 
 def test_a_scene_without_extent_has_a_size():
     still = Scene(N, O, Visual(Trace(), O)).animate([0.0], np.zeros((1, 0)), symbols=[])
-    assert frame(still._animation, Look(np.array([0.0, 1.0, 0.0]))).radius > 0
+    assert frame(still._animation, ViewSettings(np.array([0.0, 1.0, 0.0]))).radius > 0
 
 
 @pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])

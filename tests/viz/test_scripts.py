@@ -146,7 +146,7 @@ def test_a_tumbling_box_with_cameras_and_lights(opened):
     scene.animate(system.simulate(), constants=scene.constants)
     scene.display()
     assert len(opened) == 1
-    np.testing.assert_allclose(scene._look.view, [0.8, 0, 0.6])
+    np.testing.assert_allclose(scene._settings.view, [0.8, 0, 0.6])
     assert OrthoGraphicCamera(brick).origin is G
 
 

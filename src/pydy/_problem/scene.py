@@ -16,17 +16,17 @@ from pydy._mechanics import Equations, FrameTree, Mechanism, find_symbols
 from pydy._rank import HALF
 from pydy.viz import (
     Geometry,
-    Model,
-    Motion,
     Names,
     Outline,
     Scene,
+    SceneModel,
+    SceneMotion,
+    compute_placement,
     find_origin,
     gravities,
     guess_up,
     load_arrows,
     outline,
-    place,
     visuals_of,
 )
 
@@ -41,8 +41,8 @@ def make_scene(
 ) -> Scene:
     """Return a scene with defaults from the bodies and loads.
 
-    The `assembly` is made where u' is shown; what is `moving` is what a `pydy.viz.motion.Model`
-    takes after the definitions.
+    The `assembly` is made where u' is shown; `moving` has the arguments of a
+    `pydy.viz.motion.SceneModel` after the definitions.
     """
     equations = definition.equations
     options = dict(options)
@@ -69,7 +69,7 @@ def make_scene(
     rates = zip(kinematics.coordinate_rates, kinematics.coordinate_derivatives, strict=True)
     definitions = _Definitions(equations, assembly)
     definitions.update({**dict(rates), **dict.fromkeys(kinematics.zeros, 0)})
-    model = Model(definition.states, definitions, *moving)
+    model = SceneModel(definition.states, definitions, *moving)
     if not visuals:
         assert mechanism is not None
         names = Names(definition.states, definition.specifieds, definitions=dict(definitions))
@@ -205,14 +205,14 @@ def up_in_lagrangian(
     geometry = Geometry(mechanism.frame, origin, (), tuple(masses), (), series)
     rng, m = np.random.default_rng(0), 8  # states: more than a straight line has freedoms
     try:
-        drawn = Motion(
+        drawn = SceneMotion(
             Names(names.states, names.specifieds, constants),
             np.zeros(m),
             rng.uniform(0.1, 1.0, (m, len(names.states))),
             rng.uniform(0.1, 1.0, (m, len(names.specifieds))),
             np.array([values.get(s, 1.0) for s in constants]),
         )
-        placed = place(geometry, drawn)
+        placed = compute_placement(geometry, drawn)
     except ValueError:  # a symbol without a value, or a point that hangs in the air
         return None
     energy = placed.series["energy"]

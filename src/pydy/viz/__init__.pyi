@@ -18,10 +18,10 @@ from .defaults import (
 from .live import Live as Live, LiveSystem as LiveSystem, Slider as Slider
 from .motion import (
     Geometry as Geometry,
-    Model as Model,
-    Motion as Motion,
     Names as Names,
-    place as place,
+    SceneModel as SceneModel,
+    SceneMotion as SceneMotion,
+    compute_placement as compute_placement,
 )
 from .outlines import Outline as Outline, outline as outline
 from .scene import Scene as Scene

@@ -1,4 +1,4 @@
-"""A scene in motion: poses at the instants shown, shapes with numbers, and what the camera sees."""
+"""A scene in motion: poses at the instants shown, shapes with numbers, and the camera."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ import scipy
 from pydy._interpolation import evenly
 from pydy.viz.arguments import round_number
 from pydy.viz.colours import CYCLE
-from pydy.viz.curves import Curve
+from pydy.viz.curves import TimeSeries
 from pydy.viz.defaults import BAR, default_shape
-from pydy.viz.motion import Geometry, Motion, Placement, place
+from pydy.viz.motion import Geometry, Placement, SceneMotion, compute_placement
 from pydy.viz.shapes import Arrow, Bar, Cube, Damper, Line, Plane, Shape, Spring, Support, Trace
 from pydy.viz.surfaces import arrow, coil, piston, rods, surface
 from pydy.viz.visuals import Visual
 
-# -- From where a scene is seen: the camera, the ground, and what they follow ----------------------
+# -- View of a scene: the camera, the ground, and the path that the camera follows -----------------
 
 
 @dataclass(frozen=True)
-class Look:
-    """The user's settings of how the scene is shown."""
+class ViewSettings:
+    """The user's settings of the view."""
 
-    up: np.ndarray  # (3,): a unit vector, as `view`
+    up_axis: np.ndarray  # (3,): a unit vector, as `view`
     ground: bool | float | None = None
     follow: bool | None = None
     view: np.ndarray | None = None  # (3,): from the scene to the camera
@@ -37,18 +37,18 @@ class Look:
 
 @dataclass(frozen=True, eq=False)
 class Framing:
-    """How the scene is seen."""
+    """Camera, ground and visible box of a scene."""
 
-    # up, right, direction: (3,); unit vectors; `right` is level, `direction` points from the
+    # up_axis, right, direction: (3,); unit vectors; `right` is level, `direction` points from the
     # scene to the camera
-    up: np.ndarray
+    up_axis: np.ndarray
     right: np.ndarray
     direction: np.ndarray
     target: np.ndarray  # (3,): what the camera looks at, at the first instant
     extent: np.ndarray  # (3,): edges of the box about the target that is to be seen
-    ground: float | None  # height of the grid along `up`
+    ground: float | None  # height of the grid along `up_axis`
     cell: float  # of the grid: 1, 2 or 5 times a power of ten
-    path: np.ndarray | None  # (m, 3): by how much the target moves along
+    path: np.ndarray | None  # (m, 3): displacement of the target
 
     @property
     def radius(self) -> float:
@@ -56,16 +56,16 @@ class Framing:
         return float(np.linalg.norm(self.extent)) / 2
 
 
-def frame(animation: Animation, look: Look) -> Framing:
-    """Return how an animation is best seen."""
-    up = look.up
+def frame(animation: Animation, settings: ViewSettings) -> Framing:
+    """Return the framing of an animation, with defaults for missing settings."""
+    up_axis = settings.up_axis
     low, high = animation.box
-    path = _path(animation, up)
-    # What is seen by a camera that goes along, but keeps its height: the ground stays in view.
+    path = _path(animation, up_axis)
+    # The box relative to a camera that follows at constant height: the ground stays in view.
     rows = np.linspace(0, len(path) - 1, len(animation.bounds)).astype(int)
-    seen = animation.bounds - path[rows, None]
-    near, far = seen[:, 0].min(0), seen[:, 1].max(0)
-    follow = look.follow
+    relative_bounds = animation.bounds - path[rows, None]
+    near, far = relative_bounds[:, 0].min(0), relative_bounds[:, 1].max(0)
+    follow = settings.follow
     if follow is None:
         follow = np.linalg.norm(high - low) > 3 * np.linalg.norm(far - near)
     if follow:
@@ -73,21 +73,23 @@ def frame(animation: Animation, look: Look) -> Framing:
     extent = high - low
     if not extent.any():
         extent = np.ones(3)
-    right, depth = _level_axes(up, extent)
-    direction = look.view
+    right, depth = _level_axes(up_axis, extent)
+    direction = settings.view
     if direction is None:
         cloud = np.concatenate([item.positions for item in animation.items])
         flat = np.ptp(cloud @ depth) < 0.02 * np.ptp(cloud @ right)
-        direction = depth + (0.25 * right + 0.2 * up if flat else 0.55 * right + 0.45 * up)
+        direction = depth + (
+            0.25 * right + 0.2 * up_axis if flat else 0.55 * right + 0.45 * up_axis
+        )
         direction = direction / np.linalg.norm(direction)
     height = None
-    if look.ground is None or look.ground is True:
-        height = float(np.minimum(animation.bounds[:, 0] * up, animation.bounds[:, 1] * up).sum(1)
-                       .min())  # fmt: skip
-    elif look.ground is not False:
-        height = float(look.ground)
+    if settings.ground is None or settings.ground is True:
+        low_ends, high_ends = animation.bounds[:, 0] * up_axis, animation.bounds[:, 1] * up_axis
+        height = float(np.minimum(low_ends, high_ends).sum(1).min())
+    elif settings.ground is not False:
+        height = float(settings.ground)
     return Framing(
-        up=up,
+        up_axis=up_axis,
         right=right,
         direction=direction,
         target=(low + high) / 2,
@@ -98,53 +100,50 @@ def frame(animation: Animation, look: Look) -> Framing:
     )
 
 
-def frame_still(animation: Animation, look: Look, t: float) -> Framing:
-    """Return how one instant is best seen: what is drawn then, on the ground of the whole motion.
-
-    The direction of view is that of the whole motion too.
-    """
-    seen, shown = frame(animation, look), animation.at(t)
-    items = [item for item in shown.items if not isinstance(item.shape, Plane)] or shown.items
+def frame_still(animation: Animation, settings: ViewSettings, t: float) -> Framing:
+    """Return the framing of one instant; ground and direction of view are those of the motion."""
+    framing, instant = frame(animation, settings), animation.at(t)
+    items = [item for item in instant.items if not isinstance(item.shape, Plane)] or instant.items
     boxes = [item.reach(np.zeros(1, dtype=int))[0] for item in items]
-    boxes += [path for k in range(len(shown.items)) if (path := animation.path(k, t)) is not None]
+    boxes += [path for k in range(len(instant.items)) if (path := animation.path(k, t)) is not None]
     cloud = np.concatenate(boxes)
     low, high = cloud.min(0), cloud.max(0)
-    if seen.ground is not None and (look.ground is None or look.ground is True):
+    if framing.ground is not None and (settings.ground is None or settings.ground is True):
         middle = (low + high) / 2
-        foot = middle - (middle @ seen.up - seen.ground) * seen.up
+        foot = middle - (middle @ framing.up_axis - framing.ground) * framing.up_axis
         low, high = np.minimum(low, foot), np.maximum(high, foot)
     extent = high - low
     if not extent.any():
-        return replace(seen, target=low, path=None)
+        return replace(framing, target=low, path=None)
     cell = round_number(float(np.linalg.norm(extent)) / 8)
-    return replace(seen, target=(low + high) / 2, extent=extent, cell=cell, path=None)
+    return replace(framing, target=(low + high) / 2, extent=extent, cell=cell, path=None)
 
 
-def _level_axes(up: np.ndarray, extent: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _level_axes(up_axis: np.ndarray, extent: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the level axis along which the scene is longer, and the other, towards the viewer."""
-    level = np.eye(3) - np.outer(up, up)
-    # Of a slanting `up`, the two axes that are closest to level.
-    axes = sorted(np.eye(3), key=lambda e: abs(float(e @ up)))[:2]
-    # Edges that are as long up to rounding are in their usual order.
+    level = np.eye(3) - np.outer(up_axis, up_axis)
+    # For an oblique up axis, the two axes that are closest to level.
+    axes = sorted(np.eye(3), key=lambda e: abs(float(e @ up_axis)))[:2]
+    # Edges of equal length up to rounding are sorted by axis.
     unit = float(np.linalg.norm(extent))
     axes.sort(key=lambda e: (-round(float(e @ extent) / unit, 9), int(e.argmax())))
     right = level @ axes[0]
     right /= np.linalg.norm(right)
-    return right, np.cross(right, up)
+    return right, np.cross(right, up_axis)
 
 
 def followed(items: Sequence[Item]) -> list[int]:
-    """Return the moving visuals, whose centre the camera follows."""
+    """Return the indices of the moving visuals, whose centre the camera follows."""
     moving = (np.ptp(i.positions, axis=0).any() and not isinstance(i.shape, Plane) for i in items)
-    return [k for k, moves in enumerate(moving) if moves]
+    return [k for k, is_moving in enumerate(moving) if is_moving]
 
 
-def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
+def _path(animation: Animation, up_axis: np.ndarray) -> np.ndarray:
     """Return the smoothed path of the centre of the moving visuals."""
     moving = followed(animation.items) or [0]
     path = np.mean([animation.items[k].positions for k in moving], axis=0)
     path -= path[0]
-    level: np.ndarray = path - np.outer(path @ up, up)
+    level: np.ndarray = path - np.outer(path @ up_axis, up_axis)
     return level
 
 
@@ -164,7 +163,7 @@ class Item:
 
     @property
     def rigid(self) -> bool:
-        """Whether it is a body: triangles that only turn and move."""
+        """Whether it is a rigid body: its triangles only rotate and translate."""
         return self.vectors is None and self.points is None and not isinstance(self.shape, Trace)
 
     def surface(self, k: int = 0) -> tuple[np.ndarray, np.ndarray] | None:
@@ -203,7 +202,7 @@ class Item:
             cloud = self.positions[rows][:, None]
         else:
             vertices = surface(self.shape)[0]
-            if len(vertices) > 600:  # a mesh: its corners will do
+            if len(vertices) > 600:  # for a mesh the corners of its box suffice
                 ends = np.stack([vertices.min(0), vertices.max(0)])
                 vertices = np.array(np.meshgrid(*ends.T)).reshape(3, -1).T
             cloud = np.einsum("mij,nj->mni", self.rotations[rows], vertices)
@@ -218,8 +217,8 @@ class Animation:
     times: np.ndarray  # (m,)
     items: tuple[Item, ...]
     bounds: np.ndarray  # (m', 2, 3): the box around everything but planes at some of the instants
-    series: Mapping[str, Curve] = field(default_factory=dict)  # at times of their own
-    speed: float = 1.0  # seconds of it for each second shown
+    series: Mapping[str, TimeSeries] = field(default_factory=dict)  # each with its own times
+    speed: float = 1.0  # seconds of motion for each second shown
     events: tuple[tuple[float, str], ...] = ()  # (time, name)
     # Of each contact: (from, to, mode)
     modes: Mapping[str, Sequence[tuple[float, float, str]]] = field(default_factory=dict)
@@ -236,44 +235,44 @@ class Animation:
 
     @property
     def box(self) -> tuple[np.ndarray, np.ndarray]:
-        """The lowest and the highest coordinates ever."""
+        """The lowest and the highest coordinates of the motion."""
         return self.bounds[:, 0].min(0), self.bounds[:, 1].max(0)
 
     def path(self, k: int, t: float) -> np.ndarray | None:
-        """Return the path, (m', 3), that visual k has left behind at a time, or None."""
+        """Return the path, (m', 3), that visual k has travelled until a time, or None."""
         item, past = self.items[k], self.times <= t
         if not (isinstance(item.shape, Trace) or item.visual.trail):
             return None
         if isinstance(item.shape, Trace) and item.shape.duration is not None:
             past &= self.times >= t - item.shape.duration
-        found: np.ndarray = item.positions[past]
-        return found
+        positions: np.ndarray = item.positions[past]
+        return positions
 
     def at(self, t: Any) -> Animation:
-        """Return the animation at a time or at several, between the ones shown if need be."""
+        """Return the animation at one time or several, interpolated between the instants shown."""
         times, last = self.times, len(self.times) - 1
-        wanted = np.clip(np.atleast_1d(np.asarray(t, dtype=float)), times[0], times[-1])
-        k = np.clip(np.searchsorted(times, wanted, side="right") - 1, 0, max(last - 1, 0))
+        instants = np.clip(np.atleast_1d(np.asarray(t, dtype=float)), times[0], times[-1])
+        k = np.clip(np.searchsorted(times, instants, side="right") - 1, 0, max(last - 1, 0))
         after = np.minimum(k + 1, last)
         gap = times[after] - times[k]
-        part = np.where(gap > 0, (wanted - times[k]) / np.where(gap > 0, gap, 1.0), 0.0)
-        between = np.flatnonzero(part)
-        done: dict[int, np.ndarray] = {}  # frames that several visuals have in common
+        part = np.where(gap > 0, (instants - times[k]) / np.where(gap > 0, gap, 1.0), 0.0)
+        interpolated = np.flatnonzero(part)
+        done: dict[int, np.ndarray] = {}  # rotations that several visuals share
 
         def blend(a: np.ndarray) -> np.ndarray:
             share = part.reshape(-1, *[1] * (a.ndim - 1))
             mixed: np.ndarray = (1 - share) * a[k] + share * a[after]
             return mixed
 
-        def turned(r: np.ndarray) -> np.ndarray:
+        def interpolate_rotations(r: np.ndarray) -> np.ndarray:
             if id(r) not in done:
                 rows = np.array(r[k])
-                if between.size:
+                if interpolated.size:
                     Rotation = scipy.spatial.transform.Rotation
-                    first = Rotation.from_matrix(rows[between])
-                    second = Rotation.from_matrix(np.array(r[after[between]]))
-                    way = (first.inv() * second).as_rotvec() * part[between, None]
-                    rows[between] = (first * Rotation.from_rotvec(way)).as_matrix()
+                    first = Rotation.from_matrix(rows[interpolated])
+                    second = Rotation.from_matrix(np.array(r[after[interpolated]]))
+                    rotation_vector = (first.inv() * second).as_rotvec() * part[interpolated, None]
+                    rows[interpolated] = (first * Rotation.from_rotvec(rotation_vector)).as_matrix()
                 done[id(r)] = rows
             return done[id(r)]
 
@@ -281,15 +280,15 @@ class Animation:
         for item in self.items:
             arrays = {k: getattr(item, k) for k in ("positions", "vectors", "points")}
             moved: dict[str, Any] = {k: blend(a) for k, a in arrays.items() if a is not None}
-            items.append(replace(item, rotations=turned(item.rotations), **moved))
-        return Animation(wanted, tuple(items), self.bounds)
+            items.append(replace(item, rotations=interpolate_rotations(item.rotations), **moved))
+        return Animation(instants, tuple(items), self.bounds)
 
 
 def animate(
     reference: Any,
     origin: Any,
     visuals: Sequence[Visual],
-    motion: Motion,
+    motion: SceneMotion,
 ) -> Animation:
     """Return the Animation of a motion at the instants to show."""
     frames = dict.fromkeys(v.frame for v in visuals if v.frame is not None)
@@ -300,7 +299,7 @@ def animate(
     arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
     vectors = tuple(v.shape.vector for v in arrows if isinstance(v.shape, Arrow))
     geometry = Geometry(reference, origin, tuple(frames), tuple(points), vectors)
-    placed = place(geometry, motion)
+    placed = compute_placement(geometry, motion)
     _check(placed, geometry, motion.times)
     return _assemble(visuals, placed, motion)
 
@@ -311,20 +310,20 @@ def _check(placed: Placement, geometry: Geometry, times: np.ndarray) -> None:
     named += [(f"The position of `{p}`", a) for p, a in placed.positions.items()]
     for k, vector in enumerate(geometry.vectors):
         named.append((f"The arrow `{vector}`", placed.vectors[:, k]))
-    for what, array in named:
+    for description, array in named:
         bad = np.flatnonzero(~np.isfinite(array.reshape(len(times), -1)).all(axis=1))
         if bad.size:
             raise ValueError(
-                f"{what} is not finite at t = {times[bad[0]]:g}: its expression has no value for "
-                "this state and these constants. Does a constant lack its value?"
+                f"{description} is not finite at t = {times[bad[0]]:g}: its expression has no "
+                "value for this state and these constants. Does a constant lack its value?"
             )
 
 
-def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> Animation:
+def _assemble(visuals: Sequence[Visual], placed: Placement, motion: SceneMotion) -> Animation:
     m = len(motion.times)
     identity = np.broadcast_to(np.eye(3), (m, 3, 3))
     size, alone = _size(placed)
-    # A default shape may need numbers for the state too; everything else depends on constants.
+    # A default shape may depend on the state, too; all others depend on constants only.
     constants = motion.values
     first = {motion.names.time: float(motion.times[0]), **constants}
     first.update(zip(motion.names.states, motion.states[0].tolist(), strict=True))
@@ -352,8 +351,8 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
         rotations = identity if visual.frame is None else placed.rotations[visual.frame]
         items.append(Item(visual, shape, rotations, placed.positions[visual.point], vector, line))
     rows = evenly(m, 150)
-    shown = [i for i in items if not isinstance(i.shape, Plane)] or items
-    reach = np.stack([item.reach(rows) for item in shown])
+    framed = [i for i in items if not isinstance(i.shape, Plane)] or items
+    reach = np.stack([item.reach(rows) for item in framed])
     bounds = np.stack([reach[:, :, 0].min(0), reach[:, :, 1].max(0)], 1)
     return Animation(motion.times, tuple(items), bounds)
 
@@ -370,18 +369,18 @@ def _scales(
     scales: dict[tuple[str, float | None], float] = {}
     for visual in arrows:
         assert isinstance(visual.shape, Arrow)
-        asked = visual.shape.scale
-        scales[visual.name, asked] = (
-            size * _shown(longest[visual.name]) if asked is None else float(asked)
+        user_scale = visual.shape.scale
+        scales[visual.name, user_scale] = (
+            size * _arrow_scale(longest[visual.name]) if user_scale is None else float(user_scale)
         )
     return scales
 
 
-def _shown(longest: np.ndarray) -> float:
+def _arrow_scale(longest: np.ndarray) -> float:
     """Return the scale for a scene of size 1 and the longest of some arrows at each instant.
 
-    The longest ever is a third of the scene. Where that is a short peak, which would leave nothing
-    to see of the rest, the peak may be as long as the scene.
+    The longest arrow is a third of the scene. If that is a short peak, which would make all other
+    arrows too small to see, the peak may be as long as the scene.
     """
     peak = float(longest.max())
     usual = float(np.quantile(longest, 0.9))
@@ -389,7 +388,7 @@ def _shown(longest: np.ndarray) -> float:
 
 
 def _suited(shape: Shape, size: float) -> Shape:
-    """Return a shape with the sizes that suit a scene, where it has none of its own."""
+    """Return a shape with missing sizes chosen to suit the scene."""
     if isinstance(shape, Support):
         return Cube(4 * BAR * size, colour=shape.colour, opacity=shape.opacity)
     if isinstance(shape, Bar) and shape.radius is None:
@@ -400,19 +399,19 @@ def _suited(shape: Shape, size: float) -> Shape:
 
 def _reaches(visuals: Sequence[Visual], placed: Placement) -> dict[int, float]:
     """Return the distances to which the bars of bodies reach from their mass centres."""
-    found: dict[int, float] = {}
+    reaches: dict[int, float] = {}
     for visual in visuals:
         if visual.body is not None and isinstance(visual.shape, Bar):
             centre = placed.positions[visual.point][0]
             ends = (placed.positions[p][0] - centre for p in visual.shape.points)
             far = max(float(np.linalg.norm(end)) for end in ends)
-            found[id(visual.body)] = max(found.get(id(visual.body), 0.0), far)
-    return found
+            reaches[id(visual.body)] = max(reaches.get(id(visual.body), 0.0), far)
+    return reaches
 
 
 def _size(placed: Placement) -> tuple[float, bool]:
-    """Return how large the scene is, and whether no distance between its points is known."""
+    """Return the size of the scene, and whether all its points coincide."""
     cloud = np.stack(list(placed.positions.values()))
-    spread = float(np.linalg.norm(np.ptp(cloud, axis=0), axis=-1).max())
+    extent = float(np.linalg.norm(np.ptp(cloud, axis=0), axis=-1).max())
     travel = float(np.linalg.norm(np.ptp(cloud, axis=(0, 1))))
-    return spread or travel or 1.0, not spread
+    return extent or travel or 1.0, not extent

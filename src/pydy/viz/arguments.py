@@ -1,4 +1,4 @@
-"""What users hand a Scene, checked."""
+"""Validation of the arguments of a Scene."""
 
 from __future__ import annotations
 
@@ -30,25 +30,25 @@ from pydy._interpolation import detailed, filled
 from pydy._mechanics import find_symbols, sort_symbols
 from pydy._names import name_of, some
 from pydy._rank import DIGITS, HALF
-from pydy.viz.curves import Curve, curve
+from pydy.viz.curves import TimeSeries, curve
 from pydy.viz.shapes import Arrow, Line
 from pydy.viz.visuals import Visual
 
 
-def as_visual(thing: Any) -> Visual:
+def as_visual(item: Any) -> Visual:
     """Return a Visual; a body gets a default shape."""
-    if isinstance(thing, Visual):
-        return thing
-    if isinstance(thing, (RigidBody, Particle)):
-        return Visual(None, thing)
+    if isinstance(item, Visual):
+        return item
+    if isinstance(item, (RigidBody, Particle)):
+        return Visual(None, item)
     remedy = (
         " To write a file, call `to_html(path)` of the animated scene, or `save(path)` for a film."
-        if isinstance(thing, (str, PurePath))
+        if isinstance(item, (str, PurePath))
         else ""
     )
     raise TypeError(
         "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got "
-        f"{typed(thing)}.{remedy}"
+        f"{typed(item)}.{remedy}"
     )
 
 
@@ -75,36 +75,39 @@ def _entry(value: Any) -> Any:
     )
 
 
-def unknowns_beside(
-    given: set[int], dependents: tuple[list[int], list[int]], sizes: tuple[int, int], states: Any
+def live_unknowns(
+    set_states: set[int],
+    dependents: tuple[list[int], list[int]],
+    sizes: tuple[int, int],
+    states: Any,
 ) -> list[list[int]]:
     """Return the positions in x of the states for which a live page solves the constraints.
 
-    Those are the dependent coordinates and speeds, unless sliders set one of them: then all
-    coordinates, or speeds, that have no slider. `sizes` counts both.
+    Those are the dependent coordinates and speeds. If sliders set one of them, all coordinates, or
+    speeds, without a slider are solved for. `sizes` counts both.
     """
-    found = []
+    unknowns = []
     spans = (range(sizes[0]), range(sizes[0], sum(sizes)))
-    for span, places, kind in zip(spans, dependents, ("coordinates", "speeds"), strict=True):
-        if not given.intersection(places):
-            found.append(places)
+    for span, dependent, kind in zip(spans, dependents, ("coordinates", "speeds"), strict=True):
+        if not set_states.intersection(dependent):
+            unknowns.append(dependent)
             continue
-        free = [k for k in span if k not in given]
-        if len(free) < (1 if len(places) == len(span) else len(places)):
-            names = some(f"`{states[k]}`" for k in span if k in given)
+        free = [k for k in span if k not in set_states]
+        if len(free) < (1 if len(dependent) == len(span) else len(dependent)):
+            names = some(f"`{states[k]}`" for k in span if k in set_states)
             raise ValueError(
                 f"`live` sets the {kind} {names}, but the constraints determine "
-                f"{len(places)} of {len(span)} from the others: leave sliders out."
+                f"{len(dependent)} of {len(span)} from the others: leave sliders out."
             )
-        found.append(free)
-    return found
+        unknowns.append(free)
+    return unknowns
 
 
-def within(value: Any, what: str, least: float, most: float) -> float:
-    """Return a number of a picture that can be drawn."""
-    checked = number(value, what)
+def check_range(value: Any, argument: str, least: float, most: float) -> float:
+    """Return a number within a range, or raise a ValueError."""
+    checked = number(value, argument)
     if not least <= checked <= most:
-        raise ValueError(f"{what} must be from {least:g} to {most:g}, got {checked}.")
+        raise ValueError(f"{argument} must be from {least:g} to {most:g}, got {checked}.")
     return checked
 
 
@@ -119,14 +122,14 @@ def ground_height(value: Any) -> bool | float | None:
     raise ValueError(f"`ground` must be a height, True or False, got {shown(value)}.")
 
 
-def curves_of(series: Mapping[str, Any] | None, own: Any) -> dict[str, Curve]:
-    """Return the curves of evaluated series, a value for each of a motion's own times."""
-    given = check_mapping("series", series)
-    if not given:
+def curves_of(series: Mapping[str, Any] | None, motion_times: Any) -> dict[str, TimeSeries]:
+    """Return the curves of evaluated series, with a value for each time of the motion."""
+    values_by_label = check_mapping("series", series)
+    if not values_by_label:
         return {}
-    curves, times = {}, monotonic(own, "`times`")
+    curves, times = {}, monotonic(motion_times, "`times`")
     count = len(times)
-    for label, values in given.items():
+    for label, values in values_by_label.items():
         column = real_array(values, f"`series[{label!r}]`")
         if column.shape != (count,):
             raise ValueError(
@@ -137,8 +140,8 @@ def curves_of(series: Mapping[str, Any] | None, own: Any) -> dict[str, Curve]:
     return curves
 
 
-def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, Curve]:
-    """Take the series that a trajectory holds."""
+def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, TimeSeries]:
+    """Return the series that are quantities of a trajectory."""
     curves = {}
     for label, expression in series.items():
         if hasattr(trajectory, "__contains__") and expression in trajectory:
@@ -157,92 +160,98 @@ def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]
     expressions = [sm.sympify(e) for e in series.values() if not isinstance(e, str)]
     for visual in visuals:
         if isinstance(visual.shape, Arrow):
-            expressions += [c for own, _ in visual.shape.vector.args for c in own]
+            expressions += [c for components, _ in visual.shape.vector.args for c in components]
     return set(find_symbols(expressions))
 
 
 def named_constants(
-    constants: Any, own: Mapping[Any, Any], scene: tuple[Any, Any, Sequence[Visual]], series: Any
+    constants: Any,
+    defaults: Mapping[Any, Any],
+    scene: tuple[Any, Any, Sequence[Visual]],
+    series: Any,
 ) -> dict[Any, Any]:
-    """Return constants given in addition to a trajectory's own, by the keys of these.
+    """Return the user's constants, keyed by the symbols of the trajectory's constants.
 
-    A key that stands for none of them must occur in what the scene, a reference frame, an origin
-    and visuals, draws, or in its series.
+    Another key must be a symbol in the scene (a reference frame, an origin and visuals) or in its
+    series.
     """
-    given = merged(check_mapping("constants", constants))
-    if not own:  # a trajectory that tells nothing of constants
-        return dict(given)
-    # A trajectory from a file has names in the place of symbols.
-    given = {name_of(key) if name_of(key) in own else key: v for key, v in given.items()}
-    places = Places([*own], "constants of the trajectory")
-    if places.unknown(given, "constants"):
-        with contextlib.suppress(ValueError):  # frames and points without a relation are told later
-            places = Places(
-                [*own, *sort_symbols(_drawn(*scene, series) - {*own})],
+    values = merged(check_mapping("constants", constants))
+    if not defaults:  # a trajectory without constants
+        return dict(values)
+    # A trajectory from a file has names instead of symbols.
+    values = {name_of(key) if name_of(key) in defaults else key: v for key, v in values.items()}
+    lookup = Places([*defaults], "constants of the trajectory")
+    if lookup.unknown(values, "constants"):
+        with contextlib.suppress(ValueError):  # unrelated frames and points raise an error later
+            lookup = Places(
+                [
+                    *defaults,
+                    *sort_symbols(_drawn(*scene, series) - {*defaults}),
+                ],
                 "constants of the trajectory and of the scene",
             )
-    return places.by_symbol(given, "constants")
+    return lookup.by_symbol(values, "constants")
 
 
 def _drawn(
     reference: Any, origin: Any, visuals: Sequence[Visual], series: Mapping[str, Any]
 ) -> set[Any]:
-    """Return the symbols in the places of visuals, in their shapes and in their bodies."""
+    """Return the symbols in the positions, orientations, shapes and bodies of visuals."""
     frames: set[Any] = set()
-    found: list[Any] = []
+    expressions: list[Any] = []
     for visual in visuals:
         shape, body = visual.shape, visual.body
         frames |= {visual.frame} - {None}
-        found += [] if shape is None else [getattr(shape, name) for name in shape.lengths]
-        found += [] if body is None else [body.mass]
+        expressions += [] if shape is None else [getattr(shape, name) for name in shape.lengths]
+        expressions += [] if body is None else [body.mass]
         if isinstance(body, RigidBody):
-            found += [*body.central_inertia.to_matrix(body.frame)]
+            expressions += [*body.central_inertia.to_matrix(body.frame)]
         for point in (visual.point, *(shape.points if isinstance(shape, Line) else ())):
             for components, frame in point.pos_from(origin).args:
                 frames.add(frame)
-                found += [*components]
+                expressions += [*components]
     for frame in frames:
-        found += [*reference.dcm(frame)]
-    found = [e for e in found if isinstance(e, sm.Expr)]
-    return {s for s in (*find_symbols(found), *symbols_of(visuals, series)) if s.is_Symbol}
+        expressions += [*reference.dcm(frame)]
+    expressions = [e for e in expressions if isinstance(e, sm.Expr)]
+    return {s for s in (*find_symbols(expressions), *symbols_of(visuals, series)) if s.is_Symbol}
 
 
 def units_of(units: Any) -> dict[str, str]:
     """Return units by the label of a series."""
-    given = check_mapping("units", units)
-    labels = [str(key).removesuffix("(t)") for key in given]
+    units_by_key = check_mapping("units", units)
+    labels = [str(key).removesuffix("(t)") for key in units_by_key]
     refuse_twice(labels, "units")
     return {
         label: text(unit, f"`units[{key}]`")
-        for label, (key, unit) in zip(labels, given.items(), strict=True)
+        for label, (key, unit) in zip(labels, units_by_key.items(), strict=True)
     }
 
 
 def events_of(trajectory: Any, times: np.ndarray) -> tuple[tuple[float, str], ...]:
     """Return times and names of the events that are shown; at most a hundred."""
     events = [(float(e.time), str(e.name)) for e in getattr(trajectory, "events", ())]
-    shown = [event for event in events if times[0] <= event[0] <= times[-1]]
-    return tuple(shown[:: max(1, -(-len(shown) // 100))])
+    visible = [event for event in events if times[0] <= event[0] <= times[-1]]
+    return tuple(visible[:: max(1, -(-len(visible) // 100))])
 
 
 def modes_of(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
     """Return the intervals of each contact's modes within the times that are shown.
 
-    What is narrower than a pixel of a wide screen is shown as the mode before it.
+    Intervals narrower than a pixel of a wide screen are shown as the mode before them.
     """
     begin, end = float(times[0]), float(times[-1])
-    found: dict[str, list[tuple[float, float, str]]] = {}
+    spans_by_contact: dict[str, list[tuple[float, float, str]]] = {}
     for first, last, modes in getattr(trajectory, "modes", ()):
         first, last = max(float(first), begin), min(float(last), end)
         if first >= last:
             continue
         for name, mode in modes.items():
-            spans = found.setdefault(name, [])
+            spans = spans_by_contact.setdefault(name, [])
             if spans and (spans[-1][2] == mode or (last - first) * 2000 < end - begin):
                 spans[-1] = spans[-1][0], last, spans[-1][2]
             else:
                 spans.append((first, last, mode))
-    return found
+    return spans_by_contact
 
 
 def playback(fps: float | None, speed: float | None, duration: float) -> tuple[float, float | None]:
@@ -263,29 +272,29 @@ def filmed(trajectory: Any, fps: float | None, speed: float | None) -> Any:
 
 
 def plotted(trajectory: Any, fps: float | None, speed: float | None) -> Any:
-    """Return a trajectory for curves beside a film: also with what happens between its pictures."""
+    """Return a trajectory for the curves of a film, also with details between its pictures."""
     return detailed(trajectory, partial(_step_of, fps, speed))
 
 
 def _step_of(fps: float | None, speed: float | None, duration: float) -> float:
     step = playback(fps, speed, duration)[1]
-    # No finer than two minutes of 60 pictures a second.
+    # At most as many pictures as two minutes at 60 pictures a second.
     return np.inf if step is None else max(step * (1.0 - DIGITS), duration / 7200)
 
 
 def watchable_speed(duration: float) -> float:
-    """Return the speed, a round number, at which a film is watched in peace.
+    """Return a comfortable speed of a film, a round number.
 
     Between one second and two minutes the film runs in real time.
     """
     if 1 <= duration <= 120 or duration <= 0:
         return 1.0
-    wanted = duration / (10.0 if duration < 1 else 60.0)
-    return round_number(wanted)
+    target = duration / (10.0 if duration < 1 else 60.0)
+    return round_number(target)
 
 
 def round_number(most: float) -> float:
-    """Return the largest number, 1 or 2 or 5 times a power of ten, that is no larger."""
+    """Return the largest number of the form 1, 2 or 5 times a power of ten up to a limit."""
     power = 10.0 ** np.floor(np.log10(most))
     return float(power * max(k for k in (1, 2, 5, 10) if k * power <= most * (1.0 + HALF)))
 

@@ -1,4 +1,4 @@
-"""Colours: what users may write, as ``#rrggbb`` for the page and for Matplotlib alike."""
+"""Colours of users' arguments, converted to ``#rrggbb`` for the page and for Matplotlib."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pydy._checks import real_array, shown
 CYCLE = (
     "#4c8bd9", "#ee8b3a", "#35a883", "#d9605b", "#9a78c9", "#d672a8", "#8a9a3b", "#2ba3b8",
 )  # fmt: skip
-"""For visuals without a colour of their own: told apart on white and on nearly black."""
+"""Colours of visuals without one, distinguishable on white and on nearly black."""
 
 MODES = {
     "closed": CYCLE[2], "sticks": CYCLE[2], "slides": CYCLE[1], "slides +": CYCLE[1],
@@ -51,7 +51,7 @@ ee82ee wheat f5deb3 white ffffff whitesmoke f5f5f5 yellow ffff00 yellowgreen 9ac
 NAMES: dict[str, str] = dict(re.findall(r"(\w+)\s+([0-9a-f]{6})\b", _TABLE))
 
 
-def hex_colour(colour: Any, what: str = "`colour`") -> str:
+def hex_colour(colour: Any, argument: str = "`colour`") -> str:
     """Return a CSS name, ``"#rgb"``, or red, green and blue from 0 to 1 as ``#rrggbb``."""
     if isinstance(colour, str):
         text = colour.strip().lower()
@@ -63,12 +63,12 @@ def hex_colour(colour: Any, what: str = "`colour`") -> str:
             return "#" + "".join(2 * digit for digit in text[1:])
     else:
         try:
-            levels = real_array(colour, what)
+            levels = real_array(colour, argument)
         except ValueError:
-            levels = real_array((), what)
+            levels = real_array((), argument)
         if levels.shape == (3,) and ((levels >= 0) & (levels <= 1)).all():
             return "#" + "".join(f"{int(255 * level + 0.5):02x}" for level in levels)
     raise ValueError(
-        f"{what} must be a CSS name such as 'steelblue', '#rrggbb', or three numbers from 0 to 1 "
-        f"for red, green and blue, got {shown(colour)}."
+        f"{argument} must be a CSS name such as 'steelblue', '#rrggbb', or three numbers from 0 to "
+        f"1 for red, green and blue, got {shown(colour)}."
     )

@@ -1,4 +1,4 @@
-"""Curves over time beside a scene: at times of their own, and thinned without losing a peak."""
+"""Curves over time below a scene: each with its own times, thinned without losing peaks."""
 
 from __future__ import annotations
 
@@ -8,43 +8,43 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pydy._checks import descends
-from pydy.viz.motion import Geometry, Motion, place
+from pydy.viz.motion import Geometry, SceneMotion, compute_placement
 
 # Parts of the time that a thinned curve has points in: a strip has fewer columns of pixels than
 # that on most screens, and is drawn like the whole curve. A part keeps at most seven points (see
 # `thinned`), a smooth one four: that is up to 8,000 points of 16 bytes, 170 kB of a page, for a
 # curve, and never more than 300 kB.
 BUCKETS = 2000
-WHOLE = 4 * BUCKETS  # a curve of so many points is not thinned
+UNTHINNED = 4 * BUCKETS  # curves of up to this many points are not thinned
 
 
-class Curve(NamedTuple):
+class TimeSeries(NamedTuple):
     """A quantity over time; a jump is two points at the same time, a gap is NaN."""
 
     times: np.ndarray  # (k,), ascending
     values: np.ndarray  # (k,)
 
 
-def curve(times: np.ndarray, values: np.ndarray) -> Curve:
+def curve(times: np.ndarray, values: np.ndarray) -> TimeSeries:
     """Return the Curve of values at ascending or descending times."""
-    return Curve(times[::-1], values[::-1]) if descends(times) else Curve(times, values)
+    return TimeSeries(times[::-1], values[::-1]) if descends(times) else TimeSeries(times, values)
 
 
 def evaluated(
-    reference: Any, origin: Any, formulas: Sequence[tuple[str, Any]], motion: Motion
-) -> dict[str, Curve]:
+    reference: Any, origin: Any, formulas: Sequence[tuple[str, Any]], motion: SceneMotion
+) -> dict[str, TimeSeries]:
     """Return the curves of expressions, by label, at all instants of a motion."""
     if not formulas:
         return {}
-    placed = place(Geometry(reference, origin, (), (), (), tuple(formulas)), motion)
+    placed = compute_placement(Geometry(reference, origin, (), (), (), tuple(formulas)), motion)
     return {label: curve(motion.times, values) for label, values in placed.series.items()}
 
 
-def thinned(whole: Curve) -> Curve:
-    """Return a curve with points enough to draw it.
+def thinned(series: TimeSeries) -> TimeSeries:
+    """Return a curve with only the points that are needed to draw it.
 
     The time is divided into equal parts, of each of which the first, the lowest, the highest and
-    the last point are kept: a curve of these covers the same pixels as the whole one (U. Jugel
+    the last point are kept: a curve of these covers the same pixels as the full one (U. Jugel
     et al., M4: A Visualization-Oriented Time Series Data Aggregation, VLDB 2014). Both ends of the
     largest jump in each part are kept too, and one point of a gap.
 
@@ -58,10 +58,10 @@ def thinned(whole: Curve) -> Curve:
     >>> len(drawn.times), drawn.times[drawn.values.argmax()], drawn.values.max()
     (4001, np.float64(0.616161), np.float64(129.6))
     """
-    times, values = whole
+    times, values = series
     count = len(times)
-    if count <= WHOLE:
-        return whole
+    if count <= UNTHINNED:
+        return series
     span = times[-1] - times[0]
     part = (times - times[0]) / span if span > 0.0 else np.zeros(count)
     buckets = np.minimum((BUCKETS * part).astype(int), BUCKETS - 1)
@@ -85,5 +85,5 @@ def thinned(whole: Curve) -> Curve:
         *(first, np.append(first[1:], count) - 1, before, before + 1, gaps[~finite[gaps]]),
         *(largest(np.where(finite, sign * values, -np.inf)) for sign in (1.0, -1.0)),
     )
-    kept = np.unique(np.concatenate(rows))
-    return Curve(times[kept], values[kept])
+    selected = np.unique(np.concatenate(rows))
+    return TimeSeries(times[selected], values[selected])

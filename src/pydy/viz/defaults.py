@@ -1,4 +1,4 @@
-"""What a scene shows when nobody said: shapes of bodies, the origin, which way is up."""
+"""Defaults of a scene: shapes of bodies, the origin, the upward direction."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ from pydy.viz.shapes import (
 from pydy.viz.surfaces import surface
 from pydy.viz.visuals import Visual
 
-# A plate is drawn no thinner than this part of its greatest edge.
+# Minimum thickness of a plate, relative to its longest edge.
 _THINNEST = 0.03
-# Radii of what has no size of its own, as parts of the scene's: a bar, a ball, a body in a plane.
+# Default radii relative to the size of the scene: a bar, a ball, a body in a plane.
 BAR, BALL, PLATE = 0.011, 0.04, 0.08
-# A solid that reaches further than this part of the distance to its body's own points hides them.
+# A solid must not exceed this fraction of the distance to its body's points, or it hides them.
 _COMPACT = 0.5
 
 
@@ -72,7 +72,7 @@ def default_shape(
         return joint if reach else ball
     try:
         mass = float(sm.sympify(body.mass).xreplace(numbers))
-    except TypeError:  # it is not in the equations: its size is free, its proportions are not
+    except TypeError:  # the mass is not in the equations: choose a size, with correct proportions
         mass = 12 * max(moments) / (0.4 * size) ** 2
     if not mass > 0 or not max(moments) > 0 or not np.isfinite(moments).all():
         return joint if reach else ball
@@ -80,7 +80,7 @@ def default_shape(
     ix, iy, iz = moments
     squares = [iy + iz - ix, iz + ix - iy, ix + iy - iz]
     if min(squares) < -DIGITS * max(moments):
-        # No body has such an inertia: it is one of motion in a plane, and tells no size.
+        # No solid has such an inertia: it is one for motion in a plane, without a size.
         if reach:
             return joint
         axis = int(np.argmax(moments))
@@ -101,8 +101,8 @@ def default_shape(
 def inertial_lengths(body: Any, shape: Shape, numbers: Mapping[Any, float]) -> dict[str, Any]:
     """Return the lengths of a body's default shape as expressions of mass and inertia.
 
-    Empty where the inertia holds more than constants, whose `numbers` these are, and where other
-    rules than the inertia gave the shape its size at these.
+    Empty if the inertia depends on more than constants, or if the size of the shape at the
+    `numbers` of the constants does not follow from the inertia.
     """
     if not isinstance(body, RigidBody):
         return {}
@@ -115,30 +115,30 @@ def inertial_lengths(body: Any, shape: Shape, numbers: Mapping[Any, float]) -> d
         return sm.sqrt(sm.Max(square, 0))
 
     ix, iy, iz = moments
-    found: dict[str, Any] = {}
+    lengths: dict[str, Any] = {}
     if isinstance(shape, Sphere):
-        found = {"radius": root(sm.Rational(5, 2) * ix / m)}
+        lengths = {"radius": root(sm.Rational(5, 2) * ix / m)}
     elif isinstance(shape, Cylinder):
-        own, across = moments["xyz".index(shape.axis)], moments["yzx".index(shape.axis)]
-        radius = root(2 * own / m)
-        length = root((12 * across - 6 * own) / m)
+        axial, transverse = moments["xyz".index(shape.axis)], moments["yzx".index(shape.axis)]
+        radius = root(2 * axial / m)
+        length = root((12 * transverse - 6 * axial) / m)
         solid = sm.Max(length, 2 * _THINNEST * radius)
         in_plane = {"radius": radius, "length": 2 * _THINNEST * radius}
-        found = {"radius": sm.Max(radius, _THINNEST * length / 2), "length": solid}
-        if not _are(found, shape, numbers):
-            found = in_plane
+        lengths = {"radius": sm.Max(radius, _THINNEST * length / 2), "length": solid}
+        if not _are(lengths, shape, numbers):
+            lengths = in_plane
     elif isinstance(shape, Box):
         edges = [root(6 * s / m) for s in (iy + iz - ix, iz + ix - iy, ix + iy - iz)]
         least = _THINNEST * sm.Max(*edges)
-        found = {axis: sm.Max(edge, least) for axis, edge in zip("xyz", edges, strict=True)}
-    return found if _are(found, shape, numbers) else {}
+        lengths = {axis: sm.Max(edge, least) for axis, edge in zip("xyz", edges, strict=True)}
+    return lengths if _are(lengths, shape, numbers) else {}
 
 
 def _are(lengths: Mapping[str, Any], shape: Shape, numbers: Mapping[Any, float]) -> bool:
     """Return whether expressions are the lengths of a shape."""
-    known = {symbol: sm.Float(value) for symbol, value in numbers.items()}
+    values_by_symbol = {symbol: sm.Float(value) for symbol, value in numbers.items()}
     try:
-        values = {name: float(e.xreplace(known)) for name, e in lengths.items()}
+        values = {name: float(e.xreplace(values_by_symbol)) for name, e in lengths.items()}
     except TypeError:  # a symbol without a value, or a root of a negative number
         return False
     return all(abs(v - getattr(shape, n)) <= DIGITS * abs(v) for n, v in values.items())
@@ -150,12 +150,12 @@ def _round_shape(moments: list[float], mass: float) -> Shape | None:
     if np.ptp(moments) <= DIGITS * greatest:
         return Sphere(float(np.sqrt(2.5 * greatest / mass)))
     for k, axis in enumerate("xyz"):
-        own, (one, other) = moments[k], np.delete(moments, k)
-        if abs(one - other) > DIGITS * greatest:
+        axial, (first, second) = moments[k], np.delete(moments, k)
+        if abs(first - second) > DIGITS * greatest:
             continue
         # I = m r² / 2 about the axis, m (3 r² + l²) / 12 across it.
-        radius = np.sqrt(2 * max(own, 0.0) / mass)
-        length = np.sqrt(max(12 * one / mass - 3 * radius**2, 0.0))
+        radius = np.sqrt(2 * max(axial, 0.0) / mass)
+        length = np.sqrt(max(12 * first / mass - 3 * radius**2, 0.0))
         size = max(2 * radius, length)
         thick = max(length, _THINNEST * size)
         return Cylinder(float(thick), float(max(radius, _THINNEST * size / 2)), axis)
@@ -163,39 +163,39 @@ def _round_shape(moments: list[float], mass: float) -> Shape | None:
 
 
 def find_origin(frame: Any, points: Iterable[Any]) -> Any:
-    """Return a point that was said to rest in `frame`, connected with the given ones, or None."""
+    """Return a point with zero velocity in `frame` that is connected to the given ones, or None."""
     tree = FrameTree(frame)
     connected = tree.points_from([*points])
     return next((p for p in connected if tree.velocity(p) == Vector(0)), None)
 
 
-_GREY = "#7d8796"  # to be seen on white and on nearly black
+_GREY = "#7d8796"  # visible on white and on nearly black
 _SPOKE = 0.12  # width of a wheel's spoke and of its rim, as parts of the radius
 
 
-def visuals_of(bodies: Iterable[Any], found: Outline, inertial: Any = None) -> list[Visual]:
-    """Return visuals of bodies and of all that an outline says.
+def visuals_of(bodies: Iterable[Any], parts: Outline, inertial: Any = None) -> list[Visual]:
+    """Return visuals of bodies and of the parts of an Outline.
 
-    A scene that is shown in another frame needs the inertial one, with which supports turn.
+    A scene that is shown in another frame needs the `inertial` one for the supports.
     """
     visuals = []
     turning = () if inertial is None else (inertial,)
     for body in bodies:
-        if body in found.resting:
+        if body in parts.resting:
             visuals.append(Visual(Support(colour=_GREY), body))
-        elif body in found.wheels:
-            visuals += _wheel(body, *found.wheels[body])
+        elif body in parts.wheels:
+            visuals += _wheel(body, *parts.wheels[body])
         else:
             visuals.append(Visual(None, body))
-    for body, pair in found.bars:
+    for body, pair in parts.bars:
         if body is None:
             visuals.append(Visual(Bar(pair, colour=_GREY), name="rods"))
         else:
             visuals.append(Visual(Bar(pair), body))
-    visuals += [Visual(Line(pair, colour=_GREY), name="ropes") for pair in found.ropes]
-    visuals += [Visual(Spring(pair, colour=_GREY), name="springs") for pair in found.springs]
-    visuals += [Visual(Damper(pair, colour=_GREY), name="dampers") for pair in found.dampers]
-    for point in found.supports:
+    visuals += [Visual(Line(pair, colour=_GREY), name="ropes") for pair in parts.ropes]
+    visuals += [Visual(Spring(pair, colour=_GREY), name="springs") for pair in parts.springs]
+    visuals += [Visual(Damper(pair, colour=_GREY), name="dampers") for pair in parts.dampers]
+    for point in parts.supports:
         visuals.append(Visual(Support(colour=_GREY), *turning, point, name="ground"))
     return visuals
 
@@ -215,10 +215,10 @@ def load_arrows(bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> list
     """Return arrows for forces at their points and torques at the mass centres of their bodies."""
     centres = {getattr(body, "frame", None): body.masscenter for body in bodies}
     arrows = []
-    for where, vector in loads:
-        point, name, colour = where, "forces", "#c93a3a"
-        if isinstance(where, ReferenceFrame):
-            point, name, colour = centres.get(where), "torques", "#7d4cc4"
+    for target, vector in loads:
+        point, name, colour = target, "forces", "#c93a3a"
+        if isinstance(target, ReferenceFrame):
+            point, name, colour = centres.get(target), "torques", "#7d4cc4"
         if point is not None and vector != Vector(0):
             arrow = Arrow(vector, scale=None, colour=colour)
             arrows.append(Visual(arrow, point, name=name))
@@ -226,15 +226,15 @@ def load_arrows(bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> list
 
 
 def gravities(expression: Any) -> list[Any]:
-    """Return the symbols in an expression that are called like the acceleration of gravity."""
+    """Return the symbols of an expression that are named like the acceleration of gravity."""
     return [s for s in expression.free_symbols if str(s) in ("g", "G", "gravity")]
 
 
 def _constant_parts(weights: Sequence[Any], values: Mapping[Any, float]) -> np.ndarray:
     """Return the numbers of a weight's components, zero for those that depend on the state.
 
-    A weight that is written in the axes of a body has sines and cosines that cancel. SymPy does
-    not see it, so the components are compared at a few states.
+    A weight written in the axes of a body has sines and cosines that cancel. SymPy does not
+    simplify them, so the components are compared at a few states.
     """
     symbols = set().union(*(weight.free_symbols for weight in weights))
     numbers = {s: sm.Float(values.get(s, 1.0)) for s in symbols}
@@ -242,8 +242,8 @@ def _constant_parts(weights: Sequence[Any], values: Mapping[Any, float]) -> np.n
     samples = []
     for state in np.random.default_rng(0).uniform(-1.0, 1.0, (3 if moving else 1, len(moving))):
         at = {**numbers, **dict(zip(moving, map(sm.Float, state), strict=True))}
-        here = [weight.xreplace(at) for weight in weights]
-        samples.append([float(n) if n.is_number and n.is_real else np.nan for n in here])
+        components = [weight.xreplace(at) for weight in weights]
+        samples.append([float(n) if n.is_number and n.is_real else np.nan for n in components])
     rows = np.array(samples)
     steady = np.ptp(rows, axis=0) <= HALF * np.abs(np.nan_to_num(rows)).max()
     return np.where(steady, rows[0], 0.0)
@@ -257,22 +257,22 @@ def guess_up(
 ) -> str | None:
     """Return the axis of `frame` against which the weights pull, or None.
 
-    A weight is what a force has of a symbol `g`, or a force at a mass centre that consists of
-    numbers and the mass.
+    A weight is the part of a force that is proportional to a symbol `g`, or a force at a mass
+    centre that depends on the mass alone.
     """
     masses = {body.masscenter: sm.sympify(body.mass) for body in bodies}
     pull = np.zeros(3)
-    for where, vector in loads:
+    for target, vector in loads:
         try:
             components = vector.to_matrix(frame)
         except ValueError:
             continue
         weights = []
         for component in map(sm.sympify, components):
-            known = gravities(component)
-            if len(known) == 1:
-                weights.append(component.diff(known[0]))
-            elif where in masses and not component.free_symbols - masses[where].free_symbols:
+            symbols = gravities(component)
+            if len(symbols) == 1:
+                weights.append(component.diff(symbols[0]))
+            elif target in masses and not component.free_symbols - masses[target].free_symbols:
                 weights.append(component)
             else:
                 weights.append(sm.S.Zero)

@@ -13,7 +13,7 @@ import numpy as np
 from pydy._checks import typed
 from pydy._files import replacing
 from pydy._optional import bar_of, require
-from pydy.viz.animation import Animation, Framing, Item, Look, frame, frame_still
+from pydy.viz.animation import Animation, Framing, Item, ViewSettings, frame, frame_still
 from pydy.viz.shapes import Circle, Line, Mesh, Plane
 from pydy.viz.surfaces import Surface, spoke, surface
 
@@ -22,26 +22,26 @@ from pydy.viz.surfaces import Surface, spoke, surface
 # surfaces are sorted together.
 
 
-class Part(NamedTuple):
+class SurfacePart(NamedTuple):
     """A surface of one colour."""
 
     vertices: np.ndarray  # (n, 3): in Matplotlib's axes
     faces: np.ndarray  # int, (k, 3): counter-clockwise from outside
     rgba: np.ndarray  # (4,), or (k, 4): of each triangle
-    closed: bool  # whether what faces away from the viewer is never seen
+    closed: bool  # whether triangles that face away from the viewer are invisible
 
 
 def make_triangles(axes: Any) -> Any:
     """Add an artist to an Axes3D and return it.
 
-    Before each frame its method `set_parts` takes what is to be painted. A closed surface hides
-    its own triangles that face away; those are left out before they are sorted.
+    Before each frame its method `set_parts` takes the surfaces. Triangles of closed surfaces that
+    face away are invisible, and are removed before sorting.
     """
     from matplotlib.artist import Artist
     from matplotlib.transforms import IdentityTransform
 
     class Triangles(Artist):
-        def set_parts(self, parts: Sequence[Part], light: np.ndarray) -> None:
+        def set_parts(self, parts: Sequence[SurfacePart], light: np.ndarray) -> None:
             """Set the surfaces of a frame and the direction of the light."""
             self.parts, self.light = parts, light
 
@@ -49,17 +49,17 @@ def make_triangles(axes: Any) -> Any:
             """Project the triangles and paint them from far to near."""
             if not self.parts:
                 return
-            vertices, faces, rgba, closed = _joined(self.parts)
+            vertices, faces, rgba, closed = _concatenate(self.parts)
             projection = axes.get_proj()
             points = vertices @ projection[:, :3].T + projection[:, 3]
             points = points[:, :3] / points[:, 3:]
             flat = axes.transData.transform(points[:, :2])
             a, b, c = (flat[faces[:, k]] for k in range(3))
             area = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
-            seen = np.flatnonzero((area > 0) | ~closed)
-            depth = points[:, 2][faces[seen]].sum(1)
-            seen = seen[np.argsort(-depth)]
-            faces, colours = faces[seen], rgba[seen]
+            visible = np.flatnonzero((area > 0) | ~closed)
+            depth = points[:, 2][faces[visible]].sum(1)
+            visible = visible[np.argsort(-depth)]
+            faces, colours = faces[visible], rgba[visible]
             bright = 0.7 + 0.3 * normals(vertices[faces]) @ self.light
             colours[:, :3] *= bright[:, None]
             context = renderer.new_gc()
@@ -83,14 +83,16 @@ def normals(corners: np.ndarray) -> np.ndarray:
     return normal / np.where(lengths > 0, lengths, 1.0)
 
 
-def _joined(parts: Sequence[Part]) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the parts as one: vertices, and of each triangle the corners, colour and `closed`."""
+def _concatenate(
+    parts: Sequence[SurfacePart],
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Concatenate the parts: vertices, and the corners, colour and `closed` of each triangle."""
     counts = [len(part.faces) for part in parts]
     starts = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
     faces = np.concatenate([part.faces for part in parts])
     faces = faces + np.repeat(starts, counts)[:, None]
-    each = [np.broadcast_to(part.rgba, (k, 4)) for part, k in zip(parts, counts, strict=True)]
-    rgba = np.concatenate(each)
+    colours = [np.broadcast_to(part.rgba, (k, 4)) for part, k in zip(parts, counts, strict=True)]
+    rgba = np.concatenate(colours)
     closed = np.repeat([part.closed for part in parts], counts)
     return np.concatenate([part.vertices for part in parts]), faces, rgba, closed
 
@@ -115,15 +117,20 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
             palette = palette or _palette(Image, frame, drawing.colours)
             yield frame.quantize(palette=palette, dither=Image.Dither.NONE)
 
-    rest = frames()
-    options = {"save_all": True, "append_images": rest, "duration": int(1000.0 / fps), "loop": 0}
-    with open(path, "wb") as file:  # Pillow leaves its own open after a Ctrl-C
-        next(rest).save(file, "GIF", **options)
+    remaining = frames()
+    options = {
+        "save_all": True,
+        "append_images": remaining,
+        "duration": int(1000.0 / fps),
+        "loop": 0,
+    }
+    with open(path, "wb") as file:  # Pillow would not close its own after a Ctrl-C
+        next(remaining).save(file, "GIF", **options)
 
 
 def _palette(image: Any, frame: Any, colours: list[np.ndarray]) -> Any:
     """Return a palette of 256 colours: those of a picture, and shades of the scene's."""
-    # So many shades of each colour of the scene the palette can tell.
+    # The number of shades of each colour that the palette can distinguish.
     shades = np.linspace(0.4, 1.0, 24)[:, None, None] * np.array(colours or [np.ones(3)])
     strip = np.tile((255 * shades).astype(np.uint8).reshape(1, -1, 3), (40, 1, 1))
     sample = np.concatenate([np.asarray(frame).reshape(-1, 3), strip.reshape(-1, 3)])[None]
@@ -153,18 +160,18 @@ def save_mp4(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
         # The pixel format that every player reads wants even numbers of pixels.
         *("-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", str(path)),
     ]
-    with tempfile.TemporaryFile() as said:
-        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said) as process:
+    with tempfile.TemporaryFile() as errors:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=errors) as process:
             assert process.stdin is not None
             try:
                 for k in rows:
                     process.stdin.write(paint(k).data)
                 process.stdin.close()
             except BrokenPipeError:
-                pass  # it has said why
+                pass  # ffmpeg has reported the reason
         if process.returncode:
-            said.seek(0)
-            message = said.read().decode(errors="replace").strip()
+            errors.seek(0)
+            message = errors.read().decode(errors="replace").strip()
             raise OSError(f"ffmpeg could not write '{path}': {message}")
 
 
@@ -174,10 +181,10 @@ def _encoder(ffmpeg: str) -> tuple[str, ...]:
     With its default preset, libx264 would take longer than the drawing of the frames; the faster
     one makes files of about the same size. Other encoders do not know presets.
     """
-    said = subprocess.run(
+    help_output = subprocess.run(
         [ffmpeg, "-v", "quiet", "-h", "encoder=libx264"], capture_output=True, check=False
     )
-    if b"preset" in said.stdout:
+    if b"preset" in help_output.stdout:
         return ("-vcodec", "libx264", "-preset", "veryfast")
     return ("-vcodec", "h264")
 
@@ -185,8 +192,8 @@ def _encoder(ffmpeg: str) -> tuple[str, ...]:
 def _painter(drawing: Any) -> tuple[Callable[[int], np.ndarray], tuple[int, int]]:
     """Return ``paint(k) -> pixels``, shape (height, width, 4), and the width and height.
 
-    The figure and its title are drawn once; each frame copies them and adds what moves. Axes3D
-    would draw the text anew and sort its artists.
+    The figure and its title are drawn once; each frame copies them and adds the moving artists.
+    Axes3D would redraw the text and sort its artists.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -205,7 +212,7 @@ def _painter(drawing: Any) -> tuple[Callable[[int], np.ndarray], tuple[int, int]
         else:
             canvas.restore_region(background)
         axes.apply_aspect()
-        axes.M = axes.get_proj()  # which lines read
+        axes.M = axes.get_proj()  # lines read it
         for artist in sorted([*axes.lines, drawing.triangles], key=lambda a: float(a.zorder)):
             artist.draw(renderer)
         return np.asarray(canvas.buffer_rgba())
@@ -218,43 +225,45 @@ def _painter(drawing: Any) -> tuple[Callable[[int], np.ndarray], tuple[int, int]
 
 _PICTURES = (".png", ".pdf", ".svg", ".jpg", ".jpeg")
 _FILMS = (".mp4", ".gif")
-_OPEN = (Circle, Mesh, Plane)  # both sides of these may be seen
+_OPEN = (Circle, Mesh, Plane)  # both sides of these may be visible
 _SPOKE = 0.45  # brightness of a radius of a disc, which shows how it turns
-_DOT = 5.0  # diameter of what marks a solid that would be smaller, in points
-_GRAZING = 0.25  # of normals, by how much they may point away from the viewer
+_DOT = 5.0  # diameter of the mark of a solid that would be smaller, in points
+_GRAZING = 0.25  # tolerance for normals that point away from the viewer
 
 
-def draw(animation: Animation, look: Look, t: float, axes: Any = None, still: bool = False) -> Any:
+def draw(
+    animation: Animation, settings: ViewSettings, t: float, axes: Any = None, single: bool = False
+) -> Any:
     """Draw an animation at a time; return the axes.
 
-    The whole motion has room, so that pictures of several times fit together; a still one is of
-    this time alone.
+    The limits are those of the full motion, so that pictures of several times fit together; with
+    `single`, those of this time.
     """
     require("matplotlib", "plot", "A picture or film of a scene")
     if axes is None:
         from matplotlib.figure import Figure
 
-        axes = _whole(Figure(figsize=(7, 5)))
+        axes = _full_axes(Figure(figsize=(7, 5)))
     elif not hasattr(axes, "add_collection3d"):
         raise TypeError(
             "`axes` must be three-dimensional, made with subplot(projection='3d'), got "
             f"{typed(axes)}."
         )
-    seen = frame_still(animation, look, t) if still else frame(animation, look)
-    _Drawing(animation, animation.at(t), seen, axes, look.title).draw(0)
+    framing = frame_still(animation, settings, t) if single else frame(animation, settings)
+    _Drawing(animation, animation.at(t), framing, axes, settings.title).draw(0)
     return axes
 
 
 def save(
     animation: Animation,
-    look: Look,
+    settings: ViewSettings,
     path: Path,
     fps: float,
     dpi: float,
     size: tuple[float, float],
     progress: bool,
 ) -> None:
-    """Save a film or a picture, as the suffix of the path says."""
+    """Save a film or a picture, depending on the suffix of the path."""
     suffix = path.suffix.lower()
     if suffix not in _PICTURES + _FILMS:
         raise ValueError(
@@ -265,27 +274,27 @@ def save(
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, dpi=dpi)
-    axes = _whole(figure)
+    axes = _full_axes(figure)
     start, end = float(animation.times[0]), float(animation.times[-1])
     if suffix in _PICTURES:
-        seen = frame_still(animation, look, start)
-        _Drawing(animation, animation.at(start), seen, axes, look.title).draw(0)
-        with replacing(path) as (place,):
-            figure.savefig(place, dpi=dpi)
+        framing = frame_still(animation, settings, start)
+        _Drawing(animation, animation.at(start), framing, axes, settings.title).draw(0)
+        with replacing(path) as (target,):
+            figure.savefig(target, dpi=dpi)
         return
 
     count = max(1, round((end - start) / animation.speed * fps)) + 1
-    shown = animation.at(np.linspace(start, end, count))
-    seen = frame(animation, look)
-    drawing = _Drawing(animation, shown, seen, axes, look.title, make_triangles(axes))
+    instants = animation.at(np.linspace(start, end, count))
+    framing = frame(animation, settings)
+    drawing = _Drawing(animation, instants, framing, axes, settings.title, make_triangles(axes))
     rows: Iterable[int] = range(count)
     if progress:
         rows = bar_of(rows)
-    with replacing(path) as (place,):
-        (save_gif if suffix == ".gif" else save_mp4)(drawing, rows, place, fps)
+    with replacing(path) as (target,):
+        (save_gif if suffix == ".gif" else save_mp4)(drawing, rows, target, fps)
 
 
-def _whole(figure: Any) -> Any:
+def _full_axes(figure: Any) -> Any:
     """Return Axes that fill their figure, so that the picture clips everything beyond."""
     return figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
 
@@ -295,7 +304,7 @@ def _rgb(colour: str) -> np.ndarray:
 
 
 class _Drawing:
-    """Draws the instants `shown` of an animation into one Axes3D, whose artists it makes once.
+    """Draws `instants` of an animation into one Axes3D, whose artists it creates once.
 
     A film passes `triangles`, one artist for all surfaces.
     """
@@ -303,48 +312,48 @@ class _Drawing:
     def __init__(
         self,
         animation: Animation,
-        shown: Animation,
-        seen: Framing,
+        instants: Animation,
+        framing: Framing,
         axes: Any,
         title: str,
         triangles: Any = None,
     ) -> None:
         self.animation = animation
-        self.shown = shown
+        self.instants = instants
         self.triangles = triangles
         self.solids: dict[int, Surface] = {}
-        self.spokes: dict[int, np.ndarray] = {}  # of those, the triangles to be darker
-        self.seen = seen
+        self.spokes: dict[int, np.ndarray] = {}  # indices of the darker triangles of each solid
+        self.framing = framing
         self.axes = axes
         self.title = title
         # Matplotlib's z is up; rows are its axes in the scene's frame.
-        depth = np.cross(seen.right, seen.up)
-        self.turn = np.stack([seen.right, -depth, seen.up])
-        self.light = self.turn @ (0.9 * depth + 0.7 * seen.right + 2.2 * seen.up)
+        depth = np.cross(framing.right, framing.up_axis)
+        self.turn = np.stack([framing.right, -depth, framing.up_axis])
+        self.light = self.turn @ (0.9 * depth + 0.7 * framing.right + 2.2 * framing.up_axis)
         self.light /= np.linalg.norm(self.light)
-        self.view = self.turn @ seen.direction
+        self.view = self.turn @ framing.direction
         self.artists: dict[tuple[int, str], Any] = {}
         self.grid: Any = None
-        self.target: np.ndarray | None = None  # what the camera looks at
+        self.target: np.ndarray | None = None  # the point at the centre of the view
         self.zoom = 1.0
 
     @property
     def colours(self) -> list[np.ndarray]:
         """The colours of the visuals."""
-        return [_rgb(colour) for colour in sorted({i.shape.colour for i in self.shown.items})]
+        return [_rgb(colour) for colour in sorted({i.shape.colour for i in self.instants.items})]
 
     def draw(self, k: int) -> None:
         """Draw the k-th instant."""
-        seen, t = self.seen, float(self.shown.times[k])
-        target = seen.target.copy()
-        if seen.path is not None:
-            row = [np.interp(t, self.animation.times, seen.path[:, i]) for i in range(3)]
+        framing, t = self.framing, float(self.instants.times[k])
+        target = framing.target.copy()
+        if framing.path is not None:
+            row = [np.interp(t, self.animation.times, framing.path[:, i]) for i in range(3)]
             target += np.array(row)
         if self.target is None or not np.array_equal(target, self.target):
             self._frame(target)
         self.target = target
         parts = []
-        for number, item in enumerate(self.shown.items):
+        for number, item in enumerate(self.instants.items):
             colour, shape = item.shape.colour, item.shape
             path = self.animation.path(number, t)
             if path is not None:
@@ -365,13 +374,13 @@ class _Drawing:
             if self.triangles is None:
                 self._surface((number, "surface"), vertices[faces], rgba, closed)
             else:
-                parts.append(Part(vertices, faces, rgba, closed))
+                parts.append(SurfacePart(vertices, faces, rgba, closed))
         if self.triangles is not None:
             self.triangles.set_parts(parts, self.light)
 
     def _solid(self, number: int, item: Item, k: int) -> Surface | None:
         """Return an item's triangles in Matplotlib's axes."""
-        if item.rigid:  # its triangles only turn and move
+        if item.rigid:  # its triangles only rotate and translate
             if number not in self.solids:
                 self.solids[number] = surface(item.shape)
                 self.spokes[number] = spoke(item.shape, *self.solids[number])
@@ -416,9 +425,9 @@ class _Drawing:
 
         normal = normals(corners)
         if closed:
-            # Half of a closed surface is behind the other half; less, for the perspective.
-            seen = normal @ self.view > -_GRAZING
-            corners, normal, rgba = corners[seen], normal[seen], rgba[seen]
+            # Nearly half of a closed surface is hidden; the perspective reduces it.
+            facing = normal @ self.view > -_GRAZING
+            corners, normal, rgba = corners[facing], normal[facing], rgba[facing]
         bright = 0.7 + 0.3 * normal @ self.light
         rgba = np.column_stack([bright[:, None] * rgba[:, :3], rgba[:, 3]])
         if key not in self.artists:
@@ -428,43 +437,43 @@ class _Drawing:
             self.axes.add_collection3d(self.artists[key])
             return
         self.artists[key].set_verts(corners)
-        # Without edges the seams between triangles shine through.
+        # Without edges, seams between triangles are visible.
         self.artists[key].set_facecolor(rgba)
         self.artists[key].set_edgecolor(rgba)
 
     def _fit(self, middle: np.ndarray, edges: np.ndarray) -> None:
-        """Choose the zoom with which the box to be seen just fits into the picture."""
+        """Set the zoom with which the visible box just fits into the picture."""
         from mpl_toolkits.mplot3d.proj3d import proj_transform
 
-        axes, half = self.axes, np.abs(self.turn) @ self.seen.extent / 2
+        axes, half = self.axes, np.abs(self.turn) @ self.framing.extent / 2
         signs = np.stack(np.meshgrid(*[[-1.0, 1.0]] * 3), -1).reshape(-1, 3)
         corners = (middle + signs * half).T
-        whole, titled = axes.figure.bbox, 30.0 if self.title else 0.0
-        low, high = np.array([whole.x0, whole.y0]), np.array([whole.x1, whole.y1 - titled])
+        bounds, titled = axes.figure.bbox, 30.0 if self.title else 0.0
+        low, high = np.array([bounds.x0, bounds.y0]), np.array([bounds.x1, bounds.y1 - titled])
         if axes.get_position(original=True).size[0] < 1.0:  # one of several
             low, high = axes.bbox.min, axes.bbox.max
         for _ in range(4):  # the perspective grows with the zoom
             axes.set_box_aspect(edges, zoom=self.zoom)
             axes.apply_aspect()
             x, y, _ = proj_transform(*corners, axes.get_proj())
-            seen = axes.transData.transform(np.stack([x, y], -1))
+            projected = axes.transData.transform(np.stack([x, y], -1))
             centre = (axes.bbox.min + axes.bbox.max) / 2
-            room = np.where(seen > centre, high - centre, centre - low)
-            self.zoom *= 0.96 / float((np.abs(seen - centre) / room).max())
+            room = np.where(projected > centre, high - centre, centre - low)
+            self.zoom *= 0.96 / float((np.abs(projected - centre) / room).max())
         axes.set_box_aspect(edges, zoom=self.zoom)
 
     def _frame(self, target: np.ndarray) -> None:
         """Set limits, direction of view, and draw the ground's grid."""
-        axes, seen = self.axes, self.seen
-        middle, half = self.turn @ target, np.abs(self.turn) @ seen.extent / 2
+        axes, framing = self.axes, self.framing
+        middle, half = self.turn @ target, np.abs(self.turn) @ framing.extent / 2
         half = np.maximum(half, 0.25 * half.max())
         limits = np.stack([middle - half, middle + half], 1)
-        if seen.ground is not None:
-            limits[2, 0] = min(limits[2, 0], seen.ground)
+        if framing.ground is not None:
+            limits[2, 0] = min(limits[2, 0], framing.ground)
         axes.set(xlim=limits[0], ylim=limits[1], zlim=limits[2])
         edges = limits[:, 1] - limits[:, 0]
         axes.set_box_aspect(edges, zoom=self.zoom)
-        x, y, z = self.turn @ seen.direction
+        x, y, z = self.turn @ framing.direction
         axes.view_init(
             elev=float(np.degrees(np.arcsin(np.clip(z, -1, 1)))),
             azim=float(np.degrees(np.arctan2(y, x))),
@@ -474,18 +483,18 @@ class _Drawing:
             if self.title:
                 axes.set_title(self.title, y=1.0, pad=0.0)
             self._fit(middle, edges)
-        if seen.ground is None:
+        if framing.ground is None:
             return
         (x0, x1), (y0, y1) = limits[:2]
-        across, along = (
-            seen.cell * np.arange(np.ceil(low / seen.cell), np.floor(high / seen.cell) + 1)
+        across, lengthwise = (
+            framing.cell * np.arange(np.ceil(low / framing.cell), np.floor(high / framing.cell) + 1)
             for low, high in ((x0, x1), (y0, y1))
         )
         # One artist for all lines, with gaps between them.
         lines = [[[x, x, np.nan], [y0, y1, np.nan]] for x in across]
-        lines += [[[x0, x1, np.nan], [y, y, np.nan]] for y in along]
+        lines += [[[x0, x1, np.nan], [y, y, np.nan]] for y in lengthwise]
         level = np.concatenate(lines, axis=1)
-        columns = (*level, np.full(level.shape[1], seen.ground))
+        columns = (*level, np.full(level.shape[1], framing.ground))
         if self.grid is not None:
             self.grid.set_data_3d(*columns)
             return

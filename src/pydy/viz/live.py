@@ -18,9 +18,9 @@ from pydy._program import Program, run
 from pydy._rank import ROUNDED, or_one
 from pydy.export import Model, Variable, javascript_object
 from pydy.viz.animation import Animation, Item, followed
-from pydy.viz.arguments import unknowns_beside
+from pydy.viz.arguments import live_unknowns
 from pydy.viz.defaults import inertial_lengths
-from pydy.viz.motion import Geometry, Motion, Names, pose_program
+from pydy.viz.motion import Geometry, Names, SceneMotion, pose_program
 from pydy.viz.shapes import Arrow, Line
 
 _SAMPLES = 6
@@ -58,20 +58,20 @@ class Slider:
 
     def __post_init__(self) -> None:
         for name in ("low", "high"):
-            given = number(getattr(self, name), f"`{name}` of Slider", finite=True)
-            object.__setattr__(self, name, given)
+            checked = number(getattr(self, name), f"`{name}` of Slider", finite=True)
+            object.__setattr__(self, name, checked)
         if not self.low < self.high:
             raise ValueError(
                 f"`low` of Slider must be less than `high`, got {self.low} and {self.high}."
             )
         if self.value is not None:
-            given = number(self.value, "`value` of Slider", finite=True)
-            if not self.low <= given <= self.high:
+            checked = number(self.value, "`value` of Slider", finite=True)
+            if not self.low <= checked <= self.high:
                 raise ValueError(
                     f"`value` of Slider must be from `low` to `high`, {self.low} to {self.high}, "
-                    f"got {given}: widen the range."
+                    f"got {checked}: widen the range."
                 )
-            object.__setattr__(self, "value", given)
+            object.__setattr__(self, "value", checked)
         text(self.unit, "`unit` of Slider")
         text(self.label, "`label` of Slider")
         if not isinstance(self.sets, dict):
@@ -114,8 +114,8 @@ class Live:
             )
         choice(self.constraints, ("auto", "project", None), "`constraints` of Live")
         for name in ("rtol", "atol", *(() if self.max_step is None else ("max_step",))):
-            given = positive(getattr(self, name), f"`{name}` of Live", finite=True)
-            object.__setattr__(self, name, given)
+            checked = positive(getattr(self, name), f"`{name}` of Live", finite=True)
+            object.__setattr__(self, name, checked)
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,24 +130,23 @@ class LiveSystem:
     outputs: tuple[Any, ...]
     # mapping of symbols to expressions: specifieds that are expressions
     definitions: Mapping[Any, Any]
-    # (list of int, list of int): places in x of the coordinates and speeds that the
-    # constraints determine
+    # (list of int, list of int): indices in x of the dependent coordinates and speeds
     dependents: tuple[list[int], list[int]]
-    coordinates: int  # coordinates, speeds: how many there are
+    coordinates: int  # numbers of coordinates and of speeds
     speeds: int
 
 
-# -- which points are rigidly connected ------------------------------------------------------------
+# -- Rigidly connected points ----------------------------------------------------------------------
 
 
 class Witness:
     """Frames and points in generic states, for various values of the constants with sliders.
 
-    What is constant there is constant always.
+    A quantity that is constant in all of these is treated as constant.
     """
 
     def __init__(
-        self, geometry: Geometry, program: Program, motion: Motion, varied: Sequence[int]
+        self, geometry: Geometry, program: Program, motion: SceneMotion, varied: Sequence[int]
     ) -> None:
         generator = np.random.default_rng(20)
         rotations, positions = [], []
@@ -170,10 +169,10 @@ class Witness:
                            for k, p in enumerate(geometry.points)}  # fmt: skip
 
     def rigid(self, frame: Any, base: Any, point: Any) -> bool:
-        """Tell whether a point rests in a frame as seen from another point."""
-        places = self._positions[point], self._positions[base]
-        offset = np.einsum("mji,mj->mi", self._rotations[frame], places[0] - places[1])
-        return bool(np.ptp(offset, axis=0).max() <= ROUNDED * np.abs(places).max())
+        """Return whether the vector between two points is constant in a frame."""
+        positions = self._positions[point], self._positions[base]
+        offset = np.einsum("mji,mj->mi", self._rotations[frame], positions[0] - positions[1])
+        return bool(np.ptp(offset, axis=0).max() <= ROUNDED * np.abs(positions).max())
 
 
 # -- the page -------------------------------------------------------------------------------------
@@ -185,15 +184,15 @@ def live_page(
     title: str,
     scene: tuple[Any, Any, Sequence[Any], Mapping[str, Any]],
     animation: Animation,
-    motion: Motion,
+    motion: SceneMotion,
 ) -> LivePage | None:
     """Return the additional content of a live page; None for an animation.
 
-    `live` is what users pass, `scene` the reference frame, origin, visuals and series.
+    `live` is the user's argument, `scene` the reference frame, origin, visuals and series.
     """
     if live is None:
         return None
-    wanted = live if isinstance(live, Live) else Live(live)
+    settings = live if isinstance(live, Live) else Live(live)
     if model is None or model.live is None:
         raise ValueError(
             "`live` needs the equations of motion: make the scene with `system.scene(...)`."
@@ -204,12 +203,14 @@ def live_page(
             "A live page computes the motion anew and shows no other runs beside it: call "
             "`animate` without `compare`."
         )
-    system = model.live(name=title or "model", events=wanted.events, constraints=wanted.constraints)
-    return LivePage(wanted, system, (reference, origin, series), animation, motion)
+    system = model.live(
+        name=title or "model", events=settings.events, constraints=settings.constraints
+    )
+    return LivePage(settings, system, (reference, origin, series), animation, motion)
 
 
 class LivePage:
-    """What goes into the page; a witness tells what moves rigidly whatever the sliders say."""
+    """The data of a live page; a Witness finds points that are always rigidly connected."""
 
     def __init__(
         self,
@@ -217,16 +218,16 @@ class LivePage:
         system: LiveSystem,
         scene: tuple[Any, Any, Mapping[str, Any]],
         animation: Animation,
-        motion: Motion,
+        motion: SceneMotion,
     ) -> None:
         self.live, self.system, self.items = live, system, animation.items
         self.reference, self.origin, series = scene
-        self.sliders, self.own = _sliders(live, system)
-        known = dict(zip(motion.names.constants, motion.constants.tolist(), strict=True))
-        by_name = {name_of(s): v for s, v in known.items()}
-        taken = {name_of(s) for s in system.constants}
-        extras = {s: sm.Float(v) for s, v in known.items() if name_of(s) not in taken}
-        lazy: Any = motion.names.definitions  # made when asked for
+        self.sliders, self.user_sliders = _sliders(live, system)
+        constants = dict(zip(motion.names.constants, motion.constants.tolist(), strict=True))
+        by_name = {name_of(s): v for s, v in constants.items()}
+        model_names = {name_of(s) for s in system.constants}
+        extras = {s: sm.Float(v) for s, v in constants.items() if name_of(s) not in model_names}
+        lazy: Any = motion.names.definitions  # evaluated lazily
         self.names = Names(
             system.states,
             system.inputs,
@@ -238,17 +239,19 @@ class LivePage:
         geometry = self._geometry([v.frame for v in visuals], [v.point for v in visuals])
         p = np.array([by_name.get(name_of(s), 1.0) for s in system.constants])
         self.numbers = dict(zip(system.constants, p.tolist(), strict=True))
-        generic = Motion(self.names, motion.times, motion.states, motion.specifieds, p)
+        generic = SceneMotion(self.names, motion.times, motion.states, motion.specifieds, p)
         count = len(system.constants)
         varied = [r["place"] for r in self.sliders if r["group"] == "p" and r["place"] < count]
         self.witness = Witness(geometry, pose_program(geometry, self.names), generic, varied)
         self.plotted, self.formulas = _series(series, animation, system)
-        self.start, self.starts = _start(system, self.own)
-        given = {row["place"] for row in self.sliders if row["group"] == "x"} | set(self.starts)
+        self.start, self.starts = _start(system, self.user_sliders)
+        set_states = {row["place"] for row in self.sliders if row["group"] == "x"} | set(
+            self.starts
+        )
         counts = (system.coordinates, system.speeds)
-        self.unknowns = unknowns_beside(given, system.dependents, counts, system.states)
+        self.unknowns = live_unknowns(set_states, system.dependents, counts, system.states)
 
-    def _geometry(self, frames: Iterable[Any], points: Iterable[Any], *more: Any) -> Geometry:
+    def _geometry(self, frames: Iterable[Any], points: Iterable[Any], *blocks: Any) -> Geometry:
         """Return some frames and points, and those of lines."""
         lines = (i.shape.points for i in self.items if isinstance(i.shape, Line))
         return Geometry(
@@ -256,22 +259,22 @@ class LivePage:
             self.origin,
             tuple(dict.fromkeys(f for f in frames if f is not None)),
             tuple(dict.fromkeys([*points, *chain.from_iterable(lines)])),
-            *more,
+            *blocks,
         )
 
     def code(self, tracks: Sequence[tuple[Any, Any]]) -> tuple[str, dict[str, Any]]:
-        """Return the model's object in JavaScript and what the page's scripts read.
+        """Return the model's object in JavaScript and the data of the page's scripts.
 
         The tracks of the page are pairs of a frame, or None, and a point.
         """
         live, system, items = self.live, self.system, self.items
         arrows = [i for i in items if isinstance(i.shape, Arrow)]
         vectors = tuple(i.shape.vector for i in arrows if isinstance(i.shape, Arrow))
-        turned, placed = ([track[k] for track in tracks] for k in (0, 1))
-        geometry = self._geometry(turned, placed, vectors)
-        # Apart from the poses: curves have a sample at each step, of which few are drawn.
+        frames, placed = ([track[k] for track in tracks] for k in (0, 1))
+        geometry = self._geometry(frames, placed, vectors)
+        # Separate from the poses: curves have a sample at each step, poses at few of them.
         curves = Geometry(self.reference, self.origin, (), (), (), self.formulas)
-        sizes, places = _sizes(items, system, self.names.definitions, self.numbers)
+        sizes, size_targets = _sizes(items, system, self.names.definitions, self.numbers)
         builders = {
             **system.model.builders,
             "poses": lambda: pose_program(geometry, self.names),
@@ -279,7 +282,7 @@ class LivePage:
             "sizes": lambda: sizes,
             "start": lambda: self.start,
         }
-        added = tuple(Variable(s.name, s.name, v) for s, v, _ in self.own)
+        added = tuple(Variable(s.name, s.name, v) for s, v, _ in self.user_sliders)
         model = replace(
             system.model, builders=builders, constants=(*system.model.constants, *added)
         )
@@ -305,7 +308,7 @@ class LivePage:
                 else None
                 for i in items
             ],
-            "sizes": places,
+            "sizes": size_targets,
             "series": self.plotted,
             "starts": self.starts,
             "dependents": self.unknowns if model.constraints else None,
@@ -324,15 +327,15 @@ def _sliders(
         ("r", Places(system.inputs, "inputs of the system"), system.model.inputs),
     )
     refuse_twice(
-        [next((s for _, places, _ in groups if (s := places.meaning(key, "live")) != key), key)
+        [next((s for _, lookup, _ in groups if (s := lookup.meaning(key, "live")) != key), key)
          for key in live.sliders], "live",
     )  # fmt: skip
     rows: list[dict[str, Any]] = []
-    own: list[Any] = []
-    for key, given in live.sliders.items():
-        slider = _slider(key, given)
-        found = [(g, k, v[k]) for g, places, v in groups
-                 if (k := places.get(key, "live")) is not None]  # fmt: skip
+    user_sliders: list[Any] = []
+    for key, argument in live.sliders.items():
+        slider = _slider(key, argument)
+        matches = [(g, k, v[k]) for g, lookup, v in groups
+                 if (k := lookup.get(key, "live")) is not None]  # fmt: skip
         label = slider.label or name_of(key)
         row = {
             "label": label,
@@ -341,66 +344,68 @@ def _sliders(
             "low": slider.low,
             "high": slider.high,
         }
-        if found and not slider.sets:
-            group, place, variable = found[0]
+        if matches and not slider.sets:
+            group, column, variable = matches[0]
             start = variable.value if slider.value is None else slider.value
             if not slider.low <= start <= slider.high:  # a `value` given has been checked
                 raise ValueError(
                     f"`live[{name_of(key)}]` must include the system's own value, {start}, got the "
                     f"range {slider.low} to {slider.high}: widen the range, or give a `value`."
                 )
-            rows.append({**row, "group": group, "place": place, "value": start})
+            rows.append({**row, "group": group, "place": column, "value": start})
             continue
-        if found or not isinstance(key, sm.Symbol) or not slider.sets:
-            every = [name_of(one) for one in (*system.constants, *system.states, *system.inputs)]
+        if matches or not isinstance(key, sm.Symbol) or not slider.sets:
+            every = [
+                name_of(symbol) for symbol in (*system.constants, *system.states, *system.inputs)
+            ]
             hint = nearest(str(key), every, or_all=False)
             raise ValueError(
                 f"`live` has `{key}`, which is not one of the system's constants, states and "
                 f"inputs: {some(every)}. {f'{hint} ' if hint else ''}A slider of your own needs a "
                 "Symbol that the system does not have, and `sets`, the initial conditions that "
                 "follow from it."
-                if not found
+                if not matches
                 else f"`sets` of the slider for `{key}` is for symbols of your own, but the system "
                 "has this one."
             )
         if slider.value is None:
             raise ValueError(f"The slider for `{key}`, a symbol of your own, needs a `value`.")
-        place = len(system.constants) + len(own)
-        own.append((key, slider.value, slider.sets))
-        rows.append({**row, "group": "p", "place": place, "value": slider.value})
-    return rows, own
+        column = len(system.constants) + len(user_sliders)
+        user_sliders.append((key, slider.value, slider.sets))
+        rows.append({**row, "group": "p", "place": column, "value": slider.value})
+    return rows, user_sliders
 
 
-def _slider(key: Any, given: Any) -> Slider:
-    if isinstance(given, Slider):
-        return given
-    if isinstance(given, (tuple, list)) and 2 <= len(given) <= 5:
-        return Slider(*given)
+def _slider(key: Any, argument: Any) -> Slider:
+    if isinstance(argument, Slider):
+        return argument
+    if isinstance(argument, (tuple, list)) and 2 <= len(argument) <= 5:
+        return Slider(*argument)
     raise ValueError(
         f"`live[{name_of(key)}]` must be a Slider or a range such as (0.1, 2.0), got "
-        f"{shown(given)}."
+        f"{shown(argument)}."
     )
 
 
 def _start(
-    system: LiveSystem, own: Sequence[tuple[Any, float, Mapping[Any, Any]]]
+    system: LiveSystem, user_sliders: Sequence[tuple[Any, float, Mapping[Any, Any]]]
 ) -> tuple[Program, list[int]]:
-    """Return the Program of the initial conditions that sliders of the user's own set."""
+    """Return the Program of the initial conditions that user-defined sliders set."""
     graph = Graph()
-    constants = [*system.constants, *(symbol for symbol, _, _ in own)]
+    constants = [*system.constants, *(symbol for symbol, _, _ in user_sliders)]
     atoms = graph.input_nodes(p=constants, x=system.states)
-    places = Places(system.states, "states of the system")
+    lookup = Places(system.states, "states of the system")
     reader = SymPyReader(graph, atoms, "`sets` of a slider")
     nodes, targets = [], []
-    for key, _, sets in own:
+    for key, _, sets in user_sliders:
         for state, expression in sets.items():
-            place = places.get(state, "sets")
-            if place is None:
+            column = lookup.get(state, "sets")
+            if column is None:
                 raise ValueError(
                     f"`sets` of the slider for `{key}` has `{state}`, which is no state of the "
                     f"system: {some(map(name_of, system.states))}."
                 )
-            targets.append(place)
+            targets.append(column)
             refuse_twice([system.states[k] for k in targets], "sets")
             nodes += reader.all([sm.sympify(expression)])
     sizes = (len(system.states), 0, len(constants))
@@ -420,7 +425,7 @@ def _sizes(
     graph = Graph()
     atoms = graph.input_nodes(p=system.constants)
     reader = SymPyReader(graph, atoms, "the shapes")
-    nodes, places = [], []
+    nodes, size_targets = [], []
     for k, item in enumerate(items):
         shape = item.visual.shape
         if shape is None:  # a default one
@@ -429,11 +434,11 @@ def _sizes(
             lengths = {attribute: getattr(shape, attribute) for attribute in shape.lengths}
         for attribute, expression in lengths.items():
             if isinstance(expression, sm.Expr) and expression.free_symbols:
-                given = {s: definitions[s] for s in expression.free_symbols if s not in atoms}
-                nodes += reader.all([expression.xreplace(given)])
-                places.append([k, attribute])
+                values = {s: definitions[s] for s in expression.free_symbols if s not in atoms}
+                nodes += reader.all([expression.xreplace(values)])
+                size_targets.append([k, attribute])
     counts = (len(system.states), len(system.inputs), len(system.constants))
-    return lower(graph, counts, [("sizes", (len(nodes),), simplify(graph, nodes))]), places
+    return lower(graph, counts, [("sizes", (len(nodes),), simplify(graph, nodes))]), size_targets
 
 
 def _series(
@@ -448,18 +453,18 @@ def _series(
                 f"The series {label!r} was given to `animate` as numbers, which a live page cannot "
                 "compute anew. Give it to `scene` as an expression, or leave it out."
             )
-        wanted = series[label]
+        quantity = series[label]
         for group, symbols in (("x", system.states), ("r", system.inputs), ("y", system.outputs)):
-            matches = [k for k, s in enumerate(symbols) if wanted in (s, str(s), name_of(s))]
+            matches = [k for k, s in enumerate(symbols) if quantity in (s, str(s), name_of(s))]
             if matches:
                 plotted.append([group, matches[0]])
                 break
         else:
-            if isinstance(wanted, str):
+            if isinstance(quantity, str):
                 raise ValueError(
-                    f"The series {wanted!r} is not one of the system's states, inputs and outputs: "
-                    "a live page cannot compute it. Give an expression."
+                    f"The series {quantity!r} is not one of the system's states, inputs and "
+                    "outputs: a live page cannot compute it. Give an expression."
                 )
             plotted.append(["f", len(formulas)])
-            formulas.append((label, wanted))
+            formulas.append((label, quantity))
     return plotted, tuple(formulas)

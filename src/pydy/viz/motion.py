@@ -1,4 +1,4 @@
-"""What moves a scene: a trajectory, or arrays of times and states, as ordered numbers."""
+"""Motions of a scene: a trajectory, or arrays of times and states, as ordered arrays."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from pydy._names import name_of
 from pydy._program import Program
 from pydy._rank import DIGITS
 
-# -- Where everything is: the poses of all visuals from one compiled Program -----------------------
+# -- Placement: the poses of all visuals from one compiled Program ---------------------------------
 # The position of each point and the orientation of each frame become nodes of one graph, in which
 # a frame's orientation is built on that of the frame before it: a chain of n links costs n
 # products of matrices, not n². The Program's outputs for all frames of an animation come from one
@@ -52,8 +52,7 @@ class Names:
     states: tuple[Any, ...]
     specifieds: tuple[Any, ...] = ()
     constants: tuple[Any, ...] = ()
-    # mapping of symbols to expressions; what else may occur: derivatives of the coordinates,
-    # auxiliary speeds
+    # mapping of further symbols to expressions: derivatives of the coordinates, auxiliary speeds
     definitions: Mapping[Any, Any] = field(default_factory=dict)
     time: Any = dynamicsymbols._t
 
@@ -86,8 +85,8 @@ def pose_program(geometry: Geometry, names: Names) -> Program:
     return _Poses(geometry, names).program()
 
 
-def place(geometry: Geometry, motion: Motion) -> Placement:
-    """Return where everything is along a motion."""
+def compute_placement(geometry: Geometry, motion: SceneMotion) -> Placement:
+    """Evaluate the frames, points, vectors and series of a Geometry along a motion."""
     program = pose_program(geometry, motion.names)
     numbers = (motion.times, motion.states, motion.specifieds, motion.constants)
     out, _ = compile_program(program, "llvm", {}).evaluate(*numbers)
@@ -143,7 +142,7 @@ class _Poses:
         return lower(graph, sizes, blocks)
 
     def rotation(self, frame: Any) -> Matrix3:
-        """Return the direction cosines that turn components in `frame` into the reference's."""
+        """Return the matrix that transforms components from `frame` to the reference frame."""
         if frame not in self.rotations:
             path = self._path_to(frame)
             for before, after in pairwise(path):
@@ -160,7 +159,7 @@ class _Poses:
 
     def _path_to(self, frame: Any) -> list[Any]:
         try:
-            # SymPy's public `dcm` would multiply the whole chain out for each frame anew.
+            # SymPy's public `dcm` would multiply out the full chain for each frame.
             path: list[Any] = self.geometry.reference._dict_list(frame, 0)
         except ValueError:
             raise ValueError(
@@ -182,34 +181,34 @@ class _Poses:
             ) from None
         return self.components(vector, f"the position of point `{point}`")
 
-    def components(self, vector: Any, what: str) -> Vector3:
+    def components(self, vector: Any, description: str) -> Vector3:
         """Return the components of a SymPy vector in the reference frame."""
         graph = self.graph
         terms: list[list[tuple[int, float]]] = [[], [], []]
         for components, frame in vector.args:
-            nodes = self.nodes(components, what)
+            nodes = self.nodes(components, description)
             for i, row in enumerate(self.rotation(frame)):
                 terms[i] += [(graph.mul(a, b), 1.0) for a, b in zip(row, nodes, strict=True)]
         return [graph.sum(term) for term in terms]
 
-    def nodes(self, expressions: Any, what: str) -> list[int]:
+    def nodes(self, expressions: Any, description: str) -> list[int]:
         """Return the nodes of expressions, having checked that each symbol has a value."""
         rows = [sm.sympify(e) for e in expressions]
         for symbol in find_symbols(rows):
             if symbol not in self.read.atoms:
-                self._define(symbol, what)
-        self.read.what = what
+                self._define(symbol, description)
+        self.read.what = description
         return self.read.all(rows)
 
-    def _define(self, symbol: Any, what: str) -> None:
+    def _define(self, symbol: Any, description: str) -> None:
         if name_of(symbol) in self.by_name:
             self.read.define(symbol, self.by_name[name_of(symbol)])
             return
         if symbol in self.names.definitions:
-            (node,) = self.nodes([self.names.definitions[symbol]], what)
+            (node,) = self.nodes([self.names.definitions[symbol]], description)
             self.read.define(symbol, node)
             return
-        start = what[0].upper() + what[1:]
+        start = description[0].upper() + description[1:]
         if isinstance(symbol, sm.Derivative):
             remedy = "Write it with the speeds instead."
         elif isinstance(symbol, AppliedUndef):
@@ -226,7 +225,7 @@ class _Poses:
 
 
 @dataclass(frozen=True)
-class Motion:
+class SceneMotion:
     """Numbers at m instants, in the order of their names."""
 
     names: Names
@@ -240,31 +239,30 @@ class Motion:
         """The constants' values by symbol."""
         return dict(zip(self.names.constants, self.constants.tolist(), strict=True))
 
-    def taken(self, rows: np.ndarray) -> Motion:
-        """Return the Motion at some of the instants."""
-        return Motion(
+    def at_rows(self, rows: np.ndarray) -> SceneMotion:
+        """Return the SceneMotion at some of the instants."""
+        return SceneMotion(
             self.names, self.times[rows], self.states[rows], self.specifieds[rows], self.constants
         )
 
 
-def forward(motion: Motion) -> Motion:
-    """Return a Motion whose times ascend: a film runs forward."""
-    return motion.taken(np.arange(len(motion.times))[::-1]) if descends(motion.times) else motion
+def forward(motion: SceneMotion) -> SceneMotion:
+    """Return a SceneMotion whose times ascend: a film runs forward."""
+    return motion.at_rows(np.arange(len(motion.times))[::-1]) if descends(motion.times) else motion
 
 
 @dataclass(frozen=True)
-class Model:
+class SceneModel:
     """The interface between a System and a Scene."""
 
     states: tuple[Any, ...]  # symbols
     # mapping of symbols to expressions: derivatives of the coordinates, auxiliary speeds
     definitions: Mapping[Any, Any] = field(default_factory=dict)
-    # ``times() -> ndarray``, when the System's states are wanted
+    # ``times() -> ndarray``, the times of the System
     times: Callable[[], np.ndarray] | None = None
     # ``trajectory(times, states)`` returns a Trajectory, of checked arrays
     trajectory: Callable[[Any, Any], Any] | None = None
-    # returns what a live page needs, a `pydy.viz.live.LiveSystem`, for events and
-    # constraints
+    # returns a `pydy.viz.live.LiveSystem` for a live page, given events and constraints
     live: Callable[..., Any] | None = None
 
 
@@ -283,8 +281,8 @@ def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np
 
 def _motion(
     names: Names, times: np.ndarray, states: np.ndarray, rows: np.ndarray, values: dict[Any, Any]
-) -> Motion:
-    """Return a Motion of finite numbers."""
+) -> SceneMotion:
+    """Return a SceneMotion of finite numbers."""
     for table, symbols in ((states, names.states), (rows, names.specifieds)):
         bad = np.argwhere(~np.isfinite(table))
         if len(bad):
@@ -293,15 +291,16 @@ def _motion(
                 f"`{symbols[j]}` is {table[k, j]} at t = {times[k]:g}, index {k}: there is nothing "
                 "to draw. Did the integration fail there? Pass the part before."
             )
-    return Motion(names, times, states, rows, np.array([float(v) for v in values.values()]))
+    return SceneMotion(names, times, states, rows, np.array([float(v) for v in values.values()]))
 
 
 def motion_of_trajectory(
-    trajectory: Any, model: Model | None, constants: Any = None, wanted: Iterable[Any] = ()
-) -> Motion:
-    """Return the Motion of a Trajectory, or of anything with its attributes.
+    trajectory: Any, model: SceneModel | None, constants: Any = None, requested: Iterable[Any] = ()
+) -> SceneMotion:
+    """Return the SceneMotion of a Trajectory, or of anything with its attributes.
 
-    Constants that are given come before its own; wanted symbols that are its outputs are taken too.
+    `constants` take precedence over those of the trajectory. Outputs among the `requested` symbols
+    are included.
     """
     missing = [a for a in ("times", "states", "state_symbols") if not hasattr(trajectory, a)]
     if missing:
@@ -320,12 +319,12 @@ def motion_of_trajectory(
     specified = tuple(getattr(trajectory, "specifieds_symbols", None) or ())
     definitions = model.definitions if model is not None else {}
     outputs = tuple(getattr(trajectory, "outputs_symbols", ()))
-    more = {symbol: trajectory[symbol] for symbol in wanted if symbol in outputs}
-    names = Names(symbols, (*specified, *more), tuple(values), definitions)
+    requested_outputs = {symbol: trajectory[symbol] for symbol in requested if symbol in outputs}
+    names = Names(symbols, (*specified, *requested_outputs), tuple(values), definitions)
     times, states = checked_samples(trajectory.times, trajectory.states, len(symbols))
     rows = np.asarray(trajectory.specifieds, dtype=float) if specified else np.zeros((1, 0))
     rows = np.broadcast_to(rows, (len(times), len(specified)))
-    rows = np.ascontiguousarray(np.column_stack([rows, *more.values()]))
+    rows = np.ascontiguousarray(np.column_stack([rows, *requested_outputs.values()]))
     return _motion(names, times, states, rows, values)
 
 
@@ -335,8 +334,8 @@ def motion_of_arrays(
     symbols: Sequence[Any] | None,
     constants: Mapping[Any, Any] | None,
     specifieds: Mapping[Any, Any] | None,
-) -> Motion:
-    """Return the Motion of plain arrays, as `Scene.animate` describes them."""
+) -> SceneMotion:
+    """Return the SceneMotion of plain arrays, as `Scene.animate` describes them."""
     if symbols is None:
         raise TypeError(
             "`symbols` must say what the columns of `states` are, such as symbols=[q1, q2, u1, "
@@ -347,8 +346,8 @@ def motion_of_arrays(
     refuse_twice(_alike(symbols, "symbols"), "symbols")
     t, x = checked_samples(times, states, len(symbols))
     columns = []
-    given = merged(check_mapping("specifieds", specifieds))
-    for symbol, value in given.items():
+    inputs = merged(check_mapping("specifieds", specifieds))
+    for symbol, value in inputs.items():
         column = real_array(value, f"`specifieds[{symbol}]`")
         if column.shape not in ((), (len(t),)):
             raise ValueError(
@@ -358,25 +357,25 @@ def motion_of_arrays(
         columns.append(np.broadcast_to(column, t.shape))
     rows = np.stack(columns, 1) if columns else np.zeros((len(t), 0))
     values = _constants(constants)
-    names = Names(symbols, tuple(given), tuple(values))
+    names = Names(symbols, tuple(inputs), tuple(values))
     return _motion(names, t, x, rows, values)
 
 
 def constants_of(trajectory: Any) -> dict[Any, Any]:
-    """Return the constants that a trajectory, or anything with its attributes, tells."""
+    """Return the constants of a trajectory, or of an object with its attributes."""
     return dict(getattr(trajectory, "constants", None) or {})
 
 
 def _constants(constants: Any) -> dict[Any, float]:
-    given = merged(check_mapping("constants", constants))
-    return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in given.items()}
+    values = merged(check_mapping("constants", constants))
+    return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in values.items()}
 
 
 def _alike(keys: Iterable[Any], argument: str) -> list[Any]:
-    """Return keys with the symbols among them in place of their names."""
+    """Return keys, with names replaced by the symbols among the keys that have them."""
     keys = [*keys]
-    known = Places([key for key in keys if not isinstance(key, str)], argument)
-    return [known.meaning(key, argument) for key in keys]
+    lookup = Places([key for key in keys if not isinstance(key, str)], argument)
+    return [lookup.meaning(key, argument) for key in keys]
 
 
 def sampled(times: np.ndarray, step: float | None) -> np.ndarray:
@@ -395,7 +394,7 @@ def sampled(times: np.ndarray, step: float | None) -> np.ndarray:
     if step is None:
         return np.arange(last + 1)
     keep = [0]
-    close = step * (1 - DIGITS)  # times that were typed are not a frame less
+    close = step * (1 - DIGITS)  # rounded times must not lose a frame
     while True:
         k = max(int(np.searchsorted(times, times[keep[-1]] + close)), keep[-1] + 1)
         if k > last:

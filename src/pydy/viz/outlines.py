@@ -1,7 +1,7 @@
-"""What a mechanism looks like, as far as its points and frames tell: bars, ropes, springs, wheels.
+"""Outline of a mechanism, derived from its points, frames and loads: bars, ropes, springs, wheels.
 
-All is decided by structure, at random states: two points belong to one body where their distance is
-constant in its frame, whatever the unit. Only the constants have their values.
+The structure is analysed numerically at random states: two points belong to one body if the vector
+between them is constant in its frame, in any unit. Only the constants have their true values.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def outline(
     potential: Any = None,
     closed: bool = False,
 ) -> Outline:
-    """Return the Outline of bodies and loads; an empty one where their places are not known.
+    """Return the Outline of bodies and loads; an empty one if positions are unknown.
 
     Parameters
     ----------
@@ -72,31 +72,35 @@ def outline(
     try:
         outliner = _Outliner(frame, origin, bodies, loads, coordinates, names, values, potential)
         return outliner.outline(closed)
-    except ValueError:  # a point or a frame hangs in the air: `animate` says which
+    except ValueError:  # a point or a frame is not connected: `animate` reports it
         return Outline()
 
 
 class _Numbers:
-    """Vectors and expressions at random states; they are read together."""
+    """Vectors and expressions, evaluated together at random states."""
 
     def __init__(self, frame: Any, origin: Any, frames: Iterable[Any]) -> None:
         self.frame, self.origin, self.frames = frame, origin, tuple(dict.fromkeys(frames))
         self.vectors: dict[Any, Any] = {}
         self.expressions: dict[Any, Any] = {}
-        self.speeds: frozenset[Any] = frozenset()  # those of the states
+        self.speeds: frozenset[Any] = frozenset()  # the speeds among the states
         self.scale = 1.0  # of random states
 
     def evaluate(self, names: Names, values: Mapping[Any, float]) -> None:
         """Evaluate all of them; `names` and `values` as in `outline`."""
-        known = {*names.states, *names.specifieds, *names.definitions, names.time}
+        supplied_symbols = {*names.states, *names.specifieds, *names.definitions, names.time}
         turns = (e for f in self.frames for m in FrameTree.orientations(f).values() for e in m)
         parts = [c for v in self.vectors.values() for m, _ in v.args for c in m]
-        found = find_symbols([*parts, *self.expressions.values(), *turns])
-        constants = {s: 1.0 for s in found if isinstance(s, sm.Symbol) and s not in known}
+        symbols = find_symbols([*parts, *self.expressions.values(), *turns])
+        constants = {
+            s: 1.0 for s in symbols if isinstance(s, sm.Symbol) and s not in supplied_symbols
+        }
         constants |= {s: float(v) for s, v in values.items()}
-        others = [s for s in found if not isinstance(s, sm.Symbol) and s not in known]
+        unsupplied = [
+            s for s in symbols if not isinstance(s, sm.Symbol) and s not in supplied_symbols
+        ]
         names = Names(
-            names.states, (*names.specifieds, *others), tuple(constants), names.definitions
+            names.states, (*names.specifieds, *unsupplied), tuple(constants), names.definitions
         )
         geometry = Geometry(
             self.frame, self.origin, self.frames, (), tuple(self.vectors.values()),
@@ -129,7 +133,7 @@ class _Numbers:
 
 
 class _Outliner:
-    """Finds the parts of an Outline one after another."""
+    """Determines the parts of an Outline in sequence."""
 
     def __init__(
         self,
@@ -159,7 +163,7 @@ class _Outliner:
         self.edges = [*self._edges()]
         self._prepare()
         self.numbers.evaluate(self.names, self.values)
-        # Beside lengths of a million, a coordinate of one would change nothing.
+        # Scale the states: next to lengths of a million, a coordinate of one changes nothing.
         scale = max(
             (float(np.abs(self.numbers.vector(edge)).max()) for edge in self.edges), default=1
         )
@@ -167,7 +171,9 @@ class _Outliner:
             self.numbers.scale = scale
             self.numbers.evaluate(self.names, self.values)
         self.pairs = [*self._force_pairs()]
-        self.ground = self._reached(self.origin, lambda a, b: self._is_fixed(a, b, self.frame))
+        self.ground = self._reachable_from(
+            self.origin, lambda a, b: self._is_fixed(a, b, self.frame)
+        )
         self._find_bars()
         self._find_wheels()
         self._find_forces()
@@ -175,49 +181,49 @@ class _Outliner:
         self._find_supports(closed)
         return self.result
 
-    # -- what is read ----------------------------------------------------------------------------
+    # -- input -----------------------------------------------------------------------------------
 
     def _edges(self) -> Iterator[Pair]:
         """Yield the pairs of points that lead from the origin to mass centres and forces."""
-        seen: set[Any] = set()
-        for point in (*(b.masscenter for b in self.bodies), *(where for where, _ in self.loads)):
-            while point not in seen and (above := self.above.get(point)) is not None:
-                seen.add(point)
+        visited: set[Any] = set()
+        for point in (*(b.masscenter for b in self.bodies), *(target for target, _ in self.loads)):
+            while point not in visited and (above := self.above.get(point)) is not None:
+                visited.add(point)
                 yield above, point
                 point = above
 
     def _force_pairs(self) -> Iterator[tuple[Any, Any, Any, np.ndarray]]:
         """Yield two points, the force on the second, opposite to that on the first, and numbers."""
-        kept = [
+        forces = [
             k
-            for k, (where, force) in enumerate(self.loads)
-            if where in self.above and _varying(force)
+            for k, (target, force) in enumerate(self.loads)
+            if target in self.above and _varying(force)
         ]
         self.paired: set[int] = set()
-        if not kept:
+        if not forces:
             return
-        rows = np.stack([self.numbers.vector(("force", k)).ravel() for k in kept])
-        for i, k in enumerate(kept):
+        rows = np.stack([self.numbers.vector(("force", k)).ravel() for k in forces])
+        for i, k in enumerate(forces):
             size = np.abs(rows[i]).max()
             if k in self.paired or not size > 0:
                 continue
             for j in (
                 i + 1 + np.flatnonzero(np.abs(rows[i + 1 :] + rows[i]).max(axis=1) <= HALF * size)
             ).tolist():
-                (start, _), (point, force) = self.loads[k], self.loads[kept[j]]
-                if kept[j] not in self.paired and start is not point:
-                    self.paired |= {k, kept[j]}
+                (start, _), (point, force) = self.loads[k], self.loads[forces[j]]
+                if forces[j] not in self.paired and start is not point:
+                    self.paired |= {k, forces[j]}
                     yield start, point, force, rows[j].reshape(-1, 3)
                     break
 
     def _prepare(self) -> None:
         vectors, expressions = self.numbers.vectors, self.numbers.expressions
-        around = [(other, c) for c in self.centres for other in FrameTree.positions(c)]
-        # All that hangs on the origin may be a point of a body, or of another mechanism.
+        around = [(point, c) for c in self.centres for point in FrameTree.positions(c)]
+        # Any point connected to the origin may belong to a body, or to another mechanism.
         every = [(a, b) for b, a in self.above.items() if a is not None]
         related = {*FrameTree(self.frame).frame_depth}
         for a, b in (*self.edges, *around, *every):
-            # SymPy gives NaN times a vector no components.
+            # In SymPy, NaN times a vector has no components.
             if all(f in related and m is not sm.nan for m, f in FrameTree.positions(b)[a].args):
                 vectors[a, b] = FrameTree.positions(b)[a]
         for a, b in self.edges:
@@ -228,13 +234,13 @@ class _Outliner:
             for symbol in _functions(force):
                 vectors["stiffness", k, symbol] = _slope(force, symbol)
         for body in self.rigid:
-            for other, way in FrameTree.positions(body.masscenter).items():
-                if other not in self.centres:
+            for point, offset in FrameTree.positions(body.masscenter).items():
+                if point not in self.centres:
                     velocity = FrameTree(self.frame).velocity(body.masscenter)
                     if velocity is not None:
                         spin = body.frame.ang_vel_in(self.frame)
-                        vectors["slip", body.name, other] = velocity - spin.cross(way)
-                        vectors["speed", body.name, other] = velocity
+                        vectors["slip", body.name, point] = velocity - spin.cross(offset)
+                        vectors["speed", body.name, point] = velocity
         if self.potential is not None:
             for _, b in self.edges:
                 for symbol in _varying(vectors[self.above[b], b]):
@@ -243,22 +249,22 @@ class _Outliner:
     # -- structure -------------------------------------------------------------------------------
 
     def _group(self, frame: Any) -> Any:
-        """Return one frame for all that never turn relative to each other."""
+        """Return a common frame for all frames with constant relative orientation."""
         if frame not in self.groups:
             todo = [frame]
             self.groups[frame] = frame
             while todo:
-                for other, matrix in FrameTree.orientations(todo.pop()).items():
-                    if other not in self.groups and self.names.time not in matrix.free_symbols:
-                        self.groups[other] = frame
-                        todo.append(other)
+                for neighbour, matrix in FrameTree.orientations(todo.pop()).items():
+                    if neighbour not in self.groups and self.names.time not in matrix.free_symbols:
+                        self.groups[neighbour] = frame
+                        todo.append(neighbour)
         return self.groups[frame]
 
     def _is_fixed(self, a: Any, b: Any, frame: Any) -> bool:
-        """Return whether the vector from a to b is constant in a frame, as it was written."""
+        """Return whether the vector from a to b is constant in a frame, by its components."""
         vector = FrameTree.positions(b)[a]
-        own = self._group(frame)
-        return all(self._group(f) is own for _, f in vector.args) and not any(
+        group = self._group(frame)
+        return all(self._group(f) is group for _, f in vector.args) and not any(
             self.names.time in part.free_symbols for part, _ in vector.args
         )
 
@@ -272,13 +278,13 @@ class _Outliner:
         return _constant(away)
 
     @staticmethod
-    def _reached(start: Any, joined: Any) -> dict[Any, Any]:
-        """Return the points reached from one along joined pairs, each with the one before."""
+    def _reachable_from(start: Any, is_connected: Any) -> dict[Any, Any]:
+        """Return the points connected to a start through pairs, each with its predecessor."""
         before, todo = {start: None}, [start]
         while todo:
             a = todo.pop(0)
             for b in FrameTree.positions(a):
-                if b not in before and joined(a, b):
+                if b not in before and is_connected(a, b):
                     before[b] = a
                     todo.append(b)
         return before
@@ -287,22 +293,24 @@ class _Outliner:
 
     def _find_bars(self) -> None:
         self.members: dict[Any, set[Any]] = {}  # the points of each body
-        taken: dict[tuple[Any, Any], Any] = {}
+        drawn_links: dict[tuple[Any, Any], Any] = {}
         for body in self.rigid:
             centre = body.masscenter
             if self._group(body.frame) is self._group(self.frame) and centre in self.ground:
                 self.result.resting.append(body)
                 self.members[body] = {centre}
                 continue
-            tree = self._reached(centre, lambda a, b, body=body: self._is_fixed_in(body, a, b))
+            tree = self._reachable_from(
+                centre, lambda a, b, body=body: self._is_fixed_in(body, a, b)
+            )
             self.members[body] = {*tree}
-            if taken.setdefault((self._group(body.frame), centre), body) is not body:
+            if drawn_links.setdefault((self._group(body.frame), centre), body) is not body:
                 continue  # two bodies on one link
-            taken.update({(self._group(body.frame), point): body for point in tree})
+            drawn_links.update({(self._group(body.frame), point): body for point in tree})
             self.result.bars += [(body, pair) for pair in self._bars_of(tree)]
 
     def _bars_of(self, tree: Mapping[Any, Any]) -> list[Pair]:
-        """Return the bars between points of a body: one where they are in line."""
+        """Return the bars between points of a body: a single one if they are collinear."""
         offsets = {point: self._offset(point, tree) for point in tree}
         rows = np.array([*offsets.values()])
         length = float(np.abs(rows).max())
@@ -312,9 +320,9 @@ class _Outliner:
         _, sizes, directions = np.linalg.svd(rows / length)
         order = {point: k for k, point in enumerate(self.above)}  # from the origin
         if rank_of(sizes) == 1:
-            along = rows @ directions[0]
+            positions = rows @ directions[0]
             ends = sorted(
-                (int(along.argmin()), int(along.argmax())), key=lambda k: order[points[k]]
+                (int(positions.argmin()), int(positions.argmax())), key=lambda k: order[points[k]]
             )
             return [(points[ends[0]], points[ends[1]])]
         return [
@@ -326,49 +334,49 @@ class _Outliner:
     def _first_sample(self, a: Any, b: Any) -> np.ndarray:
         vectors = self.numbers.vectors
         if (a, b) in vectors:
-            found: np.ndarray = self.numbers.vector((a, b))[0]
-            return found
+            offset: np.ndarray = self.numbers.vector((a, b))[0]
+            return offset
         return -self.numbers.vector((b, a))[0] if (b, a) in vectors else np.zeros(3)
 
     def _offset(self, point: Any, tree: Mapping[Any, Any]) -> np.ndarray:
-        """Return the way from a tree's root to a point at the first sample."""
-        found = np.zeros(3)
+        """Return the vector from a tree's root to a point at the first sample."""
+        offset = np.zeros(3)
         while (before := tree[point]) is not None:
-            found += self._first_sample(before, point)
+            offset += self._first_sample(before, point)
             point = before
-        return found
+        return offset
 
     def _find_wheels(self) -> None:
-        """Find bodies that roll or slip on a point that is no part of them."""
+        """Find wheels: bodies that roll or slip on a point of another body."""
         self.touching: set[Pair] = set()
         fixed = {p for points in self.members.values() for p in points}
         for body in self.rigid:
             centre = body.masscenter
-            for other in FrameTree.positions(centre):
-                if body in self.result.wheels or other in fixed | self.centres:
+            for contact in FrameTree.positions(centre):
+                if body in self.result.wheels or contact in fixed | self.centres:
                     continue
-                away = self.numbers.vector((other, centre))
+                away = self.numbers.vector((contact, centre))
                 if not away.any() or not _constant(np.linalg.norm(away, axis=1)):
                     continue
-                if not self._touches(body, other):
+                if not self._touches(body, contact):
                     continue
-                seen = np.einsum("mji,mj->mi", self.numbers.turns[body.frame], away)
-                flat = np.abs(seen).max(axis=0) <= HALF * np.abs(seen).max()
+                in_body = np.einsum("mji,mj->mi", self.numbers.turns[body.frame], away)
+                flat = np.abs(in_body).max(axis=0) <= HALF * np.abs(in_body).max()
                 if flat.sum() > 1:
                     continue
                 axis = "xyz"[int(flat.argmax())] if flat.any() else None
-                vector = FrameTree.positions(centre)[other]
+                vector = FrameTree.positions(centre)[contact]
                 radius: Any = sm.sqrt(vector.dot(vector))
-                if self.names.time in radius.free_symbols:  # written with angles that cancel
+                if self.names.time in radius.free_symbols:  # angles in it may cancel
                     radius = self._of_constants(radius, float(np.linalg.norm(away[0])))
                 self.result.wheels[body] = radius, axis
-                self.touching |= {(other, centre), (centre, other)}
+                self.touching |= {(contact, centre), (centre, contact)}
 
     def _of_constants(self, length: Any, number: float) -> Any:
         """Return a length in which all functions cancel as an expression of constants.
 
-        It is the length in one state, zero unless it is undefined there. Where it is constant for
-        the present constants alone, return their number.
+        The expression is that of the length in the zero state, or in another one if it is undefined
+        there. If the length is constant only for the present values, return the `number`.
         """
         functions = sorted(length.atoms(AppliedUndef), key=str)
         if length.has(sm.Derivative):
@@ -378,56 +386,56 @@ class _Outliner:
             if fixed.has(sm.nan, sm.zoo, sm.oo):
                 state = {f: first + k * step for k, f in enumerate(functions)}
                 fixed = length.xreplace(state).xreplace({self.names.time: first})
-        other = _Numbers(self.frame, self.origin, ())
-        other.expressions = {"length": length, "fixed": fixed}
-        other.speeds, other.scale = self.numbers.speeds, self.numbers.scale
+        probe = _Numbers(self.frame, self.origin, ())
+        probe.expressions = {"length": length, "fixed": fixed}
+        probe.speeds, probe.scale = self.numbers.speeds, self.numbers.scale
         rng = np.random.default_rng(1)
         values = dict.fromkeys(length.free_symbols, 1.0) | dict(self.values)
         del values[self.names.time]
-        other.evaluate(self.names, {s: v * rng.uniform(0.95, 1.05) for s, v in values.items()})
-        lengths = np.concatenate([other.series("length"), other.series("fixed")])
+        probe.evaluate(self.names, {s: v * rng.uniform(0.95, 1.05) for s, v in values.items()})
+        lengths = np.concatenate([probe.series("length"), probe.series("fixed")])
         return fixed if _constant(lengths) and lengths.all() else number
 
-    def _touches(self, body: Any, other: Any) -> bool:
-        """Return whether a point is a contact: nothing hangs on it, or the body rolls there."""
-        if len(FrameTree.positions(other)) == 1 and other is not self.origin:
+    def _touches(self, body: Any, contact: Any) -> bool:
+        """Return whether a point is a contact: it is a leaf, or the body rolls there."""
+        if len(FrameTree.positions(contact)) == 1 and contact is not self.origin:
             return True
-        if ("slip", body.name, other) not in self.numbers.vectors:
+        if ("slip", body.name, contact) not in self.numbers.vectors:
             return False
-        slip = self.numbers.vector(("slip", body.name, other))
+        slip = self.numbers.vector(("slip", body.name, contact))
         return bool(
             np.abs(slip).max()
-            <= HALF * np.abs(self.numbers.vector(("speed", body.name, other))).max()
+            <= HALF * np.abs(self.numbers.vector(("speed", body.name, contact))).max()
         )
 
     def _find_forces(self) -> None:
         """Find springs, dampers and actuators in opposite forces between two points."""
         self.forced: set[frozenset[Any]] = set()
         self.pulled: set[frozenset[Any]] = set()
-        ways = _Numbers(self.frame, self.origin, ())
-        ways.speeds, ways.scale = self.numbers.speeds, self.numbers.scale
-        ways.vectors = {k: b.pos_from(a) for k, (a, b, *_) in enumerate(self.pairs)}
+        displacements = _Numbers(self.frame, self.origin, ())
+        displacements.speeds, displacements.scale = self.numbers.speeds, self.numbers.scale
+        displacements.vectors = {k: b.pos_from(a) for k, (a, b, *_) in enumerate(self.pairs)}
         if self.pairs:
-            ways.evaluate(self.names, self.values)
+            displacements.evaluate(self.names, self.values)
         for k, (a, b, force, pull) in enumerate(self.pairs):
-            way = ways.vector(k)
-            length = np.linalg.norm(way, axis=1)
+            displacement = displacements.vector(k)
+            length = np.linalg.norm(displacement, axis=1)
             size = np.linalg.norm(pull, axis=1)
-            off = np.linalg.norm(np.cross(way, pull), axis=1)
+            off = np.linalg.norm(np.cross(displacement, pull), axis=1)
             if not np.isfinite(pull).all() or not (length > 0).all() or _constant(length):
                 continue
             if (off > HALF * length * size).any() or _jumps(force):
                 continue
-            rest = slice(_SAMPLES, None)
+            static = slice(_SAMPLES, None)
             key = frozenset((a, b))
-            if (size[rest] <= HALF * size.max()).all():
+            if (size[static] <= HALF * size.max()).all():
                 self.result.dampers.append((a, b))
                 self.forced.add(key)
                 continue
-            tension = -(way * pull).sum(1) / length
-            rising = np.diff(tension[rest][np.argsort(length[rest])])
+            tension = -(displacement * pull).sum(1) / length
+            rising = np.diff(tension[static][np.argsort(length[static])])
             if {*_functions(force)} - {*self.names.states} or _constant(tension):
-                self.pulled.add(key)  # an input: what pulls a rope, or an actuator
+                self.pulled.add(key)  # an input: tension of a rope, or an actuator
             elif (rising >= -HALF * size.max()).all():
                 self.result.springs.append((a, b))
                 self.forced.add(key)
@@ -441,21 +449,21 @@ class _Outliner:
                 continue
             if (a in self.ground and b in self.ground) or any(a in s and b in s for s in inside):
                 continue
-            way = self.numbers.vector((a, b))
-            length = np.linalg.norm(way, axis=1)
+            displacement = self.numbers.vector((a, b))
+            length = np.linalg.norm(displacement, axis=1)
             if not (length > 0).all():
                 continue
             if _constant(length):
                 self.result.bars.append((None, (a, b)))
                 continue
-            stretch = self._stretching(a, b, way)
+            stretch = self._stretching(a, b, displacement)
             if stretch is None:
                 continue
             if self._is_held(b, stretch, self.numbers.vector((a, b, stretch))):
                 self.result.springs.append((a, b))
                 if self._is_damped(b, stretch):
                     self.result.dampers.append((a, b))
-            elif not _constant(way / length[:, None]):
+            elif not _constant(displacement / length[:, None]):
                 self.result.ropes.append((a, b))
         drawn = {
             frozenset(p) for p in (*self.result.ropes, *(pair for _, pair in self.result.bars))
@@ -466,31 +474,32 @@ class _Outliner:
                 self.result.dampers.append((a, b))
                 drawn.add(key)
 
-    def _stretching(self, a: Any, b: Any, way: np.ndarray) -> Any:
-        """Return the one function that changes the length of a vector and nothing else, or None.
+    def _stretching(self, a: Any, b: Any, displacement: np.ndarray) -> Any:
+        """Return the single function that changes only the length of a vector, or None.
 
-        Others may turn it: l sin θ N.x - l cos θ N.y is stretched by l, x N.x + y N.y by none.
+        Other functions may rotate it: l sin θ N.x - l cos θ N.y is stretched by l only, and
+        x N.x + y N.y by none alone.
         """
-        found = []
-        length = np.linalg.norm(way, axis=1)
+        stretching = []
+        length = np.linalg.norm(displacement, axis=1)
         for symbol in _varying(FrameTree.positions(b)[a]):
             slope = self.numbers.vector((a, b, symbol))
             size = np.linalg.norm(slope, axis=1) * length
-            across = np.linalg.norm(np.cross(slope, way), axis=1)
+            across = np.linalg.norm(np.cross(slope, displacement), axis=1)
             if (across <= HALF * size).all():
-                found.append(symbol)
-            elif (np.abs((slope * way).sum(1)) > HALF * size).any():
+                stretching.append(symbol)
+            elif (np.abs((slope * displacement).sum(1)) > HALF * size).any():
                 return None
-        return found[0] if len(found) == 1 else None
+        return stretching[0] if len(stretching) == 1 else None
 
-    def _is_held(self, point: Any, symbol: Any, along: np.ndarray) -> bool:
-        """Return whether a force at a point, or a potential, brings a length back."""
+    def _is_held(self, point: Any, symbol: Any, stretch: np.ndarray) -> bool:
+        """Return whether a force at a point, or a potential, restores a length."""
         if self.potential is not None and symbol in self.numbers.expressions:
             return bool((self.numbers.series(symbol) > 0).all())
-        for k, (where, _) in enumerate(self.loads):
+        for k, (target, _) in enumerate(self.loads):
             key = ("stiffness", k, symbol)
-            if where is point and self._is_single(k) and key in self.numbers.vectors:
-                slope = (self.numbers.vector(key) * along).sum(1)
+            if target is point and self._is_single(k) and key in self.numbers.vectors:
+                slope = (self.numbers.vector(key) * stretch).sum(1)
                 if (slope < 0).all():
                     return True
         return False
@@ -502,16 +511,16 @@ class _Outliner:
     def _is_damped(self, point: Any, symbol: Any) -> bool:
         rate = sm.Derivative(symbol, self.names.time)
         rates = {rate, self.names.definitions.get(rate)}
-        own = (k for k, (where, _) in enumerate(self.loads) if where is point)
-        every = (self.loads[k][1] for k in own if self._is_single(k))
+        loads_at_point = (k for k, (target, _) in enumerate(self.loads) if target is point)
+        every = (self.loads[k][1] for k in loads_at_point if self._is_single(k))
         return any(rates & {*_functions(force), *_derivatives(force)} for force in every)
 
     def _find_supports(self, closed: bool) -> None:
-        """Find the points at rest on which bars, ropes and springs hang."""
+        """Find the fixed points to which bars, ropes and springs are attached."""
         lines = [pair for _, pair in self.result.bars]
         lines += [*self.result.ropes, *self.result.springs, *self.result.dampers]
         ends = dict.fromkeys(p for pair in lines for p in pair if p in self.ground)
-        # What is joined to a point at rest by a joint, whose own point is there.
+        # Bodies attached to a fixed point by a joint with a coincident point.
         for a, b in self.edges:
             if a in self.ground and b not in self.ground and self.numbers.vector((a, b)).any():
                 continue
@@ -523,21 +532,23 @@ class _Outliner:
                 for p in self.ground
                 if len(FrameTree.positions(p)) == 1 and p is not self.origin
             }
-        known = [self._offset(body.masscenter, self.ground) for body in self.result.resting]
-        for point in ends:  # one where several points coincide
+        offsets = [self._offset(body.masscenter, self.ground) for body in self.result.resting]
+        for point in ends:  # one support for coincident points
             offset = self._offset(point, self.ground)
-            if not any((np.abs(offset - other) <= HALF * np.abs(other)).all() for other in known):
+            if not any(
+                (np.abs(offset - occupied) <= HALF * np.abs(occupied)).all() for occupied in offsets
+            ):
                 self.result.supports.append(point)
-                known.append(offset)
+                offsets.append(offset)
 
 
 def _constant(rows: np.ndarray) -> bool:
-    """Return whether rows are all the same up to rounding."""
+    """Return whether all rows are equal up to rounding."""
     return bool(np.ptp(rows, axis=0).max() <= HALF * np.abs(rows).max())
 
 
 def _functions(vector: Any) -> list[Any]:
-    """Return the functions of time in a vector's components, whatever its frames do."""
+    """Return the functions of time in a vector's components, without those of its frames."""
     every = (c for part, _ in vector.args for c in part)
     return sorted({f for c in every for f in sm.sympify(c).atoms(AppliedUndef)}, key=str)
 
@@ -547,13 +558,13 @@ def _derivatives(vector: Any) -> set[Any]:
 
 
 def _varying(vector: Any) -> list[Any]:
-    """Return the functions in a vector, and the time where it is written explicitly."""
-    found = _functions(vector)
+    """Return the functions in a vector, and the time if it occurs explicitly."""
+    functions = _functions(vector)
     time = dynamicsymbols._t
-    hidden = {f: sm.Dummy() for f in found}
+    hidden = {f: sm.Dummy() for f in functions}
     if any(time in part.xreplace(hidden).free_symbols for part, _ in vector.args):
-        found.append(time)
-    return found
+        functions.append(time)
+    return functions
 
 
 def _slope(vector: Any, symbol: Any) -> Any:
@@ -561,12 +572,15 @@ def _slope(vector: Any, symbol: Any) -> Any:
     hidden = {f: sm.Dummy() for f in _functions(vector)} | {
         d: sm.Dummy() for d in _derivatives(vector)
     }
-    shown = {dummy: f for f, dummy in hidden.items()}
-    by = hidden.get(symbol, symbol)
-    parts = [(part.xreplace(hidden).diff(by).xreplace(shown), frame) for part, frame in vector.args]
+    restored = {dummy: f for f, dummy in hidden.items()}
+    variable = hidden.get(symbol, symbol)
+    parts = [
+        (part.xreplace(hidden).diff(variable).xreplace(restored), frame)
+        for part, frame in vector.args
+    ]
     return sum((Vector([part]) for part in parts), Vector(0))
 
 
 def _jumps(vector: Any) -> bool:
-    """Return whether a force is one of a contact or of friction: it is not smooth."""
+    """Return whether a force is not smooth, as those of contacts and friction."""
     return any(part.has(*_JUMPS) for part, _ in vector.args)

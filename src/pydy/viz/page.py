@@ -1,7 +1,7 @@
-"""The page: one HTML file with everything in it, the numbers as base64: poses of 32-bit floats.
+"""The page: one self-contained HTML file; arrays are base64, poses are 32-bit floats.
 
 Visuals that are rigidly connected share one *track*, the motion of the first of them, and keep a
-constant offset from it: a body of a dozen parts costs no more than one part. What never moves is
+constant offset from it: a body of a dozen parts costs no more than one part. Constant rows are
 stored once.
 """
 
@@ -32,7 +32,7 @@ from pydy._names import label_parts
 from pydy._rank import HALF
 from pydy._version import __version__
 from pydy.viz import shapes
-from pydy.viz.animation import Animation, Item, Look, frame
+from pydy.viz.animation import Animation, Item, ViewSettings, frame
 from pydy.viz.colours import CYCLE, MODES
 from pydy.viz.curves import BUCKETS, thinned
 from pydy.viz.live import LivePage, Witness
@@ -41,14 +41,14 @@ from pydy.viz.surfaces import TUBE, helix, surface
 # -- The page --------------------------------------------------------------------------------------
 
 
-# The scripts of the page, in the order in which they build on each other.
+# The scripts of the page, in the order of their dependencies.
 SCRIPTS = (
     *("data.js", "shapes.js", "stage.js", "trails.js", "curves.js", "strip.js", "player.js"),
     *("share.js", "controls.js"),
 )
 
 
-# What the page draws as triangles from here.
+# Shapes whose triangles are computed here, not by the page.
 _TRIANGLES = (
     shapes.Circle,
     shapes.Cube,
@@ -60,10 +60,12 @@ _TRIANGLES = (
 )
 
 
-def page(animation: Animation, look: Look, theme: str, live: LivePage | None = None) -> str:
+def page(
+    animation: Animation, settings: ViewSettings, theme: str, live: LivePage | None = None
+) -> str:
     """Return the HTML of an animation."""
-    title = look.title or "Animation"
-    content = page_data(animation, look, live)
+    title = settings.title or "Animation"
+    content = page_data(animation, settings, live)
     scripts = [_resource(name) for name in SCRIPTS]
     style = _resource("style.css")
     if live is not None:
@@ -81,15 +83,15 @@ def page(animation: Animation, look: Look, theme: str, live: LivePage | None = N
         "THREE": _resource("three.min.js"),
         "APP": "\n".join(scripts),
     }
-    # In one pass: what is put in may itself look like a place to put something.
+    # In one pass, because inserted text may look like a placeholder.
     html = re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts.get(m[1], m[0]), _resource("page.html"))
-    # The page's own head comes before anything of the user's but the title, which is escaped.
+    # Only the escaped title of the user precedes this placeholder, which is in the head.
     return html.replace("{{POLICY}}", _policy(html), 1)
 
 
 def _policy(html: str) -> str:
-    """Allow a browser the scripts and styles of this page as they are now, and no others."""
-    own = {
+    """Return a content security policy that allows only the present scripts and styles."""
+    hashes = {
         kind: " ".join(
             f"'sha256-{b64encode(sha256(text.encode()).digest()).decode('ascii')}'"
             for text in re.findall(pattern, html, re.S)
@@ -100,7 +102,7 @@ def _policy(html: str) -> str:
         )
     }
     return (
-        f"default-src 'none'; script-src {own['script']}; style-src {own['style']}; "
+        f"default-src 'none'; script-src {hashes['script']}; style-src {hashes['style']}; "
         "img-src data: blob:; media-src blob:; base-uri 'none'; form-action 'none'"
     )
 
@@ -110,14 +112,16 @@ def _resource(name: str) -> str:
     return (files("pydy.viz") / "assets" / name).read_text(encoding="utf-8")
 
 
-def opened(html: str) -> Path:
+def open_in_browser(html: str) -> Path:
     """Show a page in the browser from a temporary file; delete earlier files."""
     for old in Path(tempfile.gettempdir()).glob("pydy-scene-????????/scene.html"):
         with suppress(OSError):
-            folder = os.lstat(old.parent)  # neither a link nor somebody else's
+            folder = os.lstat(old.parent)  # it must not be a link, nor belong to another user
             ours = getattr(os, "geteuid", int)() == folder.st_uid  # 0 on Windows
             age = time.time() - os.lstat(old).st_mtime
-            if ours and stat.S_ISDIR(folder.st_mode) and age > 3600.0:  # long read by browsers
+            if (
+                ours and stat.S_ISDIR(folder.st_mode) and age > 3600.0
+            ):  # browsers have read it long ago
                 old.unlink()
                 old.parent.rmdir()
     path = Path(tempfile.mkdtemp(prefix="pydy-scene-")) / "scene.html"
@@ -135,37 +139,39 @@ def embedded(html: str) -> str:
     )
 
 
-def page_data(animation: Animation, look: Look, live: LivePage | None = None) -> dict[str, Any]:
+def page_data(
+    animation: Animation, settings: ViewSettings, live: LivePage | None = None
+) -> dict[str, Any]:
     """Return the data for the page's scripts, as JSON types.
 
     Lengths are in units of about half the scene's diagonal, a power of two: browsers draw with
-    32-bit floats, whose range a scene of planets or of atoms leaves in squares and products.
+    32-bit floats, and squares of lengths of planets or atoms would exceed their range.
     """
-    seen = frame(animation, look)
-    unit = 2.0 ** float(np.clip(np.round(np.log2(seen.radius)), -1022, 1022))
+    framing = frame(animation, settings)
+    unit = 2.0 ** float(np.clip(np.round(np.log2(framing.radius)), -1022, 1022))
     tracks = _Tracks(animation, unit, None if live is None else live.witness)
     visuals = [_visual(item, tracks) for item in animation.items]
-    more: dict[str, Any] = {}
+    live_data: dict[str, Any] = {}
     if live is not None:
-        code, data = live.code(tracks.places)
-        more["live"] = {"code": code, **data, "buckets": BUCKETS}
+        code, data = live.code(tracks.anchors)
+        live_data["live"] = {"code": code, **data, "buckets": BUCKETS}
     clocks = _Clocks()
     series = [
         {
             "label": label,
             "parts": label_parts(label),
-            "unit": look.units.get(label, ""),
+            "unit": settings.units.get(label, ""),
             "colour": CYCLE[(k + 1) % len(CYCLE)],
             "clock": clocks.find(drawn.times),
             "values": _packed(drawn.values, np.float64),
         }
-        for k, (label, whole) in enumerate(animation.series.items())
-        for drawn in [thinned(whole)]
+        for k, (label, curve) in enumerate(animation.series.items())
+        for drawn in [thinned(curve)]
     ]
     return {
-        **more,
+        **live_data,
         "version": __version__,
-        "title": look.title,
+        "title": settings.title,
         "times": _packed(animation.times, np.float64),
         "speed": animation.speed,
         "tracks": tracks.entries,
@@ -185,16 +191,18 @@ def page_data(animation: Animation, look: Look, live: LivePage | None = None) ->
         ],
         "view": {
             "unit": unit,
-            "up": seen.up.tolist(),
-            "right": seen.right.tolist(),
-            "direction": seen.direction.tolist(),
-            "target": (seen.target / unit).tolist(),
-            "radius": seen.radius / unit,
-            "extent": (seen.extent / unit).tolist(),
-            "ground": None if seen.ground is None else seen.ground / unit,
-            "cell": seen.cell / unit,
-            "axes": None if look.axes is None else look.axes / unit,
-            "path": None if seen.path is None else _column(seen.path / unit, live is not None),
+            "up": framing.up_axis.tolist(),
+            "right": framing.right.tolist(),
+            "direction": framing.direction.tolist(),
+            "target": (framing.target / unit).tolist(),
+            "radius": framing.radius / unit,
+            "extent": (framing.extent / unit).tolist(),
+            "ground": None if framing.ground is None else framing.ground / unit,
+            "cell": framing.cell / unit,
+            "axes": None if settings.axes is None else settings.axes / unit,
+            "path": None
+            if framing.path is None
+            else _column(framing.path / unit, live is not None),
         },
     }
 
@@ -214,7 +222,7 @@ def _column(array: np.ndarray, changing: bool = False) -> dict[str, Any]:
 
 
 class _Clocks:
-    """Times of curves; those that several share are stored once."""
+    """Times of curves; shared ones are stored once."""
 
     def __init__(self) -> None:
         self.entries: list[str] = []
@@ -231,36 +239,36 @@ class _Clocks:
 class _Tracks:
     """Motions that visuals share, written in the page's unit.
 
-    On a live page those share one that move rigidly with each other whatever the sliders say, of
-    which a witness knows.
+    On a live page, visuals share a track only if the `witness` finds them rigidly connected for all
+    values of the sliders.
     """
 
     def __init__(self, animation: Animation, unit: float, witness: Witness | None = None) -> None:
         low, high = animation.box
         self.unit = unit
         self.entries: list[dict[str, Any]] = []
-        self.places: list[tuple[Any, Any]] = []
+        self.anchors: list[tuple[Any, Any]] = []
         self.witness = witness
         self._bases: list[tuple[Any, np.ndarray, np.ndarray]] = []
         self._frames = {item.visual.frame: item.rotations for item in animation.items}
         self._frames.setdefault(None, np.broadcast_to(np.eye(3), (len(animation.times), 3, 3)))
-        # The page has 32-bit floats, which tell no more apart at that distance.
+        # The page has 32-bit floats, which do not resolve smaller differences.
         self._tolerance = HALF * float(np.abs([low, high]).max(initial=0.0))
 
     def find(self, frame: Any, point: Any, positions: np.ndarray) -> tuple[int, list[float]]:
         """Return the number of the track that moves with a frame, and a point's offset from it."""
-        for k, (other, rotations, base) in enumerate(self._bases):
+        for k, (base_frame, rotations, base) in enumerate(self._bases):
             offset = self._seen_from(rotations, positions - base)
-            if other is not frame or not self._constant(offset):
+            if base_frame is not frame or not self._constant(offset):
                 continue
-            if self.witness is None or self.witness.rigid(frame, self.places[k][1], point):
+            if self.witness is None or self.witness.rigid(frame, self.anchors[k][1], point):
                 return k, (offset[0] / self.unit).tolist()
         rotations = self._frames[frame]
-        self.places.append((frame, point))
+        self.anchors.append((frame, point))
         self._bases.append((frame, rotations, positions))
-        # A copy: old versions of SciPy refuse what is read-only.
+        # A copy: old versions of SciPy refuse read-only arrays.
         quaternions = scipy.spatial.transform.Rotation.from_matrix(np.array(rotations)).as_quat()
-        # Neighbours on the same side of the sphere, so that interpolation takes the short way.
+        # Equal signs of neighbours, so that interpolation takes the shorter rotation.
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
         changing = self.witness is not None
@@ -269,9 +277,9 @@ class _Tracks:
         return len(self._bases) - 1, [0.0, 0.0, 0.0]
 
     def carrier(self, symbols: Sequence[Any], points: np.ndarray) -> tuple[Any, np.ndarray] | None:
-        """Return a frame in which points, shape (m, k, 3), rest, and their offsets from the first.
+        """Return a frame in which points (m, k, 3) are fixed, and their offsets from the first.
 
-        None where they move relative to each other.
+        None if they move relative to each other.
         """
         witness = self.witness
         away = points - points[:, :1]
@@ -306,22 +314,22 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
         assert isinstance(shape, shapes.Line)
         entry["radius"] = shape.radius and shape.radius / unit
         if isinstance(shape, shapes.Spring):
-            # As long as it is at first, so that its wire is round then.
+            # Its initial length, at which the wire is round.
             length = float(np.linalg.norm(item.points[0, 1] - item.points[0, 0])) or shape.radius
             vertices, faces = helix(shape.radius, shape.coils, length)
             entry["vertices"], entry["faces"] = _packed(vertices / unit), _packed(faces, np.uint32)
             entry |= {"smooth": True, "first": length / unit}
         elif isinstance(shape, shapes.Damper):
             entry["tube"] = [TUBE * shape.radius / unit, item.tube / unit]  # radius and length
-        carried = tracks.carrier(shape.points, item.points)
+        carrier = tracks.carrier(shape.points, item.points)
         changing = tracks.witness is not None
-        if carried is None:
+        if carrier is None:
             entry["points"] = _column(item.points / unit, changing)
         else:
             # A rod of a rigid body.
-            entry["points"] = _column(carried[1][None] / unit)
+            entry["points"] = _column(carrier[1][None] / unit)
             entry["track"], entry["offset"] = tracks.find(
-                carried[0], shape.points[0], item.points[:, 0]
+                carrier[0], shape.points[0], item.points[:, 0]
             )
         return entry
     entry["track"], entry["offset"] = tracks.find(
@@ -339,6 +347,8 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
             "kind": "Mesh",
             "smooth": isinstance(shape, (shapes.TorusKnot, shapes.Tube)),
         }
-    lengths = () if isinstance(shape, shapes.Trace) else shape.lengths  # a trace lasts
+    lengths = (
+        () if isinstance(shape, shapes.Trace) else shape.lengths
+    )  # the size of a trace is a duration
     size = {name: v / unit if name in lengths else v for name, v in shape.dimensions()}
     return {**entry, "size": size}

@@ -1,4 +1,4 @@
-"""Scene: what is seen, from where; the one class that users of `pydy.viz` deal with."""
+"""Scene: visuals, view and motion; the main class of `pydy.viz`."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ from pydy._interpolation import evenly
 from pydy._names import nearest
 from pydy._rank import ROUNDED
 from pydy.trajectory import Trajectory
-from pydy.viz.animation import Animation, Item, Look, animate
+from pydy.viz.animation import Animation, Item, ViewSettings, animate
 from pydy.viz.arguments import (
     as_visual,
+    check_range,
     curves_of,
     events_of,
     filmed,
@@ -34,14 +35,13 @@ from pydy.viz.arguments import (
     series_of,
     symbols_of,
     units_of,
-    within,
 )
-from pydy.viz.curves import Curve, evaluated
+from pydy.viz.curves import TimeSeries, evaluated
 from pydy.viz.defaults import unit_vector
 from pydy.viz.live import live_page
 from pydy.viz.motion import (
-    Model,
-    Motion,
+    SceneModel,
+    SceneMotion,
     checked_samples,
     constants_of,
     forward,
@@ -49,7 +49,7 @@ from pydy.viz.motion import (
     motion_of_trajectory,
     sampled,
 )
-from pydy.viz.page import embedded, opened, page
+from pydy.viz.page import embedded, open_in_browser, page
 from pydy.viz.shapes import Arrow, Plane, Trace
 from pydy.viz.views import (
     PerspectiveCamera,
@@ -60,11 +60,11 @@ from pydy.viz.views import (
 )
 from pydy.viz.visuals import Visual, no_attribute
 
-# -- Other runs beside the one that is shown: fainter copies of what moves -------------------------
+# -- Comparison with other runs: semi-transparent copies of moving visuals -------------------------
 
 
 def runs_of(compare: Any) -> list[tuple[str, Any]]:
-    """Return labels and trajectories of `compare`; of an ensemble's members some, evenly."""
+    """Return labels and trajectories of `compare`; of an ensemble, evenly spaced members."""
     if compare is None:
         return []
     dataset = hasattr(compare, "data_vars")
@@ -98,59 +98,63 @@ def _members(label: str, run: Any) -> Iterator[tuple[str, Any]]:
     samples = [d for d in run[states[0]].dims if d != "time"]
     flat = run.stack(member=samples) if samples else run.expand_dims("member")
     for k in evenly(flat.sizes["member"], 12).tolist():
-        one = flat.isel(member=k)
-        table = np.stack([np.asarray(one[name], dtype=float) for name in states], 1)
-        if np.isfinite(table).all():  # a sample that failed has nothing to show
-            roles = one.coords.items()
+        member = flat.isel(member=k)
+        table = np.stack([np.asarray(member[name], dtype=float) for name in states], 1)
+        if np.isfinite(table).all():  # samples that failed are not shown
+            roles = member.coords.items()
             constants = {n: float(v) for n, v in roles if v.attrs.get("role") == "constant"}
-            times = np.asarray(one["time"], dtype=float)
+            times = np.asarray(member["time"], dtype=float)
             lines = partial(_lines, times, table)
             kinds = {"coordinate": states}
             yield label, Trajectory(times, table, kinds, constants=constants, dense=lines)
 
 
-def _lines(own: np.ndarray, table: np.ndarray, times: np.ndarray) -> np.ndarray:
+def _lines(sample_times: np.ndarray, table: np.ndarray, times: np.ndarray) -> np.ndarray:
     """Interpolate a table of states linearly."""
-    return np.stack([np.interp(times, own, column) for column in table.T], 1)
+    return np.stack([np.interp(times, sample_times, column) for column in table.T], 1)
 
 
 def compared(animation: Animation, compare: Any, animated: Callable[[Any], Animation]) -> Animation:
     """Return an animation with the moving visuals of other runs, fainter."""
-    others = []
-    for label, run in runs_of(compare):  # before and after its own times it rests
+    other_runs = []
+    for label, run in runs_of(compare):  # before and after its times it is at rest
         times = np.clip(animation.times, run.times[0], run.times[-1])
-        others.append((label, animated(run.at(times))))
-    if not others:
+        other_runs.append((label, animated(run.at(times))))
+    if not other_runs:
         return animation
     items, bounds = list(animation.items), [animation.bounds]
-    for label, other in others:
-        frames: dict[Any, Any] = {None: None}  # which turn otherwise in another run
-        bounds.append(other.bounds)
-        for item, own in zip(other.items, animation.items, strict=True):
-            if not isinstance(item.shape, (Plane, Trace)) and _moves(item):
-                items.append(_ghost(item, own, label, frames))
+    for label, animated_run in other_runs:
+        frames: dict[Any, Any] = {None: None}  # frames rotate differently in another run
+        bounds.append(animated_run.bounds)
+        for item, shown_item in zip(animated_run.items, animation.items, strict=True):
+            if not isinstance(item.shape, (Plane, Trace)) and _is_moving(item):
+                items.append(_ghost(item, shown_item, label, frames))
     low = np.min([b[:, 0] for b in bounds], axis=0)
     high = np.max([b[:, 1] for b in bounds], axis=0)
     return replace(animation, items=tuple(items), bounds=np.stack([low, high], 1))
 
 
-def _moves(item: Item) -> bool:
+def _is_moving(item: Item) -> bool:
     arrays = (item.positions, item.rotations, item.vectors, item.points)
     return any(a is not None and np.ptp(a, axis=0).any() for a in arrays)
 
 
-def _ghost(item: Item, own: Item, label: str, frames: dict[Any, Any]) -> Item:
+def _ghost(item: Item, shown_item: Item, label: str, frames: dict[Any, Any]) -> Item:
     visual = copy(item.visual)
     frame = frames.setdefault(visual.frame, object())
     for attribute, value in (("frame", frame), ("name", label), ("trail", False)):
-        object.__setattr__(visual, attribute, value)  # a copy of our own
-    shape = replace(item.shape, colour=own.shape.colour, opacity=0.3 * item.shape.opacity)
-    if item.vectors is not None and isinstance(shape, Arrow) and isinstance(own.shape, Arrow):
-        # One scale for all runs: lengths are there to be compared.
-        scale, other = own.shape.scale, shape.scale
+        object.__setattr__(visual, attribute, value)  # bypasses the checks of __setattr__
+    shape = replace(item.shape, colour=shown_item.shape.colour, opacity=0.3 * item.shape.opacity)
+    if (
+        item.vectors is not None
+        and isinstance(shape, Arrow)
+        and isinstance(shown_item.shape, Arrow)
+    ):
+        # One scale for all runs, so that lengths can be compared.
+        scale, run_scale = shown_item.shape.scale, shape.scale
         assert scale is not None
-        assert other is not None
-        item = replace(item, vectors=item.vectors * (scale / other))
+        assert run_scale is not None
+        item = replace(item, vectors=item.vectors * (scale / run_scale))
         shape = replace(shape, scale=scale)
     return replace(item, visual=visual, shape=shape)
 
@@ -237,12 +241,12 @@ class Scene:
         series: Any = (),
         title: str = "",
         units: Mapping[Any, str] | None = None,
-        model: Model | None = None,
+        model: SceneModel | None = None,
         system: Any = None,
         cameras: Iterable[Any] = (),
-        **more: Any,
+        **legacy: Any,
     ) -> None:
-        unknown = [name for name in more if name not in (*_MOTION, *_IGNORED)]
+        unknown = [name for name in legacy if name not in (*_MOTION, *_IGNORED)]
         if unknown:
             names = (*_ARGUMENTS, *_MOTION, *_IGNORED)
             raise TypeError(f"Scene has no argument `{unknown[0]}`. {nearest(unknown[0], names)}")
@@ -259,8 +263,8 @@ class Scene:
         self.frames_per_second = 30.0
         self.series = series_of(series)
         self._model = model
-        self._look = Look(
-            up=unit_vector(up, reference_frame, "up"),
+        self._settings = ViewSettings(
+            up_axis=unit_vector(up, reference_frame, "up"),
             ground=ground_height(ground),
             follow=None if follow is None else flag(follow, "`follow`"),
             view=None if view is None else unit_vector(view, reference_frame, "view"),
@@ -268,11 +272,13 @@ class Scene:
             units=units_of(units),
         )
         self._animation: Animation | None = None
-        self._again: Any = None  # the last call of `animate`, and of what
+        self._last_call: Any = (
+            None  # arguments of the last call of `animate`, and versions of the visuals
+        )
         self.cameras = cameras
         for name in _MOTION:
-            if name in more:
-                setattr(self, name, more[name])
+            if name in legacy:
+                setattr(self, name, legacy[name])
 
     def __repr__(self) -> str:
         instants = f", {len(self._animation.times)} instants" if self._animation else ""
@@ -343,56 +349,63 @@ class Scene:
         if states is None and model is not None and not hasattr(trajectory, "state_symbols"):
             # `animate(states)` at the times of the system.
             trajectory, states = (model.times() if model.times else None), trajectory
-        own = trajectory if states is not None else getattr(trajectory, "times", None)
-        curves = {} if own is None else curves_of(series, own)
+        motion_times = trajectory if states is not None else getattr(trajectory, "times", None)
+        curves = {} if motion_times is None else curves_of(series, motion_times)
         film = detail = trajectory
         if states is None:
             film = detail = filmed(trajectory, fps, speed)
             if self.series:
                 detail = plotted(trajectory, fps, speed)
-        given = (symbols, constants, specifieds, compare, fps, speed)
-        self._set_motion(film, detail, states, curves, given)
+        options = (symbols, constants, specifieds, compare, fps, speed)
+        self._set_motion(film, detail, states, curves, options)
         return self
 
     def _set_motion(
-        self, film: Any, detail: Any, states: Any, curves: dict[str, Curve], given: tuple[Any, ...]
+        self,
+        film: Any,
+        detail: Any,
+        states: Any,
+        curves: dict[str, TimeSeries],
+        options: tuple[Any, ...],
     ) -> None:
-        """Set the motion: that of a film with its instants, and in detail for the curves."""
-        *_, compare, fps, speed = given
-        motion = forward(self._motion_of(film, states, given[:3]))
+        """Set the motion from a film with its instants, and from details for the curves."""
+        *_, compare, fps, speed = options
+        motion = forward(self._motion_of(film, states, options[:3]))
         rate, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
         scene = (self.reference_frame, self.origin, self.visuals)
-        taken = motion.taken(sampled(motion.times, step))
-        animation = animate(*scene, taken)
+        film_motion = motion.at_rows(sampled(motion.times, step))
+        animation = animate(*scene, film_motion)
 
         def moved(run: Any) -> Animation:
-            values = (SymbolDict(motion.values) | dict(run.constants)).data
-            wanted = symbols_of(self.visuals, self.series)
-            return animate(*scene, motion_of_trajectory(run, self._model, values, wanted))
+            values = (Keyed(motion.values) | dict(run.constants)).data
+            symbols = symbols_of(self.visuals, self.series)
+            return animate(*scene, motion_of_trajectory(run, self._model, values, symbols))
 
-        known = recorded(self.series, detail if states is None else None) | curves
-        formulas = [(label, e) for label, e in self.series.items() if label not in known]
+        curves_by_label = recorded(self.series, detail if states is None else None) | curves
+        formulas = [(label, e) for label, e in self.series.items() if label not in curves_by_label]
         if formulas:
-            fine = motion if detail is film else self._motion_of(detail, states, given[:3])
-            known |= evaluated(self.reference_frame, self.origin, formulas, fine)
+            fine = motion if detail is film else self._motion_of(detail, states, options[:3])
+            curves_by_label |= evaluated(self.reference_frame, self.origin, formulas, fine)
         self._animation = replace(
             compared(animation, compare, moved),
             speed=rate,
-            series={label: known[label] for label in dict.fromkeys((*self.series, *curves))},
+            series={
+                label: curves_by_label[label] for label in dict.fromkeys((*self.series, *curves))
+            },
             events=events_of(film if states is None else None, motion.times),
             modes=modes_of(film if states is None else None, motion.times),
         )
-        self._motion = taken
-        # With the instants that it has: a pickle does not know what is between others.
-        self._again = (film, detail, states, curves, given), [v.version for v in self.visuals]
+        self._motion = film_motion
+        # Stored with its instants: a pickle cannot evaluate others.
+        self._last_call = (film, detail, states, curves, options), [v.version for v in self.visuals]
 
-    def _motion_of(self, trajectory: Any, states: Any, given: tuple[Any, ...]) -> Motion:
-        """Return the Motion that `animate` was asked for.
+    def _motion_of(self, trajectory: Any, states: Any, options: tuple[Any, ...]) -> SceneMotion:
+        """Return the SceneMotion of the arguments of `animate`.
 
-        Given are symbols, constants and specifieds.
+        `options` are symbols, constants and specifieds.
         """
-        model, (symbols, constants, specifieds) = self._model, given
-        wanted = symbols_of(self.visuals, self.series)
+        model, (symbols, constants, specifieds) = self._model, options
+        requested = symbols_of(self.visuals, self.series)
         if states is not None:
             if symbols is not None or model is None or model.trajectory is None:
                 return motion_of_arrays(trajectory, states, symbols, constants, specifieds)
@@ -406,7 +419,7 @@ class Scene:
             )
         scene = (self.reference_frame, self.origin, self.visuals)
         constants = named_constants(constants, constants_of(trajectory), scene, self.series)
-        return motion_of_trajectory(trajectory, model, constants, wanted)
+        return motion_of_trajectory(trajectory, model, constants, requested)
 
     @property
     def times(self) -> np.ndarray:
@@ -464,7 +477,7 @@ class Scene:
             if not isinstance(camera, PerspectiveCamera):
                 raise TypeError(f"`cameras` must hold PerspectiveCameras, got {shown(camera)}.")
             view = direction_of(camera, self.reference_frame, self.origin)
-            self._look = self._look if view is None else replace(self._look, view=view)
+            self._settings = self._settings if view is None else replace(self._settings, view=view)
 
     @property
     def poses(self) -> np.ndarray:
@@ -476,18 +489,18 @@ class Scene:
         return self._moving().poses
 
     def _moving(self) -> Animation:
-        if self._animation and self._again[1] != [v.version for v in self.visuals]:
-            self._set_motion(*self._again[0])  # a shape or visual was changed
+        if self._animation and self._last_call[1] != [v.version for v in self.visuals]:
+            self._set_motion(*self._last_call[0])  # a shape or visual was changed
         if self._animation is None and self._states is not None:
             symbols, constants, times = self.states_symbols, self.constants, self._times
             if times is None:
                 times = np.arange(len(self._states)) / self.frames_per_second
             self.animate(times, self._states, symbols=symbols, constants=constants)
         elif self._animation is None and self.system is not None:
-            known = self.system.scene(
+            scene = self.system.scene(
                 *self.visuals, reference_frame=self.reference_frame, origin=self.origin
             )
-            self._model, self.visuals = known._model, known.visuals
+            self._model, self.visuals = scene._model, scene.visuals
             self.animate(self.system.simulate(), constants=self.constants)
         if self._animation is None:
             raise ValueError(
@@ -503,8 +516,10 @@ class Scene:
         chosen = choice(theme, ("auto", "light", "dark"), "`theme`")
         moving = self._moving()
         scene = (self.reference_frame, self.origin, self.visuals, self.series)
-        made = live_page(live, self._model, self._look.title, scene, moving, self._motion)
-        return page(moving, self._look, chosen, made)
+        live_content = live_page(
+            live, self._model, self._settings.title, scene, moving, self._motion
+        )
+        return page(moving, self._settings, chosen, live_content)
 
     def to_html(
         self, path: Any, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None
@@ -542,12 +557,12 @@ class Scene:
         Pages that were shown more than an hour ago are deleted from the disk.
         """
         if in_notebook():
-            from IPython.display import display  # where there is a notebook, there is IPython
+            from IPython.display import display  # a notebook has IPython
 
             self._moving()
-            display(self)  # as an object: IPython's HTML warns of pages in frames
+            display(self)  # as an object, because IPython's HTML warns about iframes
             return None
-        return opened(self.html())
+        return open_in_browser(self.html())
 
     display = show
 
@@ -596,7 +611,7 @@ class Scene:
             raise ValueError(
                 f"`t` must be a time of the motion, from {first:g} to {last:g}, got {instant:g}."
             )
-        return draw(moving, self._look, instant, axes)
+        return draw(moving, self._settings, instant, axes)
 
     def save(
         self,
@@ -640,11 +655,11 @@ class Scene:
         width, height = vector(size, 2, "`size`").tolist()
         save(
             self._moving(),
-            self._look,
+            self._settings,
             target,
-            within(fps, "`fps`", 1e-3, 1e3),
-            within(dpi, "`dpi`", 10.0, 1e4),
-            (within(width, "`size`", 0.5, 1e3), within(height, "`size`", 0.5, 1e3)),
+            check_range(fps, "`fps`", 1e-3, 1e3),
+            check_range(dpi, "`dpi`", 10.0, 1e4),
+            (check_range(width, "`size`", 0.5, 1e3), check_range(height, "`size`", 0.5, 1e3)),
             flag(progress, "`progress`"),
         )
         return target

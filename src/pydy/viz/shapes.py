@@ -39,14 +39,14 @@ class _Spelling(type):
     if not TYPE_CHECKING:
 
         def __call__(cls, *args: Any, **options: Any) -> Any:
-            for name, own in cls.spellings.items():
+            for name, field_name in cls.spellings.items():
                 if name in options:
-                    if own in options:
+                    if field_name in options:
                         raise TypeError(
-                            f"{cls.__name__} got `{own}` and `{name}`, which mean the same. Keep "
-                            "one of them."
+                            f"{cls.__name__} got `{field_name}` and `{name}`, which mean the same. "
+                            "Keep one of them."
                         )
-                    options[own] = options.pop(name)
+                    options[field_name] = options.pop(name)
             if options.pop("material", None) is not None:
                 cls.ignore_material()
             return super().__call__(*args, **options)
@@ -102,17 +102,17 @@ class Shape(metaclass=_Spelling):
     if not TYPE_CHECKING:
 
         def __setattr__(self, name: str, value: Any) -> None:
-            own = self.spellings.get(name, name)
-            if own == "material":
+            field_name = self.spellings.get(name, name)
+            if field_name == "material":
                 type(self).ignore_material()
-            elif own not in (names := [f.name for f in fields(self) if f.init]):
+            elif field_name not in (names := [f.name for f in fields(self) if f.init]):
                 raise AttributeError(
                     f"{type(self).__name__} has no attribute `{name}`. {nearest(name, names)}"
                 )
-            elif own not in self.__dict__:
-                self._set(own, value)  # in __init__, which checks it afterwards
+            elif field_name not in self.__dict__:
+                self._set(field_name, value)  # in __init__, which checks it afterwards
             else:
-                changed = vars(replace(self, **{own: value}))
+                changed = vars(replace(self, **{field_name: value}))
                 self.__dict__.update(changed, changes=self.changes + 1)
 
         def __getattr__(self, name: str) -> Any:
@@ -128,15 +128,19 @@ class Shape(metaclass=_Spelling):
             expression = getattr(self, attribute)
             if not isinstance(expression, sm.Basic):
                 continue
-            # By name too: a trajectory from a file has names in the place of symbols.
-            known = {s: values.get(s, values.get(s.name)) for s in expression.free_symbols}
-            missing = sorted(s.name for s, value in known.items() if value is None)
+            # By name, too: a trajectory from a file has names instead of symbols.
+            values_by_symbol = {
+                s: values.get(s, values.get(s.name)) for s in expression.free_symbols
+            }
+            missing = sorted(s.name for s, value in values_by_symbol.items() if value is None)
             if missing:
                 raise ValueError(
                     f"`{attribute}` of {kind} is `{expression}`, but `{missing[0]}` has no value: "
                     "shapes may depend on constants only. Give its value in `constants`."
                 )
-            value = real_number(expression.xreplace({s: sm.Float(v) for s, v in known.items()}))
+            value = real_number(
+                expression.xreplace({s: sm.Float(v) for s, v in values_by_symbol.items()})
+            )
             if value is None or not 0 < value < np.inf:
                 raise ValueError(
                     f"`{attribute}` of {kind} is `{expression}`, which must be positive, but comes "
@@ -161,14 +165,14 @@ def real_number(value: Any) -> float | None:
         return None
 
 
-def _length(value: Any, what: str) -> Any:
+def _length(value: Any, argument: str) -> Any:
     """Return a length as a float, or as an expression when it has symbols."""
     if isinstance(value, sm.Expr) and value.free_symbols:
         return value
     length = None if isinstance(value, bool) else real_number(value)
     if length is None or not 0 < length < np.inf:
         raise ValueError(
-            f"{what} must be a positive number or a SymPy expression of constants, got "
+            f"{argument} must be a positive number or a SymPy expression of constants, got "
             f"{shown(value)}."
         )
     return length
@@ -285,11 +289,11 @@ def hull(points: Any) -> tuple[np.ndarray, np.ndarray] | None:
     if table.ndim != 2 or table.shape[1] != 3 or len(table) < 3 or not np.isfinite(table).all():
         return None
     flat = rank_of(np.linalg.svd(table - table.mean(0), compute_uv=False)) < 3
-    found = ConvexHull(table, qhull_options="QJ" if flat else "Qt").simplices
-    a, b, c = (table[found[:, k]] for k in range(3))
+    triangles = ConvexHull(table, qhull_options="QJ" if flat else "Qt").simplices
+    a, b, c = (table[triangles[:, k]] for k in range(3))
     inwards = np.einsum("ij,ij->i", np.cross(b - a, c - a), a - table.mean(0)) < 0
-    found[inwards] = found[inwards][:, ::-1]
-    return table, found
+    triangles[inwards] = triangles[inwards][:, ::-1]
+    return table, triangles
 
 
 def knot(radius: float) -> np.ndarray:
@@ -300,7 +304,7 @@ def knot(radius: float) -> np.ndarray:
     return np.stack([away * np.cos(angle), away * np.sin(angle), height], 1)
 
 
-def along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, np.ndarray]:
+def tube_along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, np.ndarray]:
     """Return the triangles of a tube along points."""
     if closed:
         ahead = np.roll(points, -1, 0) - np.roll(points, 1, 0)
@@ -314,8 +318,8 @@ def along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, 
     for point, direction in zip(points, ahead, strict=True):
         side = side - (side @ direction) * direction  # carried along without a twist
         side /= np.linalg.norm(side)
-        other = np.cross(direction, side)
-        section = np.outer(np.cos(turn), side) + np.outer(np.sin(turn), other)
+        binormal = np.cross(direction, side)
+        section = np.outer(np.cos(turn), side) + np.outer(np.sin(turn), binormal)
         rings.append(point + radius * section)
     rows = len(points) if closed else len(points) - 1
     i, j = np.divmod(np.arange(rows * around), around)
@@ -378,8 +382,8 @@ def _read_stl(data: bytes) -> tuple[np.ndarray, np.ndarray]:
             f"it is {len(data)} bytes long, which does not fit its {max(count, 0)} triangles"
         )
     # Shared corners once: half the size or less.
-    vertices, places = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
-    return vertices.astype(float), places.reshape(-1, 3)
+    vertices, indices = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+    return vertices.astype(float), indices.reshape(-1, 3)
 
 
 def _read_obj(data: bytes) -> tuple[np.ndarray, np.ndarray]:
@@ -396,10 +400,10 @@ def _read_obj(data: bytes) -> tuple[np.ndarray, np.ndarray]:
         elif words[0] == "f":
             # "f v/vt/vn ...", from one; negative counts back from the last vertex so far.
             numbers = [int(word.split("/")[0]) for word in words[1:]]
-            places = [n - 1 if n > 0 else len(vertices) + n for n in numbers]
-            if len(places) < 3 or not all(0 <= k < len(vertices) for k in places):
+            indices = [n - 1 if n > 0 else len(vertices) + n for n in numbers]
+            if len(indices) < 3 or not all(0 <= k < len(vertices) for k in indices):
                 raise ValueError(f"the face `{line.strip()}` does not fit the vertices before it")
-            faces += [(places[0], b, c) for b, c in pairwise(places[1:])]
+            faces += [(indices[0], b, c) for b, c in pairwise(indices[1:])]
     return np.array(vertices, dtype=float).reshape(-1, 3), np.array(faces, dtype=int).reshape(-1, 3)
 
 
@@ -684,8 +688,8 @@ def _triangles(source: Any) -> tuple[np.ndarray, np.ndarray]:
     if points is not None:
         return points
     try:
-        given, corners = source
-        vertices = real_array(given, "")
+        points_argument, corners = source
+        vertices = real_array(points_argument, "")
     except (TypeError, ValueError):
         vertices, corners = np.empty(0), ()
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not np.isfinite(vertices).all():

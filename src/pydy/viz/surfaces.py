@@ -1,4 +1,4 @@
-"""Triangles of shapes: what Matplotlib draws, and what tells how far a shape reaches.
+"""Triangles of shapes, for Matplotlib and for the extent of shapes.
 
 The page builds its own, finer surfaces from the same dimensions; a browser test compares the two.
 """
@@ -21,7 +21,7 @@ _HEAD_LENGTH, _HEAD_RADIUS = 6.0, 2.5  # of an arrow, relative to the radius of 
 
 @singledispatch
 def surface(shape: shapes.Shape) -> Surface:
-    """Return the triangles of a shape with numbers for lengths, in its own axes."""
+    """Return the triangles of a shape with numerical lengths, in its own axes."""
     raise NotImplementedError(f"{type(shape).__name__} has no surface of its own.")
 
 
@@ -38,7 +38,7 @@ def _grid(point: Callable[[np.ndarray, np.ndarray], np.ndarray], rows: int, arou
     return vertices, faces
 
 
-def _turned(profile: list[tuple[float, float]], axis: str, around: int = _AROUND) -> Surface:
+def _revolve(profile: list[tuple[float, float]], axis: str, around: int = _AROUND) -> Surface:
     """Return the surface of revolution of (radius, height) pairs, from the top down."""
     radius, height = np.array(profile).T
 
@@ -47,15 +47,15 @@ def _turned(profile: list[tuple[float, float]], axis: str, around: int = _AROUND
         return np.stack([radius[k] * np.sin(angle), height[k], radius[k] * np.cos(angle)], 1)
 
     vertices, faces = _grid(point, len(profile) - 1, around)
-    # Where the radius is zero, one of two triangles is no more than an edge.
+    # Where the radius is zero, one of two triangles is degenerate.
     ends = vertices[faces]
     flat = (ends == np.roll(ends, 1, axis=1)).all(axis=2).any(axis=1)
-    return _along(vertices, "y", axis), faces[~flat]
+    return _align_axis(vertices, "y", axis), faces[~flat]
 
 
-def _along(vertices: np.ndarray, own: str, axis: str) -> np.ndarray:
-    """Return vertices turned so that the axis `own` becomes `axis`: x → y → z → x."""
-    return np.roll(vertices, "xyz".index(axis) - "xyz".index(own), axis=1)
+def _align_axis(vertices: np.ndarray, source_axis: str, axis: str) -> np.ndarray:
+    """Rotate vertices so that `source_axis` becomes `axis`: x → y → z → x."""
+    return np.roll(vertices, "xyz".index(axis) - "xyz".index(source_axis), axis=1)
 
 
 def _arc(radius: float, middle: float, start: float, stop: float) -> list[tuple[float, float]]:
@@ -66,41 +66,43 @@ def _arc(radius: float, middle: float, start: float, stop: float) -> list[tuple[
 @surface.register
 def _(shape: shapes.Sphere) -> Surface:
     upper, lower = (_arc(shape.radius, 0, *ends) for ends in ((0, np.pi / 2), (np.pi / 2, np.pi)))
-    return _turned(upper + lower[1:], "y")
+    return _revolve(upper + lower[1:], "y")
 
 
 @surface.register
 def _(shape: shapes.Capsule) -> Surface:
     h, r = shape.length / 2, shape.radius
-    return _turned(_arc(r, h, 0, np.pi / 2) + _arc(r, -h, np.pi / 2, np.pi), shape.axis)
+    return _revolve(_arc(r, h, 0, np.pi / 2) + _arc(r, -h, np.pi / 2, np.pi), shape.axis)
 
 
 @surface.register
 def _(shape: shapes.Cylinder) -> Surface:
     h, r = shape.length / 2, shape.radius
-    return _turned([(0, h), (r, h), (r, -h), (0, -h)], shape.axis)
+    return _revolve([(0, h), (r, h), (r, -h), (0, -h)], shape.axis)
 
 
 def spoke(shape: shapes.Shape, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Return which triangles of a shape's surface show how it turns: a radius of a disc.
+    """Return a mask of triangles that mark the rotation of a disc: a radius.
 
-    It is a sector of both ends of a Cylinder that is shorter than its radius, else none.
+    It is a sector of both ends of a Cylinder that is shorter than its radius; otherwise none.
     """
     none = np.zeros(len(faces), dtype=bool)
     if not isinstance(shape, shapes.Cylinder) or shape.length >= shape.radius:
         return none
-    around = _along(vertices, shape.axis, "y")  # as in `_turned`
+    around = _align_axis(vertices, shape.axis, "y")  # as in `_revolve`
     middle = around[faces].mean(axis=1)
-    ends = np.abs(middle[:, 1]) > shape.length / 3  # triangles of the side are within a sixth
+    ends = (
+        np.abs(middle[:, 1]) > shape.length / 3
+    )  # triangles of the side are within a sixth of the length
     angle = np.arctan2(middle[:, 0], middle[:, 2])
-    found: np.ndarray = ends & (angle > 0.0) & (angle < 2 * np.pi / _AROUND)
-    return found
+    marked: np.ndarray = ends & (angle > 0.0) & (angle < 2 * np.pi / _AROUND)
+    return marked
 
 
 @surface.register
 def _(shape: shapes.Cone) -> Surface:
     h, r = shape.length / 2, shape.radius
-    return _turned([(0, h), (r, -h), (0, -h)], shape.axis)
+    return _revolve([(0, h), (r, -h), (0, -h)], shape.axis)
 
 
 @surface.register
@@ -115,7 +117,7 @@ def _(shape: shapes.Torus) -> Surface:
         )
 
     vertices, faces = _grid(point, rows, 2 * _AROUND)
-    return _along(vertices, "z", shape.axis), faces
+    return _align_axis(vertices, "z", shape.axis), faces
 
 
 @surface.register
@@ -150,12 +152,12 @@ def _(shape: shapes.Tetrahedron | shapes.Octahedron | shapes.Icosahedron) -> Sur
 
 @surface.register
 def _(shape: shapes.TorusKnot) -> Surface:
-    return shapes.along(shapes.knot(shape.radius), shape.tube, closed=True)
+    return shapes.tube_along(shapes.knot(shape.radius), shape.tube, closed=True)
 
 
 @surface.register
 def _(shape: shapes.Tube) -> Surface:
-    return shapes.along(np.array(shape.points), shape.radius, closed=False)
+    return shapes.tube_along(np.array(shape.points), shape.radius, closed=False)
 
 
 @surface.register
@@ -174,14 +176,14 @@ def _(shape: shapes.Mesh) -> Surface:
 
 
 def rods(points: np.ndarray, radius: float) -> Surface:
-    """Return cylinders from each of some points to the next."""
-    ways = np.diff(points, axis=0)
-    lengths = np.linalg.norm(ways, axis=1)
-    around = 8 if radius < lengths.min() / 30 else _AROUND  # a spoke needs few corners
+    """Return cylinders that connect consecutive points."""
+    segments = np.diff(points, axis=0)
+    lengths = np.linalg.norm(segments, axis=1)
+    around = 8 if radius < lengths.min() / 30 else _AROUND  # a thin rod needs few corners
     vertices, faces = _unit_rod(around)
     sizes = np.stack([np.full_like(lengths, radius), lengths, np.full_like(lengths, radius)], 1)
-    placed = vertices * sizes[:, None] @ _onto(ways).swapaxes(1, 2) + points[:-1, None]
-    offsets = len(vertices) * np.arange(len(ways))
+    placed = vertices * sizes[:, None] @ _onto(segments).swapaxes(1, 2) + points[:-1, None]
+    offsets = len(vertices) * np.arange(len(segments))
     return placed.reshape(-1, 3), (faces + offsets[:, None, None]).reshape(-1, 3)
 
 
@@ -191,9 +193,9 @@ TUBE = 1.8  # radius of a damper's tube, relative to that of its rod
 
 def coil(points: np.ndarray, radius: float, turns: int) -> Surface:
     """Return a helical spring between two points."""
-    way = points[1] - points[0]
-    vertices, faces = helix(radius, turns, float(np.linalg.norm(way)))
-    return vertices @ _onto(way[None])[0].T + points[0], faces
+    axis = points[1] - points[0]
+    vertices, faces = helix(radius, turns, float(np.linalg.norm(axis)))
+    return vertices @ _onto(axis[None])[0].T + points[0], faces
 
 
 def helix(radius: float, turns: int, length: float) -> Surface:
@@ -202,25 +204,25 @@ def helix(radius: float, turns: int, length: float) -> Surface:
     angle = 2 * np.pi * turns * s
     away = np.stack([np.cos(angle), 0.12 + 0.76 * s, np.sin(angle)], 1)
     line = np.concatenate([[[0, 0, 0], [0, 0.1, 0]], away, [[0, 0.9, 0], [0, 1, 0]]])
-    tall = length or radius  # without a length it is folded, and not a shape
-    return shapes.along(line * np.array([radius, tall, radius]), WIRE * radius, closed=False)
+    tall = length or radius  # zero length would give a degenerate surface
+    return shapes.tube_along(line * np.array([radius, tall, radius]), WIRE * radius, closed=False)
 
 
 def piston(points: np.ndarray, radius: float, tube: float) -> Surface:
     """Return a rod between two points and the tube around its end."""
-    way = points[1] - points[0]
-    length = float(np.linalg.norm(way))
+    axis = points[1] - points[0]
+    length = float(np.linalg.norm(axis))
     rod, faces = rods(points, radius)
     if not length > 0.0:
         return rod, faces
-    start = points[1] - way * min(tube / length, 1.0)
-    around, more = rods(np.stack([start, points[1]]), TUBE * radius)
-    return np.concatenate([rod, around]), np.concatenate([faces, more + len(rod)])
+    start = points[1] - axis * min(tube / length, 1.0)
+    around, tube_faces = rods(np.stack([start, points[1]]), TUBE * radius)
+    return np.concatenate([rod, around]), np.concatenate([faces, tube_faces + len(rod)])
 
 
 @cache
 def _unit_rod(around: int) -> Surface:
-    return _turned([(0, 1), (1, 1), (1, 0), (0, 0)], "y", around)
+    return _revolve([(0, 1), (1, 1), (1, 0), (0, 0)], "y", around)
 
 
 def arrow(start: np.ndarray, vector: np.ndarray, radius: float) -> Surface:
@@ -229,16 +231,16 @@ def arrow(start: np.ndarray, vector: np.ndarray, radius: float) -> Surface:
     size = min(1.0, length / (_HEAD_LENGTH * radius)) if radius else 0.0
     neck, head, r = length - size * _HEAD_LENGTH * radius, size * _HEAD_RADIUS * radius, radius
     profile = [(0, length), (head, neck), (size * r, neck), (size * r, 0), (0, 0)]
-    vertices, faces = _turned([(float(a), float(b)) for a, b in profile], "y")
+    vertices, faces = _revolve([(float(a), float(b)) for a, b in profile], "y")
     return vertices @ _onto(vector[None])[0].T + start, faces
 
 
 def _onto(vectors: np.ndarray) -> np.ndarray:
-    """Return rotations that turn the y axis into the directions of vectors, shape (n, 3)."""
+    """Return rotations that map the y axis to the directions of vectors, shape (n, 3)."""
     lengths = np.sqrt((vectors * vectors).sum(1))
-    lost = lengths == 0
-    y = vectors / np.where(lost, 1.0, lengths)[:, None]
-    y[lost, 1] = 1.0
+    degenerate = lengths == 0
+    y = vectors / np.where(degenerate, 1.0, lengths)[:, None]
+    y[degenerate, 1] = 1.0
     rows, k = np.arange(len(y)), np.abs(y).argmin(1)  # x is normal to this axis and to y
     x = np.zeros_like(y)
     x[rows, k - 2], x[rows, k - 1] = y[rows, k - 1], -y[rows, k - 2]

@@ -10,7 +10,7 @@ from sympy.physics.mechanics import Particle
 from sympy.physics.vector import Point
 
 from pydy._checks import listed, real_array, shown
-from pydy.viz.arguments import within
+from pydy.viz.arguments import check_range
 from pydy.viz.shapes import Shape
 from pydy.viz.visuals import Visual
 
@@ -30,16 +30,16 @@ def VisualizationFrame(*args: Any) -> Visual:
     >>> VisualizationFrame("link", ReferenceFrame("B"), Point("P"), Cylinder(1.0, 0.1))
     Visual(link: Cylinder at P, turning with B)
     """
-    name, rest = _named(args)
-    if not rest or not isinstance(rest[-1], Shape):
+    name, arguments = _named(args)
+    if not arguments or not isinstance(arguments[-1], Shape):
         raise TypeError(
             "A VisualizationFrame takes [name,] frame, point, shape; or [name,] body, shape; got "
             f"{', '.join(map(shown, args)) or 'nothing'}."
         )
-    *where, shape = rest
-    if len(where) == 2:
-        where = [thing.point if isinstance(thing, Particle) else thing for thing in where]
-    return Visual(shape, *where, name=name)
+    *attachment, shape = arguments
+    if len(attachment) == 2:
+        attachment = [item.point if isinstance(item, Particle) else item for item in attachment]
+    return Visual(shape, *attachment, name=name)
 
 
 class PerspectiveCamera:
@@ -56,9 +56,9 @@ class PerspectiveCamera:
     fov, near, far, color = 45.0, 1.0, 1000.0, "white"
 
     def __init__(self, *args: Any, **options: Any) -> None:
-        self.name, where = _named(args)
+        self.name, attachment = _named(args)
         self.__dict__.update(options)
-        points = [getattr(t, "masscenter", getattr(t, "point", t)) for t in where]
+        points = [getattr(t, "masscenter", getattr(t, "point", t)) for t in attachment]
         points = [p for p in points if isinstance(p, Point)]
         if len(points) != 1:
             kind = type(self).__name__
@@ -97,7 +97,7 @@ def animate_states(
     outfile_prefix : str, optional
         Accepted and ignored: `display` and `to_html` need no other files.
     """
-    rate = within(fps, "`fps`", 0.001, 1000.0)
+    rate = check_range(fps, "`fps`", 0.001, 1000.0)
     names = listed("constant_variables", constant_variables, "symbols", hashable=True)
     values = listed("constant_values", constant_values, "numbers")
     if len(names) != len(values):
@@ -137,8 +137,8 @@ def show_inline(scene: Any, window_size: Any = None, axes_arrow_length: float | 
         Length of the axes at the origin.
     """
     if axes_arrow_length is not None:
-        length = within(axes_arrow_length, "`axes_arrow_length`", np.finfo(float).tiny, 1e300)
-        scene._look = replace(scene._look, axes=length)
+        length = check_range(axes_arrow_length, "`axes_arrow_length`", np.finfo(float).tiny, 1e300)
+        scene._settings = replace(scene._settings, axes=length)
     scene._moving()
     return scene
 
@@ -146,8 +146,8 @@ def show_inline(scene: Any, window_size: Any = None, axes_arrow_length: float | 
 def direction_of(camera: Any, frame: Any, origin: Any) -> np.ndarray | None:
     """Return the direction in which a camera is from the origin, or None where it moves."""
     try:
-        place = camera.origin.pos_from(origin).to_matrix(frame)
-        direction = np.array([float(c) for c in place])
+        position = camera.origin.pos_from(origin).to_matrix(frame)
+        direction = np.array([float(c) for c in position])
     except (TypeError, ValueError):
         return None
     length = float(np.linalg.norm(direction))
@@ -155,5 +155,5 @@ def direction_of(camera: Any, frame: Any, origin: Any) -> np.ndarray | None:
 
 
 def _named(args: tuple[Any, ...]) -> tuple[str | None, list[Any]]:
-    rest = list(args)
-    return (rest.pop(0) if rest and isinstance(rest[0], str) else None), rest
+    arguments = list(args)
+    return (arguments.pop(0) if arguments and isinstance(arguments[0], str) else None), arguments

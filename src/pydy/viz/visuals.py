@@ -1,4 +1,4 @@
-"""A visual: a shape, the frame that it rotates with, and the point where it is."""
+"""A visual: a shape, the frame that it rotates with, and the point that it is attached to."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ _REMEDIES = {
 }
 
 
-def no_attribute(thing: Any, name: str) -> NoReturn:
+def no_attribute(owner: Any, name: str) -> NoReturn:
     """Raise the AttributeError for a name, with a remedy if PyDy's viz package has it."""
     remedy = f": {_REMEDIES[name]}" if name in _REMEDIES else ""
-    raise AttributeError(f"{type(thing).__name__} has no attribute `{name}`{remedy}.")
+    raise AttributeError(f"{type(owner).__name__} has no attribute `{name}`{remedy}.")
 
 
 # -- Visuals ---------------------------------------------------------------------------------------
 
 
-# What can be set after creation.
+# Attributes that can be set after creation, with their types.
 _KINDS = {
     "shape": Shape,
     "frame": ReferenceFrame,
@@ -104,15 +104,15 @@ class Visual:
     if not TYPE_CHECKING:
 
         def __setattr__(self, name: str, value: Any) -> None:
-            own = _SPELLINGS.get(name, name)
-            if own not in _KINDS:
+            field_name = _SPELLINGS.get(name, name)
+            if field_name not in _KINDS:
                 no_attribute(self, name)
-            kind = _KINDS[own]
+            kind = _KINDS[field_name]
             if not isinstance(value, kind):
                 raise TypeError(
-                    f"`{name}` of a Visual must be a {kind.__name__}, got {_said(value)}."
+                    f"`{name}` of a Visual must be a {kind.__name__}, got {_describe(value)}."
                 )
-            self.__dict__[own] = value
+            self.__dict__[field_name] = value
             self.__dict__["_changes"] += 1
 
         def __getattr__(self, name: str) -> Any:
@@ -126,38 +126,39 @@ class Visual:
         return f"Visual({self.name}: {kind} at {self.point}{turning})"
 
 
-def _attachment(shape: Any, where: tuple[Any, ...]) -> tuple[Any, Any, Any]:
+def _attachment(shape: Any, attachments: tuple[Any, ...]) -> tuple[Any, Any, Any]:
     """Return the frame (or None), the point, and the body (or None)."""
     if shape is not None and not isinstance(shape, Shape):
         raise TypeError(
             "`shape` of Visual must be a shape of pydy.viz, such as Sphere(0.1), got "
-            f"{_said(shape)}."
+            f"{_describe(shape)}."
         )
-    if isinstance(shape, Line) and not where:
+    if isinstance(shape, Line) and not attachments:
         return None, shape.points[0], None
-    if len(where) == 1:
-        (thing,) = where
-        if isinstance(thing, RigidBody):
-            return thing.frame, thing.masscenter, thing
-        if isinstance(thing, Particle):
-            return None, thing.point, thing
-        if isinstance(thing, Point) and shape is not None:
-            return None, thing, None
-    if len(where) == 2 and shape is not None:
-        frames = [thing for thing in where if isinstance(thing, ReferenceFrame)]
-        points = [thing for thing in where if isinstance(thing, Point)]
+    if len(attachments) == 1:
+        (item,) = attachments
+        if isinstance(item, RigidBody):
+            return item.frame, item.masscenter, item
+        if isinstance(item, Particle):
+            return None, item.point, item
+        if isinstance(item, Point) and shape is not None:
+            return None, item, None
+    if len(attachments) == 2 and shape is not None:
+        frames = [item for item in attachments if isinstance(item, ReferenceFrame)]
+        points = [item for item in attachments if isinstance(item, Point)]
         if len(frames) == len(points) == 1:
             return frames[0], points[0], None
-    got = ", ".join(map(_said, where)) or "nothing"
+    described = ", ".join(map(_describe, attachments)) or "nothing"
     if shape is None:
         raise TypeError(
-            f"A Visual without a shape must be attached to a RigidBody or Particle, got {got}."
+            "A Visual without a shape must be attached to a RigidBody or Particle, got "
+            f"{described}."
         )
     raise TypeError(
         "A Visual must be attached to a ReferenceFrame and a Point, to a Point, or to a RigidBody "
-        f"or Particle, got {got}."
+        f"or Particle, got {described}."
     )
 
 
-def _said(thing: Any) -> str:
-    return f"the {type(thing).__name__} {thing}"
+def _describe(value: Any) -> str:
+    return f"the {type(value).__name__} {value}"

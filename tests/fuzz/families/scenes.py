@@ -286,7 +286,7 @@ for _method in ("display_ipython", "display_jupyter"):
 
     @target(f"{_method}.axes_arrow_length", real(above=0.0, most=1e300).or_none())
     def _(v, method=_method):
-        return getattr(_scene(), method)(axes_arrow_length=v)._look.axes
+        return getattr(_scene(), method)(axes_arrow_length=v)._settings.axes
 
 
 def _json(**changes: Any) -> Any:
