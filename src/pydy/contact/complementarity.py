@@ -413,9 +413,9 @@ def solved(problem: ComplementarityProblem, modes: Sequence[str]) -> ModeSolutio
             capacity = problem.hold[i] * press(problem, forces, i)
             values.append(share(capacity - friction, sizes[i], float(nothing[tangent].max())))
         if mode in SLIDES and i in problem.at_rest:
-            along = direction(problem, i, mode) @ rates[tangent]
+            slip_rate = direction(problem, i, mode) @ rates[tangent]
             norms = [float(np.linalg.norm(part[tangent])) for part in (terms, rounding)]
-            values.append(share(float(along), *norms))
+            values.append(share(float(slip_rate), *norms))
         margins[i] = min(values, default=np.inf)
     return ModeSolution(
         tuple(modes), forces, rates, margins, consistent, sizes, problem.directions,

@@ -431,8 +431,8 @@ class ContactRun:
         if enforced:
             self.settle(state, enforced)
             if self.transitions is not None:
-                settled = self.numbers(state.t, state.x)
-                self.transitions.project(self.values(state.t, state.x), settled, enforced)
+                projected = self.numbers(state.t, state.x)
+                self.transitions.project(self.values(state.t, state.x), projected, enforced)
         mode, model = self.compiled.mode(solution.modes, enforced, active)
         events, kinds = mode.events
         events = [*events, *self.user_events]
