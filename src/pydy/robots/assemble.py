@@ -15,7 +15,7 @@ from pydy.mechanics import Definition
 from pydy.robots.tree import EqualityConstraint, Link, Motor, RobotJoint, Tendon, Tree
 
 
-class LinkFrame(NamedTuple):
+class Place(NamedTuple):
     """The frame of a link: its axes and its origin."""
 
     frame: Any
@@ -57,8 +57,8 @@ class _Axis(NamedTuple):
 
     kind: str
     vector: Any
-    inner: LinkFrame
-    outer: LinkFrame
+    inner: Place
+    outer: Place
     coordinate: Any
     speed: Any
     reference: float  # the coordinate in the file's pose
@@ -80,7 +80,7 @@ class RobotAssembly:
         self.tendons: dict[str, TendonSymbols] = {}
         self.actuators: dict[str, Any] = {}
         self.input_ranges: dict[str, tuple[float, float]] = {}
-        self.link_frames = [LinkFrame(self.world, self.origin)]  # of the world, then of the links
+        self.link_frames = [Place(self.world, self.origin)]  # of the world, then of the links
         self._used_names: set[str] = {"t"}
         self._bodies: list[Any] = []
         self._loads: list[Any] = []
@@ -107,7 +107,7 @@ class RobotAssembly:
         self.definition = self._definition()
 
     @property
-    def frames(self) -> dict[str, LinkFrame]:
+    def frames(self) -> dict[str, Place]:
         """The frames of the world and of the links by name."""
         names = ["world", *(link.name for link in self.tree.links)]
         return dict(zip(names, self.link_frames, strict=True))
@@ -199,7 +199,7 @@ class RobotAssembly:
         if link.mass or link.inertia.any():
             self._add_body(link, link_frame)
 
-    def _fixed(self, link: Link, frame: Any, point: Any, chain: list[_Step]) -> LinkFrame:
+    def _fixed(self, link: Link, frame: Any, point: Any, chain: list[_Step]) -> Place:
         """Return the frame of a link before the motion of its joints."""
         offset = self._vector("p", link.name, link.origin)
         rotation = sm.Matrix(3, 3, lambda i, j: _exact(float(link.rotation[i, j])))
@@ -211,9 +211,9 @@ class RobotAssembly:
         chain.append(_Step(sm.Matrix(offset), rotation))
         if any(offset):
             point = point.locatenew(self._name("at", f"{link.name}_o"), _in(frame, offset))
-        return LinkFrame(fixed, point)
+        return Place(fixed, point)
 
-    def _free(self, joint: RobotJoint, chain: list[_Step]) -> LinkFrame:
+    def _free(self, joint: RobotJoint, chain: list[_Step]) -> Place:
         coordinates, speeds, *_ = self.joints[joint.name]
         frame = _new_frame(self._name("", joint.name))
         frame.orient_quaternion(self.world, coordinates[3:])
@@ -221,7 +221,7 @@ class RobotAssembly:
         offset = _in(self.world, coordinates[:3])
         point = self.origin.locatenew(self._name("", f"{joint.name}_o"), offset)
         chain.append(_Step(sm.Matrix(coordinates[:3]), frame.dcm(self.world).T))
-        link_frame = LinkFrame(frame, point)
+        link_frame = Place(frame, point)
         if joint.armature:
             size = self._number("armature", joint.name, joint.armature)
             for axis, q in zip("xyz", coordinates[:3], strict=True):
@@ -232,9 +232,7 @@ class RobotAssembly:
             self._loads.append((frame, _in(frame, drag[3:])))
         return link_frame
 
-    def _joint(
-        self, joint: RobotJoint, inner: LinkFrame, name: str, chain: list[_Step]
-    ) -> LinkFrame:
+    def _joint(self, joint: RobotJoint, inner: Place, name: str, chain: list[_Step]) -> Place:
         coordinates, speeds, *_ = self.joints[joint.name]
         frame, point = inner
         anchor = [_exact(v) for v in joint.anchor]
@@ -244,7 +242,7 @@ class RobotAssembly:
             axis = [_exact(v) for v in joint.axis]
             move = coordinates[0] - _exact(joint.reference)
             vector = _in(frame, axis)
-            outer = LinkFrame(frame, point.locatenew(self._name("", f"{name}_o"), move * vector))
+            outer = Place(frame, point.locatenew(self._name("", f"{name}_o"), move * vector))
             chain.append(_Step(sm.Matrix(axis) * move, sm.eye(3)))
         else:
             rotating = _new_frame(self._name("", name))
@@ -266,7 +264,7 @@ class RobotAssembly:
             if any(anchor):
                 hinge = point.locatenew(self._name("at", joint.name), _in(frame, anchor))
                 point = hinge.locatenew(self._name("", f"{name}_o"), -_in(rotating, anchor))
-            outer = LinkFrame(rotating, point)
+            outer = Place(rotating, point)
         if joint.kind == "ball":
             self._resist_ball(joint, inner, outer)
         else:
@@ -277,7 +275,7 @@ class RobotAssembly:
             self._resist(joint, joint_axis)
         return outer
 
-    def _add_body(self, link: Link, link_frame: LinkFrame) -> None:
+    def _add_body(self, link: Link, link_frame: Place) -> None:
         mass = self._number("m", link.name, link.mass)
         centre = self._vector("c", link.name, link.centre)
         point = me.Point(self._name("", f"{link.name}_centre"))
@@ -372,7 +370,7 @@ class RobotAssembly:
             ]
         return forces if any(forces) else []
 
-    def _resist_ball(self, joint: RobotJoint, inner: LinkFrame, outer: LinkFrame) -> None:
+    def _resist_ball(self, joint: RobotJoint, inner: Place, outer: Place) -> None:
         coordinates, speeds, *_ = self.joints[joint.name]
         if drag := self._drag(joint, speeds):
             torque = _in(outer.frame, drag)

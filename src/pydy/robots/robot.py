@@ -11,7 +11,7 @@ from pydy._errors import RobotFileError
 from pydy._files import path_of
 from pydy._names import few
 from pydy.mechanics import Definition
-from pydy.robots.assemble import JointSymbols, LinkFrame, RobotAssembly, TendonSymbols
+from pydy.robots.assemble import JointSymbols, Place, RobotAssembly, TendonSymbols
 from pydy.robots.mjcf import read_mjcf
 from pydy.robots.tree import Tree
 from pydy.robots.urdf import read_urdf
@@ -53,7 +53,7 @@ class Robot:
         self.definition: Definition = assembly.definition
         self.values: dict[Any, float] = assembly.values
         self.start: dict[Any, float] = assembly.start
-        self.frames: dict[str, LinkFrame] = assembly.frames
+        self.frames: dict[str, Place] = assembly.frames
         # The root of a URDF file is often called 'world', too.
         names = ["world", *(link.name for link in tree.links)]
         self._link_frames = list(zip(names, assembly.link_frames, strict=True))
