@@ -288,8 +288,8 @@ def test_ctrl_c_hands_over_the_first_values(monkeypatch):
 def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
     system, over = hoop_and_rates()
     whole = system.eigenvalues(over)
-    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
-    monkeypatch.setattr(pydy.analysis.sweeps, "AT_ONCE", 5)
+    monkeypatch.setattr(pydy.analysis.families, "VALUES_PER_PART", 7)
+    monkeypatch.setattr(pydy.analysis.sweeps, "VALUES_PER_PART", 5)
     parts = system.eigenvalues(over, progress=True)
     assert "41/41" in capsys.readouterr().err
     np.testing.assert_allclose(parts.eigenvalues, whole.eigenvalues, atol=1e-9)
@@ -319,7 +319,7 @@ def test_ctrl_c_among_the_matrices_at_given_states_hands_over_those_that_are_the
             raise KeyboardInterrupt
         return matrices(self, z)
 
-    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy.analysis.families, "VALUES_PER_PART", 7)
     monkeypatch.setattr(pydy.analysis.families.Family, "matrices", interrupted)
     with pytest.raises(AnalysisInterrupted, match="after 14 of 40 values") as caught:
         system.eigenvalues({"k0": stiffness}, at=np.zeros(2))
@@ -344,7 +344,7 @@ def test_ctrl_c_is_not_kept_waiting_by_the_eigenvalues_of_what_is_done(monkeypat
         system.eigenvalues(over)  # among the spectra, at the end
     assert calls == [41]
     np.testing.assert_array_equal(caught.value.results.eigenvalues, whole.eigenvalues)
-    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy.analysis.families, "VALUES_PER_PART", 7)
     matrices = pydy.analysis.families.Family.matrices
 
     def stopped(self, z):
@@ -375,7 +375,7 @@ def test_values_are_handed_over_where_memory_ends(monkeypatch, where):
             raise MemoryError("no more")
         return usual(*args)
 
-    monkeypatch.setattr(pydy.analysis.families, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy.analysis.families, "VALUES_PER_PART", 7)
     monkeypatch.setattr(place, where, without_memory)
     with pytest.raises(MemoryError, match="no more") as caught:
         system.eigenvalues(over)

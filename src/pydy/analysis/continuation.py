@@ -22,10 +22,10 @@ from pydy._optional import require
 from pydy._rank import DEPENDENT, HALF, ROUNDED, or_one, rank_of, unrounded
 from pydy.analysis.equilibria import Sizes
 from pydy.analysis.tuning import (
-    ASTRAY,
-    CROSSED,
-    ON_BRANCH,
-    STEEPEST_TURN,
+    BRANCH_TOLERANCE,
+    UNLIMITED_CURVATURE_STEP,
+    ZERO_EIGENVALUE_FACTOR,
+    ZERO_REAL_PART,
 )
 from pydy.plot import axes_of, typeset
 
@@ -144,7 +144,7 @@ class _BranchPoint:
 
     def zero(self, most: float) -> np.ndarray:
         """Largest parts of each eigenvalue that count as zero, limited to `most`."""
-        return np.minimum(most, ASTRAY * self.rounding)
+        return np.minimum(most, ZERO_EIGENVALUE_FACTOR * self.rounding)
 
     def pairs(self, zero: np.ndarray, above: np.ndarray) -> np.ndarray:
         """The upper ones of the conjugate pairs with a real part above a level."""
@@ -207,7 +207,7 @@ class _BranchCurve:
         sizes = self._rows(slopes)
         inverse = np.linalg.pinv(slopes * self.scale / sizes[:, None], rcond=DEPENDENT)
         steps = np.abs(inverse) @ (rounding / sizes)
-        return np.where(steps > 0.1 * ON_BRANCH, 100.0 * steps / ON_BRANCH, 1.0)
+        return np.where(steps > 0.1 * BRANCH_TOLERANCE, 100.0 * steps / BRANCH_TOLERANCE, 1.0)
 
     def F(self, z: np.ndarray) -> np.ndarray:
         residuals: np.ndarray = self._F(z) / self.sizes
@@ -239,10 +239,10 @@ class _BranchCurve:
                 return None
             step = np.linalg.lstsq(slopes, values, rcond=None)[0]
             z = z - self.scale * step
-            if np.abs(step).max() <= ON_BRANCH:
+            if np.abs(step).max() <= BRANCH_TOLERANCE:
                 # Contradictory rows have a least-squares solution, too, but it satisfies none.
                 row_sizes = np.maximum(1.0, np.abs(slopes[:-1]).max(axis=1, initial=0.0))
-                solved = (np.abs(self.residual(z)) <= ON_BRANCH * row_sizes).all()
+                solved = (np.abs(self.residual(z)) <= BRANCH_TOLERANCE * row_sizes).all()
                 return (z, count) if solved else None
         return None
 
@@ -254,7 +254,7 @@ class _BranchCurve:
     @cached_property
     def limit(self) -> float:
         """Largest real part of an eigenvalue that counts as zero."""
-        return CROSSED * float(np.abs(self.spectrum(self.origin)[0]).max(initial=0.0))
+        return ZERO_REAL_PART * float(np.abs(self.spectrum(self.origin)[0]).max(initial=0.0))
 
     def point(self, z: np.ndarray, before: np.ndarray) -> _BranchPoint:
         jacobian = self._jacobian_with_free_rows(z)
@@ -296,7 +296,7 @@ def trace(
         ended = _trace_points(curve, points, special, bounds, step, most, report)
     except (KeyboardInterrupt, MemoryError) as stop:
         ended, stopped = "interrupted", stop
-    limit = CROSSED * max(float(np.abs(p.spectrum).max(initial=0.0)) for p in points)
+    limit = ZERO_REAL_PART * max(float(np.abs(p.spectrum).max(initial=0.0)) for p in points)
     stable = np.array([(p.spectrum.real <= p.zero(limit)).all() for p in points])
     return np.array([p.z for p in points]), stable, special, ended, stopped
 
@@ -326,7 +326,7 @@ def _trace_points(
             continue
         z, count = correction
         new = curve.point(z, point.tangent)
-        if new.tangent @ point.tangent < 0.8 and length > STEEPEST_TURN:
+        if new.tangent @ point.tangent < 0.8 and length > UNLIMITED_CURVATURE_STEP:
             length *= 0.5
             continue
         new_special = _special_between(curve, point, new, length, len(points) - 1)

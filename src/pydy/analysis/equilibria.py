@@ -21,7 +21,7 @@ from pydy._errors import EquilibriumError
 from pydy._names import few, numbers_of, place_of, some, unique_names
 from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one, rank_of, unrounded
 from pydy.analysis.directions import direction_text
-from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT
+from pydy.analysis.tuning import LARGEST_NONLINEARITY, SMALL_NONLINEARITY
 
 _POLISH = 20  # largest number of Newton steps
 _TRIALS = 400  # largest number of implicit Euler steps
@@ -457,12 +457,12 @@ def pseudo_transient(problem: RootProblem, z: np.ndarray, bounds: Bounds) -> np.
             initial=0.0
         )
         step_size = np.abs(step).max(initial=0.0)
-        if not nonlinearity <= BENT * step_size:
+        if not nonlinearity <= LARGEST_NONLINEARITY * step_size:
             length, share = length / _LONGER, share / _LONGER
             continue
         z, values, slopes = after, next_values, problem.jacobian(after)
         share = min(1.0, _LONGER * share)
-        if nonlinearity <= NEARLY_STRAIGHT * step_size:
+        if nonlinearity <= SMALL_NONLINEARITY * step_size:
             length *= _LONGER
         # Such a long implicit Euler step is a Newton step.
         if not step_size or length * fastest > 1e4:

@@ -20,7 +20,7 @@ from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
 from pydy.analysis.equilibria import solve_many
 from pydy.analysis.equilibrium_residual import EquilibriumResidual
 from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_rounding
-from pydy.analysis.tuning import AT_ONCE
+from pydy.analysis.tuning import VALUES_PER_PART
 
 
 def parameter_of(definition: Definition, mapping: Any) -> tuple[Any, np.ndarray]:
@@ -181,7 +181,7 @@ class _SweepBuilder:
         """Compute part after part; yield each part's number of values."""
         family, m = self._family, len(self._values)
         while self.done < m:
-            part = slice(self.done, min(self.done + AT_ONCE, m))
+            part = slice(self.done, min(self.done + VALUES_PER_PART, m))
             stop: BaseException | None = None
             if self._fixed_unknowns is not None:
                 z = self._fixed_unknowns[part]

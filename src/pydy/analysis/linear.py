@@ -34,7 +34,7 @@ from pydy._problem import (
 from pydy._rank import ROUNDED
 from pydy._states import EvaluationPoints
 from pydy.analysis.equilibria import Equilibrium
-from pydy.analysis.tuning import CROSSED
+from pydy.analysis.tuning import ZERO_REAL_PART
 from pydy.plot import axes_of, rows_of_axes, typeset
 
 
@@ -198,7 +198,7 @@ class LinearModel:
         i = self.outputs.index(choice(output, self.outputs, "`output`"))
         if frequencies is None:
             sizes = np.abs(np.linalg.eigvals(self._single_model("plot_bode")[0]))
-            sizes = sizes[sizes > CROSSED * sizes.max(initial=0.0)]
+            sizes = sizes[sizes > ZERO_REAL_PART * sizes.max(initial=0.0)]
             low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
             frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
         frequencies = real_array(frequencies, "`frequencies`")

@@ -25,24 +25,24 @@ from pydy._problem import AssumptionChecks, Problem
 from pydy._rank import HALF, ROUNDED, or_one
 from pydy._states import consistent, energetic_motions
 from pydy.analysis.tuning import (
-    BEGINNING,
-    DAMPED,
+    LARGEST_GAP,
     LEAST_SIZE,
-    MARGIN,
-    ORBIT,
-    ORBIT_CLOSED,
+    MULTIPLIER_MARGIN,
+    ORBIT_TOLERANCE,
+    SKIPPED_START,
+    SMALLEST_DAMPING,
 )
 from pydy.solvers import Event
 
 # Longest time until the event, in units of the guessed period.
-_PATIENCE = 5.0
+_LONGEST_WAIT = 5.0
 
 _SAMPLES = 201
 # Samples per period for the sizes of the states; largest number of searches with new sizes.
-_ON_THE_WAY, _RESIZED = 65, 5
-_STUCK = 1e8
+_SIZE_SAMPLES, _MOST_RESIZINGS = 65, 5
+_LARGEST_DAMPING = 1e8
 # Smallest period, and smallest rates of the states at its end, relative to the first ones.
-_SHORTEST = 0.1
+_SMALLEST_SHARE = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +93,7 @@ class PeriodicOrbit:
         values = self.multipliers
         if self.autonomous and values.size:
             values = np.delete(values, np.abs(values - 1.0).argmin())
-        return bool((np.abs(values) <= 1.0 + MARGIN).all())
+        return bool((np.abs(values) <= 1.0 + MULTIPLIER_MARGIN).all())
 
     def __str__(self) -> str:
         largest = np.abs(self.multipliers).max(initial=0.0)
@@ -153,7 +153,7 @@ class _OrbitSearch:
                 f"`period` must be long enough for {_SAMPLES} times from {problem.t:g} on that "
                 f"differ as floats, got {shown(self.guess)}."
             )
-        self.until, self.solver, self.judged = until, solver, problem
+        self.until, self.solver, self.original = until, solver, problem
         self._choose_states(problem, moving)
         self.nearest: dict[str, Any] = {
             "period": self.guess,
@@ -162,11 +162,11 @@ class _OrbitSearch:
         self.autonomous = until is None and not _depends_on_time(problem)
         # Trial values need not satisfy the symbols' assumptions.
         self.problem = problem.replace(contradicted=None)
-        self.options = {"rtol": ORBIT, **options}
+        self.options = {"rtol": ORBIT_TOLERANCE, **options}
         self.scales_atol = "atol" not in options
         if problem.dependent:
             self.options.setdefault("constraints", "project")
-        self.least = np.inf  # the smallest gap so far
+        self.smallest_gap = np.inf  # the smallest gap so far
         self.progress: Any = None  # reports the progress
 
     def _choose_states(self, problem: Problem, moving: Iterable[Any]) -> None:
@@ -192,7 +192,7 @@ class _OrbitSearch:
         self.columns = [self.rows.index(k) for k in self.free]
         self.advancing = [self.rows.index(k) for k in self.steady if k not in dependent]
         # Change of the end due to the advance of the steady coordinates.
-        self.pushed = np.zeros(len(self.free))
+        self.advance_effect = np.zeros(len(self.free))
         self.names = unique_names(definition.states)
 
     def start(self, z: np.ndarray) -> Problem:
@@ -225,40 +225,42 @@ class _OrbitSearch:
         speeds = np.arange(len(end)) >= len(self.problem.definition.equations.coordinates)
         return Measure(self.free, speeds, natural, moved).sizes(most, rates, length)
 
-    def fly(self, z: np.ndarray, length: float) -> Flight:
+    def map_period(self, z: np.ndarray, length: float) -> PeriodMap:
         """Integrate for a period from states `z`; store the start with the smallest gap."""
         problem = self.start(z)
         if self.until is None:
-            flight = self._for_a_time(problem, length)
+            period_map = self._for_a_time(problem, length)
         else:
-            flight = self._until(problem, self.until, z)
-        gap = float((np.abs(flight.end - z) / self.begun[self.free]).max(initial=0.0))
-        if gap < self.least:
-            self.least = gap
+            period_map = self._until(problem, self.until, z)
+        gap = float((np.abs(period_map.end - z) / self.start_sizes[self.free]).max(initial=0.0))
+        if gap < self.smallest_gap:
+            self.smallest_gap = gap
             self.nearest.update(
-                period=flight.period, initial_conditions=_initial_conditions(problem)
+                period=period_map.period, initial_conditions=problem.initial_conditions
             )
         self.progress(1, gap=f"{gap:.3g}")
-        return flight
+        return period_map
 
-    def _for_a_time(self, problem: Problem, length: float) -> Flight:
+    def _for_a_time(self, problem: Problem, length: float) -> PeriodMap:
         instant = self.t0 + length
-        motion = self.integrated(problem, np.linspace(self.t0, instant, num=_ON_THE_WAY))
+        motion = self.integrated(problem, np.linspace(self.t0, instant, num=_SIZE_SAMPLES))
         start, end, slopes = motion.states[0], motion.states[-1], motion.end_sensitivities
         advance = np.abs(end - start)[[self.rows[k] for k in self.advancing]]
-        self.pushed[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
-        return self._flight(motion, start, end, motion.rates(instant, end), slopes, instant)
+        self.advance_effect[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
+        return self._period_map(motion, start, end, motion.rates(instant, end), slopes, instant)
 
-    def _until(self, problem: Problem, until: Event, z: np.ndarray) -> Flight:
+    def _until(self, problem: Problem, until: Event, z: np.ndarray) -> PeriodMap:
         t0, guess = self.t0, self.guess
-        first = self.integrated(problem, [t0, t0 + BEGINNING * guess])
+        first = self.integrated(problem, [t0, t0 + SKIPPED_START * guess])
         ending = replace(until, terminal=True)
-        times = np.linspace(t0 + BEGINNING * guess, t0 + _PATIENCE * guess, num=_ON_THE_WAY)
+        times = np.linspace(
+            t0 + SKIPPED_START * guess, t0 + _LONGEST_WAIT * guess, num=_SIZE_SAMPLES
+        )
         motion = self.integrated(first.last, times, events=ending)
         event = motion.event(ending.name)
         if event is None:
             raise PeriodicOrbitError(
-                f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
+                f"The event `{until.name}` does not happen within {_LONGEST_WAIT:g} times the "
                 f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
                 "conditions.",
                 z,
@@ -269,9 +271,9 @@ class _OrbitSearch:
         assert event.time_sensitivity is not None
         after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
         slopes = after @ first.end_sensitivities[self.rows]
-        return self._flight(motion, first.states[0], event.after, rates, slopes, event.time)
+        return self._period_map(motion, first.states[0], event.after, rates, slopes, event.time)
 
-    def _flight(
+    def _period_map(
         self,
         motion: Motion,
         start: np.ndarray,
@@ -279,9 +281,9 @@ class _OrbitSearch:
         rates: np.ndarray,
         slopes: np.ndarray,
         instant: float,
-    ) -> Flight:
+    ) -> PeriodMap:
         period, free = instant - self.t0, self.free
-        return Flight(
+        return PeriodMap(
             end[free],
             slopes[np.ix_(free, self.columns)],
             rates[free],
@@ -300,7 +302,7 @@ class _OrbitSearch:
         if problem.hybrid is None:
             rates = problem.at(np.array([problem.t]), problem.x[None]).rates()[0]
         else:
-            motion = self.integrated(problem, [t0, t0 + BEGINNING * guess])
+            motion = self.integrated(problem, [t0, t0 + SKIPPED_START * guess])
             rates = motion.rates(t0, motion.states[0], segment=0)
             self.problem = self.problem.replace(modes=motion.segments[0].modes)
         at_start = np.array([t0]), problem.x[None], problem.x
@@ -309,57 +311,61 @@ class _OrbitSearch:
             slope = rates[free]
             sizes = self.sizes_along(*at_start, np.zeros_like(rates), guess)[free]
             is_moving = self.problem.x[free].any()
-            if (np.abs(slope) * guess <= ORBIT_CLOSED * sizes * is_moving).all():
+            if (np.abs(slope) * guess <= LARGEST_GAP * sizes * is_moving).all():
                 raise ValueError(
                     "The initial conditions are an equilibrium, which is no orbit. Start "
                     "elsewhere, or use `find_equilibrium`."
                 )
             slope = slope / np.linalg.norm(slope)
-        self.begun = self.sizes_along(*at_start, rates, guess)
+        self.start_sizes = self.sizes_along(*at_start, rates, guess)
         if self.scales_atol:
-            self.options["atol"] = ORBIT * self.begun
+            self.options["atol"] = ORBIT_TOLERANCE * self.start_sizes
         return slope
 
     def orbit(self) -> PeriodicOrbit:
         """Search for a closed orbit, with states in units of their sizes during the motion."""
         slope, free = self._slope_at_start(), self.free
         z = self.problem.x[free]
-        flight = self.fly(z, self.guess)
-        self.begun = flight.sizes
+        period_map = self.map_period(z, self.guess)
+        self.start_sizes = period_map.sizes
         names = [self.names[k] for k in free]
-        for _ in range(_RESIZED):
-            sizes = flight.sizes
+        for _ in range(_MOST_RESIZINGS):
+            sizes = period_map.sizes
             if self.scales_atol:
-                coarse = (self.options["atol"] > 2.0 * ORBIT * sizes).any()
-                self.options["atol"] = ORBIT * sizes
+                coarse = (self.options["atol"] > 2.0 * ORBIT_TOLERANCE * sizes).any()
+                self.options["atol"] = ORBIT_TOLERANCE * sizes
                 if coarse:
-                    flight = self.fly(z, flight.period)
+                    period_map = self.map_period(z, period_map.period)
             tolerance = float(np.max(self.options["rtol"]))
-            search = OrbitShooting(self.fly, flight, sizes[free], slope, names, tolerance)
-            z, flight, residual = search.solve(z)
+            search = OrbitShooting(
+                self.map_period, period_map, sizes[free], slope, names, tolerance
+            )
+            z, period_map, residual = search.solve(z)
             # If sizes shrank, the first ones were not those of the orbit: search again.
-            new_sizes = flight.sizes
-            if (new_sizes >= 0.5 * sizes).all() or (new_sizes <= ORBIT * self.begun).all():
+            new_sizes = period_map.sizes
+            if (new_sizes >= 0.5 * sizes).all() or (
+                new_sizes <= ORBIT_TOLERANCE * self.start_sizes
+            ).all():
                 break
-        if (self.pushed > ORBIT_CLOSED * flight.sizes[free]).any():
-            on = names[int((self.pushed / flight.sizes[free]).argmax())]
+        if (self.advance_effect > LARGEST_GAP * period_map.sizes[free]).any():
+            on = names[int((self.advance_effect / period_map.sizes[free]).argmax())]
             raise ValueError(
                 f"`moving` must not have coordinates that the motion depends on, got "
                 f"{some(self.names[k] for k in self.steady)}, on which {on} depends: a motion "
                 "in which they advance does not repeat. Leave them out, or end the period "
                 "with an event `until` that sets them back."
             )
-        motion = self._motion(z, flight.period)
-        begun = motion.problem if self.problem.hybrid is None else motion.first
+        motion = self._motion(z, period_map.period)
+        start_problem = motion.problem if self.problem.hybrid is None else motion.first
         moved = np.ptp(motion.states[:, free], axis=0)
         return PeriodicOrbit(
-            period=flight.period,
-            initial_conditions=_initial_conditions(begun),
+            period=period_map.period,
+            initial_conditions=start_problem.initial_conditions,
             states=tuple(names),
-            monodromy=flight.by_start,
+            monodromy=period_map.by_start,
             residual=residual,
             autonomous=self.autonomous,
-            equilibrium=bool((moved <= ORBIT * self.begun[free]).all()),
+            equilibrium=bool((moved <= ORBIT_TOLERANCE * self.start_sizes[free]).all()),
             trajectory=motion.trajectory,
         )
 
@@ -371,8 +377,8 @@ class _OrbitSearch:
             return motion
         if not np.isfinite(motion.trajectory.outputs).all():
             warn_of_outputs(motion.trajectory, motion.problem)
-        if self.judged.definition.assumes_motions:
-            AssumptionChecks(self.judged).motion(motion.times, motion.states)
+        if self.original.definition.assumes_motions:
+            self.original.check_motion(motion.times, motion.states)
         warn_of_jumps(motion.problem, lambda: motion.trajectory)
         if self.until is None and not self.autonomous:
             _check_period(motion, period)
@@ -405,7 +411,7 @@ def _check_period(motion: Motion, period: float) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class Flight:
+class PeriodMap:
     """A motion over one period, in k unknown states."""
 
     end: np.ndarray  # the states after it
@@ -415,8 +421,8 @@ class Flight:
     sizes: np.ndarray  # their sizes during the motion; see `Measure`
     projected: np.ndarray | None = None  # the states at its start, if not the requested ones
 
-    def scaled(self, sizes: np.ndarray, period: float) -> Flight:
-        """Return the flight in units of the states' sizes and of a period."""
+    def scaled(self, sizes: np.ndarray, period: float) -> PeriodMap:
+        """Return the map in units of the states' sizes and of a period."""
         return replace(
             self,
             end=self.end / sizes,
@@ -426,7 +432,7 @@ class Flight:
             projected=None if self.projected is None else self.projected / sizes,
         )
 
-    def begun(self, requested: np.ndarray) -> np.ndarray:
+    def start_states(self, requested: np.ndarray) -> np.ndarray:
         """Return the states at the start."""
         return requested if self.projected is None else self.projected
 
@@ -486,31 +492,31 @@ class OrbitShooting:
     the period is fixed.
     """
 
-    fly: Callable[[np.ndarray, float], Flight]  # integrates from states, for a period
-    first: Flight
+    map_period: Callable[[np.ndarray, float], PeriodMap]  # integrates from states, for a period
+    first: PeriodMap
     sizes: np.ndarray
-    slope: np.ndarray | None  # the states' rates at the start of the first flight
+    slope: np.ndarray | None  # the states' rates at the start of the first period
     names: Sequence[str]
     tolerance: float  # of the integration
 
-    def solve(self, start: np.ndarray) -> tuple[np.ndarray, Flight, float]:
-        """Return the states, the flight from there, and the largest gap."""
-        self.flown, self.period = self.first, self.first.period
+    def solve(self, start: np.ndarray) -> tuple[np.ndarray, PeriodMap, float]:
+        """Return the states, the map from there, and the largest gap."""
+        self.unscaled, self.period = self.first, self.first.period
         if self.slope is not None:
             slope = self.slope / self.sizes
             self.normal = slope / np.linalg.norm(slope)
-        self.flight = self._scaled(self.first)
-        self.z = self.begun = self.flight.begun(start / self.sizes)
+        self.scaled_map = self._scaled(self.first)
+        self.z = self.start = self.scaled_map.start_states(start / self.sizes)
         self._approach()
         self._settle()
         z, gap = self.z * self.sizes, self._gap() * self.sizes
-        return z, self.flown, float(np.abs(gap).max(initial=0.0))
+        return z, self.unscaled, float(np.abs(gap).max(initial=0.0))
 
-    def _scaled(self, flight: Flight) -> Flight:
-        return flight.scaled(self.sizes, self.first.period)
+    def _scaled(self, period_map: PeriodMap) -> PeriodMap:
+        return period_map.scaled(self.sizes, self.first.period)
 
     def _gap(self) -> np.ndarray:
-        gap: np.ndarray = self.flight.end - self.z
+        gap: np.ndarray = self.scaled_map.end - self.z
         return gap
 
     def _moved(self, step: np.ndarray) -> tuple[np.ndarray, float]:
@@ -529,71 +535,71 @@ class OrbitShooting:
             size = float(np.abs(self._gap()).max(initial=0.0))
             matrix, right = self._equations()
             n = matrix.shape[1]
-            while weight < _STUCK:
+            while weight < _LARGEST_DAMPING:
                 damping = np.sqrt(weight * min(size, 1.0)) * np.eye(n)
                 right_side = np.append(right, np.zeros(n))
                 step = np.linalg.lstsq(np.vstack([matrix, damping]), right_side, rcond=ROUNDED)[0]
                 if self._nearer(*self._moved(step), size):
                     weight *= 0.1
                     break
-                if size <= ORBIT_CLOSED * _scale(self.z):
+                if size <= LARGEST_GAP * _scale(self.z):
                     return
-                weight = max(10.0 * weight, DAMPED)
+                weight = max(10.0 * weight, SMALLEST_DAMPING)
             else:
                 return
 
     def _nearer(self, z: np.ndarray, period: float, size: float) -> bool:
         """Accept a state and a period if the gap is smaller than `size`."""
         # A period of zero closes every motion, and an equilibrium closes with every period.
-        if period <= _SHORTEST * self.first.period:
+        if period <= _SMALLEST_SHARE * self.first.period:
             return False
         try:
-            flown = self.fly(z * self.sizes, period)
+            unscaled = self.map_period(z * self.sizes, period)
         except RuntimeError:  # no event, or a failure of the integration
             return False
-        flight = self._scaled(flown)
+        scaled_map = self._scaled(unscaled)
         speed = np.linalg.norm(self._scaled(self.first).rates)
-        if self.slope is not None and np.linalg.norm(flight.rates) < _SHORTEST * speed:
+        if self.slope is not None and np.linalg.norm(scaled_map.rates) < _SMALLEST_SHARE * speed:
             return False
-        z = flight.begun(z)
-        if not float(np.abs(flight.end - z).max()) < size:
+        z = scaled_map.start_states(z)
+        if not float(np.abs(scaled_map.end - z).max()) < size:
             return False
-        self.z, self.flown, self.flight, self.period = z, flown, flight, period
+        self.z, self.unscaled, self.scaled_map, self.period = z, unscaled, scaled_map, period
         return True
 
     def _settle(self) -> None:
         """Take the last Newton steps, until the gap is a rounding error."""
         for remaining in range(3, -1, -1):
             gap = self._gap()
-            if np.abs(gap).max(initial=0.0) <= ORBIT_CLOSED * _scale(self.z):
+            if np.abs(gap).max(initial=0.0) <= LARGEST_GAP * _scale(self.z):
                 return
             # Unstable motion amplifies the errors of rounding and integration to a larger gap. Then
             # the size of the next step measures the accuracy of the start.
             matrix, right = self._equations()
             step = np.linalg.lstsq(matrix, right, rcond=self.tolerance)[0]
             open_by = np.abs([*step, *(right - matrix @ step)]).max()
-            grown = self.tolerance * float(np.linalg.norm(self.flight.by_start, 2))
+            grown = self.tolerance * float(np.linalg.norm(self.scaled_map.by_start, 2))
             at_rounding = float(np.abs(gap).max(initial=0.0)) <= grown
-            if at_rounding and open_by <= ORBIT_CLOSED * _scale(self.z):
+            if at_rounding and open_by <= LARGEST_GAP * _scale(self.z):
                 return
             if not (at_rounding and remaining):
                 raise _no_orbit_error(
                     self.names, self.z * self.sizes, gap * self.sizes, self.period
                 )
             z, self.period = self._moved(step)
-            self.flown = self.fly(z * self.sizes, self.period)
-            self.flight = self._scaled(self.flown)
-            self.z = self.flight.begun(z)
+            self.unscaled = self.map_period(z * self.sizes, self.period)
+            self.scaled_map = self._scaled(self.unscaled)
+            self.z = self.scaled_map.start_states(z)
 
     def _equations(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the linear equations of the Newton step, including that of the plane."""
         gap = self._gap()
-        matrix = self.flight.by_start - np.eye(len(gap))
+        matrix = self.scaled_map.by_start - np.eye(len(gap))
         if self.slope is None:
             return matrix, -gap
         border = np.append(self.normal, 0.0)
-        matrix = np.vstack([np.column_stack([matrix, self.flight.rates]), border])
-        return matrix, np.append(-gap, -self.normal @ (self.z - self.begun))
+        matrix = np.vstack([np.column_stack([matrix, self.scaled_map.rates]), border])
+        return matrix, np.append(-gap, -self.normal @ (self.z - self.start))
 
 
 def _scale(z: np.ndarray) -> float:

@@ -14,7 +14,13 @@ import scipy
 from pydy._optional import require
 from pydy._rank import ROUNDED
 from pydy.analysis.linear import complex_plane
-from pydy.analysis.tuning import ASTRAY, AT_ONCE, CROSSED, LEFT_AXIS, LOOKED_AT
+from pydy.analysis.tuning import (
+    DEPARTURE_REAL_PART,
+    VALUES_PER_PART,
+    ZERO_CHECKS,
+    ZERO_EIGENVALUE_FACTOR,
+    ZERO_REAL_PART,
+)
 from pydy.plot import axes_of, typeset, with_unit
 
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -110,13 +116,15 @@ class EigenvalueSweep:
     def _zero_limits(self) -> np.ndarray:
         """Largest real part that counts as zero, for each eigenvalue."""
         eigenvalues = self.eigenvalues
-        most = CROSSED * float(np.abs(eigenvalues).max(initial=0.0))
+        most = ZERO_REAL_PART * float(np.abs(eigenvalues).max(initial=0.0))
         limits = np.full(eigenvalues.shape, most)
         doubtful = ((eigenvalues.real != 0.0) & (np.abs(eigenvalues.real) <= most)).any(axis=1)
         for k in np.flatnonzero(doubtful):
             spectrum, rounding = self._spectrum(self.A[k])
             nearest = np.abs(eigenvalues[k, : len(spectrum), None] - spectrum).argmin(axis=1)
-            limits[k, : len(spectrum)] = np.minimum(most, ASTRAY * rounding[nearest])
+            limits[k, : len(spectrum)] = np.minimum(
+                most, ZERO_EIGENVALUE_FACTOR * rounding[nearest]
+            )
         return limits
 
     def crossings(self) -> tuple[Crossing, ...]:
@@ -207,7 +215,7 @@ class EigenvalueSweep:
             return eigenvalue.real > rounding
 
         return self._checked_crossing(
-            branch, (inside, out), _bisected(has_left_axis), LEFT_AXIS, inside > out
+            branch, (inside, out), _bisected(has_left_axis), DEPARTURE_REAL_PART, inside > out
         )
 
     def _refined(self, branch: int, first: int, last: int) -> Crossing | None:
@@ -220,7 +228,7 @@ class EigenvalueSweep:
             rtol=4 * np.finfo(float).eps,
         )
         stabilizing = bool(self.eigenvalues[last, branch].real < 0.0)
-        return self._checked_crossing(branch, (first, last), share, CROSSED, stabilizing)
+        return self._checked_crossing(branch, (first, last), share, ZERO_REAL_PART, stabilizing)
 
     def _checked_crossing(
         self, branch: int, ends: tuple[int, int], share: float, near: float, stabilizing: bool
@@ -228,7 +236,7 @@ class EigenvalueSweep:
         """Return a crossing, after a check that the matched eigenvalue lies on the axis."""
         eigenvalue, rounding = self._nearest(branch, *ends, share)
         size = float(np.abs(self.eigenvalues[list(ends), branch]).max())
-        if abs(eigenvalue.real) > max(near * size, ASTRAY * rounding):
+        if abs(eigenvalue.real) > max(near * size, ZERO_EIGENVALUE_FACTOR * rounding):
             return self._counted(branch, *ends, stabilizing)
         return self._crossing(branch, ends, share, eigenvalue.imag, stabilizing)
 
@@ -324,7 +332,7 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     """
     m, k = A.shape[:2]
     # Parts that take some milliseconds, so that Ctrl-C works; the full array is not copied.
-    count = max(1, min(AT_ONCE, AT_ONCE * 1000 // max(k, 1) ** 3))
+    count = max(1, min(VALUES_PER_PART, VALUES_PER_PART * 1000 // max(k, 1) ** 3))
     parts = [A[first : first + count] for first in range(0, m, count)]
     largest = np.zeros((k, k))
     for part in parts:
@@ -332,7 +340,7 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     # Balancing makes coordinates and speeds of 1e10 rad/s comparable.
     units = np.diag(scipy.linalg.matrix_balance(largest, permute=False)[1])
     scale = units / units[:, None]
-    least = CROSSED * (largest * scale).max(initial=0.0)
+    least = ZERO_REAL_PART * (largest * scale).max(initial=0.0)
     matters = np.zeros((k, k), dtype=bool)  # rows by columns
     for part in parts:
         entries = np.abs(part) * scale
@@ -360,13 +368,16 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
 
 def _always_zero(A: np.ndarray, active: np.ndarray, spectra: np.ndarray) -> int:
     """Return the number of eigenvalues that are zero, up to rounding, in all matrices."""
-    most = CROSSED * float(np.abs(spectra).max(initial=0.0))
+    most = ZERO_REAL_PART * float(np.abs(spectra).max(initial=0.0))
     count = int((np.abs(spectra) <= most).sum(axis=1).min())
-    for k in np.unique(np.linspace(0, len(A) - 1, LOOKED_AT, dtype=int)):
+    for k in np.unique(np.linspace(0, len(A) - 1, ZERO_CHECKS, dtype=int)):
         if count == 0:
             break
         eigenvalues, rounding = with_rounding(A[k][np.ix_(active, active)])
-        count = min(count, int((np.abs(eigenvalues) <= np.minimum(most, ASTRAY * rounding)).sum()))
+        count = min(
+            count,
+            int((np.abs(eigenvalues) <= np.minimum(most, ZERO_EIGENVALUE_FACTOR * rounding)).sum()),
+        )
     return count
 
 

@@ -173,16 +173,16 @@ class Work:
         results = batch.run(times, states)
         if model.constraint_checks is not None:
             if not (model.constraint_checks.corrected or model.options.constraints is not None):
-                self._tell_resets(batch, results, model.constraint_checks)
-            refuse(batch, results, times)
+                self._warn_of_resets(batch, results, model.constraint_checks)
+            invalidate_drifted(batch, results, times)
         if number := int((results.statistics["status"] == Outcome.START_OFF_CONSTRAINTS).sum()):
-            self._tell_start(number, batch)
+            self._warn_of_failed_starts(number, batch)
         if model.sensitivities is not None and (watched := model.sensitivities.watched) is not None:
-            self._tell_jumps(batch, times, watched)
+            self._warn_of_jumps(batch, times, watched)
         if results.event_warnings and self._first("stretches"):
             warn_user(results.event_warnings[0])
         if self.assumed is not None and self.contradicted is not None:
-            self._tell_assumptions(self.assumed, self.contradicted, results.states, times)
+            self._warn_of_assumptions(self.assumed, self.contradicted, results.states, times)
         outputs: _Outputs = partial(batch.evaluate, model.outputs)
         if (values := results.outputs) is not None:
             outputs = lambda at, _: values[:, :, np.searchsorted(times, at)]  # noqa: E731
@@ -204,7 +204,7 @@ class Work:
         mine = object()
         return self.warned.setdefault(kind, mine) is mine
 
-    def _tell_start(self, number: int, batch: Batch) -> None:
+    def _warn_of_failed_starts(self, number: int, batch: Batch) -> None:
         """Warn of samples that did not start."""
         if self._first("start"):
             warn_user(
@@ -216,7 +216,7 @@ class Work:
                 "conditions vary: pass those of each sample in `initial_conditions`."
             )
 
-    def _tell_assumptions(
+    def _warn_of_assumptions(
         self, assumed: Assumptions, warned: set[str], states: np.ndarray, times: np.ndarray
     ) -> None:
         """Warn once of the states (n, m, times) that contradict their assumptions."""
@@ -234,7 +234,7 @@ class Work:
 
             assumed.tell(rows, warned, "", where=position, allowed=allowed, in_time=True)
 
-    def _tell_resets(self, batch: Batch, results: Results, checks: ConstraintChecks) -> None:
+    def _warn_of_resets(self, batch: Batch, results: Results, checks: ConstraintChecks) -> None:
         """Warn of the first reset of each event that violates the constraints."""
         records = [(k, e) for k in sorted(results.records) for e in results.resets(k)]
         if not records:
@@ -257,7 +257,7 @@ class Work:
                 subject = "In one sample or more, the"
                 ConstraintResiduals.warn_of_reset(record.name, off, subject)
 
-    def _tell_jumps(self, batch: Batch, times: np.ndarray, watched: WatchedQuantities) -> None:
+    def _warn_of_jumps(self, batch: Batch, times: np.ndarray, watched: Watched) -> None:
         """Warn of the first of some samples with a discontinuity that its derivatives miss."""
         for k in evenly(len(batch.x), DriftCheck.MOST_STATES).tolist():
             if "jumps" in self.warned or batch.stopped():
@@ -274,7 +274,7 @@ class Work:
             if (message := jump_message(passed, watched, evaluate)) and self._first("jumps"):
                 warn_user(f"In one sample or more: {message[0].lower()}{message[1:]}")
 
-    def _tell_outputs(self, outputs: np.ndarray, times: np.ndarray, states: np.ndarray) -> None:
+    def _warn_of_outputs(self, outputs: np.ndarray, times: np.ndarray, states: np.ndarray) -> None:
         """Warn of outputs (o, m, times) that are not finite where states (n, m, times) are."""
         wrong = ~np.isfinite(outputs) & np.isfinite(states).all(axis=0)
         if not wrong.any() or not self._first("outputs"):
@@ -302,7 +302,7 @@ class Work:
         if not set(names) <= set(values):
             computed = outputs(times, states)
             if not np.isfinite(computed).all():
-                self._tell_outputs(computed, times, states)
+                self._warn_of_outputs(computed, times, states)
             values |= dict(zip(self.model.output_names, computed, strict=True))
         return values
 
@@ -475,7 +475,7 @@ _STATISTICS: dict[str, dict[str, Any]] = {
 # -- Checks of constraints and energy, sample by sample --------------------------------------------
 
 
-def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
+def invalidate_drifted(batch: Batch, results: Results, times: np.ndarray) -> None:
     """Set samples that fail the drift checks to NaN after the last valid time.
 
     The model has constraints. Other samples are not affected.
@@ -490,7 +490,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     suspects = np.flatnonzero(ended)
     if not projected:
         suspects = _suspects(batch, checks.programs, suspects, results.states, times)
-    for samples in _alike(results.states, suspects):
+    for samples in _groups_by_end(results.states, suspects):
         time_indices = DriftCheck.selected(results.states[:, samples[0]].T, projected)
         at, examined = times[time_indices], samples
         if projected and len(time_indices):
@@ -498,7 +498,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
         for start in range(0, len(examined), SMALLEST_BLOCK):
             chunk = examined[start : start + SMALLEST_BLOCK]
             states = _states_at(results, chunk, time_indices)
-            part_of = _together(batch.select(chunk), checks.programs, at, states)
+            part_of = _batched_quantities(batch.select(chunk), checks.programs, at, states)
             for j, k in enumerate(chunk.tolist()):
                 check = DriftCheck(
                     at,
@@ -514,10 +514,10 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                 report = check.report(partial(part_of, j))
                 if report is not None:
                     reached = time_indices[max(0, report.state_index - 1)] + 1
-                    _lose(results, k, times, reached, report.outcome)
+                    _invalidate(results, k, times, reached, report.outcome)
 
 
-def _alike(states: np.ndarray, samples: np.ndarray) -> list[np.ndarray]:
+def _groups_by_end(states: np.ndarray, samples: np.ndarray) -> list[np.ndarray]:
     """Return groups of samples with finite states at the same times."""
     finite = np.isfinite(states).all(axis=0)[samples]
     group = np.unique(finite, axis=0, return_inverse=True)[1].reshape(-1)
@@ -553,7 +553,7 @@ def _unsure(
     return unsure
 
 
-def _together(
+def _batched_quantities(
     batch: Batch, programs: Any, times: np.ndarray, states: np.ndarray
 ) -> Callable[..., dict[str, np.ndarray]]:
     """Return a function that evaluates `DriftQuantities` of one of m samples, states (m, f, n).
@@ -625,7 +625,7 @@ def _suspects(
     return np.unique(np.concatenate(suspects))
 
 
-def _lose(results: Results, k: int, times: np.ndarray, reached: int, code: int) -> None:
+def _invalidate(results: Results, k: int, times: np.ndarray, reached: int, code: int) -> None:
     """Set a sample to NaN from a time on, and its status to an error code."""
     results.states[:, k, reached:] = np.nan
     if results.columns is not None:

@@ -45,7 +45,7 @@ class Robot:
     input_ranges : dict
         By the name of an actuator: the least and the largest input that the file allows.
     left_out : tuple of str
-        What the file has and this robot has not, and what no real one could have.
+        Properties of the file that this robot does not have, and values that no real robot has.
     """
 
     def __init__(self, tree: Tree, assembly: RobotAssembly) -> None:
@@ -99,7 +99,7 @@ class Robot:
             check_mapping(name, options.pop(name, None))
             for name in ("constants", "initial_conditions")
         )
-        # What cancels, such as the height of a base, counts in energies, places and outputs.
+        # Constants that cancel in the equations of motion occur in energies, positions and outputs.
         options.setdefault("constants_symbols", list(self.values) or None)
         system = System(self.definition, **options)
         values = {s: v for s, v in self.values.items() if s in system.constants_symbols}
@@ -183,8 +183,8 @@ def read(
 
     Joints, masses, inertias, damping, springs, armatures, gravity, actuators, fixed tendons, loops
     (MJCF's ``connect``, ``weld``, ``joint`` and ``tendon`` equalities) and joints that mimic others
-    (URDF) become bodies, loads and constraints. Contacts, spatial tendons and sensors do not: what
-    a file has beyond is in `Robot.left_out`.
+    (URDF) become bodies, loads and constraints. Contacts, spatial tendons and sensors do not: other
+    properties of a file are listed in `Robot.left_out`.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ _MOVING = {
     "spherical": "ball",  # not in the format's description; written by some exporters
 }
 _MESH_SUFFIXES = (".stl", ".obj")
-_SIZES: dict[str, list[tuple[str, None, int]]] = {  # attributes, as `_Reader.numbers` takes them
+_SIZES: dict[str, list[tuple[str, None, int]]] = {  # arguments of `_UrdfReader.numbers`
     "box": [("size", None, 3)],
     "sphere": [("radius", None, 1)],
     "cylinder": [("length", None, 1), ("radius", None, 1)],

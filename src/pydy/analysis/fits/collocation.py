@@ -20,7 +20,7 @@ from pydy._optional import progress_of
 from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
-from pydy.analysis.tuning import ON_GIVEN_MESH
+from pydy.analysis.tuning import FIXED_MESH_TOLERANCE
 from pydy.control import Experiment, Identification, fitting_solver_of
 
 
@@ -66,7 +66,8 @@ def collocated(
         residuals.append(dict(zip(d.names, table.T, strict=True)))
     values, J = problem.with_priors(result.values, result.jacobian, result.z)
     return Minimum(
-        result.z, values, J, residuals, result.largest, ON_GIVEN_MESH if mesh is not None else FIT,
+        result.z, values, J, residuals, result.largest,
+        FIT if mesh is None else FIXED_MESH_TOLERANCE,
         ended.solved, ended.message, ended.iterations, len(result.followed), not disturbances,
     )  # fmt: skip
 

@@ -23,7 +23,7 @@ import numpy as np
 import scipy
 
 from pydy._names import few
-from pydy.analysis.tuning import CHANCE, THINNED
+from pydy.analysis.tuning import FALSE_ALARM_RATE, THINNED_CORRELATION
 
 
 def autocorrelation(series: Sequence[np.ndarray]) -> tuple[float, float]:
@@ -47,11 +47,11 @@ def text_of_correlation(
 
     The residuals are in units of their noise. If `noise_is_known`, the warning applies only if
     correlation and size together exceed that noise. White noise is reported as correlated in the
-    fraction `CHANCE` of all fits. Residuals with a root mean square below the quantity's `least`
-    are errors of the motion, not noise.
+    fraction `FALSE_ALARM_RATE` of all fits. Residuals with a root mean square below the quantity's
+    `least` are errors of the motion, not noise.
     """
     names = [*residuals[0]] if residuals else []
-    limit = float(scipy.special.ndtri(1.0 - CHANCE / max(len(names), 1)))
+    limit = float(scipy.special.ndtri(1.0 - FALSE_ALARM_RATE / max(len(names), 1)))
     correlated = []
     for name in names:
         series = [table[name] for table in residuals if name in table]
@@ -68,7 +68,7 @@ def text_of_correlation(
     if not correlated:
         return ""
     factor, r, _, count = max(correlated)
-    every_nth = int(min(np.ceil(np.log(THINNED) / np.log(min(r, 0.999))), count))
+    every_nth = int(min(np.ceil(np.log(THINNED_CORRELATION) / np.log(min(r, 0.999))), count))
     texts = [f"{name} by {r:.2g}" for _, r, name, _ in correlated]
     return (
         f"The residuals are no white noise: neighbouring ones of {few(texts)} are correlated, of "

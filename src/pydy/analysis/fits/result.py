@@ -21,7 +21,7 @@ from pydy._problem import FIT, AssumptionChecks
 from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.fits.residuals import autocorrelation, text_of_correlation
-from pydy.analysis.tuning import ABOVE_TOLERANCE, NAMED_IN_FIT
+from pydy.analysis.tuning import NAMED_IN_FIT, NOISE_TOLERANCE_FACTOR
 from pydy.plot import rows_of_axes, typeset
 
 if TYPE_CHECKING:
@@ -362,7 +362,7 @@ def in_units_of_noise(
         noise = dict(zip(d.names, d.noise.T, strict=True))
         scaled.append({name: column / noise[name] for name, column in table.items()})
         for name, column in zip(d.names, (d.values / d.noise).T, strict=True):
-            size = ABOVE_TOLERANCE * tolerance * np.fmax.reduce(np.abs(column), initial=0.0)
+            size = NOISE_TOLERANCE_FACTOR * tolerance * np.fmax.reduce(np.abs(column), initial=0.0)
             least[name] = max(least.get(name, 0.0), float(size))
     return scaled, least
 

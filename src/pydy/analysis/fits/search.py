@@ -9,7 +9,7 @@ import numpy as np
 import scipy
 
 from pydy._errors import FitInterrupted, note_finished, warn_user
-from pydy.analysis.tuning import FITTED, LARGEST_RESIDUAL
+from pydy.analysis.tuning import FIT_TOLERANCE, LARGEST_RESIDUAL
 
 
 def estimate(
@@ -28,8 +28,8 @@ def estimate(
 
     SciPy's tolerances of the gradient and of the step depend on units: a search for a stiffness
     of atoms or of planets in kg/s² would end at once. Parameters are therefore searched for in
-    units of their sizes at the start. If these sizes change by more than half of FITTED's digits,
-    the search is repeated.
+    units of their sizes at the start. If these sizes change by more than half of FIT_TOLERANCE's
+    digits, the search is repeated.
     """
     cache: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
     least, best = np.inf, start
@@ -75,7 +75,7 @@ def estimate(
                 repeats = (
                     result.status in (1, 3)
                     and evaluations_left > 0
-                    and change > -0.5 * np.log2(FITTED)
+                    and change > -0.5 * np.log2(FIT_TOLERANCE)
                 )
             residuals, jacobian = at(z)
     except (KeyboardInterrupt, MemoryError) as stop:
@@ -116,7 +116,7 @@ def _search(
     return scipy.optimize.least_squares(
         lambda w: at(w * units)[0] / size, z / units, lambda w: at(w * units)[1] * (units / size),
         (bounds[0] / units, bounds[1] / units), x_scale="jac",
-        xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
+        xtol=FIT_TOLERANCE, ftol=FIT_TOLERANCE, gtol=FIT_TOLERANCE, max_nfev=most,
     )  # fmt: skip
 
 
