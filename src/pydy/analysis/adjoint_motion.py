@@ -47,7 +47,7 @@ from pydy.solvers import (
 from pydy.trajectory import EventRecord
 
 
-def extended(term: Any, marked: bool, assembly: Assembly) -> Assembly:
+def with_integral_and_marker(term: Any, marked: bool, assembly: Assembly) -> Assembly:
     """Return the equations with the integral and the sample marker appended to the states."""
     n, s, c = assembly.sizes
     extra_rates = [] if term is None else [node_of(assembly, term, "`integral`")]
@@ -115,7 +115,7 @@ class Projections:
         multipliers = self._multipliers[k]
         if v:
             rows = part["velocity_gradient"].reshape(v, u) @ inverse
-            multipliers[h:] = (inverse @ _least(rows)).T @ adjoint[q : q + u]
+            multipliers[h:] = (inverse @ _pseudoinverse(rows)).T @ adjoint[q : q + u]
             adjoint -= multipliers[h:] @ self._slopes[k]
         if h:
             gradient = part["gradient"].reshape(h, q)
@@ -123,9 +123,9 @@ class Projections:
             terms = np.linalg.norm(np.abs(gradient) @ np.abs(reach), axis=1)
             moving = gradient @ reach
             moving[is_zero(np.linalg.norm(moving, axis=1), terms)] = 0.0
-            correction = reach @ _least(moving)
+            correction = reach @ _pseudoinverse(moving)
             # Constraints that no speed can correct.
-            correction = correction + _least(gradient) @ (np.eye(h) - gradient @ correction)
+            correction = correction + _pseudoinverse(gradient) @ (np.eye(h) - gradient @ correction)
             multipliers[:h] = correction.T @ adjoint[:q]
             slopes = self._gradient[k]
             adjoint[: slopes.shape[1]] -= multipliers[:h] @ slopes
@@ -163,7 +163,7 @@ def _inverse_factor(matrix: np.ndarray) -> np.ndarray:
     return np.linalg.inv(factor).T
 
 
-def _least(rows: np.ndarray) -> np.ndarray:
+def _pseudoinverse(rows: np.ndarray) -> np.ndarray:
     """Return the pseudoinverse of some rows, which ignores their linearly dependent directions."""
     lengths = or_one(np.linalg.norm(rows, axis=1))
     solution: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=DEPENDENT) / lengths
@@ -189,7 +189,8 @@ class Task:
         if self.integral is None and not marked:
             return model
         return model.changed(
-            ("integral", self.integral, marked), partial(extended, self.integral, marked)
+            ("integral", self.integral, marked),
+            partial(with_integral_and_marker, self.integral, marked),
         )
 
     @cached_property
@@ -232,7 +233,7 @@ class Task:
 
     # -- compiled ---------------------------------------------------------------------------------
 
-    def guided(
+    def with_sensitivities(
         self, full_state: np.ndarray, columns: np.ndarray, options: dict[str, Any]
     ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
         """Return the equations with columns of sensitivities, and the solver's options for them.
@@ -254,7 +255,7 @@ class Task:
         call = self.call_full(augmented.kernel())
         return call, augmented.columns.together(full_state, values), compiled
 
-    def bounded(
+    def with_generic_direction(
         self, full_state: np.ndarray, options: dict[str, Any]
     ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
         """Return the equations with one column of sensitivities, and the solver's options for it.
@@ -275,7 +276,7 @@ class Task:
         ]
         sensitive, r = self.sensitive, self.sensitive.plan.inputs.values
         sizes = ParameterSize.scales(sized, full_state, r, sensitive.p, len(sized))
-        parts = sizes * generic(len(sized))
+        parts = sizes * generic_direction(len(sized))
         column, weights = parts[:width], parts[width:]
         column[sensitive.columns.states :] = 0.0  # integrals start at zero
         with_constraints = with_all(model, sensitive.definition)
@@ -324,7 +325,7 @@ def _of_no_event(event: int) -> NoReturn:
     raise AssertionError("The derivatives that limit step sizes have no jumps at events.")
 
 
-def generic(count: int) -> np.ndarray:
+def generic_direction(count: int) -> np.ndarray:
     """Return the components of a fixed generic direction, of magnitude 1/2 to 1 and both signs.
 
     Modes of symmetric systems are sums and differences of states. Multiples of the golden ratio
@@ -360,8 +361,9 @@ def direction_kernel(model: CompiledModel, direction: SensitivityDirection, *blo
 class MotionSegment:
     """A motion of the states and the integral up to the state `last`, with recorded steps.
 
-    The step size is controlled by the sensitivities `guide` (see `Task.guided`), or limited by one
-    generic direction if `bounded` (see `Task.bounded`), or controlled by the states alone.
+    The step size is controlled by the sensitivities `guide` (see `Task.with_sensitivities`), or
+    limited by one direction if `bounded` (see `Task.with_generic_direction`), or controlled by the
+    states alone.
     """
 
     def __init__(
@@ -387,10 +389,10 @@ class MotionSegment:
         options = task.sensitive.stepped(solver, options, x0, times, False)
         full_state, call = np.append(x0, np.zeros(num_extra)), rates
         if guide is not None:
-            call, full_state, sensitivities = task.guided(full_state, guide, options)
+            call, full_state, sensitivities = task.with_sensitivities(full_state, guide, options)
             options = {**options, "sensitivities": sensitivities}
         elif bounded and solver.adaptive:
-            call, full_state, sensitivities = task.bounded(full_state, options)
+            call, full_state, sensitivities = task.with_generic_direction(full_state, options)
             options = {**options, "sensitivities": sensitivities}
         read: Any = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
         integration = Integration(solver.name, call, len(full_state), times, (), read)

@@ -226,7 +226,7 @@ class _BranchCurve:
         offset = ((z - self.origin) / self.scale)[:-1]
         return np.concatenate([self.F(z), self.free_directions @ offset])
 
-    def corrected(self, z: np.ndarray, tangent: np.ndarray) -> tuple[np.ndarray, int] | None:
+    def correct(self, z: np.ndarray, tangent: np.ndarray) -> tuple[np.ndarray, int] | None:
         """Return the curve's point in the plane through `z` normal to the tangent, and the count.
 
         The count is that of the Newton steps before the last one. None if they do not converge.
@@ -248,7 +248,7 @@ class _BranchCurve:
 
     def step_along(self, a: _BranchPoint, arc: float) -> _BranchPoint | None:
         """Return the corrected point at an arc length along the tangent of another."""
-        correction = self.corrected(a.z + arc * self.scale * a.tangent, a.tangent)
+        correction = self.correct(a.z + arc * self.scale * a.tangent, a.tangent)
         return None if correction is None else self.point(correction[0], a.tangent)
 
     @cached_property
@@ -314,7 +314,7 @@ def _trace_points(
     (low, high), length = bounds, step / 4.0
     while len(points) < most:
         point = points[-1]
-        correction = curve.corrected(point.z + length * curve.scale * point.tangent, point.tangent)
+        correction = curve.correct(point.z + length * curve.scale * point.tangent, point.tangent)
         near = (
             correction is not None
             and np.linalg.norm((correction[0] - point.z) / curve.scale) <= 1.5 * length
@@ -353,7 +353,7 @@ def _point_at_bound(
     share = (edge - a[-1]) / (b[-1] - a[-1])
     normal = np.zeros(len(a))
     normal[-1] = 1.0
-    correction = curve.corrected(a + share * (b - a), normal)
+    correction = curve.correct(a + share * (b - a), normal)
     return None if correction is None else correction[0]
 
 

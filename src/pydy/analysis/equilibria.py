@@ -176,7 +176,7 @@ def solve_equilibrium(problem: RootProblem, start: np.ndarray, bounds: Bounds) -
                 rows = sizes.rows if attempt == "units" else terms
                 solution, message = _search(problem, begin, bounds, rows, sizes.units)
         try:
-            accepted = _accepted(problem, solution, bounds, message)
+            accepted = _checked_solution(problem, solution, bounds, message)
         except EquilibriumError as error:
             first_error = first_error or error
             continue
@@ -206,7 +206,7 @@ def nonzero_row(ahead: RootProblem, z: np.ndarray) -> tuple[str, float, np.ndarr
     """
     infinite = np.full(len(z), np.inf)
     try:
-        _accepted(ahead, z, (-infinite, infinite), "")
+        _checked_solution(ahead, z, (-infinite, infinite), "")
     except EquilibriumError as error:
         values = error.residuals
         k = int(np.argmax(np.where(np.isfinite(values), np.abs(values), -1.0)))
@@ -233,9 +233,9 @@ def _with_initial_free_unknowns(
         if not np.isfinite(slopes).all():
             return accepted
         sizes = problem.sizes(slopes, begin)
-        polished = _polished(*_scaled(problem, sizes.rows), begin, bounds, sizes.units)
+        polished = _newton(*_scaled(problem, sizes.rows), begin, bounds, sizes.units)
         try:
-            candidate = _accepted(problem, polished, bounds, "")
+            candidate = _checked_solution(problem, polished, bounds, "")
         except EquilibriumError:
             return accepted
     nearer = np.linalg.norm((polished - start) / columns) < np.linalg.norm(
@@ -264,10 +264,12 @@ def _search(
     except ValueError as error:  # residuals that are not finite at the start
         return z, str(error)
     solution = np.clip(result.x * units, low, high)
-    return _polished(share, slopes, solution, bounds, units), result.message
+    return _newton(share, slopes, solution, bounds, units), result.message
 
 
-def _accepted(problem: RootProblem, z: np.ndarray, bounds: Bounds, message: str) -> RootResult:
+def _checked_solution(
+    problem: RootProblem, z: np.ndarray, bounds: Bounds, message: str
+) -> RootResult:
     """Return the result of `solve_equilibrium`; raise unless the residuals are rounding errors."""
     low, high = bounds
     values, slopes = problem.residual(z), problem.jacobian(z)
@@ -359,7 +361,7 @@ def solve_many(
     return z, sound
 
 
-def _polished(
+def _newton(
     residual: Function, jacobian: Function, z: np.ndarray, bounds: Bounds, units: np.ndarray
 ) -> np.ndarray:
     """Apply Newton's method as long as the residual decreases."""
@@ -384,13 +386,13 @@ def _undetermined(
     if not slopes.size:
         return tuple(unknowns)
     free, columns = null_space(slopes, units)
-    free = _reduced(free)
+    free = _row_echelon(free)
     # Small shares are dropped in units of the columns; the text is in the user's units.
     free = np.where(np.abs(free) >= DIGITS * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
     return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)
 
 
-def _reduced(rows: np.ndarray) -> np.ndarray:
+def _row_echelon(rows: np.ndarray) -> np.ndarray:
     """Return the reduced row echelon form: each row has an entry 1 where the others have 0.
 
     An unknown that is free by itself is then named by itself.
@@ -438,13 +440,13 @@ def pseudo_transient(problem: RootProblem, z: np.ndarray, bounds: Bounds) -> np.
     for _ in range(_TRIALS):
         if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
             break
-        units, speed = _balanced(slopes, rate_rows, columns)
+        units, speed = _balanced_units(slopes, rate_rows, columns)
         if not length:
             fastest, length = speed, 1.0 / speed
         scaled = slopes * units
         sizes = or_one(np.abs(scaled).max(axis=1, initial=0.0))
         sizes[rate_rows] = units[columns] / length
-        closing, tangent = _constrained(
+        closing, tangent = _constraint_step(
             scaled[hard] / sizes[hard, None], values[hard] / sizes[hard]
         )
         step = share * closing
@@ -470,7 +472,7 @@ def pseudo_transient(problem: RootProblem, z: np.ndarray, bounds: Bounds) -> np.
     return z
 
 
-def _balanced(
+def _balanced_units(
     slopes: np.ndarray, rate_rows: list[int], columns: list[int]
 ) -> tuple[np.ndarray, float]:
     """Return units of the unknowns in which the rates' Jacobian is balanced, and the fastest rate.
@@ -491,7 +493,7 @@ def _balanced(
     return units, speed
 
 
-def _constrained(rows: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _constraint_step(rows: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the minimum-norm step onto the constraints, and a basis of their null space."""
     if not len(rows):
         return np.zeros(rows.shape[1]), np.eye(rows.shape[1])

@@ -130,7 +130,7 @@ class EquilibriumResidual:
         return slots
 
     @property
-    def titles(self) -> list[str]:
+    def row_names(self) -> list[str]:
         """The names of the residual's rows."""
         names = self.definition.row_names("rates")
         constraint_rows = [t for b in self.blocks[1:] for t in self.definition.row_names(b)]
@@ -191,7 +191,7 @@ class EquilibriumResidual:
         order = self.unknowns.order
         sizes = [np.stack([at.natural[kind][:, k] for kind, k in order], axis=1) for at in points]
         natural, rows = np.concatenate(sizes), np.concatenate([*map(self._inertia, points)])
-        powers = np.zeros(len(self.titles))
+        powers = np.zeros(len(self.row_names))
         first = len(self.definition.equations.coordinates)
         powers[: len(self.rows)] = np.array(self.rows) >= first
         num_holonomic = len(self.definition.equations.constraints.holonomic)
@@ -246,14 +246,14 @@ class EquilibriumResidual:
             residual=lambda z: self.residuals(with_last(z)[None])[0],
             jacobian=lambda z: self.slopes(with_last(z)[None])[0, :, :k],
             unknowns=self.unknowns.names[:k],
-            rows=self.titles,
+            rows=self.row_names,
             rates=self.pairs(k),
-            num_constraints=len(self.titles) - len(self.rows),
+            num_constraints=len(self.row_names) - len(self.rows),
             sizes=lambda slopes, z: self.sizes(slopes[None], with_last(z)[None])[0],
             terms=lambda z: self.terms(with_last(z)),
         )
 
-    def solved(
+    def solve(
         self, z: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], last: float | None = None
     ) -> tuple[np.ndarray, float, tuple[str, ...]]:
         """Call `solve_equilibrium` from unknowns z, with the `last` one fixed unless None."""
@@ -265,7 +265,7 @@ class EquilibriumResidual:
             rates = point.tried(self.model.compiled("rates"))[0, self.steady]
             fastest = np.abs(rates / or_one(point.natural["states"][0, self.steady])).max()
             if fastest > 0.0:  # the fastest advances by its size, such as an angle by a radian
-                ahead = self._ahead(rates / fastest)
+                ahead = self._advanced_copy(rates / fastest)
                 if nonzero := nonzero_row(ahead.problem(last), accepted[0]):
                     names = unique_names(self.definition.states)
                     raise EquilibriumError(
@@ -280,7 +280,7 @@ class EquilibriumResidual:
             self._warn_of_time(solution, rates)
         return accepted
 
-    def _ahead(self, advance: np.ndarray, t: float | None = None) -> EquilibriumResidual:
+    def _advanced_copy(self, advance: np.ndarray, t: float | None = None) -> EquilibriumResidual:
         """Return a copy with advanced steady coordinates, or at another time."""
         ahead = copy(self)
         ahead.x, ahead.t = self.x.copy(), self.t if t is None else t
@@ -302,7 +302,7 @@ class EquilibriumResidual:
         for t in times[
             [all(s.covers(times[[k]]) for _, s in plan.inputs.sampled) for k in range(_TIMES)]
         ]:
-            ahead = self._ahead(rates * (t - self.t), float(t))
+            ahead = self._advanced_copy(rates * (t - self.t), float(t))
             values = ahead.residuals(z[None])[0]
             if (values == reference).all() or not np.isfinite(values).all():
                 continue
@@ -369,4 +369,4 @@ def find_equilibrium(
     warn_of_missing_derivatives(problem)
     residual = EquilibriumResidual(problem, unknowns, given, moving)
     limits = _bounds(problem.definition, residual.unknowns, bounds)
-    return residual.equilibrium(*residual.solved(residual.start, limits))
+    return residual.equilibrium(*residual.solve(residual.start, limits))

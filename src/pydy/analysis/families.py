@@ -113,7 +113,7 @@ class Family:
             return z
         infinite = np.full(len(z) - 1, np.inf)
         try:
-            solution = residual.solved(z[:-1], (-infinite, infinite), value)[0]
+            solution = residual.solve(z[:-1], (-infinite, infinite), value)[0]
         except EquilibriumError as error:
             error.add_note(f"This was at {self.names[-1]} = {value:.10g}.")
             raise
@@ -148,7 +148,7 @@ class Family:
         z = self.unknowns_at(values, states)
         return self.matrices(np.array([self.solve_from(row) for row in z]))[0]
 
-    def at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
+    def matrices_at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the state matrices at the states themselves, with the parameter replaced."""
         return self.matrices(self.unknowns_at(values, states))[0]
 
@@ -249,7 +249,7 @@ def eigenvalues(
         point = family.residual.point_at(family.unknowns_at(values, at))
         at = with_unknowns(point, given_at, lambda x, t: point.r).x
         given_z = family.unknowns_at(values, at)
-        models = family.at
+        models = family.matrices_at
     else:
         family = Family(problem, parameter, unknowns, given, moving)
         given_z = None

@@ -283,7 +283,7 @@ def linearize(
     residuals = definition.equations.constraints.residuals
     unknowns_by_input, unknowns = _unknowns_by_inputs(point, columns), [*residuals.columns]
 
-    def followed(block: str, by_input: np.ndarray) -> np.ndarray:
+    def with_implicit_unknowns(block: str, by_input: np.ndarray) -> np.ndarray:
         """Return total derivatives by inputs, including those through an Implicit's unknowns."""
         return (
             by_input + slopes(block)[:, :, unknowns] @ unknowns_by_input
@@ -294,14 +294,14 @@ def linearize(
     dependence = []  # which constraints (rows) depend on which inputs
     for block in blocks if columns else ():
         by_block = value(model.compiled_jacobian(block, "r"), s)[:, :, columns]
-        total = followed(block, by_block)
+        total = with_implicit_unknowns(block, by_block)
         if block == "holonomic":
             total[:, residuals.rows] = 0.0
         dependence.append(total.any(axis=0))
     if any(rows.any() for rows in dependence):
         _refuse_prescribed(definition, np.concatenate(dependence), columns, inputs is None)
     with np.errstate(all="ignore"):  # `_check_finite` reports entries that are not finite
-        B = followed("rates", by_input[:, :, columns])[:, free]
+        B = with_implicit_unknowns("rates", by_input[:, :, columns])[:, free]
     C, D, titles = _outputs(problem, outputs, point, T, columns, unknowns_by_input)
     parts = [A, B, C, D, value(model.compiled("rates"))[:, free]]
     _check_finite(parts)

@@ -222,16 +222,16 @@ class _OrbitSearch:
         """Return the sizes of all states during a motion of one period."""
         natural, moved = energetic_motions(self.problem, times, states)
         most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
-        speeds = np.arange(len(end)) >= len(self.problem.definition.equations.coordinates)
-        return Measure(self.free, speeds, natural, moved).sizes(most, rates, length)
+        speeds = np.arange(len(end)) >= self.problem.coordinate_count
+        return StateSizes(self.free, speeds, natural, moved).sizes(most, rates, length)
 
     def map_period(self, z: np.ndarray, length: float) -> PeriodMap:
         """Integrate for a period from states `z`; store the start with the smallest gap."""
         problem = self.start(z)
         if self.until is None:
-            period_map = self._for_a_time(problem, length)
+            period_map = self._fixed_period(problem, length)
         else:
-            period_map = self._until(problem, self.until, z)
+            period_map = self._period_to_event(problem, self.until, z)
         gap = float((np.abs(period_map.end - z) / self.start_sizes[self.free]).max(initial=0.0))
         if gap < self.smallest_gap:
             self.smallest_gap = gap
@@ -241,7 +241,7 @@ class _OrbitSearch:
         self.progress(1, gap=f"{gap:.3g}")
         return period_map
 
-    def _for_a_time(self, problem: Problem, length: float) -> PeriodMap:
+    def _fixed_period(self, problem: Problem, length: float) -> PeriodMap:
         instant = self.t0 + length
         motion = self.integrated(problem, np.linspace(self.t0, instant, num=_SIZE_SAMPLES))
         start, end, slopes = motion.states[0], motion.states[-1], motion.end_sensitivities
@@ -249,7 +249,7 @@ class _OrbitSearch:
         self.advance_effect[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
         return self._period_map(motion, start, end, motion.rates(instant, end), slopes, instant)
 
-    def _until(self, problem: Problem, until: Event, z: np.ndarray) -> PeriodMap:
+    def _period_to_event(self, problem: Problem, until: Event, z: np.ndarray) -> PeriodMap:
         t0, guess = self.t0, self.guess
         first = self.integrated(problem, [t0, t0 + SKIPPED_START * guess])
         ending = replace(until, terminal=True)
@@ -418,7 +418,7 @@ class PeriodMap:
     by_start: np.ndarray  # their derivatives (k, k)
     rates: np.ndarray  # their time derivatives at the end
     period: float
-    sizes: np.ndarray  # their sizes during the motion; see `Measure`
+    sizes: np.ndarray  # their sizes during the motion; see `StateSizes`
     projected: np.ndarray | None = None  # the states at its start, if not the requested ones
 
     def scaled(self, sizes: np.ndarray, period: float) -> PeriodMap:
@@ -438,7 +438,7 @@ class PeriodMap:
 
 
 @dataclass(frozen=True, eq=False)
-class Measure:
+class StateSizes:
     """Sizes of n states during a motion: the units for the search and for the integration.
 
     A state that does not move is a rounding error and has no size. It gets a share of three others:
@@ -508,7 +508,7 @@ class OrbitShooting:
         self.scaled_map = self._scaled(self.first)
         self.z = self.start = self.scaled_map.start_states(start / self.sizes)
         self._approach()
-        self._settle()
+        self._last_newton_steps()
         z, gap = self.z * self.sizes, self._gap() * self.sizes
         return z, self.unscaled, float(np.abs(gap).max(initial=0.0))
 
@@ -519,7 +519,7 @@ class OrbitShooting:
         gap: np.ndarray = self.scaled_map.end - self.z
         return gap
 
-    def _moved(self, step: np.ndarray) -> tuple[np.ndarray, float]:
+    def _after_step(self, step: np.ndarray) -> tuple[np.ndarray, float]:
         """Return the states and the period after a step."""
         late = 0.0 if self.slope is None else float(step[-1]) * self.first.period
         return self.z + step[: len(self.z)], self.period + late
@@ -539,7 +539,7 @@ class OrbitShooting:
                 damping = np.sqrt(weight * min(size, 1.0)) * np.eye(n)
                 right_side = np.append(right, np.zeros(n))
                 step = np.linalg.lstsq(np.vstack([matrix, damping]), right_side, rcond=ROUNDED)[0]
-                if self._nearer(*self._moved(step), size):
+                if self._try_step(*self._after_step(step), size):
                     weight *= 0.1
                     break
                 if size <= LARGEST_GAP * _scale(self.z):
@@ -548,7 +548,7 @@ class OrbitShooting:
             else:
                 return
 
-    def _nearer(self, z: np.ndarray, period: float, size: float) -> bool:
+    def _try_step(self, z: np.ndarray, period: float, size: float) -> bool:
         """Accept a state and a period if the gap is smaller than `size`."""
         # A period of zero closes every motion, and an equilibrium closes with every period.
         if period <= _SMALLEST_SHARE * self.first.period:
@@ -567,7 +567,7 @@ class OrbitShooting:
         self.z, self.unscaled, self.scaled_map, self.period = z, unscaled, scaled_map, period
         return True
 
-    def _settle(self) -> None:
+    def _last_newton_steps(self) -> None:
         """Take the last Newton steps, until the gap is a rounding error."""
         for remaining in range(3, -1, -1):
             gap = self._gap()
@@ -586,7 +586,7 @@ class OrbitShooting:
                 raise _no_orbit_error(
                     self.names, self.z * self.sizes, gap * self.sizes, self.period
                 )
-            z, self.period = self._moved(step)
+            z, self.period = self._after_step(step)
             self.unscaled = self.map_period(z * self.sizes, self.period)
             self.scaled_map = self._scaled(self.unscaled)
             self.z = self.scaled_map.start_states(z)

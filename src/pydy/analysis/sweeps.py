@@ -144,10 +144,10 @@ class EigenvalueSweep:
                 middle = self.eigenvalues[first : last + 1, branch].imag
                 lower = middle.mean() <= -max(limit[first], limit[last])
                 if not lower and not self._stays_on_axis(branch, first, last):
-                    crossings.append(self._refined(branch, first, last))
+                    crossings.append(self._axis_crossing(branch, first, last))
             for inside, out in self._departures(branch):
                 if self.eigenvalues[out, branch].imag > -limit[out]:
-                    crossings.append(self._departed(branch, inside, out))
+                    crossings.append(self._departure_crossing(branch, inside, out))
         real_ones = (crossing for crossing in crossings if crossing is not None)
         return tuple(sorted(real_ones, key=lambda crossing: crossing.value))
 
@@ -207,7 +207,7 @@ class EigenvalueSweep:
         order = np.argsort(-np.abs(spectrum))[: self._branches]
         return spectrum[order], rounding[order]
 
-    def _departed(self, branch: int, inside: int, out: int) -> Crossing | None:
+    def _departure_crossing(self, branch: int, inside: int, out: int) -> Crossing | None:
         """Return the point between two values at which a branch departs from the axis."""
 
         def has_left_axis(share: float) -> bool:
@@ -218,7 +218,7 @@ class EigenvalueSweep:
             branch, (inside, out), _bisected(has_left_axis), DEPARTURE_REAL_PART, inside > out
         )
 
-    def _refined(self, branch: int, first: int, last: int) -> Crossing | None:
+    def _axis_crossing(self, branch: int, first: int, last: int) -> Crossing | None:
         """Return the point between two values at which a branch crosses the axis."""
         share = scipy.optimize.brentq(
             lambda share: self._nearest(branch, first, last, share)[0].real,
@@ -237,10 +237,10 @@ class EigenvalueSweep:
         eigenvalue, rounding = self._nearest(branch, *ends, share)
         size = float(np.abs(self.eigenvalues[list(ends), branch]).max())
         if abs(eigenvalue.real) > max(near * size, ZERO_EIGENVALUE_FACTOR * rounding):
-            return self._counted(branch, *ends, stabilizing)
+            return self._crossing_by_count(branch, *ends, stabilizing)
         return self._crossing(branch, ends, share, eigenvalue.imag, stabilizing)
 
-    def _counted(self, branch: int, a: int, b: int, stabilizing: bool) -> Crossing | None:
+    def _crossing_by_count(self, branch: int, a: int, b: int, stabilizing: bool) -> Crossing | None:
         """Return where the number of unstable eigenvalues changes between two values, if it does.
 
         This needs no branches, but reports several crossings between the values as one.

@@ -87,7 +87,7 @@ class Ensemble:
             states = np.empty((len(model.states), self.samples.size, len(model.times)))
         placed = {} if states is None else dict(zip(model.states, states, strict=True))
 
-        def do(block: Block, stop: Callable[[], bool]) -> None:
+        def compute_block(block: Block, stop: Callable[[], bool]) -> None:
             part = self.samples.in_block(block)
             target = None
             if states is not None:  # blocks are contiguous samples: see `block_sizes`
@@ -115,9 +115,9 @@ class Ensemble:
                 pending.remove(block)
 
         try:
-            if not model.in_lanes and share > number and self._is_brief(pending[0], do):
+            if not model.in_lanes and share > number and self._is_brief(pending[0], compute_block):
                 pending[:] = self._blocks(min(SMALLEST_BLOCK, share))
-            self._on_threads(tuple(pending), do)
+            self._on_threads(tuple(pending), compute_block)
         except (KeyboardInterrupt, MemoryError) as error:
             if not results:
                 raise

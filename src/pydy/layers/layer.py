@@ -159,7 +159,7 @@ class Layer:
                 arrays.append(array)
         function = self._functions.function(kind, tuple(parts))
         try:
-            alike = self._arrays.alike(arrays)
+            same_shape = self._arrays.broadcast(arrays)
         except ValueError:
             shapes = [
                 f"`{part.group}` {tuple(array.shape[:-1])}"
@@ -169,7 +169,7 @@ class Layer:
                 "The axes in front of arguments must be broadcast against each other, got "
                 f"{', '.join(shapes)}."
             ) from None
-        return self._arrays.call(function, alike)
+        return self._arrays.call(function, same_shape)
 
     def _read(self, kind: str, group: str, value: Any) -> tuple[ArgumentPart, Any]:
         if group == "t":
@@ -199,4 +199,4 @@ class Layer:
                     f"samples, got {tuple(column.shape)}."
                 )
             columns.append(column)
-        return ArgumentPart(group, indices, counts), self._arrays.together(columns)
+        return ArgumentPart(group, indices, counts), self._arrays.concatenate(columns)

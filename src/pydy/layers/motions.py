@@ -66,7 +66,7 @@ class MotionFunction:
 
     # -- samples ----------------------------------------------------------------------------------
 
-    def _at(self, row: list[np.ndarray]) -> Problem:
+    def _problem_of(self, row: list[np.ndarray]) -> Problem:
         """Return the Problem of one sample."""
         changes: dict[str, dict[Any, Any]] = {}
         for part, symbols, values in zip(self.parts, self._symbols, row, strict=True):
@@ -85,10 +85,10 @@ class MotionFunction:
         problem = with_settings(self._problem, **changes)
         return with_dependents(problem, self._solved_for) if self._solved_for else problem
 
-    def _flat(self, arrays: Arrays) -> list[np.ndarray]:
+    def _flattened(self, arrays: Arrays) -> list[np.ndarray]:
         return [array.reshape(-1, array.shape[-1]) for array in arrays]
 
-    def _together(self, m: int) -> bool:
+    def _uses_ensemble(self, m: int) -> bool:
         """Return whether the samples are integrated as an ensemble."""
         sampled = any(count > 1 for part in self.parts for count in part.counts)
         full_r = any(part.group == "r" and part.is_full for part in self.parts)
@@ -115,7 +115,7 @@ class MotionFunction:
 
     def _motion(self, row: list[np.ndarray], parameters: list[Any] | None = None) -> Motion:
         """Integrate one sample, with sensitivities to the `parameters` unless None."""
-        problem, options = self._at(row), dict(self._options)
+        problem, options = self._problem_of(row), dict(self._options)
         controlled = flag(options.pop("control_sensitivities", False), "`control_sensitivities`")
         if problem.hybrid is None:
             options = {"dense_output": False, **options}
@@ -133,7 +133,7 @@ class MotionFunction:
                 raise
             return np.nan
 
-    def _late(self, results: Any) -> np.ndarray:
+    def _after_end(self, results: Any) -> np.ndarray:
         """Return which times are after the end of each sample's motion, (m, times)."""
         ended = np.isin(results["status"].values, (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE))
         after = self._problem.settings.times > results["end_time"].values[:, None]
@@ -144,14 +144,14 @@ class MotionFunction:
 
     def value(self, *arrays: np.ndarray) -> np.ndarray:
         """Return the states."""
-        flat, lead = self._flat(arrays), arrays[0].shape[:-1]
+        flat, lead = self._flattened(arrays), arrays[0].shape[:-1]
         m = len(flat[0])
         with self._lock:
-            if self._together(m):
+            if self._uses_ensemble(m):
                 results = self._ensemble(flat)
                 states = np.stack([results[name].values for name in self._names], axis=-1)
                 values = states[:, -1].copy() if self._final else states
-                remaining = np.flatnonzero(self._late(results)[:, -1] & self._final).tolist()
+                remaining = np.flatnonzero(self._after_end(results)[:, -1] & self._final).tolist()
             else:
                 values, remaining = np.empty((m, *self.shape)), [*range(m)]
             for k in remaining:
@@ -173,7 +173,7 @@ class MotionFunction:
         """Return the Jacobian-vector product, with a direction for each argument of `wrt`."""
         parameters, columns = self._columns(wrt)
         lead = arrays[0].shape[:-1]
-        distinct, back = _distinct(self._flat(arrays))
+        distinct, back = _distinct(self._flattened(arrays))
         with self._lock:
             slopes = self._jacobian(parameters, distinct, lead, sum(map(len, columns)))
         slopes = slopes[:, -1] if self._final else slopes
@@ -189,7 +189,7 @@ class MotionFunction:
     def backward(self, wrt: tuple[int, ...], arrays: Arrays, weights: np.ndarray) -> Arrays:
         """Return the vector-Jacobian products of the weights, one for each argument of `wrt`."""
         parameters, columns = self._columns(wrt)
-        flat, lead = self._flat(arrays), arrays[0].shape[:-1]
+        flat, lead = self._flattened(arrays), arrays[0].shape[:-1]
         weights = weights.reshape(len(flat[0]), *self.shape)
         with self._lock:
             if self._final and self._problem.hybrid is None:
@@ -236,11 +236,11 @@ class MotionFunction:
         m, n, steps = len(flat[0]), len(self._names), len(self._problem.settings.times)
         if not parameters:
             return np.zeros((m, steps, n, 0))
-        if self._together(m):
+        if self._uses_ensemble(m):
             results = self._ensemble(flat, sensitivities=parameters)
             table = results["sensitivity"].sel(quantity=list(self._names))
             slopes = table.transpose("sample", "time", "quantity", "parameter").values
-            late = self._late(results)
+            late = self._after_end(results)
             self._check_reached(late[:, -1].any())
             return np.where(late[:, :, None, None], 0.0, slopes)
 
@@ -272,7 +272,7 @@ class MotionFunction:
         """Return the gradient of the weighted sum of the last state."""
         if not parameters:
             return np.zeros(0)
-        problem = self._at(row)
+        problem = self._problem_of(row)
         _, _, slopes, _ = motion_and_gradient(
             problem,
             problem.settings.times,

@@ -63,11 +63,11 @@ class JaxArrays:
             )
         return array
 
-    def together(self, columns: list[Any]) -> Any:
+    def concatenate(self, columns: list[Any]) -> Any:
         """Return arrays (…, k), broadcast and concatenated along the last axis."""
-        return self.jax.numpy.concatenate(self.alike(columns), axis=-1)
+        return self.jax.numpy.concatenate(self.broadcast(columns), axis=-1)
 
-    def alike(self, arrays: list[Any]) -> list[Any]:
+    def broadcast(self, arrays: list[Any]) -> list[Any]:
         """Return arrays with their leading axes broadcast."""
         jnp = self.jax.numpy
         lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))

@@ -47,11 +47,11 @@ class TorchArrays:
         except ValueError as error:
             raise TypeError(f"{error} Pass a tensor of float64.") from None
 
-    def together(self, columns: list[Any]) -> Any:
+    def concatenate(self, columns: list[Any]) -> Any:
         """Return tensors (…, k), broadcast and concatenated along the last axis."""
-        return self.torch.cat(self.alike(columns), dim=-1)
+        return self.torch.cat(self.broadcast(columns), dim=-1)
 
-    def alike(self, arrays: list[Any]) -> list[Any]:
+    def broadcast(self, arrays: list[Any]) -> list[Any]:
         """Return tensors with their leading axes broadcast."""
         lead = np.broadcast_shapes(*(tuple(a.shape[:-1]) for a in arrays))
         return [a.expand(*lead, a.shape[-1]) for a in arrays]

@@ -89,7 +89,9 @@ class RobotAssembly:
         self._parents: list[int | None] = [None]
         self._axes: dict[str, _Axis] = {}
         self._shares: dict[str, list[tuple[Any, _Axis]]] = {}  # of tendons: coefficients and joints
-        self._creep = None if friction_speed is None else self._number("creep", "", friction_speed)
+        self._friction_speed = (
+            None if friction_speed is None else self._number("creep", "", friction_speed)
+        )
         self._name_joints([joint for link in tree.links for joint in link.joints])
         self._gravity = [
             self._number("g", "" if np.count_nonzero(tree.gravity) == 1 else axis, size, sign)
@@ -210,15 +212,15 @@ class RobotAssembly:
             fixed = frame
         chain.append(_Step(sm.Matrix(offset), rotation))
         if any(offset):
-            point = point.locatenew(self._name("at", f"{link.name}_o"), _in(frame, offset))
+            point = point.locatenew(self._name("at", f"{link.name}_o"), _vector_in(frame, offset))
         return Place(fixed, point)
 
     def _free(self, joint: RobotJoint, chain: list[_Step]) -> Place:
         coordinates, speeds, *_ = self.joints[joint.name]
         frame = _new_frame(self._name("", joint.name))
         frame.orient_quaternion(self.world, coordinates[3:])
-        frame.set_ang_vel(self.world, _in(frame, speeds[3:]))
-        offset = _in(self.world, coordinates[:3])
+        frame.set_ang_vel(self.world, _vector_in(frame, speeds[3:]))
+        offset = _vector_in(self.world, coordinates[:3])
         point = self.origin.locatenew(self._name("", f"{joint.name}_o"), offset)
         chain.append(_Step(sm.Matrix(coordinates[:3]), frame.dcm(self.world).T))
         link_frame = Place(frame, point)
@@ -227,9 +229,9 @@ class RobotAssembly:
             for axis, q in zip("xyz", coordinates[:3], strict=True):
                 self._add_slider(f"{joint.name}, {axis}", size, q)
             self._add_rotor(joint, size, coordinates[3:], speeds[3:])
-        if drag := self._drag(joint, speeds):
-            self._loads.append((point, _in(self.world, drag[:3])))
-            self._loads.append((frame, _in(frame, drag[3:])))
+        if drag := self._damping_and_friction(joint, speeds):
+            self._loads.append((point, _vector_in(self.world, drag[:3])))
+            self._loads.append((frame, _vector_in(frame, drag[3:])))
         return link_frame
 
     def _joint(self, joint: RobotJoint, inner: Place, name: str, chain: list[_Step]) -> Place:
@@ -241,17 +243,17 @@ class RobotAssembly:
         if joint.kind == "slide":
             axis = [_exact(v) for v in joint.axis]
             move = coordinates[0] - _exact(joint.reference)
-            vector = _in(frame, axis)
+            vector = _vector_in(frame, axis)
             outer = Place(frame, point.locatenew(self._name("", f"{name}_o"), move * vector))
             chain.append(_Step(sm.Matrix(axis) * move, sm.eye(3)))
         else:
             rotating = _new_frame(self._name("", name))
             if joint.kind == "ball":
                 rotating.orient_quaternion(frame, coordinates)
-                rotating.set_ang_vel(frame, _in(rotating, speeds))
+                rotating.set_ang_vel(frame, _vector_in(rotating, speeds))
                 vector = None
             else:
-                vector = _in(frame, [_exact(v) for v in joint.axis])
+                vector = _vector_in(frame, [_exact(v) for v in joint.axis])
                 rotating.orient_axis(frame, vector, coordinates[0] - _exact(joint.reference))
                 rotating.set_ang_vel(frame, speeds[0] * vector)
             rotation, anchor_vector = rotating.dcm(frame).T, sm.Matrix(anchor)
@@ -262,17 +264,17 @@ class RobotAssembly:
                 )
             )
             if any(anchor):
-                hinge = point.locatenew(self._name("at", joint.name), _in(frame, anchor))
-                point = hinge.locatenew(self._name("", f"{name}_o"), -_in(rotating, anchor))
+                hinge = point.locatenew(self._name("at", joint.name), _vector_in(frame, anchor))
+                point = hinge.locatenew(self._name("", f"{name}_o"), -_vector_in(rotating, anchor))
             outer = Place(rotating, point)
         if joint.kind == "ball":
-            self._resist_ball(joint, inner, outer)
+            self._add_ball_loads(joint, inner, outer)
         else:
             joint_axis = _Axis(
                 joint.kind, vector, inner, outer, coordinates[0], speeds[0], joint.reference
             )
             self._axes[joint.name] = joint_axis
-            self._resist(joint, joint_axis)
+            self._add_passive_loads(joint, joint_axis)
         return outer
 
     def _add_body(self, link: Link, link_frame: Place) -> None:
@@ -293,13 +295,13 @@ class RobotAssembly:
             body = me.Particle(link.name, point, mass)
         # Only after the body is created: SymPy's class searches for a path from the mass centre to
         # itself, in a time that grows faster than the number of connected points.
-        point.set_pos(link_frame.point, _in(link_frame.frame, centre))
+        point.set_pos(link_frame.point, _vector_in(link_frame.frame, centre))
         self._bodies.append(body)
-        self._weigh(point, _exact(1.0 - link.lightened) * mass)
+        self._add_weight(point, _exact(1.0 - link.gravity_compensation) * mass)
 
     # -- forces along joints -----------------------------------------------------------------------
 
-    def _push(self, axis: _Axis, force: Any) -> None:
+    def _add_joint_force(self, axis: _Axis, force: Any) -> None:
         """Add a force along a joint, and its reaction on the inner body."""
         if not force:
             return
@@ -310,14 +312,14 @@ class RobotAssembly:
             self._loads += [(axis.outer.point, force * axis.vector)]
             self._loads += [(axis.inner.point, -force * axis.vector)]
 
-    def _resist(self, joint: RobotJoint, axis: _Axis) -> None:
+    def _add_passive_loads(self, joint: RobotJoint, axis: _Axis) -> None:
         """Add the passive loads of a hinge or slide: spring, damper, friction, rotor."""
         q, u, force = axis.coordinate, axis.speed, sm.S.Zero
         if joint.stiffness:
             stretch = q - _exact(joint.relaxed)
             force -= self._number("stiffness", joint.name, joint.stiffness) * stretch
-        force += sum(self._drag(joint, [u]))
-        self._push(axis, force)
+        force += sum(self._damping_and_friction(joint, [u]))
+        self._add_joint_force(axis, force)
         if joint.armature:
             size = self._number("armature", joint.name, joint.armature)
             self._add_slider(joint.name, size, q)
@@ -331,34 +333,34 @@ class RobotAssembly:
         length = sm.Add(*(c * axis.coordinate for c, axis in shares))
         rate = sm.Add(*(c * axis.speed for c, axis in shares))
         self.tendons[tendon.name] = TendonSymbols(length, rate, tendon.limits)
-        force = sum(self._drag(tendon, [rate]), sm.S.Zero)
+        force = sum(self._damping_and_friction(tendon, [rate]), sm.S.Zero)
         if tendon.stiffness:
             low, high = (_exact(value) for value in tendon.relaxed)
             stretch = length - low
             if low != high:  # slack in between
                 stretch = sm.Max(length - high, 0) + sm.Min(length - low, 0)
             force -= self._number("stiffness", tendon.name, tendon.stiffness) * stretch
-        self._pull(tendon.name, force)
+        self._add_tendon_force(tendon.name, force)
         if tendon.armature:
             size = self._number("armature", tendon.name, tendon.armature)
             self._add_slider(f"the tendon {tendon.name}", size, length)
 
-    def _pull(self, tendon: str, force: Any) -> None:
+    def _add_tendon_force(self, tendon: str, force: Any) -> None:
         for coefficient, axis in self._shares[tendon]:
-            self._push(axis, coefficient * force)
+            self._add_joint_force(axis, coefficient * force)
 
     def _factor(self, prefix: str, name: str, value: float) -> Any:
         """Return a number as `_number` does, but 1 and −1 without a symbol."""
         sign = float(np.sign(value))
         return _exact(value) if abs(value) == 1.0 else self._number(prefix, name, abs(value), sign)
 
-    def _drag(self, joint: RobotJoint | Tendon, speeds: Sequence[Any]) -> list[Any]:
+    def _damping_and_friction(self, joint: RobotJoint | Tendon, speeds: Sequence[Any]) -> list[Any]:
         """Return damping and dry friction along each axis of a joint; an empty list if none."""
         if not joint.damping and not joint.friction:
             return []
         size = self._number("damping", joint.name, joint.damping)
         forces = [-size * u for u in speeds]
-        if joint.friction and self._creep is None:
+        if joint.friction and self._friction_speed is None:
             kind = "joint" if isinstance(joint, RobotJoint) else "tendon"
             self.tree.left_out.append(
                 f"the dry friction of the {kind} '{joint.name}' (give `friction_speed` to have it)"
@@ -366,14 +368,15 @@ class RobotAssembly:
         elif joint.friction:
             size = self._number("friction", joint.name, joint.friction)
             forces = [
-                f - size * sm.tanh(u / self._creep) for f, u in zip(forces, speeds, strict=True)
+                f - size * sm.tanh(u / self._friction_speed)
+                for f, u in zip(forces, speeds, strict=True)
             ]
         return forces if any(forces) else []
 
-    def _resist_ball(self, joint: RobotJoint, inner: Place, outer: Place) -> None:
+    def _add_ball_loads(self, joint: RobotJoint, inner: Place, outer: Place) -> None:
         coordinates, speeds, *_ = self.joints[joint.name]
-        if drag := self._drag(joint, speeds):
-            torque = _in(outer.frame, drag)
+        if drag := self._damping_and_friction(joint, speeds):
+            torque = _vector_in(outer.frame, drag)
             self._loads += [(outer.frame, torque), (inner.frame, -torque)]
         if joint.armature:
             size = self._number("armature", joint.name, joint.armature)
@@ -391,17 +394,17 @@ class RobotAssembly:
         point = self.origin.locatenew(self._name("rotor", name), offset)
         self._bodies.append(me.Particle(f"armature of {name}", point, size))
         if level:
-            self._weigh(point, size)
+            self._add_weight(point, size)
 
-    def _weigh(self, point: Any, mass: Any) -> None:
+    def _add_weight(self, point: Any, mass: Any) -> None:
         if mass and any(self._gravity):
-            self._loads.append((point, _in(self.world, [mass * g for g in self._gravity])))
+            self._loads.append((point, _vector_in(self.world, [mass * g for g in self._gravity])))
 
     def _add_rotor(self, joint: RobotJoint, size: Any, quaternion: Any, spin: Any) -> None:
         """Add a ball at the world's origin that rotates with the joint."""
         frame = _new_frame(self._name("rotor", joint.name))
         frame.orient_quaternion(self.world, quaternion)
-        frame.set_ang_vel(self.world, _in(frame, spin))
+        frame.set_ang_vel(self.world, _vector_in(frame, spin))
         inertia = (me.inertia(frame, size, size, size), self.origin)
         name = f"armature of {joint.name}, turning"
         self._bodies.append(me.RigidBody(name, self.origin, frame, 0, inertia))
@@ -427,9 +430,9 @@ class RobotAssembly:
             *(self._factor(prefix, motor.name, v) * variable for v, prefix, variable in parts)
         )
         if motor.tendon is not None:
-            self._pull(motor.tendon, force)
+            self._add_tendon_force(motor.tendon, force)
         else:
-            self._push(axis, force)
+            self._add_joint_force(axis, force)
 
     # -- equations ---------------------------------------------------------------------------------
 
@@ -571,7 +574,7 @@ def _exact(value: float) -> Any:
     return sm.Integer(int(value)) if float(value).is_integer() else sm.Float(float(value))
 
 
-def _in(frame: Any, components: Sequence[Any]) -> Any:
+def _vector_in(frame: Any, components: Sequence[Any]) -> Any:
     # Constructed directly: products and sums of SymPy's vectors take four times as long.
     return me.Vector([(sm.ImmutableMatrix(3, 1, [*components]), frame)])
 

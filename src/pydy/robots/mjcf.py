@@ -161,7 +161,7 @@ class _MjcfReader:
             tree.gravity = np.zeros(3)
         self.note_omissions()
         tree.left_out = self.left_out
-        tree.looks = list(self.looks(0))
+        tree.visuals = list(self.visuals(0))
         return tree
 
     def location(self, element: str) -> str:
@@ -181,10 +181,10 @@ class _MjcfReader:
             centre=np.array(model.body_ipos[k]),
             inertia=rotated_inertia(np.diag(model.body_inertia[k]), rotation),
             # Without springs and dampers, MuJoCo leaves out this passive force, too.
-            lightened=float(model.body_gravcomp[k])
+            gravity_compensation=float(model.body_gravcomp[k])
             if not (self.disabled("SPRING") and self.disabled("DAMPER"))
             else 0.0,
-            looks=list(self.looks(k)),
+            visuals=list(self.visuals(k)),
             location=location,
         )
         first = int(model.body_jntadr[k])
@@ -415,7 +415,7 @@ class _MjcfReader:
             constraint_kind, ends[0][0], ends[1][0], (ends[0][1], ends[1][1]), rotation
         )
 
-    def looks(self, body: int) -> Iterator[VisualShape]:
+    def visuals(self, body: int) -> Iterator[VisualShape]:
         model, mujoco = self.model, self.mujoco
         first = int(model.body_geomadr[body])
         for g in range(first, first + int(model.body_geomnum[body])):

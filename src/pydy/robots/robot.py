@@ -62,7 +62,7 @@ class Robot:
         self.actuators: dict[str, Any] = assembly.actuators
         self.input_ranges: dict[str, tuple[float, float]] = assembly.input_ranges
         self.left_out = tuple(dict.fromkeys(tree.left_out))
-        self._looks = [tree.looks, *(link.looks for link in tree.links)]
+        self._visuals = [tree.visuals, *(link.visuals for link in tree.links)]
 
     def __repr__(self) -> str:
         definition = self.definition
@@ -147,7 +147,7 @@ class Robot:
 
         _, world = self._link_frames[0]
         visuals: list[Any] = []
-        for (name, link_frame), looks in zip(self._link_frames, self._looks, strict=True):
+        for (name, link_frame), looks in zip(self._link_frames, self._visuals, strict=True):
             for k, shape in enumerate(looks):
                 frame, point = link_frame
                 if (shape.rotation != [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).any():

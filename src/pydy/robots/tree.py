@@ -68,8 +68,8 @@ class Link:
     centre: np.ndarray = field(default_factory=lambda: np.zeros(3))
     # (3, 3), about the mass centre, in the link's axes.
     inertia: np.ndarray = field(default_factory=lambda: np.zeros((3, 3)))
-    lightened: float = 0.0  # the fraction of its weight that is compensated
-    looks: list[VisualShape] = field(default_factory=list)
+    gravity_compensation: float = 0.0  # the fraction of its weight that is compensated
+    visuals: list[VisualShape] = field(default_factory=list)
     location: str = ""
 
 
@@ -137,7 +137,7 @@ class Tree:
     start: dict[str, np.ndarray] = field(default_factory=dict)
     # Properties of the file without a counterpart here, a line each.
     left_out: list[str] = field(default_factory=list)
-    looks: list[VisualShape] = field(default_factory=list)  # of the world
+    visuals: list[VisualShape] = field(default_factory=list)  # of the world
 
     def check(self) -> None:
         """Raise an error for negative masses, and for joints that move no mass."""

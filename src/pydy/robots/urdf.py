@@ -127,7 +127,7 @@ class _UrdfReader:
             )
         return value
 
-    def only(self, element: ElementTree.Element, tag: str) -> ElementTree.Element | None:
+    def unique_child(self, element: ElementTree.Element, tag: str) -> ElementTree.Element | None:
         """Return the child with this tag, or None; raise an error if there are different ones."""
         children = element.findall(tag)
         if any(_content(child) != _content(children[0]) for child in children[1:]):
@@ -138,7 +138,7 @@ class _UrdfReader:
         return children[0] if children else None
 
     def child(self, element: ElementTree.Element, tag: str) -> ElementTree.Element:
-        child = self.only(element, tag)
+        child = self.unique_child(element, tag)
         if child is None:
             name = element.get("name")
             of_name = f" of '{name}'" if name else ""
@@ -180,7 +180,7 @@ class _UrdfReader:
         return float(self.numbers(element, attribute, default, 1)[0])
 
     def pose(self, element: ElementTree.Element) -> tuple[np.ndarray, np.ndarray]:
-        origin = self.only(element, "origin")
+        origin = self.unique_child(element, "origin")
         position = self.numbers(origin, "xyz", 0.0, 3)
         return position, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
 
@@ -232,11 +232,11 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     ]
     _check_mimics(tree_links)
     tree = Tree(root.get("name") or path.stem, tree_links, motors, left_out=left_out)
-    _set_free(tree)
+    _place_floating_links(tree)
     return tree
 
 
-def _set_free(tree: Tree) -> None:
+def _place_floating_links(tree: Tree) -> None:
     """Set the start of floating links to the file's pose."""
     for link in tree.links:
         if [joint.kind for joint in link.joints] != ["free"]:
@@ -341,11 +341,11 @@ def _link(
         link.parent = numbers[reader.child(above, "parent").get("link")]
         link.origin, link.rotation = reader.pose(above)
         link.joints = _joints(reader, above, left_out)
-    inertial = reader.only(element, "inertial")
+    inertial = reader.unique_child(element, "inertial")
     if inertial is not None:
         link.mass = reader.number(reader.child(inertial, "mass"), "value", None)
         link.centre, rotation = reader.pose(inertial)
-        inertia_element = reader.only(inertial, "inertia")
+        inertia_element = reader.unique_child(inertial, "inertia")
         xx, yy, zz, xy, xz, yz = (
             reader.number(inertia_element, f"i{axes}", 0.0)
             for axes in ("xx", "yy", "zz", "xy", "xz", "yz")
@@ -355,7 +355,7 @@ def _link(
     for visual in element.findall("visual"):
         shape = _visual_shape(reader, visual, left_out)
         if shape is not None:
-            link.looks.append(shape)
+            link.visuals.append(shape)
     return link
 
 
@@ -447,7 +447,7 @@ def _joints(
     joint = RobotJoint(name, _MOVING[kind], location=location)
     if joint.kind == "free":
         return [joint]
-    limit, dynamics = (reader.only(element, tag) for tag in ("limit", "dynamics"))
+    limit, dynamics = (reader.unique_child(element, tag) for tag in ("limit", "dynamics"))
     joint.damping = reader.number(dynamics, "damping", 0.0)
     joint.friction = reader.number(dynamics, "friction", 0.0)
     if joint.kind == "ball":
@@ -467,7 +467,7 @@ def _joints(
             left_out.append(f"the limits of the joint '{name}', the lower of which is the upper")
         elif kind != "continuous" and low:
             left_out.append(f"the limits of the joint '{name}', which are equal, {low:g}")
-    mimic = reader.only(element, "mimic")
+    mimic = reader.unique_child(element, "mimic")
     if mimic is not None:
         joint.mimics = (
             reader.text(mimic, "joint"),
@@ -482,7 +482,7 @@ def _joints(
 
 
 def _axis(reader: _UrdfReader, element: ElementTree.Element, default: list[float]) -> np.ndarray:
-    axis = reader.only(element, "axis")
+    axis = reader.unique_child(element, "axis")
     components = reader.numbers(axis, "xyz", default, 3)
     components = components / (np.abs(components).max() or 1.0)  # avoids overflow of squares
     size = np.linalg.norm(components)

@@ -119,7 +119,7 @@ class ShootingFit:
         )
         return motion.trajectory
 
-    def fly(
+    def simulate_segment(
         self, z: np.ndarray, k: int, segment: _TrialSegment
     ) -> tuple[Trajectory, list[int], int]:
         """Simulate a segment; return its motion, the columns, and the first sample's index."""
@@ -147,7 +147,7 @@ class ShootingFit:
         values, slopes, gaps = [], [], []
         for k, d in enumerate(self.problem.trials):
             for j, segment in enumerate(self.segments[k]):
-                motion, columns, skip = self.fly(z, k, segment)
+                motion, columns, skip = self.simulate_segment(z, k, segment)
                 run = slice(skip, skip + segment.last - segment.first)
                 noise = d.noise[segment.first : segment.last]
                 model = np.stack([motion[key][run] for key in d.keys], axis=1)
@@ -170,7 +170,7 @@ class ShootingFit:
                 slopes.append(J[measured])
                 gaps.append(np.zeros(len(values[-1]), dtype=bool))
                 if j + 1 < len(self.segments[k]):
-                    ahead = self._states_of(self.segments[k][j + 1])
+                    ahead = self._start_columns(self.segments[k][j + 1])
                     scale = self.weight / self.state_spread
                     G = np.zeros((len(self.state_indices), len(z)))
                     with np.errstate(all="ignore"):
@@ -184,12 +184,12 @@ class ShootingFit:
         self.is_gap = np.concatenate(gaps)
         return np.concatenate(values), np.concatenate(slopes)
 
-    def _states_of(self, segment: _TrialSegment) -> slice:
+    def _start_columns(self, segment: _TrialSegment) -> slice:
         """Return the columns of the initial states of a segment, which is not the first one."""
         assert segment.column is not None
         return slice(segment.column, segment.column + len(self.state_indices))
 
-    def measure(self) -> bool:
+    def update_sizes(self) -> bool:
         """Set the sizes of the states and tolerances; return whether these became much tighter.
 
         A state that is much smaller than the other coordinates, or the other speeds, may be a
@@ -215,17 +215,17 @@ class ShootingFit:
         for k, d in enumerate(problem.trials):
             for segment, following in pairwise(self.segments[k]):
                 try:
-                    end = self.fly(z, k, segment)[0].states[-1].copy()
+                    end = self.simulate_segment(z, k, segment)[0].states[-1].copy()
                 except (IntegrationError, SingularMatrixError):
                     end = np.zeros(len(problem.states))
                 for q, key in enumerate(d.keys):
                     sample = d.values[segment.last - 1, q]
                     if key in problem.states and np.isfinite(sample):
                         end[problem.states.index(key)] = sample
-                z[self._states_of(following)] = end[self.state_indices]
+                z[self._start_columns(following)] = end[self.state_indices]
                 starts.append(end[self.state_indices])
         if starts:
-            self.measure()
+            self.update_sizes()
             least = 1e-2 * self.sizes[self.state_indices]  # lower bound of the gaps' scales
             self.state_spread = np.maximum(np.std(starts, axis=0), least)
         return z
@@ -243,7 +243,7 @@ class ShootingFit:
             count += 1
             try:
                 values, slopes = self.evaluate(z, first=count == 1)
-                if count == 1 and self.measure():
+                if count == 1 and self.update_sizes():
                     values, slopes = self.evaluate(z)
             except (IntegrationError, SingularMatrixError, *refused):
                 if count == 1:
