@@ -31,7 +31,7 @@ from pydy._interpolation import evenly
 from pydy._names import few
 from pydy._rank import DIGITS, least_step, or_one, roundings
 from pydy.solvers.outcome import Outcome
-from pydy.solvers.tuning import EXCESS, LOST, NEAR_SINGULAR
+from pydy.solvers.tuning import ENERGY_ROUNDING, EXCESS, NEAR_SINGULAR
 
 if TYPE_CHECKING:
     pass
@@ -144,11 +144,11 @@ class ConstraintResiduals(NamedTuple):
         return f"The residuals at t = {t!r} are {residuals}."
 
     @staticmethod
-    def warn_of_reset(event: str, description: str, where: str = "The") -> None:
+    def warn_of_reset(event: str, description: str, subject: str = "The") -> None:
         """Warn that a reset moved the state off the constraints."""
         warn_user(
-            f"{where} reset of the event `{event}` leaves the constraints, and nothing will bring "
-            f"the motion back onto them. {description} Let the reset give all states that change, "
+            f"{subject} reset of the event `{event}` leaves the constraints, and nothing will "
+            f"bring the motion back onto them. {description} Let the reset give all states that change, "
             "the dependent ones too."
         )
 
@@ -285,7 +285,7 @@ class DriftCheck:
         changes = np.abs(energy["total"] - energy["total"][0])[:, 0]
         # Ten more steps: the errors of long steps, and of states between them, exceed the allowed.
         errors = self._errors(self.steps + 10.0)
-        allowed = _propagated(energy["slopes"], errors).max() + LOST * kinetic
+        allowed = _propagated(energy["slopes"], errors).max() + ENERGY_ROUNDING * kinetic
         allowed = np.broadcast_to(allowed, changes.shape)
         if self.nearness is None:  # off the constraints their forces do work
             moving = quantities("moving", self.times, self.states)

@@ -107,16 +107,16 @@ class Turn(Event):
     """The minimum of the previous event's expression, which is located near its zeros."""
 
 
-def _check_expression(value: object, what: str) -> None:
+def _check_expression(value: Any, label: str) -> None:
     """Check that a value is a scalar expression, by its attributes: solvers never import SymPy."""
     number = isinstance(value, Real) and not isinstance(value, bool | np.bool_ | np.timedelta64)
     symbolic = isinstance(getattr(value, "free_symbols", None), set)
     scalar = symbolic and getattr(value, "is_commutative", False)
-    others = ("is_Relational", "is_Boolean", "is_Matrix")
+    excluded = ("is_Relational", "is_Boolean", "is_Matrix")
     if not (number or (scalar and not isinstance(value, type))) or any(
-        getattr(value, name, False) for name in others
+        getattr(value, name, False) for name in excluded
     ):
-        raise TypeError(f"{what} must be a SymPy expression or a number, got {typed(value)}.")
+        raise TypeError(f"{label} must be a SymPy expression or a number, got {typed(value)}.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -185,13 +185,13 @@ class CompiledEvents:
                 jumps[time] = [*jumps.get(time, ()), (columns, samples)]
         inputs = self.values.program.num_specifieds
         state, r = x[: self.values.program.num_states], call.inputs_at(x, t)
-        both = np.stack([state, state])
+        state_twice = np.stack([state, state])
         for time, jumping in jumps.items():
             rows = np.stack([r, r])
             for columns, samples in jumping:
                 rows[:, columns] = samples.rows(np.array([np.nextafter(time, -np.inf), time]))
             rows, times = rows[:, :inputs], np.full(2, time)
-            values = self.values.evaluate(times, both, rows, call.p)[0][:, event]
+            values = self.values.evaluate(times, state_twice, rows, call.p)[0][:, event]
             if values[0] * values[1] < 0.0:
                 return time
         reach = ROUNDINGS * ROUNDING * abs(t)
@@ -199,7 +199,7 @@ class CompiledEvents:
         for _, earlier, later in (row for row in switched if abs(row[0] - t) <= reach):
             times = np.array([earlier, later])
             rows = np.stack([call.inputs_at(x, time)[:inputs] for time in times])
-            values = self.values.evaluate(times, both, rows, call.p)[0][:, event]
+            values = self.values.evaluate(times, state_twice, rows, call.p)[0][:, event]
             if values[0] * values[1] < 0.0:
                 return float(later)
         return None

@@ -77,26 +77,26 @@ class Options:
     continuation: EventContinuation | None = None  # None: the motion starts at the first time
 
 
-def _max_step(value: object, what: str) -> float:
-    return np.inf if value is None else positive(value, what)
+def _max_step(value: Any, label: str) -> float:
+    return np.inf if value is None else positive(value, label)
 
 
-def _max_steps(value: object, what: str) -> int:
-    most = number(value, what)
+def _max_steps(value: Any, label: str) -> int:
+    most = number(value, label)
     if not most >= 1.0:
-        raise ValueError(f"{what} must be at least 1, got {value!r}.")
+        raise ValueError(f"{label} must be at least 1, got {value!r}.")
     return int(min(most, 2**62))
 
 
 def _compiled(kind: type, method: str) -> Check:
     """Return a check that a System has compiled an option."""
 
-    def check(value: Any, what: str) -> Any:
+    def check(value: Any, label: str) -> Any:
         if isinstance(value, kind | None):
             return value
         raise TypeError(
-            f"{what} cannot be passed directly to a solver, got {shown(value)}: they must be "
-            f"compiled with the equations. Call system.{method}({what[1:-1]}=…), with "
+            f"{label} cannot be passed directly to a solver, got {shown(value)}: they must be "
+            f"compiled with the equations. Call system.{method}({label[1:-1]}=…), with "
             "`system.ode_solver` set to this solver."
         )
 

@@ -102,7 +102,7 @@ class Outcome(IntEnum):
     SINGULAR_CONFIGURATION = (
         14,
         "stopped at a singular configuration of the constraints, where a combination of these rows "
-        "vanishes ({rows}): it {what},",
+        "vanishes ({rows}): it {failure},",
         "Several motions may continue from there, and the constraints do not determine which. "
         "Another step size or tolerance may pass it; a different formulation of the constraints "
         "may have no such configuration.",
@@ -117,7 +117,7 @@ class Outcome(IntEnum):
     )
     SPEEDS_NOT_GIVEN = (
         16,
-        "stopped where the constraints do not determine the dependent speeds: it {what},",
+        "stopped where the constraints do not determine the dependent speeds: it {failure},",
         "Choose other dependent coordinates and speeds, or pass System a "
         "`pydy.mechanics.Definition` without `dependent_speeds`, which needs no choice.",
     )

@@ -26,9 +26,9 @@ ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
 
 DEPENDENT = _rank.DEPENDENT
-"""A constraint's row that is this much shorter without the others' directions is redundant.
+"""A constraint is redundant if the part of its row orthogonal to the others is below this share.
 
-Rows of redundant constraints have some 1e-15 of their length left.
+For redundant constraints this part is about 1e-15 of the length, due to rounding.
 """
 
 SOUND = _rank.SOUND
@@ -65,47 +65,47 @@ about 1e-8.
 # -- step-size control, after Hairer, Nørsett, Wanner, Solving ODEs I, II.4, unless stated ---------
 
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
-"""The part of the ideal step that is taken, and how much shorter or longer the next may be.
+"""The safety factor of the step size, and the smallest and largest ratio of successive steps.
 
-HNW take 0.8 or 0.9, 0.2 to 0.5, and 1.5 to 5; their DOP853 lets it grow six times.
+HNW recommend 0.8 or 0.9, 0.2 to 0.5, and 1.5 to 5; their DOP853 allows a factor of 6.
 """
 
 AFTER_FAILURE = 0.25
-"""The factor of the next step after one without an error estimate or a solution."""
+"""The factor of the next step size after a step without an error estimate or a solution."""
 
 LEAST_ERROR = 1e-10
-"""Smaller errors count as this one, with which the step already grows by more than `GROW`."""
+"""The lower bound of errors; a step with this error already grows by more than `GROW`."""
 
 FIRST_ERROR = 1e-4
-"""The error before the first step, and the least one that counts as the last (DOPRI5's FACOLD)."""
+"""The previous error at the first step, and its lower bound later (DOPRI5's FACOLD)."""
 
 NEGLIGIBLE, TRIAL_SIZE, TRIAL_PART = 1e-5, 1e-6, 0.01
-"""States or derivatives so small in units of the tolerance say nothing: the first trial step is
-then `TRIAL_SIZE`, else `TRIAL_PART` of the time in which the state changes by itself."""
+"""If states or derivatives are below `NEGLIGIBLE` tolerances, the first trial step is `TRIAL_SIZE`;
+otherwise it is `TRIAL_PART` of the time in which the state changes by its own size."""
 
 NEGLIGIBLE_SLOPE = 1e-15
-"""First and second derivatives so small leave the first step as it is."""
+"""If first and second derivatives are smaller, the first step is not changed."""
 
 SHORTEST = 2.0**-44
-"""The first step, in units of the time: 256 roundings, so that it can be shortened if need be."""
+"""The shortest first step, in units of the time: 256 roundings, so that it can be shortened."""
 
 SLIVER = 1e-3
-"""The part of a step by which it may grow to reach its goal: a step of that length would follow."""
+"""The share by which a step may grow to reach its goal, to avoid a very short step after it."""
 
 RESOLVED = 0.0625
-"""The part of a step that must change the time: tableaus have nodes about so near to 0."""
+"""The share of a step that must still change the time: the smallest nodes of tableaus are close."""
 
 WHOLE = 1.0 - 1e-12
-"""What rounding may add to a whole number of steps, up to 10 000 roundings."""
+"""The factor that removes rounding errors from a number of steps: up to 10 000 roundings."""
 
 INSTANT = 1.0 / (RESOLVED * AFTER_FAILURE)
 """The shortest step that is made shorter for an event, in roundings of the time: the next one still
 changes the time."""
 
 CLEAR = 8.0
-"""An event crosses zero but once between samples where it changes by so many times its error. What
-oscillates by that once in between changes by up to 2π of it on the way. Nor does a state move so
-many times as fast between the stages of a step as at the fastest of them."""
+"""An event crosses zero only once between samples if it changes by this many times its error. An
+oscillation of that amplitude between samples would change it by up to 2π times the amplitude. A
+state also moves less than this many times as fast between RK stages as at the fastest stage."""
 
 STEPS_MEMORY = 2**27
 """Bytes of recorded steps above which a run discards them: 400 000 steps of 20 states."""
@@ -116,7 +116,7 @@ the largest relative one. If the motion excites the same directions, the control
 these errors smaller by a factor of a hundred and more."""
 
 LEAST_BOUNDED = 2.0**-40
-"""The part of the time span below which such an error makes no step shorter: the slope of a
+"""The share of the time span below which such errors do not shorten steps: the slope of a
 sensitivity may be infinite at a point."""
 
 LEAST_TOLERANCE = 1e-300
@@ -136,14 +136,14 @@ EXCESS = 3.0
 tolerances. Residuals with Baumgarte's stabilisation reach half of it, energies a third.
 Projection corrects accepted steps by less, most by a tenth of one tolerance."""
 
-LOST = 1e-5
-"""The share of the kinetic energy that roundings may change: ε/δ² a distance δ from a singular
-position, down to where branches can no longer be told apart."""
+ENERGY_ROUNDING = 1e-5
+"""The share of the kinetic energy that rounding errors may change: ε/δ² at a distance δ from a
+singular position, down to where branches are no longer distinguishable."""
 
 NEAR_SINGULAR = 0.05
-"""The nearness to a loss of rank below which the energy is checked: farther from singular positions
-steps are small in comparison and do not change it."""
+"""The nearness to a loss of rank below which the energy is checked. Farther from singular positions
+steps are comparatively small and do not change it."""
 
 CLOSE = 2.0**-10
-"""The share of the way to the next point that is close to an event; and of the time, which is the
-least way that is looked at. What passes through zero is then beside it by a billion roundings."""
+"""A point is close to an event if it is within this share of the distance to the next point, or of
+the time. An expression that passes through zero is then farther from it by a billion roundings."""

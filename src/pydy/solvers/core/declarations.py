@@ -60,23 +60,23 @@ def portable_sources(*names: str, texts: Mapping[str, str] | None = None) -> dic
     Other `texts` that use the header come first.
     """
     sources = {**(texts or {}), **included(*names)}
-    return {**sources, "layout.h": layout_header("\n".join(sources.values()), plain=True)}
+    return {**sources, "layout.h": layout_header("\n".join(sources.values()), portable=True)}
 
 
-def layout_header(text: str | None = None, plain: bool = False) -> str:
+def layout_header(text: str | None = None, portable: bool = False) -> str:
     """Write ``layout.h``: all constants and structs, or only the constants that a `text` uses.
 
-    A `plain` header is for any C99 compiler: blocks of one number, and explicit methods only.
+    A `portable` header is for any C99 compiler: blocks of one number, and explicit methods only.
     """
-    tables: dict[str, Sequence[type]] = {"Run": layout.RUN[:-1]} if plain else _TABLES
+    tables: dict[str, Sequence[Any]] = {"Run": layout.RUN[:-1]} if portable else _TABLES
     parts = [*tables.values()] + (
-        [] if plain else [layout.EXTENSION, layout.PROJECTION, layout.ALONG]
+        [] if portable else [layout.EXTENSION, layout.PROJECTION, layout.ALONG]
     )
     kinds: dict[type, None] = dict.fromkeys(chain.from_iterable(parts))
     structs = [*map(_struct, kinds)]
     items = {name: item for name, item in _ITEMS.items() if any(name in s for s in structs)}
     constants = {name: _exact(value) for name, value in native_constants().items()}
-    if plain:
+    if portable:
         constants["BLOCK"] = "1"
     used = constants.keys() if text is None else set(re.findall(r"\w+", text))
     lines = [f"#define {name} {value}" for name, value in constants.items() if name in used]

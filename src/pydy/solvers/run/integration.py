@@ -752,11 +752,11 @@ class Integration(Workspace):
             "size": size,
         }
         nearness, rows, determinacy = self._nearness_at(self.memory.x[: self.n].copy(), t)
-        what = Outcome(code).text.format(**details)
+        failure = Outcome(code).text.format(**details)
         if nearness < NEARLY_SINGULAR:
-            self._stop(Outcome.SINGULAR_CONFIGURATION, rows=rows, what=what)
+            self._stop(Outcome.SINGULAR_CONFIGURATION, rows=rows, failure=failure)
         if determinacy < NEARLY_SINGULAR:
-            self._stop(Outcome.SPEEDS_NOT_GIVEN, what=what)
+            self._stop(Outcome.SPEEDS_NOT_GIVEN, failure=failure)
         self._stop(code, **details)
 
     @property

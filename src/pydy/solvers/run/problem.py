@@ -124,7 +124,7 @@ class Callback:
     handler, or a full stack), stays set in the thread, and the entry that was called raises it.
     A callback of ctypes would print it and continue.
 
-    The `function` of a state and time returns so many `outputs`, called `what` in messages;
+    The `function` of a state and time returns so many `outputs`, called `label` in messages;
     interrupts are checked before each call. The `address_slot` is that of the native function,
     whose constants are c. If a step ends at a jump of sampled inputs, the function gets the last
     time before it, `until`.
@@ -135,13 +135,13 @@ class Callback:
         function: Callable[..., ArrayLike],
         n: int,
         outputs: int,
-        what: str,
+        label: str,
         interrupts: Interrupts,
     ) -> None:
         self._function = function
         self._outputs = outputs
         self._shape = (outputs,)
-        self._what = what
+        self._label = label
         self._interrupts = interrupts
         self._buffer = np.zeros(1 + n + outputs)  # time, state, values
         self.until = np.array([np.inf])
@@ -155,7 +155,7 @@ class Callback:
         values = self._function(self._x.copy(), min(float(self._buffer[0]), float(self.until[0])))
         # Assignment would broadcast short arrays, parse text, and drop imaginary parts.
         if type(values) is not np.ndarray or values.dtype != float or values.shape != self._shape:
-            values = vector(values, self._outputs, self._what)
+            values = vector(values, self._outputs, self._label)
         self._out[:] = values
 
 

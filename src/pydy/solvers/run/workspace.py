@@ -315,8 +315,8 @@ class Workspace:
         latest = rows[: number + 1 if number and rows[number - 1, 1] > 0.0 else number]
         return np.concatenate([*self._stored_steps, latest, last])
 
-    def _callback(self, function: Callable[..., ArrayLike], outputs: int, what: str) -> Callback:
-        callback = Callback(function, self.n, outputs, what, self.interrupts)
+    def _callback(self, function: Callable[..., Any], outputs: int, label: str) -> Callback:
+        callback = Callback(function, self.n, outputs, label, self.interrupts)
         self.callbacks.append(callback)
         return callback
 
@@ -329,7 +329,7 @@ class Workspace:
                     f"got {n}."
                 )
             return problem_arrays(self._bind_native(call.kernel, call.p), n, call)
-        what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
+        label = "What `f(x, t)` returns, one derivative for each state of `x0`,"
 
         def rates(x: np.ndarray, t: float) -> ArrayLike:
             try:
@@ -338,7 +338,7 @@ class Workspace:
                 error.add_note("This came from `f`, called as f(x, t, *args).")
                 raise
 
-        callback = self._callback(rates, n, what)
+        callback = self._callback(rates, n, label)
         return problem_arrays(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
@@ -349,8 +349,8 @@ class Workspace:
             bound = self._bind_native(kernel, call.p)
             return bound.address_slot, bound.c
         outputs = sum(b.stop - b.start for b in kernel.program.blocks)
-        what = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
-        callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, what)
+        label = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
+        callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, label)
         return callback.address_slot, callback.c
 
     def _bind_native(self, kernel: Kernel, p: np.ndarray) -> KernelBinding:
