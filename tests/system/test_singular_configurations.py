@@ -83,8 +83,8 @@ def test_the_n_four_bar_passes_its_singular_positions_with_its_rods_parallel(win
             options = options_of(solver, tolerance, max_step)
             x = system.integrate(constraints="project", **options)
             total = system.evaluate_energy(x=x).total
-            # ε/δ² a distance δ from the position (see ENERGY_ROUNDING in the solvers' tuning.py): how
-            # near a step ends, its roundings decide. In three of 432 runs it is above 1e-6.
+            # ε/δ² a distance δ from the position (see ENERGY_ROUNDING in the solvers' tuning.py):
+            # how near a step ends, its roundings decide. In three of 432 runs it is above 1e-6.
             assert np.abs(total / total[0] - 1.0).max() < 3e-5 + 100 * tolerance
             # The velocity at the singular position is that of the parallelogram it has been.
             posts, rates = x[:, : windows + 1], x[:, 2 * windows + 1 : 3 * windows + 2]

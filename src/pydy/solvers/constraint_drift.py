@@ -148,8 +148,8 @@ class ConstraintResiduals(NamedTuple):
         """Warn that a reset moved the state off the constraints."""
         warn_user(
             f"{subject} reset of the event `{event}` leaves the constraints, and nothing will "
-            f"bring the motion back onto them. {description} Let the reset give all states that change, "
-            "the dependent ones too."
+            f"bring the motion back onto them. {description} Let the reset give all states that "
+            "change, the dependent ones too."
         )
 
 
