@@ -76,7 +76,22 @@ from pydy._mechanics import (
 from pydy._motion import SolveIvp, is_odeint, native_solver, resolve_ode_solver
 from pydy._names import name_of, nearest, some
 from pydy._optional import progress_of
-from pydy._problem import DefinitionBuilder, Energy, EnergyModel, Model, Problem, Settings, SymbolSet, base_symbols, check_forces, check_potential, check_times, checked_plan, evaluate_specifieds, read_numbers
+from pydy._problem import (
+    DefinitionBuilder,
+    Energy,
+    EnergyModel,
+    Model,
+    Problem,
+    Settings,
+    SymbolSet,
+    base_symbols,
+    check_forces,
+    check_potential,
+    check_times,
+    checked_plan,
+    evaluate_specifieds,
+    read_numbers,
+)
 from pydy._states import check_dependents, default_dependents, given_values, solve_dependents
 from pydy.analysis import (
     AdjointGradient,
@@ -260,7 +275,7 @@ class System:
         base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
         self._define = DefinitionBuilder(self._equations, base, self._energies)
         self._options: dict[str, object] = {}
-        self._generated: list[Generated] = []  # the latest first
+        self._generated: list[GeneratedFunction] = []  # the latest first
         self._constants: dict[SymbolOrName, float] = {}
         self._implied: dict[sm.Symbol, float] = {}  # constants that are not the user's: of contacts
         self._has_contacts = False  # whether Contacts were made of it
@@ -354,12 +369,14 @@ class System:
         if further:
             definition = self._define.widened(definition, further)
         made = self._compiled(definition)
-        user: dict[str, dict[Any, Any]] = {
-            "constants": {**self._implied, **self._constants},
-            "specifieds": dict(self._specifieds),
-            "initial_conditions": dict(self._initial_conditions),
-        }
-        solved = None if self._dependent is None else tuple(self._dependent)
+        settings = Settings(
+            {**self._implied, **self._constants},
+            dict(self._specifieds),
+            dict(self._initial_conditions),
+            self._times,
+            self._contradicted,
+            None if self._dependent is None else tuple(self._dependent),
+        )
         return Problem(
             made.definition,
             Model(made.definition, made.code, self._energies, self._told),
@@ -2757,7 +2774,9 @@ class System:
 
     # -- JAX and PyTorch ---------------------------------------------------------------------------
 
-    def _layer_functions(self, contacts: Contacts | None, options: dict[str, Any]) -> Functions:
+    def _layer_functions(
+        self, contacts: Contacts | None, options: dict[str, Any]
+    ) -> LayerFunctions:
         """Return the functions of the System as it is now."""
         if contacts is not None:
             self._checked_contacts(contacts)

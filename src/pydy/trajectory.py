@@ -569,13 +569,13 @@ class Trajectory(Continued):
         """
         times = checked_times(times, self.times)
         if descends(times):
-            result: Trajectory = turned(self.at(times[::-1]))
+            result: Trajectory = reversed_rows(self.at(times[::-1]))
             return result
         if descends(self.times):
-            result = turned(self).at(times)
+            result = reversed_rows(self).at(times)
             return result
         source = self._sensitivity
-        states, values = between(self, times)
+        states, values = states_between(self, times)
         if self._model is not None:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)

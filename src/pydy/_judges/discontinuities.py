@@ -288,7 +288,9 @@ def _acts(problem: Problem, columns: Sequence[int], t: float) -> bool:
         [problem.x, *problem.x + np.random.default_rng(0).uniform(0.3, 1.3, (3, len(problem.x)))]
     )
     times = np.full(len(x), t)
-    at = replace(problem.at(times, x), model=problem.model.code, r=evaluate_specifieds(problem, times, x))
+    at = replace(
+        problem.at(times, x), model=problem.model.code, r=evaluate_specifieds(problem, times, x)
+    )
     values = at.interpret(_InputSlopes(tuple(columns)))
     return not is_zero(values["slopes"], values["bounds"]).all()
 

@@ -222,7 +222,7 @@ class _OrbitSearch:
         """Return the sizes of all states during a motion of one period."""
         natural, moved = energetic_motions(self.problem, times, states)
         most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
-        speeds = np.arange(len(end)) >= self.problem.coordinate_count
+        speeds = np.arange(len(end)) >= len(self.problem.definition.equations.coordinates)
         return StateSizes(self.free, speeds, natural, moved).sizes(most, rates, length)
 
     def map_period(self, z: np.ndarray, length: float) -> PeriodMap:
@@ -236,7 +236,7 @@ class _OrbitSearch:
         if gap < self.smallest_gap:
             self.smallest_gap = gap
             self.nearest.update(
-                period=period_map.period, initial_conditions=problem.initial_conditions
+                period=period_map.period, initial_conditions=_initial_conditions(problem)
             )
         self.progress(1, gap=f"{gap:.3g}")
         return period_map
@@ -360,7 +360,7 @@ class _OrbitSearch:
         moved = np.ptp(motion.states[:, free], axis=0)
         return PeriodicOrbit(
             period=period_map.period,
-            initial_conditions=start_problem.initial_conditions,
+            initial_conditions=_initial_conditions(start_problem),
             states=tuple(names),
             monodromy=period_map.by_start,
             residual=residual,
@@ -378,7 +378,7 @@ class _OrbitSearch:
         if not np.isfinite(motion.trajectory.outputs).all():
             warn_of_outputs(motion.trajectory, motion.problem)
         if self.original.definition.assumes_motions:
-            self.original.check_motion(motion.times, motion.states)
+            AssumptionChecks(self.original).motion(motion.times, motion.states)
         warn_of_jumps(motion.problem, lambda: motion.trajectory)
         if self.until is None and not self.autonomous:
             _check_period(motion, period)

@@ -257,7 +257,7 @@ class Work:
                 subject = "In one sample or more, the"
                 ConstraintResiduals.warn_of_reset(record.name, off, subject)
 
-    def _warn_of_jumps(self, batch: Batch, times: np.ndarray, watched: Watched) -> None:
+    def _warn_of_jumps(self, batch: Batch, times: np.ndarray, watched: WatchedQuantities) -> None:
         """Warn of the first of some samples with a discontinuity that its derivatives miss."""
         for k in evenly(len(batch.x), DriftCheck.MOST_STATES).tolist():
             if "jumps" in self.warned or batch.stopped():

@@ -1,6 +1,6 @@
 from .assemble import (
     JointSymbols as JointSymbols,
-    LinkFrame as LinkFrame,
+    Place as Place,
     TendonSymbols as TendonSymbols,
 )
 from .robot import Robot as Robot, read as read

@@ -377,7 +377,7 @@ class Scene:
         animation = animate(*scene, film_motion)
 
         def moved(run: Any) -> Animation:
-            values = (Keyed(motion.values) | dict(run.constants)).data
+            values = (SymbolDict(motion.values) | dict(run.constants)).data
             symbols = symbols_of(self.visuals, self.series)
             return animate(*scene, motion_of_trajectory(run, self._model, values, symbols))
 
