@@ -126,7 +126,7 @@ class Problem:
         warned, before = latest.get("plan", (None, None))
         plan: SpecifiedsPlan | None = None
         if warned is already_warned:
-            plan = before.again(settings.specifieds)
+            plan = before.with_changed_floats(settings.specifieds)
         if plan is None:
             plan = checked_plan(
                 self.definition, settings.specifieds, already_warned, settings.contradicted
