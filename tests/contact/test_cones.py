@@ -118,15 +118,15 @@ def test_cones_of_redundant_feet_include_the_impulse_of_the_first_phase():
         known = np.stack([normal, size * np.cos(angle), size * np.sin(angle)], axis=1).ravel()
         friction = np.full(4, mu)
         problem = replace(
-            problem, free=-problem.square @ known, mu=friction, hold=friction, pressed=given
+            problem, free=-problem.delassus @ known, mu=friction, hold=friction, pressed=given
         )
 
-        least = np.linalg.lstsq(problem.square, -problem.free, rcond=1e-9)[0]
+        least = np.linalg.lstsq(problem.delassus, -problem.free, rcond=1e-9)[0]
         moved += _margin(least, given, mu) < 0.0  # then forces of the null space have to be added
         found = select_modes(problem, [[STICKS]] * 4)
         assert found is not None
         assert _margin(found.forces, given, mu) > -1e-9
-        np.testing.assert_allclose(problem.square @ found.forces, -problem.free, atol=1e-9)
+        np.testing.assert_allclose(problem.delassus @ found.forces, -problem.free, atol=1e-9)
     assert moved >= 3
 
 
@@ -138,7 +138,7 @@ def test_impacts_of_bodies_on_several_feet_satisfy_coulombs_law(feet):
         found = select_modes(problem, [[STICKS, STARTING, OPEN]] * feet)
         assert found is not None
         p = found.forces.reshape(feet, 3)
-        after = (problem.free + problem.square @ found.forces).reshape(feet, 3)
+        after = (problem.free + problem.delassus @ found.forces).reshape(feet, 3)
         size = abs(p).max() + 1.0
         assert p[:, 0].min() > -1e-9 * size
         assert after[:, 0].min() > -1e-9

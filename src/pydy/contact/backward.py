@@ -52,7 +52,7 @@ class RecordedTransitions(Transitions):
         self._unit = np.eye(n, n + len(requested))
         super().__init__(rows, problem, [*[None] * n, *constants_by_column], self._unit)
         self.counts = {p.symbol: p.count for p in self._parameters}
-        self.stretches: list[tuple[MotionSegment, np.ndarray, np.ndarray]] = []
+        self.adjoint_segments: list[tuple[MotionSegment, np.ndarray, np.ndarray]] = []
 
     def simulate(
         self, mode: Mode, start: np.ndarray, problem: Problem, solver: Any, options: dict[str, Any]
@@ -89,7 +89,7 @@ class RecordedTransitions(Transitions):
 
     def store_segment(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
         """Store the latest segment."""
-        self.stretches.append(self._latest)
+        self.adjoint_segments.append(self._latest)
 
     def locate_end(self, record: EventRecord, rates: np.ndarray) -> None:
         """Begin the matrix of a transition at the event that ends a mode."""
@@ -118,8 +118,8 @@ def gradient(run: ContactRun) -> AdjointGradient:
     """Run a simulation with recorded transitions, and return the gradient."""
     recorded: Any = run.transitions
     trajectory = run.motion().trajectory
-    stretches, n = recorded.stretches, run.n
-    last = stretches[-1][0]
+    segments, n = recorded.adjoint_segments, run.n
+    last = segments[-1][0]
     if any(time == last.end for time, _, _ in run.impacts[-1:]) and len(last.starts):
         raise run.fail(
             last.end, last.last[:n],
@@ -131,21 +131,19 @@ def gradient(run: ContactRun) -> AdjointGradient:
     last.finish(end_varies=any(record.name in terminal for record in at_end))
     by_state = np.zeros(n)
     try:
-        for k, (stretch, matrix, time) in reversed([*enumerate(stretches)]):
-            stretch.back()
-            by_state = stretch.back_through_transition(
-                matrix, time, stretches[k - 1][0] if k else None
-            )
+        for k, (segment, matrix, time) in reversed([*enumerate(segments)]):
+            segment.back()
+            by_state = segment.through(matrix, time, segments[k - 1][0] if k else None)
     except KeyboardInterrupt as stop:
         raise last.interrupted(trajectory.times, trajectory.states) from stop
-    values = stretches[0][0].by_parameters(by_state @ recorded.start)
+    values = segments[0][0].by_parameters(by_state @ recorded.start)
     if recorded.together:  # simultaneous transitions: check by forward sensitivities
         columns = HybridSensitivities([*recorded.counts], False, run.rows, run.problem)
         ContactRun(
             run.compiled, run.solver, run.problem, run.times, run.user_events, run.options, columns
         ).motion()
         by_state = np.full(n, np.nan)
-    value = sum(stretch.value for stretch, _, _ in stretches)
+    value = sum(segment.value for segment, _, _ in segments)
     statistics = dict(trajectory.statistics or {})
     return AdjointGradient(
         value, values, recorded.counts, by_state, last.end, statistics, lambda: trajectory

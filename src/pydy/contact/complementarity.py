@@ -180,7 +180,7 @@ class ComplementarityProblem:
     """The complementarity problem of accelerations, or of velocities in an impact."""
 
     free: np.ndarray  # (rows,), c
-    square: np.ndarray  # (rows, rows), A
+    delassus: np.ndarray  # (rows, rows), A = J M⁻¹ Jᵀ
     normal: Sequence[int | None]  # the normal row of each contact
     tangent: Sequence[Sequence[int]]  # the tangential rows of each contact: none, one or two
     # (contacts,), coefficients of kinetic and of static friction.
@@ -202,7 +202,7 @@ class ComplementarityProblem:
     def terms(self, forces: np.ndarray) -> np.ndarray:
         """Return the sums of the absolute terms of a, with forces λ."""
         sizes = np.abs(self.free) if self.sizes is None else self.sizes
-        return np.asarray(sizes + np.abs(self.square) @ np.abs(forces))
+        return np.asarray(sizes + np.abs(self.delassus) @ np.abs(forces))
 
     def rounding(self, forces: np.ndarray) -> np.ndarray:
         """Return bounds on the rounding errors of velocities a with impulses λ; zero for forces.
@@ -212,7 +212,7 @@ class ComplementarityProblem:
         """
         if self.sizes is not None:
             return np.zeros(len(self.free))
-        root = np.sqrt(np.abs(np.diag(self.square)))
+        root = np.sqrt(np.abs(np.diag(self.delassus)))
         terms = np.abs(self.free) + root * (root @ np.abs(forces))
         return np.asarray(ROUNDING_MARGIN * ROUNDING * terms)
 
@@ -275,7 +275,7 @@ def independent(square: np.ndarray, rows: Sequence[int]) -> list[int]:
 
 def linked(problem: ComplementarityProblem, contacts: Collection[int]) -> set[int]:
     """Return these contacts, and all others whose forces are coupled with theirs."""
-    size = np.sqrt(np.abs(problem.square.diagonal()))
+    size = np.sqrt(np.abs(problem.delassus.diagonal()))
     rows = {
         i: [*(() if (n := problem.normal[i]) is None else (n,)), *problem.tangent[i]]
         for i in problem.closed
@@ -288,7 +288,7 @@ def linked(problem: ComplementarityProblem, contacts: Collection[int]) -> set[in
             i
             for i in rows.keys() - connected
             if (
-                np.abs(problem.square[np.ix_(rows[i], latest_rows)])
+                np.abs(problem.delassus[np.ix_(rows[i], latest_rows)])
                 > ROUNDED * np.outer(size[rows[i]], size[latest_rows])
             ).any()
         }
@@ -346,7 +346,7 @@ def _solve_rows(
     """
     active = rows_of_modes(problem, modes)
     unknown, forces = directions(problem, modes)
-    free, square = problem.free, problem.square
+    free, square = problem.free, problem.delassus
     null = np.zeros((len(active), 0))
     if not active:
         return forces, np.zeros(0), null
@@ -381,7 +381,7 @@ def _solve_rows(
 def solved(problem: ComplementarityProblem, modes: Sequence[str]) -> ModeSolution:
     """Return the forces of a combination, with the margins of its inequalities."""
     forces, violation, null = _solve_rows(problem, modes)
-    free, square, active = problem.free, problem.square, rows_of_modes(problem, modes)
+    free, square, active = problem.free, problem.delassus, rows_of_modes(problem, modes)
     rates = free + square @ forces
     terms, rounding = problem.terms(forces), problem.rounding(forces)
     consistent = bool((violation <= rounding[active]).all()) if active else True
@@ -548,7 +548,7 @@ def _relaxed(
         numbers = [float(part[i]) for part in (problem.mu, problem.hold, problem.pressed)]
         contacts.append((i, normal, tangent, *numbers))
     before: list[str] = []
-    for estimate in relaxed(problem.free, problem.square, contacts, tied):  # type: ignore[arg-type]
+    for estimate in relaxed(problem.free, problem.delassus, contacts, tied):  # type: ignore[arg-type]
         if not np.isfinite(estimate.forces).all():
             return None
         modes = []

@@ -306,7 +306,7 @@ class Contacts:
         active = rows_of_modes(
             run.complementarity(p, State(problem.t, problem.x, set(), set(), set())), combination
         )
-        enforced = tuple(independent(p.square, active))
+        enforced = tuple(independent(p.delassus, active))
         mode = compiled.mode(tuple(combination), enforced, active)[0]
         system = System(mode.equations, **compiled.settings(mode))
         system._contradicted = None  # do not warn about the same values again

@@ -121,7 +121,7 @@ def newton(
     solution = select_modes(replace(problem, free=start, sizes=None), _options(problem))
     if solution is None:
         return None
-    rates = speed + problem.square @ solution.forces
+    rates = speed + problem.delassus @ solution.forces
     return ImpactResult(
         solution.forces, rates, (Phase(solution.forces, rates, solution.modes, np.zeros(len(e))),)
     )
@@ -144,7 +144,7 @@ def poisson(
     first = Phase(pressing.forces, pressing.rates, pressing.modes, np.zeros(len(e)))
     if not restitution_impulses.any():
         return ImpactResult(pressing.forces, pressing.rates, (first,))
-    free = pressing.rates + problem.square @ returned
+    free = pressing.rates + problem.delassus @ returned
     pushed = [int(i) for i in np.flatnonzero(restitution_impulses)]
     options_by_contact = _options(problem)
     for number in range(len(pushed) + 1):
@@ -196,13 +196,13 @@ def apply_impacts(run: Any, state: Any, closing: set[int]) -> None:
         if normal is not None
         and (i in closing | state.closed or (i in state.separating and p.is_closed(i)))
     }
-    rows.check_directions(hit - run.struck, run.values(state.t, state.x))
-    run.struck |= hit
+    rows.check_directions(hit - run.impacted, run.values(state.t, state.x))
+    run.impacted |= hit
     problem = run.complementarity(p, state)
     rates = solved(problem, run.modes).rates
     for i in sorted(closing):  # impacts that rounding of the gap or the time could reverse
         speed, rate = abs(p.speed[rows.normal[i]]), abs(rates[rows.normal[i]])
-        least = ROUNDING * p.near[i] + speed * run.resolution(state.t)
+        least = ROUNDING * p.gap_rounding[i] + speed * run.resolution(state.t)
         if speed**2 <= 16.0 * rate * least and (
             why := diagnose_flat_gap(run, state.t, state.x, [i])
         ):
@@ -315,7 +315,10 @@ def _update_contact(
     normal, rows, mode = run.rows.normal[i], run.rows.tangent[i], impact.modes[i]
     by_phases = run.compiled.hypothesis == "poisson"
     leaves = impact.rates[normal] if by_phases or mode == OPEN else -ratio * p.speed[normal]
-    slow = max(SLACK * abs(p.speed[normal]), ROUNDING_MARGIN * np.finfo(float).eps * q.slow[normal])
+    slow = max(
+        SLACK * abs(p.speed[normal]),
+        ROUNDING_MARGIN * np.finfo(float).eps * q.speed_rounding[normal],
+    )
     state.at_rest.discard(i)
     if leaves > slow and leaves > 0.0:
         state.closed.discard(i)

@@ -123,7 +123,7 @@ def diagnose_flat_gap(run: Any, t: float, x: np.ndarray, contacts: Collection[in
     p = run.numbers(t, x)
     for i in contacts:
         normal = run.rows.normal[i]
-        inverse_mass = p.square[normal, normal]
+        inverse_mass = p.delassus[normal, normal]
         if not np.isfinite(inverse_mass):
             cause = diagnosis_of(run.problem.at(np.array([t]), x[None]))
             return (
@@ -132,12 +132,12 @@ def diagnose_flat_gap(run: Any, t: float, x: np.ndarray, contacts: Collection[in
             )
         step = np.zeros(run.first)
         if inverse_mass > 0.0:
-            least = ROUNDING * p.near[i] + abs(p.speed[normal]) * run.resolution(t)
+            least = ROUNDING * p.gap_rounding[i] + abs(p.speed[normal]) * run.resolution(t)
             step = p.kinematics @ p.response[:, normal] * (least / inverse_mass)
         for shift in (step, -step):
             shifted = x.copy()
             shifted[: run.first] += shift
-            neighbour = run.numbers(t, shifted).square[normal, normal]
+            neighbour = run.numbers(t, shifted).delassus[normal, normal]
             if not inverse_mass / 4.0 < neighbour < 4.0 * inverse_mass:
                 return (
                     f"The gap of {run.contacts[i].name!r} has no slope where it closes: no speed "

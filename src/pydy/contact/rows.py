@@ -43,16 +43,16 @@ class StartError(InfeasibleError):
 Parts = dict[str, tuple[tuple[int, ...], Sequence[int]]]  # shapes and nodes, by name
 
 
-_LATE = ("free", "terms", "square", "response")  # they need M⁻¹; open contacts do without
+_LATE = ("free", "terms", "delassus", "response")  # they need M⁻¹; open contacts do without
 
 
 class RowValues:
     """The rows at one state, evaluated lazily: those that need M⁻¹, and the others."""
 
     gap: np.ndarray  # (contacts,); zero without one
-    near: np.ndarray  # (contacts,), bounds on the rounding errors of the gaps, in units of 2⁻⁵²
+    gap_rounding: np.ndarray  # (contacts,), bounds on rounding errors, in units of 2⁻⁵²
     speed: np.ndarray  # (rows,), J u + …
-    slow: np.ndarray  # (rows,), bounds on the rounding errors of the speeds
+    speed_rounding: np.ndarray  # (rows,), bounds on the rounding errors of the speeds
     kinematics: np.ndarray  # (coordinates, speeds), ∂q'/∂u
     gradient: np.ndarray  # (contacts, coordinates), of the gaps
     normal: np.ndarray  # (contacts,), known normal forces
@@ -61,7 +61,7 @@ class RowValues:
     mu_static: np.ndarray
     free: np.ndarray  # (rows,), J a + b
     terms: np.ndarray  # (rows,), the sums of the absolute terms of `free`
-    square: np.ndarray  # (rows, rows), J W
+    delassus: np.ndarray  # (rows, rows), the Delassus matrix J W = J M⁻¹ Jᵀ
     response: np.ndarray  # (speeds, rows), W
 
     def __init__(self, rows: ContactRows, *point: np.ndarray) -> None:
@@ -78,23 +78,23 @@ class RowValues:
 
     def is_closed(self, i: int) -> bool:
         """Return whether a gap is zero within its rounding errors."""
-        return bool(self.gap[i] <= ROUNDING_MARGIN * ROUNDING * self.near[i])
+        return bool(self.gap[i] <= ROUNDING_MARGIN * ROUNDING * self.gap_rounding[i])
 
     def moving(self) -> np.ndarray:
         """Return the speeds, with those within their rounding errors set to zero."""
         return np.where(
-            np.abs(self.speed) <= ROUNDING_MARGIN * ROUNDING * self.slow, 0.0, self.speed
+            np.abs(self.speed) <= ROUNDING_MARGIN * ROUNDING * self.speed_rounding, 0.0, self.speed
         )
 
     def after(self, impulses: np.ndarray) -> RowValues:
         """Return the values after impulses, which enlarge the rounding bounds of the speeds."""
-        values, slow = copy(self), self.slow + np.abs(self.square) @ np.abs(impulses)
-        values.slow = slow
+        values, slow = copy(self), self.speed_rounding + np.abs(self.delassus) @ np.abs(impulses)
+        values.speed_rounding = slow
         return values
 
     def is_still(self, rows: Sequence[int], speeds: np.ndarray) -> bool:
         """Return whether sliding speeds are zero within rounding of their terms or of `speed`."""
-        sizes = np.maximum(self.slow[list(rows)], np.abs(self.speed[list(rows)]))
+        sizes = np.maximum(self.speed_rounding[list(rows)], np.abs(self.speed[list(rows)]))
         return bool(np.linalg.norm(speeds) <= ROUNDING_MARGIN * ROUNDING * np.linalg.norm(sizes))
 
 
@@ -288,12 +288,12 @@ class ContactRows:
         square = [dot(g, row, response) for row in self.jacobian for response in self.response]
         return {
             "gap": ((c,), self.gaps),
-            "near": ((c,), rounding_bounds(g, self.gaps)),
+            "gap_rounding": ((c,), rounding_bounds(g, self.gaps)),
             "speed": ((k,), self.speeds),
-            "slow": ((k,), rounding_bounds(g, self.speeds)),
+            "speed_rounding": ((k,), rounding_bounds(g, self.speeds)),
             "free": ((k,), [self.acceleration(g, row, self.free) for row in range(k)]),
             "terms": ((k,), self._terms()),
-            "square": ((k, k), square),
+            "delassus": ((k, k), square),
             "response": ((u, k), [response[j] for j in range(u) for response in self.response]),
             "kinematics": ((q, u), jacobian(g, self.formed.rates, by_u).flat()),
             "gradient": ((c, q), jacobian(g, self.gaps, by_q).flat()),
@@ -394,7 +394,7 @@ class ContactRows:
         """Whether all gaps are open, and the constants have been `checked` before."""
         if self.checked != p.tobytes() or not self._checks_constants:
             return False
-        return bool((gaps.gap > ROUNDING_MARGIN * ROUNDING * gaps.near).all())
+        return bool((gaps.gap > ROUNDING_MARGIN * ROUNDING * gaps.gap_rounding).all())
 
     def owners_of(self, active: Sequence[int]) -> dict[int, int]:
         """Return the contact of each normal row among the active rows, in their order."""

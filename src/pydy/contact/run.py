@@ -95,17 +95,17 @@ class ContactRun:
         self.first_height: dict[int, float] = {}
         self.modes: tuple[str, ...] = tuple(OPEN for _ in self.contacts)
         self.sizes = np.zeros(len(self.contacts))  # of forces where a segment begins
-        self.sure: set[int] = set()  # contacts whose own event ended the last segment
+        self.located: set[int] = set()  # contacts whose own event ended the last segment
         self.bias: np.ndarray | None = None
         self.redundant = False
-        self.quickest: dict[int, float] = {}  # largest sliding speed since the slide began
+        self.peak_speed: dict[int, float] = {}  # largest sliding speed since the slide began
         self.reached = np.ones(len(times), dtype=bool)
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
         self._latest: tuple[Any, RowValues] | None = None  # the rows at the last state evaluated
-        self.struck: set[int] = set()  # contacts that have closed
+        self.impacted: set[int] = set()  # contacts that have closed
         # Transitions found at the event of another contact; recorded if the new modes agree.
         self.pending_events: dict[int, str] = {}
-        self.widest = np.zeros(len(self.contacts))  # largest bounds on rounding of the gaps so far
+        self.gap_rounding = np.zeros(len(self.contacts))  # largest rounding bounds so far
         values = zip(problem.definition.constants, problem.p.tolist(), strict=True)
         self._numbers_of: dict[Any, float] = dict(values)
 
@@ -144,7 +144,7 @@ class ContactRun:
         """Return the complementarity problem of the accelerations at a state."""
         self.note_directions(p, state)
         return ComplementarityProblem(
-            p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
+            p.free, p.delassus, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
             frozenset(state.at_rest), frozenset(state.closed), dict(state.directions), self.bias,
             p.terms,
         )  # fmt: skip
@@ -184,7 +184,7 @@ class ContactRun:
         """Return the state at the first time, after the impacts that happen there."""
         t, x = float(self.times[0]), self.problem.x.copy()
         p = self.numbers(t, x)
-        self.widest = p.near
+        self.gap_rounding = p.gap_rounding
         if self.start_modes is None and self.rows.are_open(p, self.problem.p):
             return State(t, x, set(), set(), set())
         check_values(self.contacts, p)
@@ -200,9 +200,9 @@ class ContactRun:
             if normal is None or (self.start_modes is not None and self.start_modes[i] != OPEN):
                 state.closed.add(i)
                 continue
-            nothing = ROUNDING_MARGIN * np.finfo(float).eps * p.near[i]
+            nothing = ROUNDING_MARGIN * np.finfo(float).eps * p.gap_rounding[i]
             # A gap with zero slope may be at its maximum if it is open.
-            if not (p.gap[i] > nothing or p.square[normal, normal] > 0.0):
+            if not (p.gap[i] > nothing or p.delassus[normal, normal] > 0.0):
                 raise self.fail(t, x, diagnose_flat_gap(self, t, x, [i]))
             if -p.gap[i] > max(nothing, self.unresolved_gap(i, p, x)):
                 why = (
@@ -250,7 +250,7 @@ class ContactRun:
             return all_open(len(self.contacts), len(self.rows.speeds))
         p = self.numbers(state.t, state.x)
         rest_rows = [row for i in sorted(state.at_rest) for row in self.rows.tangent[i]]
-        if len(enforced := independent(p.square, rest_rows)) < len(rest_rows):
+        if len(enforced := independent(p.delassus, rest_rows)) < len(rest_rows):
             # Redundant rows at rest: residual speeds would make their accelerations inconsistent.
             self.settle(state, tuple(enforced))
             p = self.numbers(state.t, state.x)
@@ -259,8 +259,8 @@ class ContactRun:
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
             if normal is not None and rows and fixed.get(i) != OPEN:
                 unit = state.directions[i] if len(rows) == 2 else np.sign(p.speed[rows])
-                push = p.mu[i] * p.square[normal, rows] @ unit
-                if p.square[normal, normal] - push <= SLACK * p.square[normal, normal]:
+                push = p.mu[i] * p.delassus[normal, rows] @ unit
+                if p.delassus[normal, normal] - push <= SLACK * p.delassus[normal, normal]:
                     raise self.fail(
                         state.t, state.x,
                         f"Painlevé's paradox: a normal force at {self.contacts[i].name!r}, which "
@@ -270,9 +270,9 @@ class ContactRun:
         possible = [self.options_of(state, p, i) for i in range(len(self.contacts))]
         candidates = [[fixed[i]] if i in fixed else modes for i, modes in enumerate(possible)]
         solution = select_modes(problem, candidates, excluded)
-        if solution is None and fixed.keys() - self.sure:
+        if solution is None and fixed.keys() - self.located:
             # Transitions inferred from nearly zero values may be wrong; located events are not.
-            tied = self.sure & fixed.keys()
+            tied = self.located & fixed.keys()
             candidates = [[fixed[i]] if i in tied else modes for i, modes in enumerate(possible)]
             solution = select_modes(problem, candidates)
         solution = solution or (select_modes(problem, possible) if fixed or excluded else None)
@@ -331,7 +331,7 @@ class ContactRun:
     def unresolved(self, i: int) -> float:
         """Return the largest sliding speed that solver tolerances do not distinguish from zero."""
         atol = float(np.min(self.atol))
-        return float(ERRORS * (atol + self.rtol * self.quickest.get(i, 0.0)))
+        return float(ERRORS * (atol + self.rtol * self.peak_speed.get(i, 0.0)))
 
     def is_low(self, i: int, speed: float, rate: float, p: RowValues, x: np.ndarray) -> bool:
         """Whether the rebounds at a speed and acceleration are lower than the solver's tolerance.
@@ -357,7 +357,7 @@ class ContactRun:
         state = self.state if self.resumed and self.state is not None else self.begin()
         self.state = state
         try:
-            self._go_through(state)
+            self._integrate_modes(state)
         except (ContactError, IntegrationInterrupted) as error:
             error.motion = self.partial()
             raise
@@ -377,7 +377,7 @@ class ContactRun:
             raise
         return self.result()
 
-    def _go_through(self, state: State) -> None:
+    def _integrate_modes(self, state: State) -> None:
         """Integrate mode after mode, until the end."""
         fixed: dict[int, str] = {}
         instants, transitions = 0, 0
@@ -404,7 +404,7 @@ class ContactRun:
             fixed = {} if shared else self.after(state, fired)
             # A mode that ended at once is excluded at this instant, unless velocities changed.
             unchanged = same_instant and len(self.impacts) == impacts
-            repeated = not self.goes_on(state) if shared else unchanged
+            repeated = not self.has_interior_forces(state) if shared else unchanged
             excluded = {*excluded, self.modes} if repeated else set()
             if repeated and unchanged:  # then nothing has opened, either
                 state.closed |= closed
@@ -498,15 +498,15 @@ class ContactRun:
         if state.closed:
             problem = self.complementarity(p, state)
             active = rows_of_modes(problem, solution.modes)
-            enforced = tuple(independent(p.square, active))
+            enforced = tuple(independent(p.delassus, active))
             self.sizes = solved(problem, solution.modes).sizes
         self.redundant = len(enforced) < len(active)
         for i, mode in enumerate(solution.modes):
             if mode in SLIDES:
                 speed = float(np.linalg.norm(p.speed[self.rows.tangent[i]]))
-                self.quickest[i] = max(self.quickest.get(i, 0.0), speed)
+                self.peak_speed[i] = max(self.peak_speed.get(i, 0.0), speed)
             else:
-                self.quickest.pop(i, None)
+                self.peak_speed.pop(i, None)
         return enforced, active
 
     def shorten(
@@ -552,13 +552,14 @@ class ContactRun:
         eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
         values.update(dict.fromkeys(self.rows.speed_bounds, 0.0))
         for i in state.separating:  # bounds on rounding of their speeds
-            values[self.rows.speed_bounds[i]] = max(eps * float(p.slow[self.rows.normal[i]]), tiny)
+            rounding = eps * float(p.speed_rounding[self.rows.normal[i]])
+            values[self.rows.speed_bounds[i]] = max(rounding, tiny)
         for i in state.at_rest:
             # Friction has just reached its limit: the acceleration grows from zero, with an error
             # of √ε of its terms. Until it exceeds that error, speeds are ε of their terms.
             if solution.modes[i] in (FORWARD, BACKWARD) and solution.margins[i] <= SLACK:
                 (row,) = self.rows.tangent[i]
-                terms = max(float(p.slow[row]), float(p.terms[row]) * self.span)
+                terms = max(float(p.speed_rounding[row]), float(p.terms[row]) * self.span)
                 values[self.rows.speed_bounds[i]] = ROUNDING_MARGIN * eps * terms
         for i, symbols in self.rows.references.items():
             if solution.modes[i] not in (STARTING, SLIDING):
@@ -566,7 +567,7 @@ class ContactRun:
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
             # The speed gained in the shortest possible step, 16 roundings of the time.
-            least = 16.0 * eps * max(float(np.linalg.norm(p.slow[rows])), gained)
+            least = 16.0 * eps * max(float(np.linalg.norm(p.speed_rounding[rows])), gained)
             # Sensitivities turn too fast before a stop; without them, stop below the resolution.
             clear = 0.0 if self.transitions is not None else self.unresolved(i)
             if solution.modes[i] == STARTING:
@@ -586,11 +587,11 @@ class ContactRun:
                 return
             x = state.x.copy()
             if normals:
-                shares = np.linalg.solve(p.square[np.ix_(normals, normals)], -residuals)
+                shares = np.linalg.solve(p.delassus[np.ix_(normals, normals)], -residuals)
                 x[: self.first] += p.kinematics @ (p.response[:, normals] @ shares)
                 p = self.numbers(state.t, x)
             rows = list(active)
-            shares = np.linalg.solve(p.square[np.ix_(rows, rows)], -p.speed[rows])
+            shares = np.linalg.solve(p.delassus[np.ix_(rows, rows)], -p.speed[rows])
             x[self.first : self.first + len(p.response)] += p.response[:, rows] @ shares
             # The remainder of a state that vanishes is rounding of its former value.
             state.x = np.where(np.abs(x) <= ROUNDING * magnitudes, 0.0, x)
@@ -646,7 +647,7 @@ class ContactRun:
         p, lasted = self.numbers(end, after), end - state.t
         for i in [i for i in state.at_rest if mode.modes[i] in SLIDES]:
             tangent = self.rows.tangent[i]  # speeds due to rounding of forces count as rest
-            rate = SLACK * self.sizes[i] * np.linalg.norm(p.square.diagonal()[tangent])
+            rate = SLACK * self.sizes[i] * np.linalg.norm(p.delassus.diagonal()[tangent])
             if np.linalg.norm(p.speed[tangent]) > rate * lasted:
                 state.at_rest.discard(i)
         state.t, state.x = end, after
@@ -655,7 +656,7 @@ class ContactRun:
             return True, []
         return False, [kinds[r.index] for r in acting]
 
-    def goes_on(self, state: State) -> bool:
+    def has_interior_forces(self, state: State) -> bool:
         """Whether the same modes have other forces that are inside the friction cones."""
         problem = self.complementarity(self.numbers(state.t, state.x), state)
         better = innermost_solution(problem, solved(problem, self.modes))
@@ -683,14 +684,15 @@ class ContactRun:
         solution = solved(problem, self.modes)
         resolved = self.resolution(state.t)
         # The rounding of a closing gap is that of the largest height since the start.
-        self.widest = np.maximum(self.widest, p.near)
+        self.gap_rounding = np.maximum(self.gap_rounding, p.gap_rounding)
         closing: set[int] = set()
         fixed: dict[int, str] = {}
         self.pending_events = {}
         # Only contacts coupled to these are checked; the others have events of their own.
         near_by = linked(problem, {i for _, i in fired})
         turning = any(kind in ("stops", "bends") for kind, _ in fired)
-        self.sure = {i for kind, i in fired if kind == "opens" or (kind == "slips" and not turning)}
+        sure = {"opens"} if turning else {"opens", "slips"}
+        self.located = {i for kind, i in fired if kind in sure}
         for i, mode in enumerate(self.modes):
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
             kinds = {kind for kind, k in fired if k == i}
@@ -698,7 +700,7 @@ class ContactRun:
                 kinds.discard("slips")
             if mode == OPEN:
                 assert normal is not None
-                near, speed = ROUNDING_MARGIN * eps * self.widest[i], p.speed[normal]
+                near, speed = ROUNDING_MARGIN * eps * self.gap_rounding[i], p.speed[normal]
                 if i in state.separating:
                     if kinds:
                         state.separating.discard(i)
@@ -755,8 +757,8 @@ class ContactRun:
         run.state, run.resumed = deepcopy(self.state), True
         run.counted = {record.name for record in self.records if record.time == self.state.t}
         run.modes, run.bias, run.sizes = self.modes, self.bias, self.sizes
-        run.first_height, run.quickest = dict(self.first_height), dict(self.quickest)
-        run.struck, run.widest = set(self.struck), self.widest.copy()
+        run.first_height, run.peak_speed = dict(self.first_height), dict(self.peak_speed)
+        run.impacted, run.gap_rounding = set(self.impacted), self.gap_rounding.copy()
         return run.motion().trajectory
 
     def partial(self) -> Motion | None:

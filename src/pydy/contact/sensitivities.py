@@ -36,7 +36,7 @@ from pydy.contact.trajectory import SegmentedSensitivities
 from pydy.contact.tuning import ROUNDING_MARGIN, SLACK
 from pydy.trajectory import EventRecord
 
-_SLOPES = ("gap", "speed", "square", "response", "restitution", "mu", "free")
+_SLOPES = ("gap", "speed", "delassus", "response", "restitution", "mu", "free")
 
 
 class Transitions:
@@ -175,13 +175,13 @@ class Transitions:
                 impulses[normal] += phase.restitution_impulses[i]
                 slopes[normal] = restitution_slopes[i]
             velocities = (
-                velocities + np.einsum("ijk,j->ik", d["square"], impulses) + p.square @ slopes
+                velocities + np.einsum("ijk,j->ik", d["delassus"], impulses) + p.delassus @ slopes
             )
             increments = self._impulses(d, p, phase, restitution_slopes, velocities)
-            velocities = velocities + p.square @ increments
+            velocities = velocities + p.delassus @ increments
             impulse_slopes = impulse_slopes + slopes + increments
         # Entries of J M⁻¹ Jᵀ that should be zero are rounded as √(A_ii A_jj).
-        root = np.sqrt(np.abs(p.square.diagonal()))
+        root = np.sqrt(np.abs(p.delassus.diagonal()))
         span = ROUNDING_MARGIN * ROUNDING * float(np.ptp(self.problem.settings.times))
         for i, normal in enumerate(self.rows.normal):
             if normal is not None:
@@ -214,7 +214,7 @@ class Transitions:
                 continue
             zero_rows = [] if i in phase.leaves else [normal]
             zero_rows += tangent if mode in (STICKS, CLOSED) else ()
-            matrix[zero_rows], right[zero_rows] = p.square[zero_rows], -velocities[zero_rows]
+            matrix[zero_rows], right[zero_rows] = p.delassus[zero_rows], -velocities[zero_rows]
             constrained.update(zero_rows)
             if mode not in SLIDES:
                 continue
@@ -227,15 +227,15 @@ class Transitions:
             press = phase.restitution_impulses[i] + f[normal]
             push = p.mu[i] * press
             matrix[tangent, normal] += p.mu[i] * unit
-            matrix[tangent] += push * turning @ p.square[tangent]
+            matrix[tangent] += push * turning @ p.delassus[tangent]
             right[tangent] = (
                 -np.outer(unit, d["mu"][i] * press + p.mu[i] * restitution_slopes[i])
                 - push * turning @ velocities[tangent]
             )
         for row in {*range(len(f))} - constrained:
-            matrix[row] *= p.square[row, row]
-            right[row] *= p.square[row, row]
-        return _least(matrix, right, p.square.diagonal())
+            matrix[row] *= p.delassus[row, row]
+            right[row] *= p.delassus[row, row]
+        return _least(matrix, right, p.delassus.diagonal())
 
     def project(self, values: Mapping[Any, float], p: RowValues, active: Sequence[int]) -> None:
         """Project D onto the null space of the active rows."""
@@ -244,12 +244,12 @@ class Transitions:
         self.total = self.total.copy()
         if normals:
             residuals = self.slopes(values)["gap"][list(owners.values())]
-            square = p.square[np.ix_(normals, normals)]
+            square = p.delassus[np.ix_(normals, normals)]
             shares = _least(square, -residuals, square.diagonal())
             self.total[:first] += p.kinematics @ (p.response[:, normals] @ shares)
         if active:
             residuals = self.slopes(values)["speed"][list(active)]
-            square = p.square[np.ix_(active, active)]
+            square = p.delassus[np.ix_(active, active)]
             shares = _least(square, -residuals, square.diagonal())
             self.total[first : first + len(p.response)] += p.response[:, list(active)] @ shares
 
