@@ -51,10 +51,10 @@ def thinned(series: TimeSeries) -> TimeSeries:
     Examples
     --------
     >>> import numpy as np
-    >>> from pydy.viz.curves import Curve, thinned
+    >>> from pydy.viz.curves import TimeSeries, thinned
     >>> values = np.zeros(1_000_001)
     >>> values[616_161] = 129.6
-    >>> drawn = thinned(Curve(np.linspace(0.0, 1.0, 1_000_001), values))
+    >>> drawn = thinned(TimeSeries(np.linspace(0.0, 1.0, 1_000_001), values))
     >>> len(drawn.times), drawn.times[drawn.values.argmax()], drawn.values.max()
     (4001, np.float64(0.616161), np.float64(129.6))
     """
