@@ -26,7 +26,7 @@ class TimeSeries(NamedTuple):
 
 
 def curve(times: np.ndarray, values: np.ndarray) -> TimeSeries:
-    """Return the Curve of values at ascending or descending times."""
+    """Return a TimeSeries of values at ascending or descending times."""
     return TimeSeries(times[::-1], values[::-1]) if descends(times) else TimeSeries(times, values)
 
 
