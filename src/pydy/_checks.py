@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import UserDict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, wraps
 from math import isfinite
 from operator import itemgetter
@@ -22,7 +22,7 @@ _MOST_DIMENSIONS = 64  # of NumPy's arrays
 _INTEGER_LIMIT = 2**63  # integers of compiled code
 
 
-def describe(symbols: Sequence[Any]) -> str:
+def describe(symbols: Sequence[object]) -> str:
     """Return symbols as a list for a message, shortened when there are many."""
     return some(distinguished(symbols, [*map(text_of, symbols)])) or "none"
 
@@ -61,7 +61,7 @@ def _entries(matrix: Any) -> Any:
     return [entry for row in matrix.tolist() for entry in row]
 
 
-def one_or_more(argument: str, value: Any, *, hashable: bool = False) -> list[Any]:
+def one_or_more(argument: str, value: object, *, hashable: bool = False) -> list[Any]:
     """Return one symbol, expression or name, or a sequence of them, as a list."""
     matrix = getattr(value, "is_Matrix", False)
     single = isinstance(value, str) or (hasattr(value, "free_symbols") and not matrix)
@@ -496,7 +496,7 @@ class Places:
                 named.setdefault(name, []).append(k)
         return named
 
-    def get(self, key: Any, argument: str) -> int | None:
+    def get(self, key: object, argument: str) -> int | None:
         """Return the position of a symbol or name, or None; refuse an ambiguous name."""
         try:
             position = self._position.get(key)
@@ -531,7 +531,7 @@ class Places:
         position = self.get(key, argument)
         return key if position is None else self.symbols[position]
 
-    def find(self, key: Any, argument: str) -> int:
+    def find(self, key: object, argument: str) -> int:
         """Return the position of a symbol or name; errors tell apart symbols of one name."""
         position = self.get(key, argument)
         if position is None:

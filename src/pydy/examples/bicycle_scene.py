@@ -14,13 +14,16 @@ Examples
 from __future__ import annotations
 
 from math import cos, pi, sin
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 
 from pydy.examples.whipple_bicycle import BENCHMARK, Bicycle
 from pydy.system import System
 from pydy.viz import Arrow, Capsule, Line, Scene, Sphere, Torus, Trace, Visual
+
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Point, ReferenceFrame
 
 __all__ = ["scene", "visuals"]
 
@@ -122,22 +125,22 @@ class _BicycleVisuals:
     def add(self, visual: Visual) -> None:
         self.visuals.append(visual)
 
-    def rod(self, name: str, points: list[Any], radius: float, colour: str) -> None:
+    def rod(self, name: str, points: list[Point], radius: float, colour: str) -> None:
         self.add(Visual(Line(points, radius=radius, colour=colour), name=name))
 
-    def rear(self, x: float, z: float, y: float = 0.0) -> Any:
+    def rear(self, x: float, z: float, y: float = 0.0) -> Point:
         """Return a point of the rear frame."""
         B = self.B
         arm = x * B.x + y * B.y + (z + BENCHMARK["r_R"]) * B.z
         return self._hubs[0].locatenew("rear frame", arm)
 
-    def front(self, x: float, z: float, y: float = 0.0) -> Any:
+    def front(self, x: float, z: float, y: float = 0.0) -> Point:
         """Return a point of the front frame."""
         H = self.H
         arm = (x - BENCHMARK["w"]) * H.x + y * H.y + (z + BENCHMARK["r_F"]) * H.z
         return self._hubs[1].locatenew("front frame", arm)
 
-    def wheel(self, name: str, frame: Any, hub: Any, radius: float) -> None:
+    def wheel(self, name: str, frame: ReferenceFrame, hub: Point, radius: float) -> None:
         tyre = Torus(radius - TYRE_RADIUS, TYRE_RADIUS, "y", colour=TYRE)
         rim = Torus(radius - 0.038, 0.009, "y", colour=RIM)
         self.add(Visual(tyre, frame, hub, name=name))

@@ -83,13 +83,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._forks import cached_property
 from pydy.mechanics import Definition
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+    from pydy._sympy_types import Body
 
 __all__ = [
     "BENCHMARK",
@@ -100,8 +105,6 @@ __all__ = [
     "energy",
     "equilibrium",
 ]
-
-Expr = Any  # SymPy publishes no types
 
 BENCHMARK: Mapping[str, float] = {
     "w": 1.02,  # wheel base
@@ -193,13 +196,13 @@ class Bicycle:
     roll_torque: Expr
     steer_torque: Expr
     constants: tuple[Expr, ...]
-    bodies: tuple[Any, ...]
-    frames: Mapping[str, Any]
-    points: Mapping[str, Any]
+    bodies: tuple[Body, ...]
+    frames: Mapping[str, me.ReferenceFrame]
+    points: Mapping[str, me.Point]
     symbols: Mapping[str, Expr]
 
     @cached_property
-    def kane(self) -> Any:
+    def kane(self) -> me.KanesMethod:
         """The same as SymPy's KanesMethod, constructed when it is first used."""
         definition = self.definition
         return me.KanesMethod(
@@ -265,7 +268,7 @@ def derive() -> Bicycle:
     R.orient_axis(B, B.y, theta_R)
     F.orient_axis(H, H.y, theta_F)
 
-    def in_front_frame(vector: Any) -> Any:
+    def in_front_frame(vector: me.Vector) -> me.Vector:
         # One axis at a time: SymPy's direct way from E to K multiplies the two rotations out.
         return vector.express(S).express(K)
 
