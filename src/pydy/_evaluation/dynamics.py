@@ -1,4 +1,4 @@
-"""Inverse dynamics, the terms of the equations of motion, and frames: what robots are driven by.
+"""Inverse dynamics, terms of the equations of motion, and frames, as needed to control robots.
 
 Each is a `Quantity` of the equations, which `evaluate` evaluates for a Problem.
 """

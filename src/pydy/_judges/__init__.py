@@ -1,4 +1,4 @@
-"""Functions of a Motion that say what is wrong with it, and warnings before there is one."""
+"""Checks of motions, and of the states at which they start: warnings and errors."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""What an integration gives, and how solvers are called: ours, SciPy's, a user's own."""
+"""Motions, the results of integrations, and the calls of native, SciPy's and user-defined solvers."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""Which states follow from others, and what the equations give at many states."""
+"""Dependent states, and evaluation of the equations at many states."""
 
 import lazy_loader
 

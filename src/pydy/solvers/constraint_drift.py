@@ -124,7 +124,7 @@ class ConstraintResiduals(NamedTuple):
             return roundings(solved, np.fmax(sizes, terms))
 
     def after_reset(self, before: np.ndarray | None) -> ConstraintResiduals:
-        """Allow what the residuals `before` a reset explain: drift is not the reset's fault.
+        """Allow residuals that those `before` a reset explain: a reset does not cause drift.
 
         A reset may pass on the drift enlarged, as it does with speeds.
         """
@@ -155,7 +155,7 @@ class ConstraintResiduals(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class DriftCheck:
-    """A few states of a motion, and how they were computed: what is needed to check for drift."""
+    """Selected states of a motion, with the solver's tolerances and steps, to check for drift."""
 
     NEAR_SINGULAR: ClassVar[float] = NEAR_SINGULAR
     MOST_STATES: ClassVar[int] = 64

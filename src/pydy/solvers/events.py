@@ -143,7 +143,7 @@ class CompiledEvents:
 
     @staticmethod
     def key(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
-        """Return what identifies a user's events, even if a reset is edited in place.
+        """Return a key that identifies a user's events, even if a reset is edited in place.
 
         None if they come from an iterator, which reading would exhaust.
         """

@@ -1,4 +1,4 @@
-"""What compiled solvers work on: arrays under names, and names for places in the mixed ones.
+"""The arrays of compiled solvers, and names of the elements of arrays with mixed content.
 
 All arrays of a run are passed to compiled code as one table of addresses, its only argument. A
 table has a row for each field of its parts, the named tuples below, in their order. In C it is a
@@ -360,7 +360,7 @@ class Queue(NamedTuple):
 
 
 class Alone(NamedTuple):
-    """Tables of single trajectories, for what lanes do one at a time; nothing without `runs`."""
+    """Tables of single trajectories, for tasks that lanes do one at a time; empty if none."""
 
     runs: Words  # (lanes,): addresses of tables of one trajectory, each with its inputs
     # (kernels, 1 + lanes): addresses of the function that prepares constants, and of each lane's

@@ -1,4 +1,4 @@
-"""The processor that code is written for, and what decides how it is written.
+"""The target processor of the machine code, and the limits that follow from its registers.
 
 It is this machine's, unless the environment variable PYDY_CPU names another that this machine can
 run: code for processors without AVX-512 is so tested and measured on one that has it. The target is

@@ -1,1 +1,1 @@
-"""The solvers' loops in C, and the header that says what Python hands them."""
+"""The solvers' loops in C, and the generated header with the layout of their arguments."""

@@ -1,4 +1,4 @@
-"""The Python side of an integration: it calls compiled code and acts on what that returns.
+"""The Python side of an integration: it calls compiled code and handles its return codes.
 
 Compiled code returns after some steps, so that the interpreter can handle an interrupt and update a
 progress bar; at events that change the state; and when it cannot go on.

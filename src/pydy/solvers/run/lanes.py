@@ -397,7 +397,7 @@ class LaneSolver:
 
 
 def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[int, int]]]:
-    """Return the arrays of an implicit step of n states, and what prepares its constants."""
+    """Return the arrays of an implicit step of n states, and the preparation of its constants."""
     address_slot, c, prepared = _bound(jacobian)
     newton = newton_for(n, n, LANES)._replace(c=c)
     newton.words[at.GRADIENT] = address_slot
@@ -405,7 +405,7 @@ def _newton(n: int, jacobian: Kernel) -> tuple[Sequence[np.ndarray], list[tuple[
 
 
 def _bound(kernel: Kernel) -> tuple[int, np.ndarray, list[tuple[int, int]]]:
-    """Return the address of a Kernel for lanes, its constants, and what prepares these."""
+    """Return the address of a Kernel for lanes, its constants, and their preparation."""
     addresses = kernel.addresses
     assert addresses is not None
     assert kernel.lanes == LANES
