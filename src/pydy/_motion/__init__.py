@@ -1,4 +1,4 @@
-"""Motions, the results of integrations, and the calls of native, SciPy's and user-defined solvers."""
+"""Motions, and the calls of solvers: native ones, those of SciPy, and user-defined ones."""
 
 import lazy_loader
 
