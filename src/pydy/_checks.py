@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import UserDict
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, wraps
 from math import isfinite
 from operator import itemgetter
@@ -75,11 +75,11 @@ def resolved(
     keys = list(keys)
     if not any(isinstance(key, str) for key in keys):
         return keys
-    index = Places(list(symbols), description)
+    index = SymbolIndex(list(symbols), description)
     return [index.symbols[index.find(k, argument)] if isinstance(k, str) else k for k in keys]
 
 
-def shown(value: Any) -> str:
+def shown(value: object) -> str:
     """Return the repr of a value for a message, on one line, shortened to 200 characters.
 
     Arrays with more than a few numbers, and tables, are described by their shapes.
@@ -102,7 +102,7 @@ def shown(value: Any) -> str:
     return text if len(text) <= 200 else f"{text[:200]} …"
 
 
-def typed(value: Any) -> str:
+def typed(value: object) -> str:
     """Return a value with its type for a message: "the str 'q1'". The type is not repeated."""
     kind, content = type(value).__name__, shown(value)
     first = content.partition("(")[0].partition(" ")[0]
@@ -117,7 +117,7 @@ def _shaped(value: Any) -> str:
     return f"{kind} of the shape {tuple(value.shape)}{dtype_text}"
 
 
-def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
+def check_mapping(argument: str, value: object) -> dict[Any, Any]:
     """Return a dictionary without copying it, so that its later changes are seen; None is empty."""
     if value is None:
         return {}
@@ -130,7 +130,7 @@ def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
     raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
 
 
-def number(value: Any, label: str, *, finite: bool = False) -> float:
+def number(value: object, label: str, *, finite: bool = False) -> float:
     """Return a value as a float, or raise an error that shows it; `label` is its name there."""
     if type(value) not in _NUMBER_TYPES:
         _refuse_dropped(value, label)
@@ -149,7 +149,7 @@ def number(value: Any, label: str, *, finite: bool = False) -> float:
     return result
 
 
-def real_array(value: Any, label: str) -> np.ndarray:
+def real_array(value: object, label: str) -> np.ndarray:
     """Return a value as a C-contiguous float array; text, None, masks and units are refused."""
     if type(value) is not np.ndarray:
         _refuse_dropped(value, label)
@@ -181,7 +181,7 @@ def tolerance(value: Any, label: str) -> Any:
     return array if array.ndim else float(array)
 
 
-def vector(value: Any, size: int, label: str) -> np.ndarray:
+def vector(value: object, size: int, label: str) -> np.ndarray:
     """Return a value as a float array of shape (size,)."""
     array = real_array(value, label)
     if array.ndim == 0 and size == 1:
@@ -191,7 +191,7 @@ def vector(value: Any, size: int, label: str) -> np.ndarray:
     return array
 
 
-def ascending(value: Any, label: str, *, strict: bool = False, remedy: str = "") -> np.ndarray:
+def ascending(value: object, label: str, *, strict: bool = False, remedy: str = "") -> np.ndarray:
     """Return finite ascending numbers, or raise an error that names the first one that descends."""
     array = real_array(value, label)
     if array.ndim != 1:
@@ -209,7 +209,7 @@ def ascending(value: Any, label: str, *, strict: bool = False, remedy: str = "")
     return array
 
 
-def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
+def checked_table(argument: str, values: object, m: int, width: int) -> np.ndarray:
     """Return a copy with one row for each time and one column for each symbol."""
     table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
     if table.shape != (m, width):
@@ -225,7 +225,7 @@ def descends(times: np.ndarray) -> bool:
     return len(times) > 1 and bool(times[-1] < times[0])
 
 
-def monotonic(value: Any, label: str) -> np.ndarray:
+def monotonic(value: object, label: str) -> np.ndarray:
     """Return finite monotonic numbers, or raise an error that names the first reversal."""
     array = real_array(value, label)
     if array.ndim != 1 or not np.isfinite(array).all():
@@ -251,7 +251,7 @@ def _as_float(value: Any) -> float:
     return result
 
 
-def check_copied(value: Any, label: str) -> None:
+def check_copied(value: object, label: str) -> None:
     """Refuse values that cannot be copied: nested too deeply, or broadcast to gigabytes."""
     if type(value) is not np.ndarray:
         _refuse_dropped(value, label)
@@ -259,7 +259,7 @@ def check_copied(value: Any, label: str) -> None:
         raise ValueError(f"{label} must hold numbers that fit in memory, got {_sized(value)}.")
 
 
-def is_endless(value: Any) -> bool:
+def is_endless(value: object) -> bool:
     """Return whether a value, a range or a broadcast array, has more entries than fit in memory."""
     if isinstance(value, np.ndarray):
         return value.size > _MOST and 0 in value.strides
@@ -275,7 +275,7 @@ def _sized(array: np.ndarray) -> str:
     return f"an array of {size}"
 
 
-def _refuse_dropped(value: Any, label: str, depth: int = 0) -> None:
+def _refuse_dropped(value: object, label: str, depth: int = 0) -> None:
     """Refuse properties that NumPy silently drops from arrays: masks, and units of quantities."""
     kind = type(value)
     if isinstance(value, (list, tuple)):
@@ -302,7 +302,7 @@ def _refuse_dropped(value: Any, label: str, depth: int = 0) -> None:
         )
 
 
-def _refuse_units(value: Any, units: Any, label: str) -> None:
+def _refuse_units(value: object, units: object, label: str) -> None:
     if str(units) not in ("", "dimensionless", "1 dimensionless"):
         raise ValueError(
             f"{label} must be without units, got {shown(value)}. Convert all quantities to one "
@@ -311,7 +311,7 @@ def _refuse_units(value: Any, units: Any, label: str) -> None:
         )
 
 
-def integer(value: Any, label: str, least: int = 1) -> int:
+def integer(value: object, label: str, least: int = 1) -> int:
     """Return a whole number not below a minimum, or raise an error that shows the value."""
     result = np.nan if isinstance(value, (bool, np.bool_)) else number(value, label)
     if not result >= least or result != np.floor(result) or np.isinf(result):
@@ -321,14 +321,14 @@ def integer(value: Any, label: str, least: int = 1) -> int:
     return int(result)
 
 
-def flag(value: Any, label: str) -> bool:
+def flag(value: object, label: str) -> bool:
     """Return True or False, also given as 0, 1 or NumPy's booleans, or raise an error."""
     if isinstance(value, (bool, np.bool_)) or (type(value) is int and value in (0, 1)):
         return bool(value)
     raise TypeError(f"{label} must be True or False, got {shown(value)}.")
 
 
-def choice(value: Any, options: Iterable[Any], label: str) -> Any:
+def choice(value: object, options: Iterable[Any], label: str) -> Any:
     """Check that a value is one of some options, or raise an error that lists them."""
     options = tuple(options)
     for option in options:
@@ -338,7 +338,7 @@ def choice(value: Any, options: Iterable[Any], label: str) -> Any:
     raise ValueError(f"{label} must be one of {', '.join(map(repr, options))}, got {shown(value)}.")
 
 
-def text(value: Any, label: str, *, empty: bool = True) -> str:
+def text(value: object, label: str, *, empty: bool = True) -> str:
     """Return a string, which may be `empty` or not, or raise an error that shows the value."""
     if not isinstance(value, str) or not (value or empty):
         kind = "a string" if empty else "a string that is not empty"
@@ -346,7 +346,7 @@ def text(value: Any, label: str, *, empty: bool = True) -> str:
     return value
 
 
-def instance(value: Any, kind: type, label: str, expected: str = "") -> None:
+def instance(value: object, kind: type, label: str, expected: str = "") -> None:
     """Refuse a value that is not an instance of a class; errors may describe it as `expected`."""
     if not isinstance(value, kind):
         kind_of, value_text = type(value).__name__, shown(value)
@@ -355,7 +355,7 @@ def instance(value: Any, kind: type, label: str, expected: str = "") -> None:
         raise TypeError(f"{label} must be {expected or f'a {kind.__name__}'}, got {value_text}.")
 
 
-def positive(value: Any, label: str, *, zero: bool = False, finite: bool = False) -> float:
+def positive(value: object, label: str, *, zero: bool = False, finite: bool = False) -> float:
     """Return a positive number, or zero where that is allowed, or raise an error."""
     result = number(value, label, finite=finite)
     if not (result > 0.0 or (zero and result == 0.0)):
@@ -373,7 +373,7 @@ class SymbolDict(UserDict[Any, Any]):
     def __init__(self, data: dict[Any, Any]) -> None:
         self.data = data
 
-    def _equivalent(self, key: Any) -> list[Any]:
+    def _equivalent(self, key: object) -> list[Any]:
         """Return the keys of the dictionary that are equivalent to this one, in order."""
         if key in self.data and not any(isinstance(k, str) for k in self.data):
             return [key]
@@ -387,7 +387,7 @@ class SymbolDict(UserDict[Any, Any]):
         symbols = [k for k in alike if not isinstance(k, str)]
         return alike if alike and len(symbols) < 2 else [key]
 
-    def _current_key(self, key: Any) -> Any:
+    def _current_key(self, key: object) -> Any:
         """Return the latest equivalent key, whose value is valid, or this key."""
         return self._equivalent(key)[-1]
 
@@ -400,16 +400,16 @@ class SymbolDict(UserDict[Any, Any]):
     def __repr__(self) -> str:
         return repr(merged(self.data))
 
-    def __contains__(self, key: Any) -> bool:
+    def __contains__(self, key: object) -> bool:
         return self._current_key(key) in self.data
 
-    def __getitem__(self, key: Any) -> Any:
+    def __getitem__(self, key: object) -> Any:
         return self.data[self._current_key(key)]
 
-    def __setitem__(self, key: Any, value: Any) -> None:
+    def __setitem__(self, key: object, value: object) -> None:
         self.data[self._current_key(key)] = value
 
-    def __delitem__(self, key: Any) -> None:
+    def __delitem__(self, key: object) -> None:
         for equivalent in self._equivalent(key):  # a replaced value must not reappear
             del self.data[equivalent]
 
@@ -464,7 +464,7 @@ def refuse_twice(symbols: Iterable[Any], argument: str) -> None:
         previous.add(symbol)
 
 
-class Places:
+class SymbolIndex:
     """Positions of symbols in an array, by symbol or unambiguous name.
 
     The `description` of the symbols is used in messages.
@@ -524,7 +524,7 @@ class Places:
         # A copy: another thread may add to the dictionary.
         return [key for key in [*values] if self.get(key, argument) is None]
 
-    def meaning(self, key: Any, argument: str) -> Any:
+    def meaning(self, key: object, argument: str) -> Any:
         """Return the symbol or tuple of symbols that a key denotes; other keys unchanged."""
         if isinstance(key, (tuple, list)):
             return tuple(self.meaning(k, argument) for k in key)
@@ -542,7 +542,7 @@ class Places:
             )
         return position
 
-    def suggestion(self, key: Any) -> str:
+    def suggestion(self, key: object) -> str:
         """Return a sentence, after a space, that suggests symbols similar to a key, or ''."""
         if isinstance(key, str):
             close = nearest(key, sorted(map(name_of, self.symbols)), or_all=False)
@@ -577,7 +577,7 @@ class Places:
         refuse_twice([s for k in keys for s in (k if isinstance(k, tuple) else (k,))], argument)
         return dict(zip(keys, values.values(), strict=True))
 
-    def check_order(self, table: Any, argument: str) -> None:
+    def check_order(self, table: object, argument: str) -> None:
         """Refuse a table, which is read by position, with labels in another order."""
         if isinstance(table, (np.ndarray, list, tuple)):
             return

@@ -9,7 +9,7 @@ import sympy as sm
 
 from pydy._assembly.assumptions import Assumptions
 from pydy._assembly.system import Group
-from pydy._checks import Places
+from pydy._checks import SymbolIndex
 from pydy._forks import cached_property
 from pydy._mechanics import Equations
 from pydy._names import name_of
@@ -115,9 +115,11 @@ class Definition:
         return [tuple(group) for group in groups.values() if len(group) > 1]
 
     @cached_property
-    def places(self) -> dict[str, Places]:
+    def places(self) -> dict[str, SymbolIndex]:
         """Where states, specifieds and constants lie in x, r and p; and outputs among all."""
-        return {what: Places(s, f"{what} of the system") for what, s in vars(self.layout).items()}
+        return {
+            what: SymbolIndex(s, f"{what} of the system") for what, s in vars(self.layout).items()
+        }
 
     def row_names(self, block: str) -> list[str]:
         """Return the names of a block's values for messages."""

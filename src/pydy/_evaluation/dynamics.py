@@ -13,7 +13,7 @@ import numpy as np
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 
 from pydy._assembly import Assembly, CompiledModel, Definition
-from pydy._checks import Places, describe, merged, one_or_more, real_array, shown
+from pydy._checks import SymbolIndex, describe, merged, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._evaluation.evaluation import variables
 from pydy._evaluation.function import Evaluator
@@ -79,7 +79,7 @@ def _columns(
         return default(), range(n)
     if not isinstance(value, np.ndarray):
         kind = "coordinates" if argument == "q" else "speeds"
-        index = Places(symbols, f"{kind} of the system")
+        index = SymbolIndex(symbols, f"{kind} of the system")
         if isinstance(value, Mapping):
             value = merged(value)
             numbers = index.read(argument, value, default())
@@ -99,7 +99,7 @@ def accelerations_of(value: Any, equations: Equations) -> tuple[np.ndarray, Sequ
     if value is None:
         return np.zeros(free), independent
     if not isinstance(value, np.ndarray) and isinstance(value, Mapping):
-        speeds = Places(equations.speeds, "speeds of the system")
+        speeds = SymbolIndex(equations.speeds, "speeds of the system")
         accelerations: np.ndarray = speeds.read("a", value, 0.0)
         named = sorted(speeds.find(key, "a") for key in value)
         if all(k in independent for k in named):
@@ -271,7 +271,7 @@ def chosen_speeds(equations: Equations, at: Any) -> tuple[int, ...] | None:
     free = len(speeds) - constraint_count
     if isinstance(at, str) and at == "independent":
         return equations.dependents.independent_columns
-    index = Places(speeds, "speeds of the system")
+    index = SymbolIndex(speeds, "speeds of the system")
     columns = tuple(index.find(speed, "at") for speed in one_or_more("at", at))
     if len({*columns}) != len(columns) or len(columns) != free:
         raise ValueError(

@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     check_mapping,
     describe,
     instance,
@@ -99,7 +99,7 @@ class Definition:
         ways, in which more of them are redundant, may need to be told which way is meant. Speeds
         in it are not used: it may be the ``initial_conditions`` of a System.
     frames : mapping of names to pairs of a ReferenceFrame and a Point, optional
-        Places that `System.frame_position`, `frame_rotation` and `frame_jacobian` know by name.
+        SymbolIndex that `System.frame_position`, `frame_rotation` and `frame_jacobian` know by name.
     values : mapping of constants to numbers, optional
         What these have there in place of 1.0, if the motion does not depend on them and the System
         has no value either: the place of a robot's base.
@@ -237,7 +237,7 @@ class Definition:
         if not values:
             return {}
         inside = find_symbols((*self.holonomic_constraints, *self._motion))
-        index = Places(
+        index = SymbolIndex(
             [*dict.fromkeys((*self.coordinates, *self.speeds, *inside))],
             "coordinates, and constants of the constraints",
         )

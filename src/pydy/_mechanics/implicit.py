@@ -17,7 +17,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._checks import Places, check_mapping, describe, number, shown
+from pydy._checks import SymbolIndex, check_mapping, describe, number, shown
 from pydy._graph import Graph, NodeExpression, jacobian, signatures, substitute
 from pydy._mechanics.components import flat
 from pydy._mechanics.kinematics import Kinematics
@@ -97,7 +97,7 @@ class Implicit:
                     "nothing follows from it. Give an expression that does."
                 )
         start_values = check_mapping("start", start)
-        unknowns = Places([*self.residuals], "keys of `residuals`")
+        unknowns = SymbolIndex([*self.residuals], "keys of `residuals`")
         self.start = dict.fromkeys(self.residuals, 0.0) | {
             key: number(value, f"`start[{key}]`", finite=True)
             for key, value in unknowns.by_symbol(start_values, "start").items()

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any, Literal
 
 from pydy._assembly import Assembly, CompiledModel, Definition
-from pydy._checks import Places, describe, typed
+from pydy._checks import SymbolIndex, describe, typed
 from pydy._graph import Graph, NodeExpression, directional, jacobian, reach, rounding_bounds
 from pydy._mechanics import Equations
 from pydy._program import OPERATIONS, Program
@@ -35,7 +35,7 @@ def native_solver(ode_solver: Any) -> Solver:
     return ode_solver if isinstance(ode_solver, Solver) else SOLVERS["dop853"]
 
 
-def check_events(events: Any, states: Places) -> tuple[Event, ...]:
+def check_events(events: Any, states: SymbolIndex) -> tuple[Event, ...]:
     """Return the events of an argument, with states in place of names in their resets."""
     if events is None or isinstance(events, Event):
         events = () if events is None else (events,)

@@ -19,7 +19,7 @@ from pydy._assembly import (
     lower_derivatives,
 )
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     check_mapping,
     descends,
     describe,
@@ -206,7 +206,9 @@ class DefinitionBuilder:
 
     def holding(self, definition: Definition, silent: Iterable[Any]) -> Definition:
         """Return a Definition with those of some constants that events or energies contain."""
-        known = Places([*dict.fromkeys((*self.of_events, *self.energies.symbols))], "constants")
+        known = SymbolIndex(
+            [*dict.fromkeys((*self.of_events, *self.energies.symbols))], "constants"
+        )
         meant = [known.meaning(key, "constants") for key in silent]
         return self.widened(definition, {*meant} & {*known.symbols})
 
@@ -284,15 +286,15 @@ def _ordered(
     """Return the specifieds in the order of r, with motions that occur by derivatives only."""
     lower = {s for d in found if isinstance(d, sm.Derivative) for s in lower_derivatives(d)}
     others = sort_symbols(lower - {*found} - outputs)
-    places = Places([*found, *others], "specifieds of the system")
+    places = SymbolIndex([*found, *others], "specifieds of the system")
     keys = [places.get(key, "specifieds") for key in given.keys]
     if None in keys and (extra := {*more()} - {*found} - outputs):
         others = sort_symbols({*others, *extra})
-        places = Places([*found, *others], "specifieds of the system")
+        places = SymbolIndex([*found, *others], "specifieds of the system")
         keys = [places.get(key, "specifieds") for key in given.keys]
     if None in keys and (higher := _higher([*found, *others]) - outputs):
         # Of a motion and its derivatives that are given together the highest may cancel.
-        wider = Places([*places.symbols, *sort_symbols(higher)], "specifieds of the system")
+        wider = SymbolIndex([*places.symbols, *sort_symbols(higher)], "specifieds of the system")
         keys = [wider.get(key, "specifieds") for key in given.keys]
         asked = {wider.symbols[k] for k in keys if k is not None}
         others, places = sort_symbols({*others, *(higher & asked)}), wider
@@ -475,7 +477,7 @@ def named_outputs(outputs: Mapping[Any, Any]) -> dict[Any, Any]:
             if "" in names:
                 raise ValueError("`outputs` has an empty name.")
             entries = value if isinstance(value, (tuple, list, sm.MatrixBase)) else (value,)
-            own = Places(
+            own = SymbolIndex(
                 list(find_symbols([e for e in entries if isinstance(e, sm.Basic)])), "symbols"
             )
             found = [own.get(n, "outputs") if isinstance(n, str) else None for n in names]

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly import Assumptions, Definition
-from pydy._checks import Places
+from pydy._checks import SymbolIndex
 from pydy.codegen import SpecifiedsPlan
 
 
 def warn_of_entries(
     assumed: Assumptions,
-    symbols: Places,
+    symbols: SymbolIndex,
     argument: str,
     rows: np.ndarray,
     keys: Iterable[Any],

@@ -13,7 +13,7 @@ import numpy as np
 import scipy
 
 from pydy._assembly import Definition
-from pydy._checks import Places, describe, listed
+from pydy._checks import SymbolIndex, describe, listed
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._names import few
 from pydy._problem import Problem, solved_residuals, with_settings
@@ -44,7 +44,7 @@ def check_dependents(
         )
     chosen = listed("dep_vars", dep_vars, "coordinates and speeds")
     allowed = (*equations.coordinates, *equations.speeds)
-    index = Places(allowed, "coordinates and speeds of the system")
+    index = SymbolIndex(allowed, "coordinates and speeds of the system")
     chosen = index.chosen(chosen, "dep_vars")
     q = [allowed.index(s) for s in chosen if s in equations.coordinates]
     u = [allowed.index(s) for s in chosen if s in equations.speeds]

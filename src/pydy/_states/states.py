@@ -9,7 +9,7 @@ from typing import Any, Self
 import numpy as np
 
 from pydy._assembly import Assembly, Definition
-from pydy._checks import Places
+from pydy._checks import SymbolIndex
 from pydy._forks import cached_property
 from pydy._graph import jacobian, sizes_of_terms
 from pydy._kernel import Kernel
@@ -39,7 +39,7 @@ def located(
         if index is not None:
             return kind, index
     everything = [s for kind in kinds for s in definition.places[kind].symbols]
-    Places(everything, description).find(symbol, argument)  # raises, with names that are alike
+    SymbolIndex(everything, description).find(symbol, argument)  # raises, with names that are alike
     raise AssertionError(symbol)
 
 

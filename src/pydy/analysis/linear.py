@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly import Definition, errors_of
-from pydy._checks import Places, choice, listed, real_array
+from pydy._checks import SymbolIndex, choice, listed, real_array
 from pydy._errors import warn_user
 from pydy._judges import first_violation, warn_of_kinks, warn_of_missing_derivatives
 from pydy._motion import constraint_names
@@ -367,7 +367,7 @@ def _outputs(
     definition = problem.definition
     m, n, s = len(T), len(definition.states), len(definition.specifieds)
     symbols = definition.states if outputs is None else listed("outputs", outputs)
-    index = Places([*definition.states, *definition.outputs_symbols], "states and outputs")
+    index = SymbolIndex([*definition.states, *definition.outputs_symbols], "states and outputs")
     rows = index.columns(symbols, "outputs").tolist()
     by_state = np.broadcast_to(np.eye(n), (m, n, n))
     by_input = np.zeros((m, n, s))

@@ -19,7 +19,7 @@ from sympy.logic.boolalg import Boolean
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     choice,
     describe,
     is_endless,
@@ -44,7 +44,7 @@ _UNCHANGING = frozenset((float, int, FunctionType, SampledInput))
 class _Argument:
     """Reads an argument of generated functions; without `arg_type`, each value's type decides."""
 
-    def __init__(self, symbol_index: Places, arg_type: str | None) -> None:
+    def __init__(self, symbol_index: SymbolIndex, arg_type: str | None) -> None:
         self.symbol_index, self.arg_type = symbol_index, arg_type
 
     def numeric_array(self, values: dict[Any, Any]) -> Any:
@@ -60,7 +60,7 @@ class ConstantsArgument(_Argument):
 
     def __init__(self, symbols: Sequence[Any], arg_type: str | None = None) -> None:
         choice(arg_type, (None, "array", "dictionary"), "`constants_arg_type`")
-        super().__init__(Places(symbols, "constants of the equations"), arg_type)
+        super().__init__(SymbolIndex(symbols, "constants of the equations"), arg_type)
 
     def __call__(self, p: Any) -> np.ndarray:
         """Return p as an array of shape (k,)."""
@@ -80,7 +80,7 @@ class SpecifiedsArgument(_Argument):
         self, symbols: Sequence[Any], arg_type: str | None = None, time_first: bool = False
     ) -> None:
         choice(arg_type, (None, *ARGUMENT_TYPES), "`specifieds_arg_type`")
-        super().__init__(Places(symbols, _SPECIFIEDS), arg_type)
+        super().__init__(SymbolIndex(symbols, _SPECIFIEDS), arg_type)
         self.time_first = time_first
 
     def __call__(self, r: Any, x: np.ndarray, t: float) -> np.ndarray:
@@ -138,7 +138,7 @@ class SpecifiedsArgument(_Argument):
 
 
 def _groups(
-    symbol_index: Places, values: Mapping[Any, Any], argument: str
+    symbol_index: SymbolIndex, values: Mapping[Any, Any], argument: str
 ) -> list[tuple[Any, ...]]:
     """Return `symbol_index.groups`; if that fails for the time, the error says to leave it out."""
     try:
@@ -266,13 +266,15 @@ class SpecifiedsPlan:
     def __init__(
         self,
         values: Mapping[Any, Any],
-        symbols: Places | Sequence[Any],
+        symbols: SymbolIndex | Sequence[Any],
         *,
         time_first: bool = False,
         complete: bool = False,
         argument: str = "r",
     ) -> None:
-        symbol_index = symbols if isinstance(symbols, Places) else Places(symbols, _SPECIFIEDS)
+        symbol_index = (
+            symbols if isinstance(symbols, SymbolIndex) else SymbolIndex(symbols, _SPECIFIEDS)
+        )
         self.symbol_index = symbol_index
         self.symbols = symbol_index.symbols
         numbers = np.zeros(len(self.symbols))

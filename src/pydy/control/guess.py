@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places, check_mapping, number, positive, real_array, shown
+from pydy._checks import SymbolIndex, check_mapping, number, positive, real_array, shown
 from pydy._rank import DIGITS, least_step
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES
@@ -76,7 +76,9 @@ def limit(value: Any, argument: str, duration: float | None, *, finite: bool = F
 class Guess:
     """The user's initial guess."""
 
-    def __init__(self, guess: Any, unknown: Places, duration: float | None, symbol: Any) -> None:
+    def __init__(
+        self, guess: Any, unknown: SymbolIndex, duration: float | None, symbol: Any
+    ) -> None:
         self._duration, self._symbol = duration, symbol
         self._motion: Trajectory | None = None
         self._values: dict[Any, Any] = {}

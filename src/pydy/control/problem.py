@@ -13,7 +13,7 @@ from sympy.core.function import AppliedUndef
 
 from pydy._assembly import followed
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     check_mapping,
     choice,
     describe,
@@ -183,7 +183,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         self._free = tuple(constants.chosen(free, "free"))
         self._duration, self._symbol = _duration_of(duration, definition)
         last = () if self._symbol is None else (self._symbol,)
-        self._unknown = Places(
+        self._unknown = SymbolIndex(
             (*definition.states, *self._controls, *self._free, *last), "unknowns of the problem"
         )
         self._start = self._limits("start", start, definition.states)
@@ -427,7 +427,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
 
     def _limits(self, argument: str, entries: Any, symbols: Any) -> dict[Any, tuple[float, float]]:
         """Return pairs of numbers by symbol."""
-        symbol_index = Places(tuple(symbols), "unknowns of the problem")
+        symbol_index = SymbolIndex(tuple(symbols), "unknowns of the problem")
         values = check_mapping(argument, entries)
         return {
             symbol: _pair(value, f"`{argument}[{key}]`", True)

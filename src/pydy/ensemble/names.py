@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from pydy._assembly import Definition
-from pydy._checks import Places, check_mapping, refuse_twice, text
+from pydy._checks import SymbolIndex, check_mapping, refuse_twice, text
 from pydy._dataset import SENSITIVITY
 from pydy._names import latex_of, name_of, some, unique_names
 from pydy._problem import Problem
@@ -26,7 +26,7 @@ class ResultNames:
         equations, n = definition.equations, len(definition.states)
         outputs = definition.outputs_symbols if outputs is None else outputs
         variables = (*definition.states, *outputs)
-        self._variables = Places(variables, "states and outputs of the system")
+        self._variables = SymbolIndex(variables, "states and outputs of the system")
         names = unique_names(variables)
         self._name_of = dict(zip(variables, names, strict=True))
         self.states, self.outputs = names[:n], names[n:]

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places, check_mapping, merged, number, real_array
+from pydy._checks import SymbolIndex, check_mapping, merged, number, real_array
 from pydy._names import latex_of
 from pydy._problem import Problem
 from pydy.codegen import SpecifiedsPlan, symbolic_entries
@@ -167,7 +167,7 @@ class _SampleAxes:
 def _columns(
     argument: str,
     values: Mapping[Any, Any],
-    symbol_index: Places,
+    symbol_index: SymbolIndex,
     base: np.ndarray,
     axes: _SampleAxes,
     role: str,

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places
+from pydy._checks import SymbolIndex
 from pydy._judges import warn_of_missing_derivatives
 from pydy._problem import Problem, refuse_descending
 from pydy.layers.layer import KINDS, ArgumentPart, LayerFunction
@@ -31,9 +31,9 @@ class LayerFunctions:
             "_functions": {},
         }  # functions contain locks; they are created again
 
-    def symbol_index(self, group: str) -> Places:
+    def symbol_index(self, group: str) -> SymbolIndex:
         """Return the symbols of x, r or p."""
-        index: Places = self.problem.definition.places[KINDS[group]]
+        index: SymbolIndex = self.problem.definition.places[KINDS[group]]
         return index
 
     def counts(self, kind: str, group: str, indices: tuple[int, ...]) -> tuple[int, ...]:

@@ -13,7 +13,7 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     check_mapping,
     listed,
     merged,
@@ -180,10 +180,10 @@ def named_constants(
         return dict(values)
     # A trajectory from a file has names instead of symbols.
     values = {name_of(key) if name_of(key) in defaults else key: v for key, v in values.items()}
-    lookup = Places([*defaults], "constants of the trajectory")
+    lookup = SymbolIndex([*defaults], "constants of the trajectory")
     if lookup.unknown(values, "constants"):
         with contextlib.suppress(ValueError):  # unrelated frames and points raise an error later
-            lookup = Places(
+            lookup = SymbolIndex(
                 [
                     *defaults,
                     *sort_symbols(_drawn(*scene, series) - {*defaults}),

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._checks import Places, choice, number, positive, refuse_twice, shown, text
+from pydy._checks import SymbolIndex, choice, number, positive, refuse_twice, shown, text
 from pydy._graph import Graph, SymPyReader, lower, simplify
 from pydy._names import label_parts, name_of, nearest, some
 from pydy._program import Program, run
@@ -322,9 +322,9 @@ def _sliders(
 ) -> tuple[list[dict[str, Any]], list[tuple[Any, float, Mapping[Any, Any]]]]:
     """Return the sliders of the page, and the user's own ones with the inputs they set."""
     groups = (
-        ("p", Places(system.constants, "constants of the system"), system.model.constants),
-        ("x", Places(system.states, "states of the system"), system.model.states),
-        ("r", Places(system.inputs, "inputs of the system"), system.model.inputs),
+        ("p", SymbolIndex(system.constants, "constants of the system"), system.model.constants),
+        ("x", SymbolIndex(system.states, "states of the system"), system.model.states),
+        ("r", SymbolIndex(system.inputs, "inputs of the system"), system.model.inputs),
     )
     refuse_twice(
         [next((s for _, lookup, _ in groups if (s := lookup.meaning(key, "live")) != key), key)
@@ -394,7 +394,7 @@ def _start(
     graph = Graph()
     constants = [*system.constants, *(symbol for symbol, _, _ in user_sliders)]
     atoms = graph.input_nodes(p=constants, x=system.states)
-    lookup = Places(system.states, "states of the system")
+    lookup = SymbolIndex(system.states, "states of the system")
     reader = SymPyReader(graph, atoms, "`sets` of a slider")
     nodes, targets = [], []
     for key, _, sets in user_sliders:

@@ -14,7 +14,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends import compile_program
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     check_mapping,
     descends,
     describe,
@@ -374,7 +374,7 @@ def _constants(constants: Any) -> dict[Any, float]:
 def _alike(keys: Iterable[Any], argument: str) -> list[Any]:
     """Return keys, with names replaced by the symbols among the keys that have them."""
     keys = [*keys]
-    lookup = Places([key for key in keys if not isinstance(key, str)], argument)
+    lookup = SymbolIndex([key for key in keys if not isinstance(key, str)], argument)
     return [lookup.meaning(key, argument) for key in keys]
 
 

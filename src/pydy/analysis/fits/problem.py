@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     check_mapping,
     describe,
     merged,
@@ -225,18 +225,18 @@ class FitProblem:
 
     def _columns_of(self, key: Any, argument: str) -> list[int]:
         """Return the columns of the parameters that a key names; a state is that of each trial."""
-        shared = Places([s for _, s in self.shared], "parameters of the fit")
+        shared = SymbolIndex([s for _, s in self.shared], "parameters of the fit")
         index = shared.get(key, argument)
         if index is not None:
             return [index]
         matches = []
         for d, column in zip(self.trials, self.columns, strict=True):
-            index = Places(d.unknown, "unknown initial conditions").get(key, argument)
+            index = SymbolIndex(d.unknown, "unknown initial conditions").get(key, argument)
             if index is not None:
                 matches.append(column + index)
         if not matches:
             unknown = {s: 0 for d in self.trials for s in d.unknown}
-            Places([*shared.symbols, *unknown], "parameters of the fit").find(key, argument)
+            SymbolIndex([*shared.symbols, *unknown], "parameters of the fit").find(key, argument)
         return matches
 
     def sizes(self, states: np.ndarray) -> np.ndarray:

@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._assembly import Definition
 from pydy._checks import (
-    Places,
+    SymbolIndex,
     check_mapping,
     describe,
     one_or_more,
@@ -45,7 +45,7 @@ def checked_trial(
 ) -> TrialSamples:
     """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
     states = definition.places["states"]
-    measurable = Places([*definition.states, *definition.outputs_symbols],
+    measurable = SymbolIndex([*definition.states, *definition.outputs_symbols],
                         "states and outputs of the system")  # fmt: skip
     label = f"trial {k}"
     if not isinstance(trial, Trial):
@@ -81,7 +81,7 @@ def checked_trial(
 
 
 def _key(
-    key: Any, label: str, definition: Definition, measurable: Places, outputs: dict[Any, Any]
+    key: Any, label: str, definition: Definition, measurable: SymbolIndex, outputs: dict[Any, Any]
 ) -> Any:
     index = measurable.get(key, "measured")
     if index is not None:
