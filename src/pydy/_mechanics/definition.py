@@ -99,7 +99,7 @@ class Definition:
         ways, in which more of them are redundant, may need to be told which way is meant. Speeds
         in it are not used: it may be the ``initial_conditions`` of a System.
     frames : mapping of names to pairs of a ReferenceFrame and a Point, optional
-        SymbolIndex that `System.frame_position`, `frame_rotation` and `frame_jacobian` know by name.
+        Places that `System.frame_position`, `frame_rotation` and `frame_jacobian` know by name.
     values : mapping of constants to numbers, optional
         What these have there in place of 1.0, if the motion does not depend on them and the System
         has no value either: the place of a robot's base.
