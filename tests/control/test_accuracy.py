@@ -98,11 +98,11 @@ def regulated(growth=0.0, duration=3.0):
     ],
 )
 def test_the_objectives_error_is_estimated(make, options, least, share):
-    found = make(**options).solve()
-    gain = least - found.objective
+    solution = make(**options).solve()
+    gain = least - solution.objective
     assert abs(gain) > 1e-5 * least  # the mesh is too coarse
-    assert found.objective_error.sum() == pytest.approx(gain, rel=share)
-    assert f"± {np.abs(found.objective_error).sum():.1g}: solved" in repr(found)
+    assert solution.objective_error.sum() == pytest.approx(gain, rel=share)
+    assert f"± {np.abs(solution.objective_error).sum():.1g}: solved" in repr(solution)
 
 
 def uneven(**options):
@@ -157,10 +157,10 @@ def test_the_estimate_is_never_far_too_small(make, options, least):
     needle = make is hanging_chain and "method" not in options
     needle = needle or (make is UNSTABLE and options["mesh"] < 5)
     with pytest.warns(PyDyUserWarning, match=NEEDLE) if needle else nullcontext():
-        found = made[0].solve(made[1]) if isinstance(made, tuple) else made.solve()
-    gain = abs(least - found.objective)
+        solution = made[0].solve(made[1]) if isinstance(made, tuple) else made.solve()
+    gain = abs(least - solution.objective)
     assert gain > 1e-5 * least  # the mesh is too coarse
-    assert 0.5 * gain < np.abs(found.objective_error).sum() < 12.0 * gain
+    assert 0.5 * gain < np.abs(solution.objective_error).sum() < 12.0 * gain
 
 
 @cache
@@ -192,10 +192,10 @@ def layers():
 )
 def test_the_estimate_counts_layers_that_the_mesh_does_not_resolve(options):
     system, cost, (start, end), least = layers()
-    found = system.optimize_trajectory(cost, 20.0, start=start, end=end, **options)
-    gain = found.objective - least
+    solution = system.optimize_trajectory(cost, 20.0, start=start, end=end, **options)
+    gain = solution.objective - least
     assert gain > 3.0
-    assert 0.85 * gain < np.abs(found.objective_error).sum() < 3.0 * gain
+    assert 0.85 * gain < np.abs(solution.objective_error).sum() < 3.0 * gain
 
 
 @pytest.mark.parametrize(
@@ -209,9 +209,9 @@ def test_the_estimate_counts_layers_that_the_mesh_does_not_resolve(options):
 def test_an_objective_without_a_certain_digit_is_warned_of(options):
     problem, guess = hanging_chain(**options)
     with pytest.warns(PyDyUserWarning, match=NEEDLE) as told:
-        found = problem.solve(guess)
+        solution = problem.solve(guess)
     assert len(told) == 1
-    assert abs(found.objective / catenary() - 1.0) > 0.03
+    assert abs(solution.objective / catenary() - 1.0) > 0.03
 
 
 def test_a_finer_mesh_is_the_remedy_for_a_needle():
@@ -223,17 +223,17 @@ def test_a_finer_mesh_is_the_remedy_for_a_needle():
 @pytest.mark.parametrize("mesh", [1, 11])
 def test_instants_inside_the_motion_become_nodes(mesh, method):
     # Inside an interval the force would have no bend, at 192.06 for 192, which no estimate sees.
-    found = waypoint(mesh=mesh, method=method).solve()
-    assert found.objective == pytest.approx(192.0, rel=1e-9)
-    assert 0.5 in found.mesh
-    assert len(found.mesh) == mesh + 2
+    solution = waypoint(mesh=mesh, method=method).solve()
+    assert solution.objective == pytest.approx(192.0, rel=1e-9)
+    assert 0.5 in solution.mesh
+    assert len(solution.mesh) == mesh + 2
 
 
 def test_a_step_that_is_too_long_for_the_quadrature_is_warned_of():
     # The motion satisfies the equations exactly, with an objective of 16 for 12.
     with pytest.warns(PyDyUserWarning, match=r"the objective of 16 may be wrong by 5, "):
-        found = energy(mesh=2, method="midpoint").solve()
-    assert found.error.max() < 1e-12
+        solution = energy(mesh=2, method="midpoint").solve()
+    assert solution.error.max() < 1e-12
 
 
 @pytest.mark.parametrize(("mesh", "found"), [(2, r"3\.33"), (3, r"2\.5")])
@@ -253,18 +253,18 @@ def test_a_bound_that_holds_between_points_only_because_they_are_few_is_warned_o
 )
 def test_a_mesh_is_refined_until_the_objective_is_right(make, method, least):
     # The motions satisfy the equations to rounding on the first mesh, and are off by up to 0.6 %.
-    found = make(method=method).solve(mesh_tol=1e-5)
-    assert found.objective == pytest.approx(least, rel=1e-5)
+    solution = make(method=method).solve(mesh_tol=1e-5)
+    assert solution.objective == pytest.approx(least, rel=1e-5)
 
 
 def test_a_control_without_bounds_and_a_free_duration():
     problem, guess, least = upstream(method="midpoint")
-    found = problem.solve(guess)
-    assert found.objective_error.sum() == pytest.approx(least - found.objective, rel=0.01)
+    solution = problem.solve(guess)
+    assert solution.objective_error.sum() == pytest.approx(least - solution.objective, rel=0.01)
     problem, guess, least = upstream(order=5)
-    found = problem.solve(guess)
-    assert found.objective == pytest.approx(least, rel=1e-12)
-    assert np.abs(found.objective_error).sum() < 1e-11
+    solution = problem.solve(guess)
+    assert solution.objective == pytest.approx(least, rel=1e-12)
+    assert np.abs(solution.objective_error).sum() < 1e-11
 
 
 def test_the_estimate_has_the_objectives_unit():
@@ -275,8 +275,8 @@ def test_the_estimate_has_the_objectives_unit():
 
 
 def test_a_limit_on_the_path_that_is_passed_between_the_points():
-    found = wall(by_path=True, method="hermite-simpson").solve(mesh_tol=1e-4)
-    assert found.objective == pytest.approx(4.0, rel=1e-4)
+    solution = wall(by_path=True, method="hermite-simpson").solve(mesh_tol=1e-4)
+    assert solution.objective == pytest.approx(4.0, rel=1e-4)
 
 
 def singular(regular=0.0, **options):
@@ -290,8 +290,8 @@ def singular(regular=0.0, **options):
 
 def test_a_control_that_chatters_on_a_singular_arc_is_warned_of():
     with pytest.warns(PyDyUserWarning, match=r"`u\(t\)` enters linearly and chatters from t = 1."):
-        found = singular(method="hermite-simpson").solve()
-    assert found.objective == pytest.approx(0.37699193, rel=1e-3)
+        solution = singular(method="hermite-simpson").solve()
+    assert solution.objective == pytest.approx(0.37699193, rel=1e-3)
     # What the warning says helps.
     singular(1e-2, method="hermite-simpson").solve()
     assert singular().solve().objective == pytest.approx(0.37699193, rel=1e-4)
@@ -316,7 +316,7 @@ def pulled_back(start):
 def test_fine_intervals_around_a_jump_do_not_chatter(start):
     # The state turns about u = ±1 in circles, at last about
     # 1 from a radius of one, before that half a turn about −1 (Pontryagin et al., 1962, §5).
-    found = pulled_back(start).solve(mesh_tol=1e-6)
+    solution = pulled_back(start).solve(mesh_tol=1e-6)
 
     def passed(angles):
         z = complex(start, 0.0)
@@ -325,7 +325,7 @@ def test_fine_intervals_around_a_jump_do_not_chatter(start):
         return z.real, z.imag
 
     angles = fsolve(passed, [0.2, 2.0])
-    assert found.duration == pytest.approx(np.pi + angles.sum(), rel=1e-6)
+    assert solution.duration == pytest.approx(np.pi + angles.sum(), rel=1e-6)
 
 
 @pytest.mark.parametrize("method", ["midpoint", "backward-euler"])
@@ -333,10 +333,10 @@ def test_fine_intervals_around_a_jump_do_not_chatter(start):
 def test_one_or_two_points_of_a_control_are_no_arc(method, mesh):
     system, (_, v, F) = optima.double_integrator()
     cost, bounds = sm.Integral(F, T), {F: (0.0, 2.0)}
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         cost, 1.0, end={v: 1.0}, bounds=bounds, method=method, mesh=mesh
     )
-    assert found.objective == pytest.approx(1.0, rel=1e-6)
+    assert solution.objective == pytest.approx(1.0, rel=1e-6)
 
 
 def test_an_infinite_slope_of_the_objective_is_told(monkeypatch):
@@ -345,9 +345,9 @@ def test_an_infinite_slope_of_the_objective_is_told(monkeypatch):
     monkeypatch.setattr(search, "MOST_REFINEMENTS", 4)
     told = r"What the search leaves of the equations changes the objective by \de-0"
     with pytest.warns(PyDyUserWarning, match=told) as warned:
-        found = pulled_back(2.0).solve(mesh_tol=1e-8)
+        solution = pulled_back(2.0).solve(mesh_tol=1e-8)
     assert len(warned) == 1
-    assert found.duration == pytest.approx(np.pi, rel=1e-3)
+    assert solution.duration == pytest.approx(np.pi, rel=1e-3)
 
 
 def test_where_a_finer_mesh_has_no_solution_that_of_the_one_before_is_returned():
@@ -355,5 +355,5 @@ def test_where_a_finer_mesh_has_no_solution_that_of_the_one_before_is_returned()
     coarse = problem.solve()
     told = r"After 0 refinements the mesh of 20 intervals has .* next one, of \d+, the search found"
     with pytest.warns(PyDyUserWarning, match=told):
-        found = problem.solve(coarse, mesh_tol=1e-6, options={"max_iter": 9})
-    assert found.duration == pytest.approx(coarse.duration, rel=1e-7)
+        solution = problem.solve(coarse, mesh_tol=1e-6, options={"max_iter": 9})
+    assert solution.duration == pytest.approx(coarse.duration, rel=1e-7)

@@ -66,23 +66,23 @@ PLACE = {"x": np.sin(END), "y": -np.cos(END)}
 def test_a_pendulum_in_cartesian_coordinates(by_angle, end, constraints):
     # It hangs where x cannot be solved for, and may have redundant constraints.
     system = pendulum_in_a_plane(constraints)
-    found = system.optimize_trajectory(effort(system), 1.5, end=end, order=4)
-    assert found.objective == pytest.approx(by_angle.objective, rel=1e-6)
-    assert np.abs(found["x"] ** 2 + found["y"] ** 2 - 1.0).max() < 1e-9
-    assert np.abs(found["x"] * found["v"] + found["y"] * found["w"]).max() < 1e-9
-    nodes = by_angle.at(found.mesh)
-    np.testing.assert_allclose(found.at(found.mesh)["x"], np.sin(nodes["q"]), atol=1e-6)
+    solution = system.optimize_trajectory(effort(system), 1.5, end=end, order=4)
+    assert solution.objective == pytest.approx(by_angle.objective, rel=1e-6)
+    assert np.abs(solution["x"] ** 2 + solution["y"] ** 2 - 1.0).max() < 1e-9
+    assert np.abs(solution["x"] * solution["v"] + solution["y"] * solution["w"]).max() < 1e-9
+    nodes = by_angle.at(solution.mesh)
+    np.testing.assert_allclose(solution.at(solution.mesh)["x"], np.sin(nodes["q"]), atol=1e-6)
     labels = [f"constraint {k} of {kind}" for kind in ("positions", "velocities") for k in (0,)]
-    assert set(labels) <= found.multipliers.keys()
+    assert set(labels) <= solution.multipliers.keys()
 
 
 def test_slack_velocities_vanish_with_the_errors():
     system, sizes = pendulum_in_a_plane(), []
     for mesh in (10, 20):
-        found = system.optimize_trajectory(
+        solution = system.optimize_trajectory(
             effort(system), 1.5, end={"x": PLACE["x"], "v": 0.0}, mesh=mesh
         )
-        slack = found._transcription.split(found.solution.z)[1][1]
+        slack = solution._transcription.split(solution.solution.z)[1][1]
         sizes.append(np.abs(slack).max())
     assert sizes[0] < 0.1
     assert sizes[1] < sizes[0] / 4
@@ -135,12 +135,12 @@ def test_a_nonholonomic_vehicle(method, mesh, rel):
 
 def test_dependent_states_of_the_start_follow():
     system = pendulum_in_a_plane()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         effort(system), 1.0, start={"y": -0.8, "w": 0.3}, end={"x": 0.0, "v": 0.0},
         guess={"x": [0.5, 0.0]},
     )  # fmt: skip
-    assert found["x"][0] == pytest.approx(0.6, abs=1e-9)
-    assert found["v"][0] == pytest.approx(0.4, abs=1e-9)
+    assert solution["x"][0] == pytest.approx(0.6, abs=1e-9)
+    assert solution["v"][0] == pytest.approx(0.4, abs=1e-9)
 
 
 def test_a_start_that_violates_constraints_is_refused():
@@ -172,14 +172,14 @@ ORDERS = {"backward-euler": 1, "midpoint": 2, "hermite-simpson": 4}
 def test_every_method_keeps_its_order(by_angle, method, constraints):
     system, wrong, missed = pendulum_in_a_plane(constraints), [], []
     for mesh in (20, 40):
-        found = system.optimize_trajectory(
+        solution = system.optimize_trajectory(
             effort(system), 1.5, end={"x": PLACE["x"], "v": 0.0}, mesh=mesh, method=method
         )
-        nodes = found.at(found.mesh)
+        nodes = solution.at(solution.mesh)
         assert np.abs(nodes["x"] ** 2 + nodes["y"] ** 2 - 1.0).max() < 1e-9
         assert np.abs(nodes["x"] * nodes["v"] + nodes["y"] * nodes["w"]).max() < 1e-9
-        wrong.append(abs(found.objective - by_angle.objective))
-        missed.append(missed_by(system, found))
+        wrong.append(abs(solution.objective - by_angle.objective))
+        missed.append(missed_by(system, solution))
     for first, second in (wrong, missed):
         assert second < 1.1 * first / 2 ** ORDERS[method]
     assert missed[1] < {1: 0.6, 2: 7e-3, 4: 1e-5}[ORDERS[method]]
@@ -188,18 +188,18 @@ def test_every_method_keeps_its_order(by_angle, method, constraints):
 def test_the_first_multipliers_of_hermite_simpson_are_determined():
     """They would be free: the constraints hold at the start already."""
     system = pendulum_in_a_plane()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         effort(system), 1.5, end={"x": PLACE["x"], "v": 0.0}, method="hermite-simpson"
     )
-    _, algebraic, _, _ = found._transcription.split(found.solution.z)
+    _, algebraic, _, _ = solution._transcription.split(solution.solution.z)
     force, slack, tension = algebraic[:, 0]
     assert slack == pytest.approx(0.0, abs=1e-9)
     assert abs(force) > 1.0  # across the rod that hangs, where it is no part of the tension
     assert tension == pytest.approx(-9.81 / 2, rel=1e-9)  # of the weight by 2 y
-    assert found.multipliers["motion of v"].shape == found.collocation_times.shape == (41,)
-    assert found.multipliers["constraint 0 of velocities"].shape == (40,)
+    assert solution.multipliers["motion of v"].shape == solution.collocation_times.shape == (41,)
+    assert solution.multipliers["constraint 0 of velocities"].shape == (40,)
     with pytest.raises(NotImplementedError, match="has no costates of systems with constraints"):
-        found.costates
+        solution.costates
 
 
 def test_costates_of_the_midpoint_rule_are_slopes_of_the_objective():
@@ -233,10 +233,10 @@ def test_a_four_bar_by_every_method():
     for method, ratio in (("midpoint", 3.8), ("hermite-simpson", 13.0)):
         off, missed = [], []
         for mesh in (20, 40):
-            found = system.optimize_trajectory(objective, 0.8, mesh=mesh, method=method, **asked)
-            assert len(found.history) <= 8  # the links of its guess are closed
-            off.append(abs(found.objective / best.objective - 1.0))
-            missed.append(missed_by(system, found))
+            solution = system.optimize_trajectory(objective, 0.8, mesh=mesh, method=method, **asked)
+            assert len(solution.history) <= 8  # the links of its guess are closed
+            off.append(abs(solution.objective / best.objective - 1.0))
+            missed.append(missed_by(system, solution))
         assert off[1] < off[0] / ratio
         assert missed[1] < missed[0] / ratio
 
@@ -276,11 +276,11 @@ def test_a_constraint_that_a_control_moves_is_refused():
 
 def guessed(system, problem, given=None):
     """Return the coordinates x and y of a guess at its nodes and points, and their times."""
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    states = made.split(problem._combined_program([problem._mesh], [given])[1])[0]
+    transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
+    states = transcription.split(problem._combined_program([problem._mesh], [given])[1])[0]
     rows = {s.name: row for s, row in zip(system.states, states, strict=True)}
-    there = ~made.state_slots[1]
-    return rows["x"][there], rows["y"][there], made.state_slots[0][there]
+    there = ~transcription.state_slots[1]
+    return rows["x"][there], rows["y"][there], transcription.state_slots[0][there]
 
 
 @pytest.mark.parametrize("method", ["radau", "midpoint", "hermite-simpson"])
@@ -345,12 +345,12 @@ def test_a_swing_up_in_cartesian_coordinates_by_every_method():
     end = {"x": 0.0, "y": 1.0, "v": 0.0, "w": 0.0}
     system = pendulum_in_a_plane()
     for method, off in (("radau", 2e-5), ("hermite-simpson", 2e-4), ("midpoint", 3e-2)):
-        found = system.optimize_trajectory(
+        solution = system.optimize_trajectory(
             effort(system), 2.0, end=end, mesh=40, method=method, guess=guess
         )
-        assert found.objective == pytest.approx(best.objective, rel=off)
+        assert solution.objective == pytest.approx(best.objective, rel=off)
         np.testing.assert_allclose(
-            found.at(found.mesh)["x"], np.sin(best.at(found.mesh)["q"]), atol=10 * off
+            solution.at(solution.mesh)["x"], np.sin(best.at(solution.mesh)["q"]), atol=10 * off
         )
 
 
@@ -371,9 +371,9 @@ def rod_of_cosines(**options):
 
 
 def test_what_the_motion_keeps_by_itself_holds_at_the_start():
-    found = rod_of_cosines(start={"c": 0.8, "s": 0.6, "w": 0}).solve()
+    solution = rod_of_cosines(start={"c": 0.8, "s": 0.6, "w": 0}).solve()
     turned = np.arccos(0.6) - np.arccos(0.8)
-    assert found.objective == pytest.approx(12 * turned**2, rel=1e-6)
+    assert solution.objective == pytest.approx(12 * turned**2, rel=1e-6)
     with pytest.raises(
         ValueError, match=r"does not satisfy the constraints: constraint 0 .* -0.11"
     ):

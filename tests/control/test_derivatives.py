@@ -23,14 +23,14 @@ STEP = mp.mpf(10) ** -10
 
 def nlp_of(problem, seed, unit=True):
     """Return the program, unknowns at random and the transcription."""
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    size = sum(made.sizes)
+    transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
+    size = sum(transcription.sizes)
     rng = np.random.default_rng(seed)
     z = rng.uniform(0.2, 1.2, size)
     sizes = np.ones(size) if unit else rng.uniform(0.1, 9.0, size)
     everywhere = np.full(size, np.inf)
-    nlp = made.nlp(-everywhere, everywhere, sizes)
-    return (nlp if unit else nlp.scaled_at(z)), z, made
+    nlp = transcription.nlp(-everywhere, everywhere, sizes)
+    return (nlp if unit else nlp.scaled_at(z)), z, transcription
 
 
 class Reference:

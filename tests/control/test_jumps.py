@@ -106,12 +106,12 @@ def test_bounds_may_exclude_a_jump():
 
 
 def test_a_jump_of_a_condition_that_does_not_bind_stops_no_search():
-    found = SYSTEM.optimize_trajectory(
+    solution = SYSTEM.optimize_trajectory(
         over(F**2), 1.0, end={X: 1.0, V: 0.0}, mesh=8,
         path=[SIGN(V - 2) <= HALF, STEP(X - HALF) <= 6],
         boundary=[STEP(V.subs(T, 1.0) - 1) <= HALF],
     )  # fmt: skip
-    assert found.objective == pytest.approx(12.0, rel=1e-7)
+    assert solution.objective == pytest.approx(12.0, rel=1e-7)
 
 
 @pytest.mark.parametrize(
@@ -136,12 +136,12 @@ def test_a_solution_that_crosses_the_jump_of_an_active_condition_is_told():
     with pytest.warns(
         PyDyUserWarning, match=r"crosses a jump: a condition of `path`.*jumps by 100"
     ):
-        found = SYSTEM.optimize_trajectory(over(F**2), 1.0, path=[below >= F], **given)
-    late = found["x"] > 0.3
-    assert found["F"][late].max() <= 1.0 + 1e-6
+        solution = SYSTEM.optimize_trajectory(over(F**2), 1.0, path=[below >= F], **given)
+    late = solution["x"] > 0.3
+    assert solution["F"][late].max() <= 1.0 + 1e-6
     # Where neither side's condition decides, nothing is said.
-    found = SYSTEM.optimize_trajectory(over(F**2), 1.0, path=[3 + below >= F], **given)
-    assert found.objective == pytest.approx(12.0, rel=1e-7)
+    solution = SYSTEM.optimize_trajectory(over(F**2), 1.0, path=[3 + below >= F], **given)
+    assert solution.objective == pytest.approx(12.0, rel=1e-7)
 
 
 def test_a_solution_that_crosses_the_cut_of_an_angle_is_told():
@@ -151,5 +151,5 @@ def test_a_solution_that_crosses_the_cut_of_an_angle_is_told():
     with pytest.warns(PyDyUserWarning, match=r"crosses a jump: `objective`.* t = 0\.\d+ and 0\.5"):
         SYSTEM.optimize_trajectory(over(F**2 + angle**2 / 100), 1.0, **given)
     ahead = sm.atan2(X - HALF, V + 1) - 1
-    found = SYSTEM.optimize_trajectory(over(F**2 + ahead**2 / 100), 1.0, **given)
-    assert np.isfinite(found.objective)
+    solution = SYSTEM.optimize_trajectory(over(F**2 + ahead**2 / 100), 1.0, **given)
+    assert np.isfinite(solution.objective)

@@ -28,8 +28,8 @@ def derived(monkeypatch, tmp_path):
 
 def functions_of(system, F, power=2, mesh=4, **options):
     problem = OptimalControl(system, sm.Integral(F**power, T), 1.0, mesh=mesh, **options)
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    return made.groups[0].functions
+    transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
+    return transcription.groups[0].functions
 
 
 def test_problems_of_a_system_share_what_they_have_in_common(derived):

@@ -54,37 +54,37 @@ def test_every_method_stays_on_a_kink(method):
 )
 def test_a_force_that_costs_above_a_limit_alone_stays_below(kink):
     # F = 1 on [0, 2] leads from rest to x = 2; with less somewhere it takes more elsewhere.
-    found = SYSTEM.optimize_trajectory(over(kink), 2.0, end={X: 2.0}, mesh=8)
-    assert found.objective == pytest.approx(0.0, abs=1e-8)
-    assert found["F"].max() <= 1.0 + 1e-6
+    solution = SYSTEM.optimize_trajectory(over(kink), 2.0, end={X: 2.0}, mesh=8)
+    assert solution.objective == pytest.approx(0.0, abs=1e-8)
+    assert solution["F"].max() <= 1.0 + 1e-6
 
 
 def test_the_distance_from_a_force_is_least_where_the_kink_is():
     # With x(2) = 1 from rest, ∫ |F − 1| dt is least with all of the change at the start, where it
     # counts most: F = 1 − M there; in the limit of a pulse, its area is 1/2.
-    found = SYSTEM.optimize_trajectory(over(abs(F - 1)), 2.0, end={X: 1.0}, mesh=20)
-    assert found.objective == pytest.approx(0.5, rel=0.02)
-    assert found["F"][10:] == pytest.approx(1.0, abs=1e-6)
+    solution = SYSTEM.optimize_trajectory(over(abs(F - 1)), 2.0, end={X: 1.0}, mesh=20)
+    assert solution.objective == pytest.approx(0.5, rel=0.02)
+    assert solution["F"][10:] == pytest.approx(1.0, abs=1e-6)
 
 
 def test_a_kink_of_a_value_at_an_instant():
     # ∫ F² of x(1) = a from rest is 3 a²: with k |x(1) − 1| it is least at a = min(1, k/6).
     for k, a in ((10.0, 1.0), (3.0, 0.5)):
         miss = k * abs(X.subs(T, 1.0) - 1)
-        found = SYSTEM.optimize_trajectory(over(F**2) + miss, 1.0, mesh=4)
-        assert found["x"][-1] == pytest.approx(a, abs=1e-6)
-        assert found.objective == pytest.approx(3 * a**2 + k * (1 - a), rel=1e-6)
+        solution = SYSTEM.optimize_trajectory(over(F**2) + miss, 1.0, mesh=4)
+        assert solution["x"][-1] == pytest.approx(a, abs=1e-6)
+        assert solution.objective == pytest.approx(3 * a**2 + k * (1 - a), rel=1e-6)
 
 
 def test_a_kink_within_an_output():
     system, (x, v, force) = optima.double_integrator()
     effort = sm.Symbol("effort")
     system.outputs = {effort: abs(force)}
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         over(effort), 4.0, end={x: 1.0, v: 0.0}, bounds={force: (-1, 1)}, mesh=40
     )
-    assert found.objective == pytest.approx(2 * (2 - np.sqrt(3)), rel=1e-3)
-    assert found["effort"] == pytest.approx(np.abs(found["F"]))
+    assert solution.objective == pytest.approx(2 * (2 - np.sqrt(3)), rel=1e-3)
+    assert solution["effort"] == pytest.approx(np.abs(solution["F"]))
 
 
 def test_phases_and_sweeps_keep_kinks():
@@ -104,13 +104,13 @@ def test_phases_and_sweeps_keep_kinks():
 
 def test_conditions_with_kinks_hold():
     # min ∫ F² with |F| ≤ 5: F = a (1 − 2 t), cut off at ±5; see the moments below.
-    found = SYSTEM.optimize_trajectory(
+    solution = SYSTEM.optimize_trajectory(
         over(F**2), 1.0, end={X: 1.0, V: 0.0}, mesh_tol=1e-7, path=[abs(F) <= 5]
     )
     # With ±5 for s at the ends, x(1) = ∫ (1 − t) F dt = 5/4 − 5 (1 − 2 s)²/12 = 1.
     s = (1 - np.sqrt(0.6)) / 2
-    assert found.objective == pytest.approx(50 * s + 25 * (1 - 2 * s) / 3, rel=1e-6)
-    assert found.multipliers["Abs(F(t)) <= 5"].min() < 0.0 < 1e-6 + found["F"].max()
+    assert solution.objective == pytest.approx(50 * s + 25 * (1 - 2 * s) / 3, rel=1e-6)
+    assert solution.multipliers["Abs(F(t)) <= 5"].min() < 0.0 < 1e-6 + solution["F"].max()
 
 
 def test_what_a_kink_may_not_be_replaced_in_stays():

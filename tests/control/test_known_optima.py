@@ -21,12 +21,12 @@ def test_the_least_energy_of_a_double_integrator_is_12(method, order):
     problem = OptimalControl(
         system, sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, method=method, order=order
     )
-    found = problem.solve()
+    solution = problem.solve()
     if order == 1 and method != "hermite-simpson":  # Σ over 20 equal steps has another optimum
-        assert found.objective == pytest.approx(12.0 / (1.0 - 1.0 / 400.0), rel=1e-9)
+        assert solution.objective == pytest.approx(12.0 / (1.0 - 1.0 / 400.0), rel=1e-9)
     else:
-        assert found.objective == pytest.approx(12.0, rel=1e-9)
-        np.testing.assert_allclose(found[F], 6.0 - 12.0 * found.times, atol=1e-6)
+        assert solution.objective == pytest.approx(12.0, rel=1e-9)
+        np.testing.assert_allclose(solution[F], 6.0 - 12.0 * solution.times, atol=1e-6)
 
 
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
@@ -34,15 +34,15 @@ def test_the_costates_of_a_double_integrator(method):
     # H = F²/2 + a v + b F: a' = 0, b' = −a and F = −b, so that a = −12 and b = −6 + 12 t (Bryson
     # and Ho, 5.2); a is the derivative of 6 (1 − x₀)² by x₀.
     system, (x, v, F) = optima.double_integrator()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(F**2, T) / 2,
         1.0,
         end={x: 1.0, v: 0.0},
         mesh=[0.0, 0.2, 0.7, 1.0],
         method=method,
     )
-    np.testing.assert_allclose(found.costates[x], -12.0, rtol=1e-7)
-    np.testing.assert_allclose(found.costates[v], -6.0 + 12.0 * found.mesh, rtol=1e-6)
+    np.testing.assert_allclose(solution.costates[x], -12.0, rtol=1e-7)
+    np.testing.assert_allclose(solution.costates[v], -6.0 + 12.0 * solution.mesh, rtol=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -53,33 +53,33 @@ def test_costates_are_derivatives_of_the_objective_by_the_start(method, mesh):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()
     ends = {"end": {q1: 0.5, q2: 0.3, u1: 0.0, u2: 0.0}, "method": method, "mesh": mesh}
     objective = sm.Integral(F**2, T) + u2.subs(T, 1.0) ** 2
-    found = system.optimize_trajectory(objective, 1.0, **ends)
+    solution = system.optimize_trajectory(objective, 1.0, **ends)
     for state in (q1, q2, u1, u2):
         sides = [
-            system.optimize_trajectory(objective, 1.0, start={state: h}, guess=found, **ends)
+            system.optimize_trajectory(objective, 1.0, start={state: h}, guess=solution, **ends)
             for h in (1e-4, -1e-4)
         ]
         slope = (sides[0].objective - sides[1].objective) / 2e-4
-        assert found.costates[state][0] == pytest.approx(slope, rel=1e-5, abs=1e-5)
+        assert solution.costates[state][0] == pytest.approx(slope, rel=1e-5, abs=1e-5)
 
 
 def test_the_least_time_of_a_double_integrator_is_2():
     # One switch, in the middle: Bryson and Ho, 3.9.
     system, (x, v, F) = optima.double_integrator()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 10.0)}
     )
-    assert found.objective == pytest.approx(2.0, rel=1e-6)
-    assert found.duration == found.objective
+    assert solution.objective == pytest.approx(2.0, rel=1e-6)
+    assert solution.duration == solution.objective
 
 
 def test_a_mass_of_2_kg_slides_a_metre_in_0_4_s():
     # ±50 N: half the way in √(2 · 0.5 / 25) = 0.2 s, and as long for the other half.
     system, (x, v, F) = optima.double_integrator(2)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-50.0, 50.0), TF: (0.05, 5.0)}
     )
-    assert found.objective == pytest.approx(0.4, rel=1e-6)
+    assert solution.objective == pytest.approx(0.4, rel=1e-6)
 
 
 @pytest.mark.parametrize("limit", [1 / 9, 1 / 12])
@@ -92,10 +92,10 @@ def test_the_problem_of_bryson_and_denham(limit):
         [np.linspace(0, 3 * limit, 9), np.linspace(3 * limit, 1 - 3 * limit, 4)[1:-1]]
     )
     nodes = np.concatenate([nodes, np.linspace(1 - 3 * limit, 1, 9)])
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(F**2, T) / 2, 1.0, **ends, bounds={x: (None, limit)}, mesh=nodes
     )
-    assert found.objective == pytest.approx(4.0 / (9.0 * limit), rel=1e-6)
+    assert solution.objective == pytest.approx(4.0 / (9.0 * limit), rel=1e-6)
 
 
 @pytest.mark.parametrize(("method", "mesh"), [("radau", 20), ("hermite-simpson", 40)])
@@ -105,10 +105,10 @@ def test_the_brachistochrone_is_a_cycloid(method, mesh):
     problem = OptimalControl(
         system, TF, TF, end={x: 2.0, y: 2.0}, bounds=bounds, method=method, mesh=mesh, order=4
     )
-    found = problem.solve({v: [0.0, 6.0], angle: [0.0, 1.5]})
+    solution = problem.solve({v: [0.0, 6.0], angle: [0.0, 1.5]})
     exact = optima.cycloid_time(2.0, 2.0, 9.81)
     assert exact == pytest.approx(0.824338669439, rel=1e-12)
-    assert found.objective == pytest.approx(exact, rel=1e-7)
+    assert solution.objective == pytest.approx(exact, rel=1e-7)
 
 
 def test_the_hypersensitive_problem_of_betts():
@@ -120,11 +120,11 @@ def test_the_hypersensitive_problem_of_betts():
     layer = 25.0 * np.linspace(0.0, 1.0, 61) ** 1.5
     middle = np.geomspace(40.0, 5000.0, 6)
     nodes = np.concatenate([layer, middle, 10_000.0 - middle[-2::-1], 10_000.0 - layer[::-1]])
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(x**2 + u**2, T), 1e4, start={x: 1.0}, end={x: 1.5}, mesh=nodes, order=5
     )
-    assert found.objective == pytest.approx(leaving(1.5, 1.0) + leaving(1.0, -1.0), rel=1e-6)
-    assert found.objective == pytest.approx(6.7241, abs=1e-4)
+    assert solution.objective == pytest.approx(leaving(1.5, 1.0) + leaving(1.0, -1.0), rel=1e-6)
+    assert solution.objective == pytest.approx(6.7241, abs=1e-4)
 
 
 def leaving(x, sign):
@@ -148,8 +148,8 @@ def test_goddards_rocket_rises_to_1_01283():
         method="hermite-simpson",
     )
     with pytest.warns(PyDyUserWarning, match=r"`thrust\(t\)` enters linearly and chatters"):
-        found = problem.solve({v: 0.05, thrust: 1.7})
-    assert -found.objective == pytest.approx(1.01283, abs=1e-5)
+        solution = problem.solve({v: 0.05, thrust: 1.7})
+    assert -solution.objective == pytest.approx(1.01283, abs=1e-5)
 
 
 def test_the_robot_arm_of_cops_takes_9_1409_s():
@@ -188,9 +188,9 @@ def test_a_known_input_that_jumps_gets_a_node_there(mesh, tolerance):
     system = optima.first_order([x], v, F + r)
     system.specifieds = {r: SampledInput([0.0, 0.3, 1.0], [2.0, -1.0, -1.0], "previous")}
     problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, mesh=mesh)
-    found = problem.solve(mesh_tol=tolerance)
+    solution = problem.solve(mesh_tol=tolerance)
     asked = np.array([1.0 - (0.51 - 0.245), 0.7 - 0.6])
     least = asked @ np.linalg.solve([[1 / 3, 1 / 2], [1 / 2, 1.0]], asked)
-    assert found.objective == pytest.approx(least, rel=1e-8)
-    assert found.error.max() < 1e-9
-    assert len(found.mesh) < 30
+    assert solution.objective == pytest.approx(least, rel=1e-8)
+    assert solution.error.max() < 1e-9
+    assert len(solution.mesh) < 30

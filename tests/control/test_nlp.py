@@ -103,22 +103,22 @@ def test_a_search_calls_python_once_an_iteration_and_no_more():
     calls = []
     sys.setprofile(lambda frame, what, _: what == "call" and calls.append(frame.f_code.co_name))
     try:
-        found = solve(nlp, z)
+        solution = solve(nlp, z)
     finally:
         sys.setprofile(None)
-    assert len(found.history) > 5
-    assert calls.count("guarded") == len(found.history)
+    assert len(solution.history) > 5
+    assert calls.count("guarded") == len(solution.history)
     during = calls[calls.index("guarded") : -calls[::-1].index("guarded")]
     assert {*during} == {"guarded", "__init__", "<lambda>", "check"}
 
 
 def test_a_program_is_pickled_without_its_addresses():
     system, (x, v, F) = optima.double_integrator()
-    found = system.optimize_trajectory(sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0})
-    other = pickle.loads(pickle.dumps(found._nlp))
-    y = found.solution.z / found._nlp.sizes
+    solution = system.optimize_trajectory(sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0})
+    other = pickle.loads(pickle.dumps(solution._nlp))
+    y = solution.solution.z / solution._nlp.sizes
     assert set(other.native.addresses) == set(SIGNATURES)
-    assert other.native("cost", y) == found._nlp.native("cost", y)
+    assert other.native("cost", y) == solution._nlp.native("cost", y)
 
 
 def test_places_that_follow_each_other_are_read_as_runs():

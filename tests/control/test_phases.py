@@ -30,12 +30,12 @@ def test_a_mass_that_bounces_off_a_wall(restitution, method):
     there = OptimalControl(system, effort, 1.0, end={x: 1.0}, mesh=4, method=method)
     back = OptimalControl(system, effort, 1.0, end={x: 0.0, v: 0.0}, mesh=5)
     e = restitution
-    found = OptimalControl.phases([there, back], [{"v": -e * v}]).solve()
-    assert found.objective == pytest.approx(24 - 9 * (1 + e) ** 2 / (1 + e**2), rel=1e-8)
-    assert found[0][v][-1] == pytest.approx(12 * (1 + e) / (8 * (1 + e**2)), rel=1e-6)
-    assert found[1][v][0] == pytest.approx(-e * found[0][v][-1], rel=1e-8)
-    assert sum(phase.objective for phase in found) == pytest.approx(found.objective, rel=1e-8)
-    assert (len(found), found.duration, found.message) == (2, 2.0, "solved")
+    solution = OptimalControl.phases([there, back], [{"v": -e * v}]).solve()
+    assert solution.objective == pytest.approx(24 - 9 * (1 + e) ** 2 / (1 + e**2), rel=1e-8)
+    assert solution[0][v][-1] == pytest.approx(12 * (1 + e) / (8 * (1 + e**2)), rel=1e-6)
+    assert solution[1][v][0] == pytest.approx(-e * solution[0][v][-1], rel=1e-8)
+    assert sum(phase.objective for phase in solution) == pytest.approx(solution.objective, rel=1e-8)
+    assert (len(solution), solution.duration, solution.message) == (2, 2.0, "solved")
 
 
 def test_phases_are_swept_through_constants():
@@ -88,17 +88,17 @@ def test_phases_have_systems_of_their_own_and_share_free_constants():
     effort = sm.Integral(F**2, T)
     first = OptimalControl(heavy, effort, 1.0, mesh=3)
     second = OptimalControl(light, effort, 1.0, end={x: 1.0, v: 0.0}, mesh=3)
-    found = OptimalControl.phases([first, second]).solve()
+    solution = OptimalControl.phases([first, second]).solve()
     # The sum of two quadratic forms of x and v at the junction.
     X, V = sm.symbols("X V")
     total = moved(2, V, X) + moved(1, V, 1 - X)
     at = sm.solve([total.diff(X), total.diff(V)], [X, V])
-    assert found.objective == pytest.approx(float(total.subs(at)), rel=1e-8)
-    assert found[1][x][0] == pytest.approx(float(at[X]), rel=1e-6)
+    assert solution.objective == pytest.approx(float(total.subs(at)), rel=1e-8)
+    assert solution[1][x][0] == pytest.approx(float(at[X]), rel=1e-6)
     both = [OptimalControl(light, effort + k**2, 1.0, free=[k], mesh=3, **ends)
             for ends in ({}, {"end": {x: 1.0, v: 0.0}})]  # fmt: skip
-    found = OptimalControl.phases(both).solve()
-    assert found[0].constants == found[1].constants
+    solution = OptimalControl.phases(both).solve()
+    assert solution[0].constants == solution[1].constants
 
 
 def test_a_duration_that_phases_share_and_a_state_that_starts_anew():
@@ -106,13 +106,13 @@ def test_a_duration_that_phases_share_and_a_state_that_starts_anew():
     bounds = {F: (-1.0, 1.0), TF: (0.1, 10.0)}
     first = OptimalControl(system, TF, TF, bounds=bounds, mesh=4)
     second = OptimalControl(system, TF, TF, end={x: 1.0, v: 0.0}, bounds=bounds, mesh=4)
-    found = OptimalControl.phases([first, second]).solve(mesh_tol=1e-6)
-    assert found.duration == pytest.approx(2.0, rel=1e-6)  # Bryson and Ho, 3.9
-    assert found[0].duration == found[1].duration
+    solution = OptimalControl.phases([first, second]).solve(mesh_tol=1e-6)
+    assert solution.duration == pytest.approx(2.0, rel=1e-6)  # Bryson and Ho, 3.9
+    assert solution[0].duration == solution[1].duration
     # Without a link of x, the second phase begins where its system does.
     alone = OptimalControl(system, TF, TF, end={x: 0.5}, bounds=bounds, mesh=4)
-    found = OptimalControl.phases([first, alone], [{x: None}]).solve(list(found))
-    assert found[1][x][0] == 0.0
+    solution = OptimalControl.phases([first, alone], [{x: None}]).solve(list(solution))
+    assert solution[1][x][0] == 0.0
 
 
 def test_a_mesh_of_phases_that_is_too_coarse_is_warned_of(monkeypatch):
@@ -178,9 +178,9 @@ def test_a_phase_begins_where_its_own_constraints_hold():
     """A free flight ends where the rod takes over, without being told so."""
     flying, effort, (x, _, v, _) = rod((0.5, 0.3), constrained=False)
     hanging = OptimalControl(rod()[0], effort, 0.8, end={x: 0.0, v: 0.0})
-    found = OptimalControl.phases([OptimalControl(flying, effort, 0.4), hanging]).solve()
-    assert off(found[1]) < 1e-9
-    assert max(phase.error.max() for phase in found) < 1e-5
+    solution = OptimalControl.phases([OptimalControl(flying, effort, 0.4), hanging]).solve()
+    assert off(solution[1]) < 1e-9
+    assert max(phase.error.max() for phase in solution) < 1e-5
 
 
 def test_bad_phases_are_named():

@@ -47,17 +47,17 @@ def energy(F):
 
 def test_names_stand_for_symbols(mass):
     system, (_x, _v, F) = mass
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F), 1.0, start={"x": 0.0}, end={"x": 1.0, "v": 0.0}, bounds={"F": (None, 100)}
     )
-    assert found.objective == pytest.approx(12.0, rel=1e-8)
+    assert solution.objective == pytest.approx(12.0, rel=1e-8)
 
 
 def test_a_start_that_is_not_given_is_the_initial_conditions(mass):
     system, (x, v, F) = mass
     system.initial_conditions = {x: 0.5}
-    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0})
-    assert found.objective == pytest.approx(3.0, rel=1e-8)
+    solution = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0})
+    assert solution.objective == pytest.approx(3.0, rel=1e-8)
     freed = system.optimize_trajectory(energy(F), 1.0, start={x: None}, end={x: 1.0, v: 0.0})
     assert freed.objective == pytest.approx(0.0, abs=1e-9)
     between = system.optimize_trajectory(
@@ -85,23 +85,23 @@ def test_a_periodic_motion_by_boundary_conditions():
     x, v, F = me.dynamicsymbols("x v F")
     system = optima.first_order([x], v, F + sm.sin(T))
     end = 2 * sm.pi
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F),
         2 * np.pi,
         start={x: 0.0, v: None},
         boundary=[sm.Eq(v.subs(T, end.n()), v.subs(T, 0)), sm.Eq(x.subs(T, end.n()), 0)],
     )
-    assert found.objective == pytest.approx(0.0, abs=1e-9)
-    assert found["v"][[0, -1]] == pytest.approx([-1.0, -1.0], abs=1e-6)
+    assert solution.objective == pytest.approx(0.0, abs=1e-9)
+    assert solution["v"][[0, -1]] == pytest.approx([-1.0, -1.0], abs=1e-6)
 
 
 def test_path_conditions_hold_at_every_collocation_point(mass):
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F), 1.0, end={x: 1.0, v: 0.0}, path=[v + x / 2 <= 1.6]
     )
-    assert (found["v"] + found["x"] / 2).max() <= 1.6 + 1e-7
-    assert found.objective > 12.01
+    assert (solution["v"] + solution["x"] / 2).max() <= 1.6 + 1e-7
+    assert solution.objective > 12.01
 
 
 def test_accelerations_and_outputs_in_objective_and_path(mass):
@@ -120,11 +120,11 @@ def test_free_constants():
     x, v, F = me.dynamicsymbols("x v F")
     k = sm.Symbol("k")
     system = optima.first_order([x], v, F - k * x, 1, None, {k: 5.0})
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F), 1.0, start={x: 1.0}, end={x: -1.0, v: 0.0}, free=[k], bounds={k: (1.0, 20.0)}
     )
-    assert found.constants[k] == pytest.approx(np.pi**2, rel=1e-5)
-    assert found.objective == pytest.approx(0.0, abs=1e-9)
+    assert solution.constants[k] == pytest.approx(np.pi**2, rel=1e-5)
+    assert solution.objective == pytest.approx(0.0, abs=1e-9)
     assert system.constants[k] == 5.0
 
 
@@ -134,15 +134,15 @@ def test_a_free_constant_of_the_objective_and_the_conditions_alone(mass):
     c = sm.Symbol("c")
     mean = [sm.Eq(x.subs(T, TF), c * TF), sm.Eq(x.subs(T, TF), 1.0)]
     for key in (c, "c"):
-        found = system.optimize_trajectory(
+        solution = system.optimize_trajectory(
             -c, TF, end={v: 0.0}, boundary=mean, free=[key],
             bounds={F: (-1, 1), TF: (0.5, 5), key: (0.01, 0.6)},
         )  # fmt: skip
-        assert (found.duration, found.constants[c]) == pytest.approx((2.0, 0.5), rel=1e-6)
+        assert (solution.duration, solution.constants[c]) == pytest.approx((2.0, 0.5), rel=1e-6)
     # The least force that goes a metre in a second: 4 N, by a condition of the path.
     given = {"end": {x: 1.0, v: 0.0}, "path": [abs(F) <= c], "mesh": 4}
-    found = system.optimize_trajectory(c, 1.0, free=[c], **given)
-    assert found.constants == pytest.approx({c: 4.0}, rel=1e-6)
+    solution = system.optimize_trajectory(c, 1.0, free=[c], **given)
+    assert solution.constants == pytest.approx({c: 4.0}, rel=1e-6)
     assert not system.constants_symbols
     with pytest.raises(ValueError, match="`free` has the key `d`, which is not one of the const"):
         system.optimize_trajectory(c, 1.0, free=[c, "d"], **given)
@@ -154,15 +154,15 @@ def test_a_result_as_a_table(mass):
     system, (x, v, F) = mass
     c = sm.Symbol("c")
     given = {"end": {x: 1.0, v: 0.0}, "mesh": 4}
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F) - c, 1.0, boundary=[x.subs(T, 0.5) >= c], free=[c], **given
     )
-    lines = found.summary().splitlines()
+    lines = solution.summary().splitlines()
     assert lines[0].startswith("Optimal trajectory: solved after ")
     assert lines[0].endswith(" iterations, radau on 4 intervals")
-    assert lines[2].startswith(f"objective  {found.objective:.9g} ± ")
+    assert lines[2].startswith(f"objective  {solution.objective:.9g} ± ")
     assert lines[3] == "duration   1 s"
-    assert lines[6].split() == ["c", f"{found.constants[c]:.8g}"]
+    assert lines[6].split() == ["c", f"{solution.constants[c]:.8g}"]
     rows = {line.split()[0]: line.split()[1:] for line in lines[9:12]}
     assert rows["x"] == ["0", "1", "0", "1"]
     force = [float(value) for value in rows["F"]]
@@ -185,9 +185,9 @@ def test_known_signals_as_expressions_and_samples():
     objectives = []
     for value in (sm.cos(3 * T), SampledInput(times, np.cos(3 * times), "pchip")):
         system.specifieds = {wind: value}
-        found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0})
-        assert found.controls == (F,)
-        objectives.append(found.objective)
+        solution = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0})
+        assert solution.controls == (F,)
+        objectives.append(solution.objective)
     assert objectives[1] == pytest.approx(objectives[0], rel=1e-5)
 
 
@@ -222,9 +222,9 @@ def test_phases_share_a_duration_that_samples_depend_on():
     bounds = {F: (-1e-9, 1e-9), TF: (0.1, 4.0)}
     ends = [{}, {v: 4.0}]
     both = [OptimalControl(system, TF, TF, end=end, bounds=bounds, mesh=3) for end in ends]
-    found = OptimalControl.phases(both).solve()
-    assert found.duration == pytest.approx(4.0, rel=1e-7)
-    assert found[1].duration == pytest.approx(2.0, rel=1e-7)
+    solution = OptimalControl.phases(both).solve()
+    assert solution.duration == pytest.approx(4.0, rel=1e-7)
+    assert solution[1].duration == pytest.approx(2.0, rel=1e-7)
 
 
 def test_constraints_move_with_samples_under_a_free_duration():
@@ -241,11 +241,11 @@ def test_constraints_move_with_samples_under_a_free_duration():
     times = np.linspace(0.0, 3.0, 61)
     rows = np.array([np.exp(-times), -np.exp(-times)]).T
     system.specifieds = {(given, given.diff()): SampledInput(times, rows, "pchip")}
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(F**2, T) + TF, TF, end={x: 0.75, y: 0.1}, bounds={TF: (0.1, 3.0)}
     )
-    np.testing.assert_allclose(found[v], found[given], atol=1e-8)
-    assert found.duration == pytest.approx(np.log(4.0), rel=1e-5)  # 1 − exp(−t) = 3/4
+    np.testing.assert_allclose(solution[v], solution[given], atol=1e-8)
+    assert solution.duration == pytest.approx(np.log(4.0), rel=1e-5)  # 1 − exp(−t) = 3/4
 
 
 def test_a_search_that_ends_where_samples_bend_is_told():
@@ -262,9 +262,11 @@ def test_a_search_that_ends_where_samples_bend_is_told():
 def test_no_control_is_a_boundary_value_problem():
     x, v = me.dynamicsymbols("x v")
     system = optima.first_order([x], v, -x)
-    found = system.optimize_trajectory(sm.S(0), 1.0, start={x: 0.0, v: None}, end={x: 1.0}, order=6)
-    assert found["v"][0] == pytest.approx(1.0 / np.sin(1.0), rel=1e-10)
-    assert found.inputs() == {}
+    solution = system.optimize_trajectory(
+        sm.S(0), 1.0, start={x: 0.0, v: None}, end={x: 1.0}, order=6
+    )
+    assert solution["v"][0] == pytest.approx(1.0 / np.sin(1.0), rel=1e-10)
+    assert solution.inputs() == {}
 
 
 def test_units_do_not_change_the_search():
@@ -272,11 +274,11 @@ def test_units_do_not_change_the_search():
     for unit in (1.0, 1e-9, 1e9):
         x, v, F = me.dynamicsymbols("x v F")
         system = optima.first_order([x], v, F, 2.0 * unit)
-        found = system.optimize_trajectory(
+        solution = system.optimize_trajectory(
             TF, TF, end={x: unit, v: 0.0}, bounds={F: (-50 * unit**2, 50 * unit**2), TF: (0.1, 5.0)}
         )
-        assert found.objective == pytest.approx(0.4, rel=1e-6)
-        histories.append(len(found.history))
+        assert solution.objective == pytest.approx(0.4, rel=1e-6)
+        histories.append(len(solution.history))
     assert len(set(histories)) == 1
 
 
@@ -289,10 +291,10 @@ def test_a_short_way_far_from_the_origin_is_gone(mass, far, rel, method):
     # 1e-8 of the distance from the origin, which is the tolerance, is the whole way and more.
     system, (x, v, F) = mass
     way = {1e3: 0.5, 1e6: 1e-3, -1e9: 1.0}[far]
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(F**2, T), 1.0, start={x: far}, end={x: far + way, v: 0.0}, method=method, mesh=6
     )
-    assert found.objective == pytest.approx(12.0 * (far + way - far) ** 2, rel=rel)
+    assert solution.objective == pytest.approx(12.0 * (far + way - far) ** 2, rel=rel)
 
 
 @pytest.mark.parametrize("bound", [1e9, 1e20])
@@ -312,11 +314,11 @@ def test_wide_bounds_do_not_change_the_search(mass, bound):
 def test_a_short_interval_does_not_loosen_the_equations_of_others(mass, method):
     system, (x, v, F) = mass
     mesh = np.sort(np.append(np.linspace(0.0, 1.0, num=6), 0.4 + 1e-12))
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=mesh, method=method
     )
-    assert found.objective == pytest.approx(12.0, rel=1e-8)
-    assert found.error.max() < 1e-9
+    assert solution.objective == pytest.approx(12.0, rel=1e-8)
+    assert solution.error.max() < 1e-9
 
 
 def test_a_mesh_that_is_much_too_coarse_warns():
@@ -337,10 +339,10 @@ def test_errors_of_intervals_that_add_up_are_warned_of(monkeypatch):
     asked = {"end": {x: 2.0, y: 2.0}, "bounds": {TF: (0.1, 5.0)}, "method": "hermite-simpson"}
     guess = {v: [0.0, 6.0], angle: [0.0, 1.5]}
     with pytest.warns(PyDyUserWarning, match="errors of its intervals add up to 1.*`mesh_tol`"):
-        found = system.optimize_trajectory(TF, TF, guess=guess, **asked)
-    assert found.error.max() < 0.1
-    system.specifieds, system.times, system.ode_solver = found.inputs(), found.mesh, dop853
-    missed = np.abs(system.simulate(rtol=1e-9, atol=1e-9).states[-1] - found.states[-1])
+        solution = system.optimize_trajectory(TF, TF, guess=guess, **asked)
+    assert solution.error.max() < 0.1
+    system.specifieds, system.times, system.ode_solver = solution.inputs(), solution.mesh, dop853
+    missed = np.abs(system.simulate(rtol=1e-9, atol=1e-9).states[-1] - solution.states[-1])
     assert missed.max() > 1.0
 
 
@@ -348,18 +350,18 @@ def test_errors_of_intervals_that_add_up_are_warned_of(monkeypatch):
 def test_an_angle_as_a_control_has_no_turns_that_nothing_depends_on(method):
     system, (x, y, v, angle) = optima.brachistochrone()
     asked = {"end": {x: 2.0, y: 2.0}, "bounds": {TF: (0.1, 5.0)}, "method": method}
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF, TF, guess={v: [0.0, 6.0], angle: [0.0, 1.5]}, mesh=40, **asked
     )
-    assert np.abs(np.diff(found[angle])).max() < 0.1
-    assert -0.1 < found[angle].min() < found[angle].max() < 1.5
-    assert found.error.max() < 1e-3
+    assert np.abs(np.diff(solution[angle])).max() < 0.1
+    assert -0.1 < solution[angle].min() < solution[angle].max() < 1.5
+    assert solution.error.max() < 1e-3
     # A number that is no angle stays where its square says.
     system, (x, v, F) = optima.double_integrator()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral((F - 100 * T) ** 2, T), 1.0, mesh=2, order=2, end={v: 50.0}
     )
-    np.testing.assert_allclose(found[F], 100 * found.times, atol=1e-6)
+    np.testing.assert_allclose(solution[F], 100 * solution.times, atol=1e-6)
 
 
 def test_a_duration_of_zero_is_told():
@@ -374,13 +376,13 @@ def test_a_duration_of_zero_is_told():
 def test_a_simulation_with_the_inputs_agrees(mass):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()
     rest = {q1: 0.3, q2: 0.0, u1: 0.0, u2: 0.0}
-    found = system.optimize_trajectory(energy(F), 1.0, end=rest, mesh_tol=1e-7)
-    assert found.error.max() <= 1e-7
-    system.specifieds = found.inputs()
+    solution = system.optimize_trajectory(energy(F), 1.0, end=rest, mesh_tol=1e-7)
+    assert solution.error.max() <= 1e-7
+    system.specifieds = solution.inputs()
     system.ode_solver = dop853
-    system.times = found.mesh
+    system.times = solution.mesh
     run = system.simulate(rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(run.states, found.at(found.mesh).states, atol=1e-5)
+    np.testing.assert_allclose(run.states, solution.at(solution.mesh).states, atol=1e-5)
 
 
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
@@ -389,34 +391,34 @@ def test_simulations_from_each_node_end_within_the_errors_of_an_unstable_motion(
     upright = {q1: 1.0, q2: np.pi, u1: 0.0, u2: 0.0}
     bounds = {F: (-20.0, 20.0), q1: (-2.0, 2.0)}
     asked = {"end": upright, "bounds": bounds, "method": method, "mesh_tol": 1e-6}
-    found = system.optimize_trajectory(energy(F), 2.0, mesh=40, **asked)
-    assert found.error.max() < 1e-6
-    nodes = found.at(found.mesh).states
+    solution = system.optimize_trajectory(energy(F), 2.0, mesh=40, **asked)
+    assert solution.error.max() < 1e-6
+    nodes = solution.at(solution.mesh).states
     sizes = np.abs(nodes).max(axis=0)
-    system.specifieds, system.ode_solver = found.inputs(), dop853
+    system.specifieds, system.ode_solver = solution.inputs(), dop853
 
     def missed(first, last):
         system.initial_conditions = dict(zip(system.states, nodes[first], strict=True))
-        system.times = found.mesh[[first, last]]
+        system.times = solution.mesh[[first, last]]
         end = system.integrate(rtol=1e-11, atol=1e-12)[-1]
         return np.abs((end - nodes[last]) / sizes).max()
 
-    errors = [missed(k, k + 1) for k in range(len(found.error))]
-    np.testing.assert_allclose(errors, found.error, rtol=0.1, atol=1e-9)
+    errors = [missed(k, k + 1) for k in range(len(solution.error))]
+    np.testing.assert_allclose(errors, solution.error, rtol=0.1, atol=1e-9)
     # From the start on they grow, by some ten times their sum.
-    assert found.error.sum() < missed(0, -1) < 30 * found.error.sum()
+    assert solution.error.sum() < missed(0, -1) < 30 * solution.error.sum()
 
 
 @pytest.mark.parametrize(("method", "tolerance"), [("radau", 1e-8), ("hermite-simpson", 1e-6)])
 def test_a_simulation_from_the_start_ends_within_ten_tolerances(method, tolerance):
-    found = optima.kelly(mesh=40, method=method)[0].solve(mesh_tol=tolerance)
+    solution = optima.kelly(mesh=40, method=method)[0].solve(mesh_tol=tolerance)
     system, _ = optima.cart_pole()
-    system.specifieds, system.times, system.ode_solver = found.inputs(), found.mesh, dop853
-    nodes = found.at(found.mesh).states
+    system.specifieds, system.times, system.ode_solver = solution.inputs(), solution.mesh, dop853
+    nodes = solution.at(solution.mesh).states
     off = np.abs(system.integrate(rtol=1e-12, atol=1e-13) - nodes) / np.abs(nodes).max(axis=0)
     assert off.max() < 10 * tolerance
     # The errors of intervals alone would have let it be 20 and 11 tolerances beside.
-    assert found.error.max() < 0.2 * tolerance
+    assert solution.error.max() < 0.2 * tolerance
 
 
 def test_a_finer_mesh_that_is_in_vain_leaves_what_was_within_the_tolerance(monkeypatch):
@@ -463,18 +465,18 @@ def test_errors_of_intervals_fall_with_the_order_of_the_method(method):
 
 def test_a_mesh_is_refined_where_it_must_be():
     system, (x, u) = optima.hypersensitive()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(x**2 + u**2, T), 1e3, start={x: 1.0}, end={x: 1.5}, mesh=10, mesh_tol=1e-3
     )
-    assert found.error.max() <= 1e-3
-    assert found.objective == pytest.approx(6.7241, rel=1e-2)
-    lengths = np.diff(found.mesh)
+    assert solution.error.max() <= 1e-3
+    assert solution.objective == pytest.approx(6.7241, rel=1e-2)
+    lengths = np.diff(solution.mesh)
     assert lengths.max() > 20 * lengths.min()
 
 
 def test_a_mesh_is_refined_where_a_control_jumps(mass):
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF,
         TF,
         end={x: 1.0, v: 0.0},
@@ -482,38 +484,38 @@ def test_a_mesh_is_refined_where_a_control_jumps(mass):
         mesh=[0.0, 0.3, 0.63, 1.0],
         mesh_tol=1e-4,
     )
-    assert found.duration == pytest.approx(2.0, rel=1e-4)
-    assert np.abs(found.mesh - 1.0).min() < 1e-4
-    assert len(found.error) < 10
-    assert np.abs(found["F"]).max() <= 1.0
+    assert solution.duration == pytest.approx(2.0, rel=1e-4)
+    assert np.abs(solution.mesh - 1.0).min() < 1e-4
+    assert len(solution.error) < 10
+    assert np.abs(solution["F"]).max() <= 1.0
 
 
 def test_a_trajectory_with_labels_multipliers_and_history(mass):
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=5)
-    assert found.names == ("x", "v", "F")
-    assert found.status == 0
-    assert found.message == "solved"
-    assert repr(found).startswith("OptimalTrajectory of x, v, F at 16 times from 0.0 to 1.0, ")
-    assert found.history[-1].violation < 1e-9
-    assert list(found.multipliers) == ["kinematics of x", "motion of v"]
-    assert found.collocation_times.shape == found.multipliers["motion of v"].shape == (15,)
-    assert (np.diff(found.collocation_times) > 0).all()
-    between = found.at(np.linspace(0, 1, 33))
+    solution = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=5)
+    assert solution.names == ("x", "v", "F")
+    assert solution.status == 0
+    assert solution.message == "solved"
+    assert repr(solution).startswith("OptimalTrajectory of x, v, F at 16 times from 0.0 to 1.0, ")
+    assert solution.history[-1].violation < 1e-9
+    assert list(solution.multipliers) == ["kinematics of x", "motion of v"]
+    assert solution.collocation_times.shape == solution.multipliers["motion of v"].shape == (15,)
+    assert (np.diff(solution.collocation_times) > 0).all()
+    between = solution.at(np.linspace(0, 1, 33))
     np.testing.assert_allclose(between["x"], 3 * between.times**2 - 2 * between.times**3, atol=1e-9)
     np.testing.assert_allclose(between["F"], 6 - 12 * between.times, atol=1e-7)
-    np.testing.assert_allclose(found.derivatives[:, 1], found["F"], atol=1e-9)
-    dataset = found.to_dataframe()
+    np.testing.assert_allclose(solution.derivatives[:, 1], solution["F"], atol=1e-9)
+    dataset = solution.to_dataframe()
     assert list(dataset.columns) == ["x", "v", "F"]
 
 
 def test_multipliers_are_derivatives_of_the_objective(mass):
     # 12 d² for a distance d: 24 d of a change of d, which the boundary condition sets.
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F), 1.0, end={v: 0.0}, boundary=[sm.Eq(x.subs(T, 1.0), 1.0)]
     )
-    assert found.multipliers["Eq(x(1.0), 1.0)"][0] == pytest.approx(24.0, rel=1e-6)
+    assert solution.multipliers["Eq(x(1.0), 1.0)"][0] == pytest.approx(24.0, rel=1e-6)
 
 
 def test_a_solution_starts_the_next_search(mass):
@@ -532,10 +534,10 @@ def test_a_simulation_is_a_guess(mass):
     system.specifieds = {F: 0.1}
     guess = system.simulate()
     system.specifieds = {}
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1)}, guess=guess
     )
-    assert found.objective == pytest.approx(2.0, rel=1e-6)
+    assert solution.objective == pytest.approx(2.0, rel=1e-6)
 
 
 # -- what goes wrong -------------------------------------------------------------------------------
@@ -546,8 +548,8 @@ def test_bounds_are_kept_to_the_last_digit(method):
     system, (x, v, F) = optima.double_integrator()
     limits = {F: (-1.0, 1.0), v: (None, 0.6), TF: (2.0, 10.0)}
     end = {x: 1.0, v: 0.0}
-    found = system.optimize_trajectory(TF, TF, end=end, bounds=limits, method=method, mesh=7)
-    values, controls, _, _ = found._transcription.split(found.solution.z)
+    solution = system.optimize_trajectory(TF, TF, end=end, bounds=limits, method=method, mesh=7)
+    values, controls, _, _ = solution._transcription.split(solution.solution.z)
     assert np.abs(controls).max() == 1.0
     assert values[1, :8].max() == 0.6
 
@@ -762,10 +764,10 @@ def test_faults_of_options_and_of_the_duration_are_told(mass, options, error, sa
 
 def test_the_bounds_of_a_duration_may_reach_below_zero(mass):
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1), TF: (-9, 3)}
     )
-    assert found.duration == pytest.approx(2.0, abs=1e-3)
+    assert solution.duration == pytest.approx(2.0, abs=1e-3)
 
 
 def test_an_objective_that_is_not_finite_is_named(mass):
@@ -834,12 +836,12 @@ def test_a_refined_mesh_has_nodes_where_controls_jump():
         system, sm.Integral(F + G, T), 4.0, end={x: 1.0, v: 0.0},
         bounds={F: (0.0, 1.0), G: (0.0, 1.0)},
     )  # fmt: skip
-    found = problem.solve(mesh_tol=1e-6)
+    solution = problem.solve(mesh_tol=1e-6)
     once = 2.0 - np.sqrt(3.0)
-    assert found.objective == pytest.approx(2.0 * once, rel=1e-6)
-    assert len(found.mesh) < 45
+    assert solution.objective == pytest.approx(2.0 * once, rel=1e-6)
+    assert len(solution.mesh) < 45
     for jump in (once, 4.0 - once):
-        assert np.abs(found.mesh - jump).min() < 1e-5
+        assert np.abs(solution.mesh - jump).min() < 1e-5
 
 
 def test_refinement_ends_where_it_is_in_vain():
@@ -848,8 +850,8 @@ def test_refinement_ends_where_it_is_in_vain():
     off = sm.Integral((x - sm.sin(3 * T)) ** 2, T)
     problem = OptimalControl(system, off, 3.0, start={x: 1.0, v: 3.0})
     with pytest.warns(PyDyUserWarning, match=r"After 2 .* 320 intervals has an objective of .* ± "):
-        found = problem.solve(mesh_tol=1e-6)
-    assert len(found.error) == 320
+        solution = problem.solve(mesh_tol=1e-6)
+    assert len(solution.error) == 320
     # Nor where the motion has an error that never falls.
     system, (_, angle, _, _, F) = optima.cart_pole()
     off = sm.Integral((angle - sm.sin(3 * T)) ** 2, T)
@@ -868,21 +870,21 @@ def test_refinement_ends_where_it_is_in_vain():
 
 def test_a_trajectory_is_pickled(mass):
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=4)
-    again = pickle.loads(pickle.dumps(found))
-    assert again.objective == found.objective
-    np.testing.assert_array_equal(again.specifieds, found.specifieds)
+    solution = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=4)
+    again = pickle.loads(pickle.dumps(solution))
+    assert again.objective == solution.objective
+    np.testing.assert_array_equal(again.specifieds, solution.specifieds)
     np.testing.assert_array_equal(
-        again.multipliers["motion of v"], found.multipliers["motion of v"]
+        again.multipliers["motion of v"], solution.multipliers["motion of v"]
     )
 
 
 def test_a_saved_optimum_is_loaded_as_a_trajectory(mass, tmp_path):
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=4)
-    found.save(tmp_path / "found.nc")
-    loaded = type(found).load(tmp_path / "found.nc")
-    np.testing.assert_array_equal(loaded.states, found.states)
+    solution = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=4)
+    solution.save(tmp_path / "found.nc")
+    loaded = type(solution).load(tmp_path / "found.nc")
+    np.testing.assert_array_equal(loaded.states, solution.states)
 
 
 def test_derivatives_that_are_speeds_have_values_at_instants():
@@ -898,10 +900,10 @@ def test_derivatives_that_are_speeds_have_values_at_instants():
         bodies=[body],
     )
     system = System(method)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F), 1.0, end={q: 1.0}, boundary=[sm.Eq(q.diff().subs(T, 1), 0)]
     )
-    assert found.objective == pytest.approx(12.0, rel=1e-8)
+    assert solution.objective == pytest.approx(12.0, rel=1e-8)
     last = system.optimize_trajectory(
         energy(F) + 1e4 * q.diff().subs(T, TF) ** 2, TF, end={q: 1.0}, bounds={TF: (0.5, 1.0)}
     )
@@ -929,11 +931,11 @@ def test_a_model_of_the_package():
     system = n_link_pendulum_on_cart(1)
     (F,) = system.specifieds_symbols
     still = dict.fromkeys(system.states, 0.0)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         energy(F), 2.0, end={**still, system.coordinates[0]: 0.5}, mesh_tol=1e-5
     )
-    assert found.error.max() <= 1e-5
-    scene = system.scene().animate(found)
+    assert solution.error.max() <= 1e-5
+    scene = system.scene().animate(solution)
     assert scene is not None
 
 
@@ -941,15 +943,15 @@ def test_other_hessians_find_the_same_and_a_solution_is_a_warm_start():
     system, (q1, q2, u1, u2, F) = optima.cart_pole()
     ends = {"end": {q1: 0.5, q2: 0.5, u1: 0.0, u2: 0.0}, "bounds": {F: (-9.0, 9.0)}, "mesh": 10}
     objective = sm.Integral(F**2, T)
-    found = OptimalControl(system, objective, 1.0, **ends).solve()
+    solution = OptimalControl(system, objective, 1.0, **ends).solve()
     for hessian in ("gauss-newton", "lbfgs"):
         other = OptimalControl(system, objective, 1.0, hessian=hessian, **ends)
-        assert other.solve().objective == pytest.approx(found.objective, rel=1e-7)
-    again = OptimalControl(system, objective, 1.0, **ends).solve(found)
-    assert len(again.history) < 0.5 * len(found.history)
-    assert again.objective == pytest.approx(found.objective, rel=1e-9)
-    finer = OptimalControl(system, objective, 1.0, **{**ends, "mesh": 14}).solve(found)
-    assert finer.objective == pytest.approx(found.objective, rel=1e-3)
+        assert other.solve().objective == pytest.approx(solution.objective, rel=1e-7)
+    again = OptimalControl(system, objective, 1.0, **ends).solve(solution)
+    assert len(again.history) < 0.5 * len(solution.history)
+    assert again.objective == pytest.approx(solution.objective, rel=1e-9)
+    finer = OptimalControl(system, objective, 1.0, **{**ends, "mesh": 14}).solve(solution)
+    assert finer.objective == pytest.approx(solution.objective, rel=1e-3)
 
 
 def test_a_sweep_goes_on_from_the_neighbour():
@@ -1006,16 +1008,16 @@ def test_bounds_change_over_the_motion():
     t = np.linspace(0.0, 1.0, num=11)
     for high in ([2.0, 1.0], SampledInput(t, 2.0 - t)):
         problem = OptimalControl(system, -v.subs(T, 1.0), 1.0, bounds={F: (None, high)}, mesh=4)
-        found = problem.solve({F: 0.5})
-        assert found[v][-1] == pytest.approx(1.5, rel=1e-6)
-        np.testing.assert_allclose(found[F], 2.0 - found.times, atol=1e-5)
+        solution = problem.solve({F: 0.5})
+        assert solution[v][-1] == pytest.approx(1.5, rel=1e-6)
+        np.testing.assert_allclose(solution[F], 2.0 - solution.times, atol=1e-5)
     # A state that has to rise: v <= 1 − t allows x = 1/2 in the end.
     problem = OptimalControl(
         system, -x.subs(T, 1.0), 1.0, start={v: 1.0}, bounds={"v": (None, [1.0, 0.0])}, mesh=4
     )
-    found = problem.solve()
-    assert found[x][-1] == pytest.approx(0.5, rel=1e-6)
-    assert np.abs(found.objective_error).sum() < 1e-6  # the last bound is that of the end
+    solution = problem.solve()
+    assert solution[x][-1] == pytest.approx(0.5, rel=1e-6)
+    assert np.abs(solution.objective_error).sum() < 1e-6  # the last bound is that of the end
 
 
 @pytest.mark.parametrize(
@@ -1039,18 +1041,18 @@ def test_bad_bounds_over_the_motion_are_named(bounds, duration, message):
 
 def test_controls_errors_and_sparsity_are_plotted():
     system, (x, v, F) = optima.double_integrator()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, [1.0, 1.2]), TF: (0.1, 10.0)}, mesh=4
     )
-    (ax,) = found.plot_controls()
+    (ax,) = solution.plot_controls()
     assert (ax.get_ylabel(), len(ax.lines)) == ("F", 4)  # itself, its bounds, the nodes
-    assert ax.get_xlabel() == found.plot_error().get_xlabel() == "time"  # in the model's unit
-    assert found.plot_controls(ax) is ax
+    assert ax.get_xlabel() == solution.plot_error().get_xlabel() == "time"  # in the model's unit
+    assert solution.plot_controls(ax) is ax
     with pytest.raises(ValueError, match="`axes` must be 1, one for each of F, got 2"):
-        found.plot_controls([ax, ax])
-    ax = found.plot_error()
-    assert ax.patches[0].get_data().values.tolist() == found.error.tolist()
-    ax = found.plot_sparsity()
+        solution.plot_controls([ax, ax])
+    ax = solution.plot_error()
+    assert ax.patches[0].get_data().values.tolist() == solution.error.tolist()
+    ax = solution.plot_sparsity()
     places = set(zip(*ax.lines[0].get_data(), strict=True))
     assert {row for _, row in places} == set(range(2 * 3 * 4))
     plt.close("all")
@@ -1058,14 +1060,14 @@ def test_controls_errors_and_sparsity_are_plotted():
 
 def test_states_are_plotted_with_their_bounds(mass):
     system, (x, v, F) = mass
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, bounds={v: (None, 1.2)}, mesh=4
     )
-    first, second = found.plot_states()
+    first, second = solution.plot_states()
     assert (first.get_ylabel(), len(first.lines)) == ("x", 2)  # itself and the nodes
     assert (second.get_ylabel(), len(second.lines)) == ("v", 3)
     times, values = second.lines[0].get_data()
-    assert np.array_equal(values, found.at(times)[v])
+    assert np.array_equal(values, solution.at(times)[v])
     assert set(second.lines[1].get_ydata()) == {1.2}
     plt.close("all")
 
@@ -1079,10 +1081,10 @@ def test_controls_are_evaluated_at_all_times_at_once(mass, monkeypatch):
         return original(self, z, times)
 
     monkeypatch.setattr(Transcription, "controls_at", counted)
-    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=30)
+    solution = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=30)
     assert len(calls) < 10
-    assert max(calls) == len(found.times)
-    np.testing.assert_allclose(found[F], 6.0 - 12.0 * found.times, atol=1e-6)
+    assert max(calls) == len(solution.times)
+    np.testing.assert_allclose(solution[F], 6.0 - 12.0 * solution.times, atol=1e-6)
 
 
 @pytest.mark.parametrize("method", ["midpoint", "radau"])
@@ -1098,10 +1100,10 @@ def test_a_guess_that_is_level_in_its_middle_gives_no_speed_a_size_of_rounding(m
         mesh=20,
         method=method,
     )
-    found = problem.solve()
-    sizes = found._transcription.split(found._nlp.sizes)[0][:, 0]
+    solution = problem.solve()
+    sizes = solution._transcription.split(solution._nlp.sizes)[0][:, 0]
     assert sizes.min() > 0.1
-    assert len(found.history) < 20
+    assert len(solution.history) < 20
 
 
 def test_a_direction_whose_rate_cancels_asks_for_no_control():
@@ -1113,9 +1115,9 @@ def test_a_direction_whose_rate_cancels_asks_for_no_control():
     point.set_vel(ground, v * direction)
     bodies, loads = [me.Particle("mass", point, 1)], [(point, F * direction)]
     system = System(Definition(ground, [x], [v], bodies=bodies, loads=loads))
-    found = system.optimize_trajectory(sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, mesh=2)
-    assert found.controls == (F,)
-    assert found.objective == pytest.approx(12.0, rel=1e-6)
+    solution = system.optimize_trajectory(sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, mesh=2)
+    assert solution.controls == (F,)
+    assert solution.objective == pytest.approx(12.0, rel=1e-6)
 
 
 def test_more_intervals_than_rounding_allows_are_refused(mass):
@@ -1146,14 +1148,14 @@ def test_a_mass_that_the_objective_drives_to_nothing_is_named(unit):
     problem = {"duration": 4.0, "objective": energy(F / unit), "end": {x: 1.0, v: 0.0}, "free": [m]}
     with pytest.raises(OptimizationError, match="brought `m` to its bound of 0, at which"):
         OptimalControl(system, bounds={m: (0.0, 10.0 * unit)}, **problem).solve()
-    found = OptimalControl(system, bounds={m: (0.5 * unit, 10.0 * unit)}, **problem).solve()
-    assert found.constants[m] == pytest.approx(0.5 * unit, rel=1e-5)
-    assert found.objective == pytest.approx(0.1875 / 4, rel=1e-5)
+    solution = OptimalControl(system, bounds={m: (0.5 * unit, 10.0 * unit)}, **problem).solve()
+    assert solution.constants[m] == pytest.approx(0.5 * unit, rel=1e-5)
+    assert solution.objective == pytest.approx(0.1875 / 4, rel=1e-5)
 
 
 def test_an_end_that_exceeds_its_own_float_is_the_end():
     system, (_x, v, F) = optima.double_integrator()
     for end in (2 * sm.pi, 2 * np.pi):
         at_end = [sm.Eq(v.subs(T, end), 1)]
-        found = OptimalControl(system, energy(F), 2 * np.pi, boundary=at_end, mesh=3).solve()
-        assert found[v][-1] == pytest.approx(1.0)
+        solution = OptimalControl(system, energy(F), 2 * np.pi, boundary=at_end, mesh=3).solve()
+        assert solution[v][-1] == pytest.approx(1.0)

@@ -36,14 +36,14 @@ def test_a_delay_equation():
     kinematics = [a.diff() - rate for a, rate in zip(x[:5], rates[:5], strict=True)]
     system = first_order(x[:5], x[5], rates[5], 1, kinematics)
     system.outputs = {sm.Symbol("fifth"): u[4], sm.Symbol("sixth"): u[5]}
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(sum(a**2 for a in (*x, *u)), T),
         1.0,
         start={x[0]: 1.0, **dict.fromkeys(x[1:], None)},
         boundary=[sm.Eq(b.subs(T, 0), a.subs(T, 1)) for a, b in pairwise(x)],
         path=[a + b >= 0.3 for a, b in zip(x, u, strict=True)],
     )
-    assert found.objective == pytest.approx(3.10812211, rel=3e-9)
+    assert solution.objective == pytest.approx(3.10812211, rel=3e-9)
 
 
 def test_heat_diffusion_above_a_moving_limit():
@@ -58,13 +58,13 @@ def test_heat_diffusion_above_a_moving_limit():
     system = first_order(y[:-1], y[-1], rates[-1], 1, kinematics)
     limits = [np.sin(k * d) * sm.sin(sm.pi * T / 5) - 0.7 for k in range(n + 1)]
     cost = (d / 2 + 1e-3) * sum(a**2 for a in ends) + d * sum(a**2 for a in y)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(cost, T),
         5.0,
         path=[a >= limit for a, limit in zip(row, limits, strict=True)],
         mesh=30,
     )
-    assert found.objective == pytest.approx(0.468159793, rel=2e-5)
+    assert solution.objective == pytest.approx(0.468159793, rel=2e-5)
 
 
 def test_linear_tangent_steering():
@@ -72,13 +72,13 @@ def test_linear_tangent_steering():
     x, y, v, w, angle = me.dynamicsymbols("x y v w angle")
     kinematics = [x.diff() - v, y.diff() - w, v.diff() - 100 * sm.cos(angle)]
     system = first_order([x, y, v], w, 100 * sm.sin(angle), 1, kinematics)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF,
         TF,
         end={y: 5.0, v: 45.0, w: 0.0},
         bounds={angle: (-np.pi / 2, np.pi / 2), TF: (0.01, 2.0)},
     )
-    assert found.objective == pytest.approx(0.554570879, rel=3e-9)
+    assert solution.objective == pytest.approx(0.554570879, rel=3e-9)
 
 
 def test_a_pendulum_as_a_differential_algebraic_equation():
@@ -98,25 +98,25 @@ def test_a_pendulum_as_a_differential_algebraic_equation():
         holonomic_constraints=[x**2 + y**2 - 1],
     )
     system = System(definition, initial_conditions={x: 1.0})
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(u**2, T), 3.0, end={x: 0.0, v: 0.0}, mesh=24, order=4
     )
-    assert found[y][-1] == pytest.approx(-1.0)
-    assert found.objective == pytest.approx(12.8738850, rel=1e-6)
+    assert solution[y][-1] == pytest.approx(-1.0)
+    assert solution.objective == pytest.approx(12.8738850, rel=1e-6)
 
 
 def test_rayleighs_equation_with_a_limit_of_state_and_control():
     # Betts 10.113.
     x, v, u = me.dynamicsymbols("x v u")
     system = first_order([x], v, -x + v * (1.4 - 0.14 * v**2) + 4 * u)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(u**2 + x**2, T),
         4.5,
         start={x: -5.0, v: -5.0},
         path=[u + x / 6 <= 0],
         mesh=30,
     )
-    assert found.objective == pytest.approx(44.8044433, rel=1e-4)
+    assert solution.objective == pytest.approx(44.8044433, rel=1e-4)
 
 
 def test_a_tumour_without_vessels():
@@ -129,7 +129,7 @@ def test_a_tumour_without_vessels():
         q.diff() - q * (birth - loss - d * p ** sm.Rational(2, 3) - 0.15 * u),
     ]
     system = first_order([p, q], dose, u, 1, kinematics)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         p.subs(T, TF),
         TF,
         start={p: largest / 2, q: largest / 4},
@@ -142,22 +142,22 @@ def test_a_tumour_without_vessels():
         },
         mesh=60,
     )
-    assert found.objective == pytest.approx(7571.6712, rel=3e-6)
-    assert found.duration == pytest.approx(1.1961336, rel=3e-3)
+    assert solution.objective == pytest.approx(7571.6712, rel=3e-6)
+    assert solution.duration == pytest.approx(1.1961336, rel=3e-3)
 
 
 def test_the_oscillator_of_van_der_pol():
     # Betts 10.144.
     x, v, u = me.dynamicsymbols("x v u")
     system = first_order([x], v, (1 - x**2) * v - x + u)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(u**2 + x**2 + v**2, T),
         5.0,
         start={x: 1.0},
         bounds={v: (-0.4, None)},
         mesh=30,
     )
-    assert found.objective == pytest.approx(2.95369916, rel=2e-5)
+    assert solution.objective == pytest.approx(2.95369916, rel=2e-5)
 
 
 def test_a_brachistochrone_that_rises_at_its_end():
@@ -166,9 +166,9 @@ def test_a_brachistochrone_that_rises_at_its_end():
     problem = OptimalControl(
         system, TF, TF, end={x: 10.0, y: 6.0}, bounds={TF: (0.1, 5.0)}, order=4
     )
-    found = problem.solve({v: [0.0, 10.0], angle: [0.0, 1.5]})
-    assert found.objective <= 200 * 8.953119e-3 * (1 + WORSE)
-    assert found.objective == pytest.approx(cycloid_time(10.0, 6.0, 9.81), rel=1e-7)
+    solution = problem.solve({v: [0.0, 10.0], angle: [0.0, 1.5]})
+    assert solution.objective <= 200 * 8.953119e-3 * (1 + WORSE)
+    assert solution.objective == pytest.approx(cycloid_time(10.0, 6.0, 9.81), rel=1e-7)
 
 
 def test_a_crane_moves_its_load():
@@ -187,7 +187,7 @@ def test_a_crane_moves_its_load():
     loads = [(trolley, F * frame.x), (load, -98.1 * frame.y)]
     system = System(Definition(frame, [x, q], [v, u], bodies=bodies, loads=loads))
     place = x + 5 * sm.sin(q)
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF,
         TF,
         end={x: 15.0, q: 0.0, v: 0.0, u: 0.0},
@@ -195,8 +195,8 @@ def test_a_crane_moves_its_load():
         path=[place >= 0, place <= 15],
         mesh=60,
     )
-    assert found.objective <= 149 * 39.559487e-3 * (1 + WORSE)
-    assert found.objective == pytest.approx(5.80, abs=0.01)
+    assert solution.objective <= 149 * 39.559487e-3 * (1 + WORSE)
+    assert solution.objective == pytest.approx(5.80, abs=0.01)
 
 
 def test_two_links_on_a_cart_swing_up():
@@ -228,8 +228,8 @@ def test_two_links_on_a_cart_swing_up():
         mesh=50,
     )
     with pytest.warns(PyDyUserWarning, match=r"`F\(t\)` enters linearly and chatters"):
-        found = problem.solve({F: 50.0, TF: 3.0})
-    assert found.objective <= 299 * 9.780434e-3 * (1 + WORSE)
+        solution = problem.solve({F: 50.0, TF: 3.0})
+    assert solution.objective <= 299 * 9.780434e-3 * (1 + WORSE)
 
 
 def test_a_particle_flies_through_gates():
@@ -264,8 +264,8 @@ def test_a_particle_flies_through_gates():
         mesh=48,
     )
     with pytest.warns(PyDyUserWarning, match="another control decides alone"):
-        found = problem.solve({x: [2, 1, 5, 8, 2], y: [0, 2, 7, 1, 0]})
-    assert found.objective <= 500 * 9.368990e-3 * (1 + WORSE)
+        solution = problem.solve({x: [2, 1, 5, 8, 2], y: [0, 2, 7, 1, 0]})
+    assert solution.objective <= 500 * 9.368990e-3 * (1 + WORSE)
 
 
 @pytest.fixture(scope="module")
@@ -325,8 +325,8 @@ def test_a_car_parks_beside_another(car, method, mesh, objective):
     # The gallery's inputs on 120 intervals have 318.51e3 N²s. Backward Euler
     # is 0.6 % below the optimum there.
     system, statement, guess = car
-    found = OptimalControl(system, **statement, method=method, mesh=mesh).solve(guess)
-    assert found.objective == pytest.approx(objective, rel=WORSE)
+    solution = OptimalControl(system, **statement, method=method, mesh=mesh).solve(guess)
+    assert solution.objective == pytest.approx(objective, rel=WORSE)
 
 
 def test_a_rocket_with_a_singular_arc():
@@ -360,10 +360,10 @@ def test_a_rocket_with_a_singular_arc():
         {v: 800.0, h: [5000.0, 11000.0], m: [1.5, 1.0]},
         {v: [800.0, 0.0], h: [11000.0, 19000.0], m: 1.0},
     ]
-    found = phases.solve(guesses)
-    assert -found.objective == pytest.approx(18550.8728, rel=1e-6)
-    assert found[0].duration == pytest.approx(13.7512705, rel=1e-6)
-    assert found.duration == pytest.approx(42.8879130, rel=1e-6)
+    solution = phases.solve(guesses)
+    assert -solution.objective == pytest.approx(18550.8728, rel=1e-6)
+    assert solution[0].duration == pytest.approx(13.7512705, rel=1e-6)
+    assert solution.duration == pytest.approx(42.8879130, rel=1e-6)
 
 
 def test_a_block_slides_over_a_hill():
@@ -383,8 +383,8 @@ def test_a_block_slides_over_a_hill():
         bounds={F: (-10.0, 15.0), x: (0.0, 10.0), v: (0.0, 100.0), TF: (1.0, 20.0)},
         mesh=60,
     )
-    found = problem.solve({v: 5.0})
-    assert found.objective == pytest.approx(time_over_the_hill(10.0), rel=1e-4)
+    solution = problem.solve({v: 5.0})
+    assert solution.objective == pytest.approx(time_over_the_hill(10.0), rel=1e-4)
 
 
 def time_over_the_hill(end):
@@ -442,11 +442,11 @@ def test_a_bicycle_steers_to_the_right_to_turn_left():
     asked = {"end": {lean: 0.0, rate: 0.0, heading: right, steer: 0.0}, "bounds": bounds}
     euler = OptimalControl(system, TF, TF, method="backward-euler", mesh=200, **asked)
     published = euler.solve({TF: 2.0})
-    found = OptimalControl(system, TF, TF, mesh=80, **asked).solve(published)
-    assert found.objective <= published.objective * (1 + WORSE)
-    assert found.objective == pytest.approx(1.3087, abs=2e-4)
-    assert found[steer].min() < -0.05  # to the other side first
-    assert found[lean].min() < -0.2
+    solution = OptimalControl(system, TF, TF, mesh=80, **asked).solve(published)
+    assert solution.objective <= published.objective * (1 + WORSE)
+    assert solution.objective == pytest.approx(1.3087, abs=2e-4)
+    assert solution[steer].min() < -0.05  # to the other side first
+    assert solution[lean].min() < -0.2
 
 
 def test_a_drone_tumbles_on_its_way():
@@ -502,7 +502,7 @@ def test_a_drone_tumbles_on_its_way():
     guess = {**dict.fromkeys(forces, 10.0), turned[0]: 1.0}
     euler = OptimalControl(system, effort, 10.0, method="backward-euler", mesh=300, **asked)
     published = euler.solve(guess)
-    found = OptimalControl(system, effort, 10.0, mesh=40, order=4, **asked).solve(guess)
-    assert found.objective <= published.objective * (1 + WORSE)
-    assert found.objective == pytest.approx(1014.93, rel=1e-4)
-    assert np.abs(sum(found[e] ** 2 for e in turned) - 1.0).max() < 1e-9
+    solution = OptimalControl(system, effort, 10.0, mesh=40, order=4, **asked).solve(guess)
+    assert solution.objective <= published.objective * (1 + WORSE)
+    assert solution.objective == pytest.approx(1014.93, rel=1e-4)
+    assert np.abs(sum(solution[e] ** 2 for e in turned) - 1.0).max() < 1e-9

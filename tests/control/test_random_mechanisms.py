@@ -82,9 +82,9 @@ def problem_of(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_random_mechanism(seed):
     problem = problem_of(seed)
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    (points,) = made.scheme.points(made.mesh)
-    group = made.groups[0]
+    transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
+    (points,) = transcription.scheme.points(transcription.mesh)
+    group = transcription.groups[0]
     functions, rng = group.functions, np.random.default_rng(seed)
     x = np.repeat(np.array(problem._snapshot.x)[None], len(points.slots), axis=0)
     x = x + np.max(np.abs(x), initial=1e-3, axis=0) * 0.1 * rng.normal(size=x.shape)

@@ -19,14 +19,14 @@ def cart():
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_solvers_agree(cart, solver):
     problem, F, expected = cart
-    found = problem.solve(solver=solver)
-    assert found.message == "solved"
-    assert found.objective == pytest.approx(expected.objective, rel=1e-6)
-    assert [i.number for i in found.history] == list(range(len(found.history)))
+    solution = problem.solve(solver=solver)
+    assert solution.message == "solved"
+    assert solution.objective == pytest.approx(expected.objective, rel=1e-6)
+    assert [i.number for i in solution.history] == list(range(len(solution.history)))
     for name, values in expected.multipliers.items():
         scale = np.abs(values).max()
-        np.testing.assert_allclose(found.multipliers[name], values, atol=1e-6 * scale + 1e-12)
-    np.testing.assert_allclose(found[F], expected[F], atol=1e-5 * np.abs(expected[F]).max())
+        np.testing.assert_allclose(solution.multipliers[name], values, atol=1e-6 * scale + 1e-12)
+    np.testing.assert_allclose(solution[F], expected[F], atol=1e-5 * np.abs(expected[F]).max())
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
@@ -34,20 +34,20 @@ def test_warm_starts_and_estimated_derivatives(cart, solver):
     problem, _, expected = cart
     assert len(problem.solve(expected, solver=solver).history) < len(expected.history) / 2
     system, (x, v, F) = optima.double_integrator()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, hessian="lbfgs", solver=solver
     )
-    assert found.objective == pytest.approx(12.0, rel=1e-6)
+    assert solution.objective == pytest.approx(12.0, rel=1e-6)
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_a_least_time_with_bounds(solver):
     system, (x, v, F) = optima.double_integrator()
-    found = system.optimize_trajectory(
+    solution = system.optimize_trajectory(
         TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 10.0)}, solver=solver
     )
-    assert found.objective == pytest.approx(2.0, rel=1e-6)
-    assert np.abs(found[F]).max() <= 1.0
+    assert solution.objective == pytest.approx(2.0, rel=1e-6)
+    assert np.abs(solution[F]).max() <= 1.0
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
