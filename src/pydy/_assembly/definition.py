@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 
@@ -14,15 +14,18 @@ from pydy._forks import cached_property
 from pydy._mechanics import Equations
 from pydy._names import name_of
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, TimeFunction
+
 
 @dataclass(frozen=True)
 class Layout:
     """The orders of the arrays x, r and p, and of the outputs."""
 
-    states: tuple[Any, ...]
-    specifieds: tuple[Any, ...]
-    constants: tuple[Any, ...]
-    outputs: tuple[Any, ...] = ()
+    states: tuple[AnySymbol, ...]
+    specifieds: tuple[AnySymbol, ...]
+    constants: tuple[AnySymbol, ...]
+    outputs: tuple[AnySymbol, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -33,17 +36,17 @@ class Definition:
     # All outputs: the user's, the constraint residuals, the noncontributing forces.
     groups: tuple[Group, ...]
     # The states that integrate outputs which depend on the derivatives of the speeds.
-    auxiliaries: tuple[Any, ...]
-    constants: tuple[Any, ...]  # sorted
-    specifieds: tuple[Any, ...]  # sorted, or as the user ordered them
+    auxiliaries: tuple[AnySymbol, ...]
+    constants: tuple[AnySymbol, ...]  # sorted
+    specifieds: tuple[AnySymbol, ...]  # sorted, or as the user ordered them
     # The outputs that are residuals of constraints and noncontributing forces.
-    residuals: tuple[Any, ...] = ()
-    forces: tuple[Any, ...] = ()
+    residuals: tuple[AnySymbol, ...] = ()
+    forces: tuple[AnySymbol, ...] = ()
     # Labels of outputs that are called like something else, with the names that the user gave.
-    labels: tuple[tuple[Any, Any], ...] = ()
+    labels: tuple[tuple[AnySymbol, AnySymbol], ...] = ()
 
     @cached_property
-    def states(self) -> tuple[Any, ...]:
+    def states(self) -> tuple[AnySymbol, ...]:
         """Coordinates, speeds, auxiliaries."""
         return (*self.equations.coordinates, *self.equations.speeds, *self.auxiliaries)
 
@@ -54,18 +57,18 @@ class Definition:
         return tuple(places.get(symbol.diff(self.equations.time)) for symbol in self.specifieds)
 
     @cached_property
-    def outputs_symbols(self) -> tuple[Any, ...]:
+    def outputs_symbols(self) -> tuple[AnySymbol, ...]:
         """The names of all outputs, in order."""
         return tuple(name for group in self.groups for name in group.names)
 
     @cached_property
-    def outputs_given(self) -> tuple[Any, ...]:
+    def outputs_given(self) -> tuple[AnySymbol, ...]:
         """The same, as the user called them."""
         names = dict(self.labels)
         return tuple(names.get(label, label) for label in self.outputs_symbols)
 
     @cached_property
-    def symbols_by_kind(self) -> dict[str, tuple[Any, ...]]:
+    def symbols_by_kind(self) -> dict[str, tuple[AnySymbol, ...]]:
         """All symbols but the constants, by kind, as a Trajectory takes them."""
         equations = self.equations
         known = {*self.residuals, *self.forces}
@@ -85,7 +88,7 @@ class Definition:
         return Layout(self.states, self.specifieds, self.constants, self.outputs_symbols)
 
     @cached_property
-    def lower_derivatives(self) -> dict[Any, tuple[Any, ...]]:
+    def lower_derivatives(self) -> dict[sm.Derivative, tuple[TimeFunction, ...]]:
         """The lower derivatives of each specified that is a derivative, lowest first."""
         return {s: lower_derivatives(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
 
@@ -102,9 +105,9 @@ class Definition:
         return not self.assumptions.keys() <= {"constants"}
 
     @cached_property
-    def of_one_name(self) -> list[tuple[Any, ...]]:
+    def of_one_name(self) -> list[tuple[AnySymbol, ...]]:
         """Groups of symbols that differ in their assumptions alone, time included."""
-        groups: dict[Any, list[Any]] = {}
+        groups: dict[tuple[object, ...], list[AnySymbol]] = {}
         known = (*self.states, *self.constants, *self.specifieds, *self.outputs_symbols)
         for symbol in dict.fromkeys((self.equations.time, *known)):
             if not isinstance(symbol, sm.Dummy):
@@ -138,7 +141,7 @@ class Definition:
         ]
 
 
-def lower_derivatives(derivative: Any) -> tuple[Any, ...]:
+def lower_derivatives(derivative: sm.Derivative) -> tuple[TimeFunction, ...]:
     """Return a function of time and its derivatives below a given one."""
     function, variable = derivative.expr, derivative.variables[0]
     return tuple(function.diff(variable, k) for k in range(derivative.derivative_count))

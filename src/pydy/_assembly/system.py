@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
@@ -12,20 +12,25 @@ from pydy._collector import collector_paused
 from pydy._graph import Graph, SymPyReader, jacobian, solve_accelerations, substitute
 from pydy._mechanics import Equations, find_symbols
 
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol
+
 
 @dataclass(frozen=True, eq=False)
 class Form:
     """Equations in one of the forms [1] x' = F, [2] M x' = F, [3] M u' = F with q' = G."""
 
-    right_hand_side: Sequence[Any]
-    coordinates: Sequence[Any]
-    speeds: Sequence[Any]
-    constants: Sequence[Any]
-    specifieds: Sequence[Any]
-    time: Any
-    mass_matrix: Any = None
-    coordinate_derivatives: Sequence[Any] | None = None
-    outputs: Sequence[Any] = ()
+    right_hand_side: Sequence[sm.Expr] | sm.Matrix
+    coordinates: Sequence[AnySymbol]
+    speeds: Sequence[AnySymbol]
+    constants: Sequence[AnySymbol]
+    specifieds: Sequence[AnySymbol]
+    time: sm.Symbol
+    mass_matrix: sm.Matrix | None = None
+    coordinate_derivatives: Sequence[sm.Expr] | sm.Matrix | None = None
+    outputs: Sequence[sm.Expr] = ()
 
 
 @collector_paused()
@@ -79,9 +84,9 @@ def assemble_form(
 class Group:
     """Outputs that are given together."""
 
-    names: tuple[Any, ...]
+    names: tuple[AnySymbol, ...]
     # Values, or equations that are zero, when they contain the names themselves.
-    expressions: tuple[Any, ...]
+    expressions: tuple[sm.Expr, ...]
 
 
 def auxiliary_groups(equations: Equations, groups: Sequence[Group]) -> list[bool]:
@@ -162,9 +167,9 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
 def assemble_system(
     equations: Equations,
     groups: Sequence[Group],
-    auxiliaries: Sequence[Any],
-    specifieds: Sequence[Any],
-    constants: Sequence[Any],
+    auxiliaries: Sequence[AnySymbol],
+    specifieds: Sequence[AnySymbol],
+    constants: Sequence[AnySymbol],
     *,
     external: bool = False,
     off: frozenset[str] = frozenset(),
@@ -259,7 +264,9 @@ def assemble_system(
     )
 
 
-def check_accelerations(equations: Equations, constants: Any, specifieds: Any) -> None:
+def check_accelerations(
+    equations: Equations, constants: Sequence[AnySymbol], specifieds: Sequence[AnySymbol]
+) -> None:
     """Refuse equations of motion that are nonlinear in the derivatives of the speeds."""
     if any(rate in equations.symbols for rate in equations.kinematics.speed_rates):
         assemble_system(equations, (), (), specifieds, constants)
@@ -294,7 +301,7 @@ def _collect_accelerations(
     return matrix, forcing, True
 
 
-def _nonlinear_term(equations: Equations) -> Any:
+def _nonlinear_term(equations: Equations) -> sm.Expr | tuple[sm.Expr, ...]:
     """Return the first additive term that is not linear in the derivatives of the speeds."""
     rates = equations.kinematics.speed_rates
     loads = equations.mechanism.loads if equations.formed and equations.mechanism else ()
