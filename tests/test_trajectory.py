@@ -718,3 +718,9 @@ def test_a_trajectory_animates_the_bodies_of_its_model():
         match=r"contains no bodies and no model.*`system.scene\(\).animate\(trajectory\)`",
     ):
         bare.animate()
+
+
+def test_a_trajectory_in_place_of_times_is_refused_with_the_remedy():
+    trajectory = system_of(zoo.free_pendulum(), times=TIMES).simulate()
+    with pytest.raises(TypeError, match="got a Trajectory: pass its `times`"):
+        trajectory.at(trajectory)

@@ -69,6 +69,8 @@ def check_sensitivities(value: Any, shape: tuple[int, int]) -> None:
 
 def checked_times(times: Any, limits: np.ndarray) -> np.ndarray:
     """Check that times ascend or descend and lie within those of a trajectory."""
+    if hasattr(times, "states") and hasattr(times, "times"):
+        raise TypeError("`times` must be numbers, got a Trajectory: pass its `times`.")
     checked = monotonic(np.atleast_1d(real_array(times, "`times`")), "`times`")
     first, last = _span(limits)
     outside = checked[~((checked >= first) & (checked <= last))]
