@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy._mechanics.definition import equations_of_definition
 from pydy._mechanics.kane import equations_of_kane
-from pydy._mechanics.potential import _Search, find_potential
+from pydy._mechanics.potential import _PotentialSearch, find_potential
 from pydy.mechanics import Definition, Implicit
 from pydy.system import System
 from zoo import inertial_frame
@@ -374,7 +374,7 @@ def test_numbers_that_rounding_adds_up_hide_no_potential(plane):
 
 def test_weights_ask_for_no_second_point(plane, monkeypatch):
     """Each pair of points was tried, for 40 four-bars in a row a minute of them."""
-    monkeypatch.setattr(_Search, "_pair", None)
+    monkeypatch.setattr(_PotentialSearch, "_pair", None)
     frame, _, place = plane
     found = potential(plane, [(place, -M * G * frame.y)])
     assert differs_by_a_constant(found.expression, M * G * Q[1])

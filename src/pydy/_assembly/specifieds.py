@@ -25,7 +25,7 @@ class Plan(Protocol):
 
 
 @dataclass(frozen=True)
-class _Formula:
+class _SpecifiedExpression:
     """A specified given as an expression."""
 
     symbol: Any
@@ -91,20 +91,20 @@ def check_expressions(definition: Definition, plan: Plan) -> None:
         _resolve(Graph(), definition, formulas, None, False)
 
 
-def _formulas(definition: Definition, plan: Plan) -> tuple[_Formula, ...]:
+def _formulas(definition: Definition, plan: Plan) -> tuple[_SpecifiedExpression, ...]:
     """Return the expressions, and the derivatives that follow from them."""
     if not plan.expressions:
         return ()
     formulas = []
     for symbol in plan.symbols:
         if symbol in plan.expressions:
-            formulas.append(_Formula(symbol, plan.expressions[symbol]))
+            formulas.append(_SpecifiedExpression(symbol, plan.expressions[symbol]))
         elif isinstance(symbol, sm.Derivative) and symbol not in plan.given:
             for order in range(1, symbol.derivative_count + 1):
                 lower = symbol.derivative_count - order
                 source = symbol.expr.diff(definition.equations.time, lower)
                 if source in plan.expressions:
-                    formulas.append(_Formula(symbol, source, order))
+                    formulas.append(_SpecifiedExpression(symbol, source, order))
                 if source in plan.given:
                     break
     return tuple(formulas)
@@ -113,7 +113,7 @@ def _formulas(definition: Definition, plan: Plan) -> tuple[_Formula, ...]:
 def _resolve(
     graph: Graph,
     definition: Definition,
-    formulas: Sequence[_Formula],
+    formulas: Sequence[_SpecifiedExpression],
     kinematics: Sequence[int] | None,
     perturbed: bool,
 ) -> dict[int, int]:
@@ -163,7 +163,11 @@ def _resolve(
 
 
 def _derivative(
-    graph: Graph, formula: _Formula, node: int, own: Mapping[int, Any], definition: Definition
+    graph: Graph,
+    formula: _SpecifiedExpression,
+    node: int,
+    own: Mapping[int, Any],
+    definition: Definition,
 ) -> int:
     """Differentiate by time an expression of time and constants."""
     layout = definition.layout
@@ -185,7 +189,9 @@ def _derivative(
     return node
 
 
-def _refuse_unknown(formula: _Formula, found: Mapping[Any, Any], definition: Definition) -> None:
+def _refuse_unknown(
+    formula: _SpecifiedExpression, found: Mapping[Any, Any], definition: Definition
+) -> None:
     layout, equations = definition.layout, definition.equations
     known = {*layout.states, *layout.specifieds, *layout.constants, *equations.kinematics.zeros}
     known.update((equations.time, *equations.kinematics.coordinate_rates))

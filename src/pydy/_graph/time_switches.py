@@ -87,7 +87,7 @@ class TimeSwitches:
             while len(self._stored) >= STORED_SEARCHES:
                 self._stored.pop(next(iter(self._stored)), None)
             values = dict(zip(self.inputs, numbers.tolist(), strict=True))
-            self._stored[key] = times = _Search(self, values, start, end).switch_times()
+            self._stored[key] = times = _SwitchSearch(self, values, start, end).switch_times()
         return times
 
 
@@ -142,7 +142,7 @@ def _switch(graph: Graph, op: str, nodes: Sequence[int]) -> int:
     return nodes[0]
 
 
-class _Search:
+class _SwitchSearch:
     """The search for the times at which switches are zero, with numbers for their inputs."""
 
     def __init__(

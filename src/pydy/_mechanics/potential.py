@@ -100,7 +100,7 @@ def find_potential(equations: Equations) -> Potential:
     with warnings.catch_warnings():
         # SymPy derives velocities that were not set, and warns if the result is ambiguous.
         warnings.simplefilter("ignore", UserWarning)
-        potential = _Search(equations, mechanism).result()
+        potential = _PotentialSearch(equations, mechanism).result()
     if mechanism.lagrangian is not None:
         potential.expression += _potential_of_lagrangian(equations, mechanism)
     return potential
@@ -119,7 +119,7 @@ def _potential_of_lagrangian(equations: Equations, mechanism: Mechanism) -> sm.E
     return replace_symbols(kinetic - lagrangian, dict.fromkeys(equations.speeds, sm.S.Zero))
 
 
-class _Search:
+class _PotentialSearch:
     def __init__(self, equations: Equations, mechanism: Mechanism) -> None:
         self.equations, self.mechanism = equations, mechanism
         self.frame = mechanism.frame

@@ -423,7 +423,7 @@ def listing(
     `names` are those of the inputs, for the groups ``'x'`` (states), ``'r'`` (specifieds) and
     ``'p'`` (constants). Beyond `most_lines`, operations are counted; None writes all.
     """
-    lines = [*_summary(program), *_Writer(program, names or {}, most_lines).lines()]
+    lines = [*_summary(program), *_ProgramListing(program, names or {}, most_lines).lines()]
     return "\n".join(lines)
 
 
@@ -444,7 +444,7 @@ def _shape(shape: tuple[int, ...]) -> str:
     return "(" + ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "") + ")"
 
 
-class _Writer:
+class _ProgramListing:
     def __init__(
         self, program: Program, names: Mapping[str, Sequence[str]], most_lines: int | None
     ) -> None:
