@@ -7,11 +7,19 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, wraps
 from math import isfinite
 from operator import itemgetter
-from typing import Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 
 from pydy._names import distinguished, name_of, nearest, some, text_of, written_out
+
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
+K = TypeVar("K")
+V = TypeVar("V")
 
 _FLOAT = np.dtype(float)
 _NUMBER_TYPES = frozenset((float, int, np.float64))
@@ -28,7 +36,7 @@ def describe(symbols: Sequence[object]) -> str:
 
 
 def listed(
-    argument: str, value: Any, entries_name: str = "symbols", *, hashable: bool = False
+    argument: str, value: object, entries_name: str = "symbols", *, hashable: bool = False
 ) -> list[Any]:
     """Check that an argument is a sequence of symbols and return it as a list.
 
@@ -51,7 +59,7 @@ def listed(
     raise TypeError(f"`{argument}` must be a sequence of {entries_name}, got {shown(value)}.")
 
 
-def _entries(matrix: Any) -> Any:
+def _entries(matrix: sm.MatrixBase) -> sm.MatrixBase | list[sm.Expr]:
     """Return the entries of a SymPy matrix of one column or row; other matrices unchanged."""
     shape = matrix.shape
     if not (all(isinstance(n, int) or n.is_Integer for n in shape) and {0, 1} & {*shape}):
@@ -69,7 +77,7 @@ def one_or_more(argument: str, value: object, *, hashable: bool = False) -> list
 
 
 def resolved(
-    argument: str, keys: Iterable[Any], symbols: Iterable[Any], description: str
+    argument: str, keys: Iterable[object], symbols: Iterable[AnySymbol], description: str
 ) -> list[Any]:
     """Replace each name in a list by the symbol that has it."""
     keys = list(keys)
@@ -171,7 +179,7 @@ def real_array(value: object, label: str) -> np.ndarray:
     return array.astype(float, order="C")
 
 
-def tolerance(value: Any, label: str) -> Any:
+def tolerance(value: object, label: str) -> float | np.ndarray:
     """Check a tolerance: a number or an array (n,), finite and not negative."""
     array = real_array(value, label)
     if not (np.isfinite(array).all() and (array >= 0.0).all()):
@@ -328,7 +336,7 @@ def flag(value: object, label: str) -> bool:
     raise TypeError(f"{label} must be True or False, got {shown(value)}.")
 
 
-def choice(value: object, options: Iterable[Any], label: str) -> Any:
+def choice(value: object, options: Iterable[object], label: str) -> Any:
     """Check that a value is one of some options, or raise an error that lists them."""
     options = tuple(options)
     for option in options:
@@ -373,7 +381,7 @@ class SymbolDict(UserDict[Any, Any]):
     def __init__(self, data: dict[Any, Any]) -> None:
         self.data = data
 
-    def _equivalent(self, key: object) -> list[Any]:
+    def _equivalent(self, key: object) -> list[object]:
         """Return the keys of the dictionary that are equivalent to this one, in order."""
         if key in self.data and not any(isinstance(k, str) for k in self.data):
             return [key]
@@ -387,7 +395,7 @@ class SymbolDict(UserDict[Any, Any]):
         symbols = [k for k in alike if not isinstance(k, str)]
         return alike if alike and len(symbols) < 2 else [key]
 
-    def _current_key(self, key: object) -> Any:
+    def _current_key(self, key: object) -> object:
         """Return the latest equivalent key, whose value is valid, or this key."""
         return self._equivalent(key)[-1]
 
@@ -423,13 +431,13 @@ class SymbolDict(UserDict[Any, Any]):
         return result
 
 
-def merged(values: Mapping[Any, Any]) -> Mapping[Any, Any]:
+def merged(values: Mapping[K, V]) -> Mapping[K, V]:
     """Return a dictionary in which a symbol and its name are one key: the later value is valid.
 
     This gives ``{**system.constants, 'l': 0.7}`` its intended meaning. Tuples of symbols, and names
     that several keys share, are not changed.
     """
-    groups: dict[str, list[Any]] = {}
+    groups: dict[str, list[K]] = {}
     named = False  # a loop, because hashing and comparing keys that are functions is slow
     for key in values:
         named |= isinstance(key, str)
@@ -438,23 +446,23 @@ def merged(values: Mapping[Any, Any]) -> Mapping[Any, Any]:
     for key in values:
         if not (isinstance(key, (tuple, list)) or hasattr(key, "dummy_index")):
             groups.setdefault(name_of(key).removesuffix("(t)"), []).append(key)
-    former: set[Any] = set()
+    former: set[K] = set()
     for group in groups.values():
         if len(group) > 1 and sum(not isinstance(key, str) for key in group) < 2:
             former.update(group[:-1])
     return {k: v for k, v in values.items() if k not in former} if former else values
 
 
-def _spellings(key: Any) -> set[str]:
+def _spellings(key: object) -> set[str]:
     """Return the names of a key: ``q`` and ``q(t)`` for either of them; a Dummy has none."""
     if hasattr(key, "dummy_index"):
         return set()
     return {name_of(key), str(key), str(key).removesuffix("(t)")}
 
 
-def refuse_twice(symbols: Iterable[Any], argument: str) -> None:
+def refuse_twice(symbols: Iterable[object], argument: str) -> None:
     """Refuse a dictionary in which two keys denote the same symbol."""
-    previous: set[Any] = set()
+    previous: set[object] = set()
     for symbol in symbols:
         if symbol in previous:
             raise ValueError(
@@ -470,20 +478,26 @@ class SymbolIndex:
     The `description` of the symbols is used in messages.
     """
 
-    def __init__(self, symbols: Sequence[Any], description: str) -> None:
+    def __init__(self, symbols: Sequence[AnySymbol], description: str) -> None:
         self.symbols = tuple(symbols)
         self.description = description
         self._position = {s: k for k, s in enumerate(self.symbols)}
         # Two caches: the latest keys of a complete dictionary, with the function that reorders its
         # values; and the latest keys of a partial one, with their positions. The same keys are
         # passed repeatedly, and comparing them takes a tenth of the time of hashing.
-        self._full_order: tuple[list[Any], Callable[[list[Any]], Any] | None] = (
+        self._full_order: tuple[list[SymbolOrName], Callable[[list[object]], object] | None] = (
             [*self.symbols],
             None,
         )
 
-        self._partial_order: tuple[list[Any], np.ndarray] = ([], np.empty(0, dtype=np.int64))
-        self._groups: tuple[list[Any], list[tuple[Any, ...]]] = ([], [])
+        self._partial_order: tuple[list[SymbolOrName], np.ndarray] = (
+            [],
+            np.empty(0, dtype=np.int64),
+        )
+        self._groups: tuple[list[object], list[tuple[tuple[AnySymbol, ...], np.ndarray, bool]]] = (
+            [],
+            [],
+        )
 
     def __len__(self) -> int:
         return len(self.symbols)
@@ -514,7 +528,7 @@ class SymbolIndex:
             return alike[0] if alike else None
         return position
 
-    def unknown(self, values: Mapping[Any, Any], argument: str) -> list[Any]:
+    def unknown(self, values: Mapping[SymbolOrName, object], argument: str) -> list[SymbolOrName]:
         """Return the keys of a dictionary that denote none of the symbols."""
         if [*values] in (
             self._full_order[0],
@@ -556,20 +570,20 @@ class SymbolIndex:
             f"symbol everywhere, or its name {name_of(key)!r}."
         )
 
-    def columns(self, keys: Iterable[Any], argument: str) -> np.ndarray:
+    def columns(self, keys: Iterable[object], argument: str) -> np.ndarray:
         """Return the positions of symbols or names, which must be different."""
         positions = [self.find(key, argument) for key in keys]
         if len({*positions}) < len(positions):
             refuse_twice(map(self.symbols.__getitem__, positions), argument)
         return np.array(positions, dtype=np.int64)
 
-    def chosen(self, keys: Iterable[Any], argument: str) -> list[Any]:
+    def chosen(self, keys: Iterable[object], argument: str) -> list[AnySymbol]:
         """Return the symbols that keys denote, which must be different."""
         return [self.symbols[k] for k in self.columns(keys, argument)]
 
     def by_symbol(
-        self, values: Mapping[Any, Any], argument: str, *, allow_others: bool = False
-    ) -> dict[Any, Any]:
+        self, values: Mapping[SymbolOrName, V], argument: str, *, allow_others: bool = False
+    ) -> dict[AnySymbol, V]:
         """Return a dictionary keyed by symbols; with `allow_others`, other keys are unchanged."""
         if not allow_others:
             return dict(zip(self.chosen(values, argument), values.values(), strict=True))
@@ -594,7 +608,9 @@ class SymbolIndex:
             f"the order {describe(self.symbols)}. A table is read by place: reorder it."
         )
 
-    def groups(self, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
+    def groups(
+        self, values: Mapping[Any, object], argument: str
+    ) -> list[tuple[tuple[AnySymbol, ...], np.ndarray, bool]]:
         """Return (symbols, positions, whether the key is a tuple) for each key of a dictionary."""
         keys = [*values]
         stored_keys, groups = self._groups
@@ -613,7 +629,10 @@ class SymbolIndex:
         return groups
 
     def read(
-        self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None
+        self,
+        argument: str,
+        values: Mapping[SymbolOrName, Any],
+        base: np.ndarray | float | None = None,
     ) -> np.ndarray:
         """Return a dictionary's numbers in the symbols' order; missing ones are those of `base`."""
         keys = [*values]
@@ -644,7 +663,7 @@ class SymbolIndex:
         return result
 
     def plain_numbers(
-        self, values: Mapping[Any, Any], *, finite: bool = False
+        self, values: Mapping[SymbolOrName, Any], *, finite: bool = False
     ) -> np.ndarray | None:
         """Return the numbers if a dictionary has a Python number for every symbol, else None."""
         keys, numbers = [*values], [*values.values()]
@@ -670,7 +689,7 @@ class SymbolIndex:
         return None
 
 
-C = TypeVar("C", bound=Callable[..., Any])
+C = TypeVar("C", bound=Callable[..., object])
 
 
 def suggest_arguments(function_name: str, suggestions: Mapping[str, str]) -> Callable[[C], C]:
@@ -678,7 +697,7 @@ def suggest_arguments(function_name: str, suggestions: Mapping[str, str]) -> Cal
 
     def named(call: C) -> C:
         @wraps(call)
-        def checked(*args: Any, **options: Any) -> Any:
+        def checked(*args: object, **options: object) -> object:
             for name in options:
                 if name in suggestions:
                     raise TypeError(

@@ -48,7 +48,7 @@ def integrate(
     *,
     solver: SolverFunction,
     sensitivities: SensitivityRequest | None = None,
-    **options: Any,
+    **options: object,
 ) -> Motion:
     """Integrate a Problem from its state, and return the Motion.
 
@@ -90,7 +90,7 @@ def simulate(
     *,
     solver: SolverFunction,
     sensitivities: SensitivityRequest | None = None,
-    **options: Any,
+    **options: object,
 ) -> Motion:
     """Integrate like `integrate`, and check the start and the Motion: see `judges`."""
     if problem.hybrid is not None:  # its segments are checked in `integrate`
@@ -105,7 +105,11 @@ def simulate(
 
 
 def _hybrid_motion(
-    problem: Problem, times: np.ndarray, solver: Any, sensitivities: Any, options: dict[str, Any]
+    problem: Problem,
+    times: np.ndarray,
+    solver: SolverFunction,
+    sensitivities: SensitivityRequest | None,
+    options: dict[str, object],
 ) -> Motion:
     assert problem.hybrid is not None
     motion: Motion = problem.hybrid.integrate(
@@ -114,7 +118,7 @@ def _hybrid_motion(
     return motion
 
 
-def _with_full_output(solver: SolverFunction, options: dict[str, Any]) -> dict[str, Any]:
+def _with_full_output(solver: SolverFunction, options: dict[str, object]) -> dict[str, object]:
     """Return options with which a solver returns all data of a Motion."""
     if isinstance(solver, Solver):
         return {"dense_output": True, "full_output": True, **options}
@@ -124,7 +128,7 @@ def _with_full_output(solver: SolverFunction, options: dict[str, Any]) -> dict[s
 
 
 def integrate_states(
-    problem: Problem, times: np.ndarray, *, solver: SolverFunction, checked: bool, **options: Any
+    problem: Problem, times: np.ndarray, *, solver: SolverFunction, checked: bool, **options: object
 ) -> Any:
     """Return a solver's result for `System.integrate`, checked as by `simulate`.
 
@@ -149,10 +153,10 @@ def integrate_states(
 class SolverResult:
     """The result of a solver."""
 
-    returned: Any  # the value that `System.integrate` returns
+    returned: object  # the value that `System.integrate` returns
     states: Any
-    info: Any  # a dictionary; empty if it is not needed
-    options: dict[str, Any]  # those passed to the solver
+    info: dict[str, Any]  # empty if it is not needed
+    options: dict[str, object]  # those passed to the solver
     evaluated: EvaluationRecorder | None = None
 
 
@@ -161,7 +165,7 @@ def call_solver(
     ready: PreparedIntegration,
     times: np.ndarray,
     solver: SolverFunction,
-    user_options: dict[str, Any],
+    user_options: dict[str, object],
     sensitivities: SensitivityRequest | None = None,
     checked: bool = True,
 ) -> SolverResult:
@@ -217,7 +221,7 @@ def _call_native(
     ready: PreparedIntegration,
     times: np.ndarray,
     solver: Solver,
-    user_options: dict[str, Any],
+    user_options: dict[str, object],
     options: dict[str, Any],
     sensitivities: SensitivityRequest | None,
 ) -> SolverResult:
@@ -250,10 +254,10 @@ def _call_scipy(
     problem: Problem,
     ready: PreparedIntegration,
     times: np.ndarray,
-    solver: Any,
-    user_options: dict[str, Any],
-    options: dict[str, Any],
-    call: tuple[Any, np.ndarray, Any],
+    solver: SolverFunction,
+    user_options: dict[str, object],
+    options: dict[str, object],
+    call: tuple[Any, np.ndarray, tuple[object, np.ndarray]],
     checked: bool,
 ) -> SolverResult:
     """Call odeint or solve_ivp; record their evaluations if the checks need these."""
@@ -275,8 +279,8 @@ def _call_scipy(
 def _call_users(
     times: np.ndarray,
     solver: SolverFunction,
-    options: dict[str, Any],
-    call: tuple[Any, np.ndarray, Any],
+    options: dict[str, object],
+    call: tuple[Callable[..., np.ndarray], np.ndarray, tuple[object, np.ndarray]],
 ) -> SolverResult:
     """Call a user-defined solver."""
     f, x0, args = call
@@ -295,7 +299,7 @@ def motion_of(
     times: np.ndarray,
     solver: SolverFunction,
     result: SolverResult,
-    user_options: dict[str, Any],
+    user_options: dict[str, object],
     sensitivities: SensitivityRequest | None = None,
 ) -> Motion:
     """Return the Motion of a solver's result."""
@@ -388,7 +392,7 @@ def motion_so_far(
     problem: Problem,
     ready: PreparedIntegration,
     solver: SolverFunction,
-    options: dict[str, Any],
+    options: dict[str, object],
     error: Any,
 ) -> Motion:
     """Return the Motion up to the failure of an integration."""
@@ -407,9 +411,9 @@ def motion_so_far(
     )
 
 
-def _continued(user_options: dict[str, Any], motion: Motion, times: np.ndarray) -> Trajectory:
+def _continued(user_options: dict[str, object], motion: Motion, times: np.ndarray) -> Trajectory:
     """Return the continuation of a motion at `times`, which begin at its end."""
-    options = dict(user_options)
+    options: dict[str, Any] = dict(user_options)
     sides = motion.statistics.get("sides")
     if isinstance(motion.solver, Solver) and user_options.get("events"):
         options["continuation"] = EventContinuation(None, sides)
@@ -421,7 +425,12 @@ def _continued(user_options: dict[str, Any], motion: Motion, times: np.ndarray) 
 _GIVEN_UP = (Outcome.TOO_MANY_STEPS, Outcome.STEP_UNDERFLOW, Outcome.NO_CONVERGENCE)
 
 
-def explain_failure(error: Any, problem: Problem, ready: PreparedIntegration, free: bool) -> None:
+def explain_failure(
+    error: IntegrationError | SingularMatrixError,
+    problem: Problem,
+    ready: PreparedIntegration,
+    free: bool,
+) -> None:
     """Add the cause to a failed motion's error, and warn of earlier resets off the constraints."""
     if isinstance(error, IntegrationError) and error.info.get("code") in _GIVEN_UP:
         stuck = _stuck_at(problem, ready, error.time, error.state)

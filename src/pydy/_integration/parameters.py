@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -16,12 +16,15 @@ from pydy.codegen import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers import ParameterSize
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 
 @dataclass(frozen=True)
 class Parameter:
     """A number, or the samples of an input, that a motion depends on."""
 
-    symbol: Any  # a constant, a state for its initial condition, or a specified
+    symbol: AnySymbol  # a constant, a state for its initial condition, or a specified
     kind: str  # 'constants', 'states' or 'specifieds'
     index: int  # in p, x or r
     samples: SampledInput | None = None  # of this specified alone: each sample is a parameter
@@ -42,9 +45,9 @@ class Parameter:
 def read_parameters(
     definition: Definition,
     plan: SpecifiedsPlan,
-    requested: Any,
+    requested: SymbolOrName | Iterable[SymbolOrName],
     argument: str = "sensitivities",
-    dependent: Sequence[Any] = (),
+    dependent: Sequence[AnySymbol] = (),
 ) -> tuple[Parameter, ...]:
     """Return the parameters that a user `requested`; a group's name selects its possible ones."""
     following = _following(definition, plan)
@@ -68,7 +71,7 @@ def read_parameters(
     return tuple(parameters)
 
 
-def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
+def _following(definition: Definition, plan: SpecifiedsPlan) -> list[AnySymbol]:
     """Return the specifieds that are expressions, or derivatives of other specifieds."""
     return [
         symbol
@@ -79,7 +82,11 @@ def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
 
 
 def _parameter(
-    definition: Definition, plan: SpecifiedsPlan, following: list[Any], key: Any, argument: str
+    definition: Definition,
+    plan: SpecifiedsPlan,
+    following: list[AnySymbol],
+    key: SymbolOrName,
+    argument: str,
 ) -> Parameter:
     description = "constants, states (for their initial conditions) and specifieds of the system"
     kind, index = located(
@@ -113,20 +120,20 @@ def _parameter(
 # -- Samples as parameters: their weights in time, and the steps that these need -------------------
 
 
-def by_samples(parameter: Any) -> SampledInput:
+def by_samples(parameter: Parameter) -> SampledInput:
     """Return the derivatives of a sampled input by each of its samples."""
     samples = parameter.samples
     assert samples is not None
     return SampledInput(samples.times, np.eye(parameter.count), samples.interpolation)
 
 
-def mean_spacing(parameters: Sequence[Any]) -> float | None:
+def mean_spacing(parameters: Sequence[Parameter]) -> float | None:
     """Return the smallest mean sampling interval of the parameters, or None."""
     times = [p.samples.times for p in parameters if p.samples is not None and p.count > 1]
     return min((float(knots[-1] - knots[0]) / (len(knots) - 1) for knots in times), default=None)
 
 
-def marker(parameters: Sequence[Any]) -> SampledInput | None:
+def marker(parameters: Sequence[Parameter]) -> SampledInput | None:
     """Return an input with a kink or a jump at the time of every sample, or None.
 
     Collinear samples, such as zeros, leave no trace in the motion, but the derivatives by each of

@@ -7,10 +7,10 @@ function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import factorial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -43,6 +43,11 @@ from pydy.solvers import (
     tableau_of,
 )
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 # Motions smaller than this many tolerances are invisible to the step control: their errors are at
 # most a thousandth of them, if errors are as large as the tolerances.
 _VISIBLE = 1e3
@@ -67,7 +72,7 @@ class AugmentedSystem:
         problem: Problem,
         model: CompiledModel,
         plan: SpecifiedsPlan,
-        requested: Any,
+        requested: SymbolOrName | Iterable[SymbolOrName],
         argument: str = "sensitivities",
     ) -> AugmentedSystem:
         """Return the sensitivities with respect to a user's parameters."""
@@ -97,7 +102,7 @@ class AugmentedSystem:
     def stepped(
         self,
         solver: Solver,
-        options: dict[str, Any],
+        options: dict[str, object],
         x0: np.ndarray,
         times: np.ndarray,
         controlled: bool,
@@ -117,7 +122,7 @@ class AugmentedSystem:
         return options if longest == np.inf else {"max_step": longest, **options}
 
     def _step_limit_at_rest(
-        self, solver: Solver, options: Mapping[str, Any], x0: np.ndarray, times: np.ndarray
+        self, solver: Solver, options: Mapping[str, object], x0: np.ndarray, times: np.ndarray
     ) -> float:
         """Return the maximum step for a motion that begins steadily and shows no error, or inf."""
         model, n, at = self.model, len(x0), times[:1]
@@ -155,7 +160,7 @@ class AugmentedSystem:
         """Return whether the step control includes the sensitivities: those by samples, always."""
         return requested or mean_spacing(self.parameters) is not None
 
-    def sized(self, options: Mapping[str, Any]) -> tuple[ParameterSize, ...]:
+    def sized(self, options: Mapping[str, object]) -> tuple[ParameterSize, ...]:
         """Return the parameters' sizes.
 
         States with individual absolute tolerances have sizes of at least atol / rtol; all others
@@ -234,7 +239,7 @@ class AugmentedSystem:
         call, n = self.call(), self.columns.states
         kernel, model, p = call.kernel, self.model, call.p
 
-        def f(x: Any, t: Any, *args: Any) -> np.ndarray:
+        def f(x: ArrayLike, t: float, *args: object) -> np.ndarray:
             out = np.empty(self.columns.size)
             state = np.ascontiguousarray(x, dtype=float)
             r = call.inputs_at(state, float(t))
@@ -248,7 +253,7 @@ class AugmentedSystem:
     def compiled(
         self,
         x: np.ndarray,
-        options: Mapping[str, Any],
+        options: Mapping[str, object],
         controlled: bool = False,
         events: Sequence[Event] = (),
     ) -> CompiledSensitivities:
@@ -363,7 +368,7 @@ def least_sizes(options: Mapping[str, Any], n: int) -> np.ndarray:
     return np.ones(n)
 
 
-def changed_by(event: Event, states: Sequence[Any]) -> tuple[int, ...]:
+def changed_by(event: Event, states: Sequence[AnySymbol]) -> tuple[int, ...]:
     """Return the columns of the states that an event changes."""
     return tuple(k for k, state in enumerate(states) if state in event.reset)
 
@@ -431,7 +436,7 @@ class SensitivityRequest:
     derivatives are the main result, as in orbits, they are `controlled`.
     """
 
-    parameters: Any
+    parameters: SymbolOrName | Iterable[SymbolOrName]
     # whether the step control of a native solver includes the sensitivities
     controlled: bool = False
     initial: np.ndarray | None = None  # initial values, shape (n, k); by default they are computed
@@ -443,7 +448,7 @@ class SensitivityRequest:
         problem: Problem,
         model: CompiledModel,
         times: np.ndarray,
-        solver: Any,
+        solver: object,
         options: dict[str, Any],
     ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
         """Return the right-hand side, the initial values and the options of the solver.

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -26,6 +26,9 @@ from pydy._motion import EvaluationRecorder, Motion, is_odeint
 from pydy._names import name_of, numbers_of
 from pydy._problem import AssumptionChecks, StateSamples
 from pydy.solvers import Options
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, TimeFunction
 
 
 def check_assumptions(motion: Motion) -> None:
@@ -47,7 +50,7 @@ def check_assumptions(motion: Motion) -> None:
     AssumptionChecks(motion.problem).motion(every[order], rows, *_tolerances(motion))
 
 
-def _tolerances(motion: Motion) -> tuple[Any, Any]:
+def _tolerances(motion: Motion) -> tuple[float | np.ndarray, float | np.ndarray]:
     """Return rtol and atol; without error control, the states may be wrong by their own size."""
     options = motion.options
     if not motion.errors_known or "step" in options:
@@ -80,14 +83,14 @@ def _accepted(
 _UNITS = [[sm.Rational(n, 10) for n in numbers] for numbers in ((5, 5, 5, 5), (1, 7, 1, 7))]
 
 
-def orientations(equations: Equations) -> tuple[Any, ...]:
+def orientations(equations: Equations) -> tuple[sm.MatrixBase, ...]:
     """Return the direction cosine matrices of quaternions: rotations only at unit length."""
     made_from = equations.mechanism or equations.multibody
     matrices = () if made_from is None else FrameTree(made_from.frame).rotation_matrices()
     return tuple(m for m in matrices if _is_of_quaternion(m, equations.coordinates))
 
 
-def _is_of_quaternion(matrix: Any, coordinates: Sequence[Any]) -> bool:
+def _is_of_quaternion(matrix: sm.MatrixBase, coordinates: Sequence[TimeFunction]) -> bool:
     """Return whether a matrix is a quaternion's; matrices of small angles are not rotations."""
     if matrix.has(sm.sin, sm.cos):  # a quick test that excludes most matrices
         return False
@@ -105,14 +108,14 @@ def _is_of_quaternion(matrix: Any, coordinates: Sequence[Any]) -> bool:
 class _Orientations:
     """The residuals that vanish if the matrices are rotations."""
 
-    matrices: tuple[Any, ...]
+    matrices: tuple[sm.MatrixBase, ...]
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         read = assembly.reader("the orientations", self.matrices)
         return {str(k): orthogonality_residuals([m], read) for k, m in enumerate(self.matrices)}
 
 
-def check_orientations(at: StateSamples, matrices: tuple[Any, ...]) -> None:
+def check_orientations(at: StateSamples, matrices: tuple[sm.MatrixBase, ...]) -> None:
     """Warn of a state where a quaternion is not of unit length."""
     rows = at.interpret(_Orientations(matrices))
     for k, matrix in enumerate(matrices):
@@ -133,7 +136,7 @@ def check_orientations(at: StateSamples, matrices: tuple[Any, ...]) -> None:
         return  # one is enough
 
 
-def _scalar_part(matrix: Any, names: Sequence[Any]) -> Any:
+def _scalar_part(matrix: sm.MatrixBase, names: Sequence[AnySymbol]) -> AnySymbol | None:
     """Return the scalar part of a quaternion, the coordinate that is 1 at zero angle, or None."""
     for candidate in names:
         numbers = {name: sm.Integer(name == candidate) for name in names}

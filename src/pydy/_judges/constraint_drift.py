@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -31,6 +31,9 @@ from pydy.solvers import (
     Options,
 )
 from pydy.trajectory import EventRecord
+
+if TYPE_CHECKING:
+    import sympy as sm
 
 NO_INPUTS: Mapping[int, int | None] = {}
 
@@ -178,7 +181,7 @@ class _StateInBatch(StateSamples):
 
     batch: StateSamples
     index: int
-    cached: dict[Callable[[Assembly], Any], dict[str, np.ndarray]]
+    cached: dict[Callable[[Assembly], dict[str, list[int]]], dict[str, np.ndarray]]
 
     def interpret(self, nodes: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
         """Return the values of nodes at this state, shape (1, o) for each name."""
@@ -188,7 +191,7 @@ class _StateInBatch(StateSamples):
 
 
 def _states_of(batch: StateSamples) -> list[_StateInBatch]:
-    cached: dict[Any, dict[str, np.ndarray]] = {}
+    cached: dict[Callable[[Assembly], dict[str, list[int]]], dict[str, np.ndarray]] = {}
     single = (vars(batch.subset([k])) for k in range(len(batch.x)))
     return [
         _StateInBatch(**fields, batch=batch, index=k, cached=cached)
@@ -571,7 +574,9 @@ class DriftPrograms:
         parts = part(assembly) if part else {}
         return assembly.lowered(parts, as_is=True) if parts else None
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(
+        self,
+    ) -> tuple[type[dict[str, Program | None]], tuple[dict[str, Program | None]]]:
         names = "screen rows bounds products contradictions slopes moving energy"
         return dict, ({name: self[name] for name in names.split()},)
 
@@ -630,7 +635,7 @@ class EnergyPart(_OfEnergies):
     """The energies, and the total energy's derivatives; empty if the total energy may change."""
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        energies: tuple[Any, ...] = ()
+        energies: tuple[sm.Expr, ...] = ()
         with suppress(ValueError, NotImplementedError):
             energies = self.energies.expressions(self.layout) if self.energies.static else ()
         if not energies:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,6 +22,10 @@ from pydy._problem import Problem, StateSamples, first_undefined
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
 from pydy.solvers import Outcome
 from pydy.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pydy._mechanics import Equations
+    from pydy._sympy_types import TimeFunction
 
 # What a solver squares over tolerances, which are seldom below the precision of floats.
 _LARGEST = float(np.sqrt(np.finfo(float).max) * np.finfo(float).eps)
@@ -48,7 +52,7 @@ def explain(
             error.args = (str(error).removesuffix(Outcome(code).remedy) + cause,)
 
 
-def explain_columns(error: Any, columns: np.ndarray) -> None:
+def explain_columns(error: BaseException, columns: np.ndarray) -> None:
     """Add to an error's message that sensitivities left the range of floats, if they did."""
     largest = np.abs(columns).max(initial=0.0)
     code: Any = getattr(error, "info", {}).get("code")
@@ -125,7 +129,7 @@ def _in_kinematics(at: StateSamples, kinematics: np.ndarray) -> str | None:
     )
 
 
-def _in_constraints(equations: Any, rows: np.ndarray, matrix: np.ndarray) -> str | None:
+def _in_constraints(equations: Equations, rows: np.ndarray, matrix: np.ndarray) -> str | None:
     if not np.isfinite(rows).all():
         return "The velocity constraints divide by zero there. Write them without the quotient."
     if not equations.dependents.speeds:
@@ -155,7 +159,9 @@ def _in_masses(at: StateSamples, matrix: np.ndarray) -> str | None:
     return cause
 
 
-def _without_inertia(speeds: Sequence[Any], matrix: np.ndarray, generic: np.ndarray) -> str | None:
+def _without_inertia(
+    speeds: Sequence[TimeFunction], matrix: np.ndarray, generic: np.ndarray
+) -> str | None:
     """Describe the speeds that can change without moving any inertia, or return None.
 
     The mass matrix at the state is compared with one at a generic state.
@@ -192,7 +198,7 @@ def _weightless(cells: np.ndarray) -> np.ndarray:
     return np.flatnonzero(direction > DIGITS * direction.max())
 
 
-def _speeds_without_mass(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
+def _speeds_without_mass(assembly: Assembly, speeds: Sequence[TimeFunction]) -> list[TimeFunction]:
     """Return the speeds whose rows of the mass matrix are structurally zero."""
     n, cells = len(speeds), assembly.mass_matrix
     if len(cells) != n * n:
@@ -225,7 +231,7 @@ def _wild(kinematics: np.ndarray, elsewhere: np.ndarray) -> np.ndarray:
     return wild
 
 
-def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
+def _bad_dependents(equations: Equations, rows: np.ndarray) -> str | None:
     """Suggest other dependent speeds where the constraints cannot be solved for these."""
     speeds, chosen = equations.speeds, equations.dependents.speeds
     scaled = equilibrated(rows, exact=True)[0]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,12 @@ from pydy._problem import Problem, StateSamples, evaluate_specifieds
 from pydy._rank import HALF, ROUNDING, is_zero
 from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers import Options
+
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol
+    from pydy.trajectory import Trajectory
 
 _MISSED = 100.0  # in tolerances of a step: the error of a full motion may be this many
 
@@ -76,7 +82,7 @@ class Discontinuities:
     """The switches of rates and of the `integral`, their derivatives, and the steps there."""
 
     coordinates: int
-    integral: Any = None
+    integral: int | sm.Expr | None = None
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         nodes, searched = _loads_and_rates(assembly, self.coordinates)
@@ -113,7 +119,7 @@ class DerivativeDiscontinuities:
         return {**blocks, "switch_slopes": switch_slopes, "slopes": slopes, "bounds": bounds}
 
 
-def node_of(assembly: Assembly, term: Any, argument: str) -> int:
+def node_of(assembly: Assembly, term: int | sm.Expr, argument: str) -> int:
     """Return the node of an output or an expression; new nodes may be added to the graph."""
     return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
 
@@ -132,7 +138,7 @@ class ImpulsiveInputs:
     def nodes(self, assembly: Assembly) -> dict[int, str]:
         """Return the nodes that are differentiated by time, with their names."""
         names: dict[int, str] = {}
-        sources: set[Any] = set()
+        sources: set[AnySymbol] = set()
         for node, (source, _) in differentiated(assembly, self.definition, self.plan).items():
             prefix = "a derivative of " if source in sources else ""
             names[node] = f"{prefix}`specifieds[{source}]`"
@@ -152,7 +158,7 @@ def _switches(at: StateSamples, parts: Any) -> bool:
 
 
 def watched(
-    at: StateSamples, sensitive: Any = None, integral: Any = None
+    at: StateSamples, sensitive: Any = None, integral: int | sm.Expr | None = None
 ) -> WatchedQuantities | None:
     """Return the quantities whose jumps must be detected, or None if nothing switches."""
     equations, states = at.definition.equations, at.definition.states
@@ -169,7 +175,10 @@ def watched(
 
 
 def warn_of_jumps(
-    problem: Problem, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
+    problem: Problem,
+    motion_of: Callable[[], Trajectory],
+    sensitive: Any = None,
+    integral: int | sm.Expr | None = None,
 ) -> None:
     """Warn if a motion passes a jump of the rates, which its derivatives ignore."""
     quantities = watched(problem.at(np.array([problem.t]), problem.x[None]), sensitive, integral)
@@ -295,7 +304,7 @@ def _acts(problem: Problem, columns: Sequence[int], t: float) -> bool:
     return not is_zero(values["slopes"], values["bounds"]).all()
 
 
-def jumps_by_time(f: Any, args: Any, times: np.ndarray) -> np.ndarray | None:
+def jumps_by_time(f: Any, args: tuple[object, ...], times: np.ndarray) -> np.ndarray | None:
     """Return the times at which a right-hand side is discontinuous, or None if it never is.
 
     These are the jumps of its inputs and its switches that depend on time alone. For the rows see

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pydy._rank import HALF, or_one
+
+if TYPE_CHECKING:
+    from pydy.trajectory import EventRecord
 
 _IN_STEP = 4  # samples in each step of the solver, in addition to the output times
 
@@ -47,8 +50,8 @@ class MotionPath:
     @staticmethod
     def from_solution(
         times: np.ndarray,
-        dense: Any,
-        events: Iterable[Any],
+        dense: object,
+        events: Iterable[EventRecord],
         columns: Callable[[np.ndarray], np.ndarray | None],
     ) -> MotionPath:
         """Return a motion with the steps of the solver's dense output, if there is one."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import SymbolIndex, describe, typed
@@ -21,6 +21,11 @@ from pydy.solvers import (
     Turn,
 )
 
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol
+
 
 class EnsembleOptions(StepOptions, total=False):
     """Options of `System.integrate_ensemble` that decide each integration, for type checkers."""
@@ -30,12 +35,12 @@ class EnsembleOptions(StepOptions, total=False):
     events: Event | Iterable[Event] | None
 
 
-def native_solver(ode_solver: Any) -> Solver:
+def native_solver(ode_solver: object) -> Solver:
     """Return a System's `ode_solver` if it is native, else the default native one."""
     return ode_solver if isinstance(ode_solver, Solver) else SOLVERS["dop853"]
 
 
-def check_events(events: Any, states: SymbolIndex) -> tuple[Event, ...]:
+def check_events(events: object, states: SymbolIndex) -> tuple[Event, ...]:
     """Return the events of an argument, with states in place of names in their resets."""
     if events is None or isinstance(events, Event):
         events = () if events is None else (events,)
@@ -73,8 +78,8 @@ def check_events(events: Any, states: SymbolIndex) -> tuple[Event, ...]:
 
 
 def with_residuals_projected(
-    definition: Definition, solver: Any, options: Mapping[str, Any]
-) -> dict[str, Any]:
+    definition: Definition, solver: object, options: Mapping[str, object]
+) -> dict[str, object]:
     """Return options that project residuals of an `Implicit`, unless constraints are chosen."""
     implicit = definition.equations.constraints.residuals.implicit
     native_implicit = implicit is not None and isinstance(solver, Solver)
@@ -142,7 +147,7 @@ def compile_events(
 
 
 def event_redirects(
-    assembly: Assembly, events: Sequence[Event], states: Sequence[Any]
+    assembly: Assembly, events: Sequence[Event], states: Sequence[AnySymbol]
 ) -> tuple[bool, ...]:
     """Return whether each event's reset changes a state that the event's own rate depends on."""
     fork = assembly.fork()
@@ -161,7 +166,7 @@ def _redirects(
     assembly: Assembly,
     slopes: Sequence[Mapping[int, int]],
     events: Sequence[Event],
-    states: Sequence[Any],
+    states: Sequence[AnySymbol],
 ) -> tuple[bool, ...]:
     graph, redirects = assembly.graph, []
     for event, row in zip(events, slopes, strict=True):
@@ -173,7 +178,7 @@ def _redirects(
 
 
 def event_rates_program(
-    assembly: Assembly, expressions: Sequence[Any], bounds: bool = False
+    assembly: Assembly, expressions: Sequence[sm.Expr | NodeExpression], bounds: bool = False
 ) -> Program:
     """Return the Program of the events' rates, and of bounds on their roundings."""
     fork = assembly.fork()
@@ -203,7 +208,9 @@ def event_reach(assembly: Assembly, nodes: Sequence[int]) -> Callable[[], Progra
     return lambda: assembly.lowered(parts, sizes=sizes, as_is=True)
 
 
-def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
+def event_bounds_program(
+    assembly: Assembly, expressions: Sequence[sm.Expr | NodeExpression]
+) -> Program:
     """Return the Program of bounds on the roundings of the events' expressions."""
     fork = assembly.fork()
     nodes = fork.read(expressions, "the events")
@@ -266,7 +273,8 @@ class ConstraintNames(Sequence[str]):
     def __getitem__(self, k: Any) -> Any:
         return self._all_names()[k]
 
-    def __reduce__(self) -> tuple[Any, ...]:  # a worker has no SymPy to print with
+    # A worker has no SymPy to print with.
+    def __reduce__(self) -> tuple[type[tuple[str, ...]], tuple[tuple[str, ...]]]:
         return tuple, (self._all_names(),)
 
 

@@ -20,12 +20,12 @@ class EvaluationRecorder:
     Its `jumps` in time have the rows of `pydy._program.switch_times.SwitchTimes`.
     """
 
-    def __init__(self, f: Callable[..., Any], jumps: np.ndarray) -> None:
+    def __init__(self, f: Callable[..., np.ndarray], jumps: np.ndarray) -> None:
         self._f, self.jumps = f, jumps
         self.times: list[float] = []
         self.states: list[np.ndarray] = []
 
-    def __call__(self, x: Any, t: Any, *args: Any) -> Any:
+    def __call__(self, x: np.ndarray, t: float, *args: object) -> np.ndarray:
         self.times.append(float(t))
         self.states.append(np.array(x, dtype=float))
         return self._f(x, t, *args)
@@ -62,7 +62,7 @@ class Motion:
     """
 
     problem: Problem  # with the requested initial state
-    solver: Any  # the function that integrated it
+    solver: Callable[..., Any]  # the function that integrated it
     options: Mapping[str, Any]  # of the solver, as compiled, with its tolerances
     times: np.ndarray  # (m,)
     states: np.ndarray  # (m, n)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from copy import copy
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -29,6 +29,9 @@ from pydy.solvers import (
     check_option_names,
 )
 
+if TYPE_CHECKING:
+    import sympy as sm
+
 # Options of other types, such as arrays, may be edited between two calls.
 _IMMUTABLE = frozenset((float, int, bool, str, type(None)))
 
@@ -45,8 +48,8 @@ class PreparedIntegration:
         self,
         model: Model,
         plan: SpecifiedsPlan,
-        solver: Any,
-        options: dict[str, Any],
+        solver: object,
+        options: dict[str, object],
     ) -> None:
         self._plan, self._solver, self._user_options = plan, solver, dict(options)
         self._events = CompiledEvents.key(options.get("events"))
@@ -56,14 +59,14 @@ class PreparedIntegration:
         self.never_jumps = False  # whether inputs and loads certainly have no jumps in time
         self.span = 0.0  # of the times of the latest call
         self.start_judged = False  # whether the inputs were checked for impulses
-        self.oriented: tuple[Any, ...] | None = None  # see `assumptions.orientations`
+        self.oriented: tuple[sm.MatrixBase, ...] | None = None  # see `assumptions.orientations`
         self.code, self.options = self._prepared(model)
         self.read: Options | None = None  # as the solver has read them
         self.problem: Problem | None = None  # of the latest call
         # The memory of the latest call, with its options, unless another call is using it.
-        self.free: list[tuple[Prepared, dict[str, Any]]] = []
+        self.free: list[tuple[Prepared, dict[str, object]]] = []
 
-    def _prepared(self, model: Model) -> tuple[CompiledModel, dict[str, Any]]:
+    def _prepared(self, model: Model) -> tuple[CompiledModel, dict[str, object]]:
         """Return the code, with options that change the equations compiled in, and the others."""
         definition = model.definition
         options, equations = dict(self._user_options), definition.equations
@@ -108,7 +111,7 @@ class PreparedIntegration:
             options["events"] = compile_events(code, definition, checked)
         return code, options
 
-    def _looks_itself(self, events: Any) -> bool:
+    def _looks_itself(self, events: object) -> bool:
         """Return whether the solver detects events itself: a user's solver, or solve_ivp."""
         if isinstance(self._solver, Solver) or is_odeint(self._solver):
             return False
@@ -117,7 +120,9 @@ class PreparedIntegration:
         several = events if isinstance(events, (list, tuple)) else [events]
         return not any(isinstance(event, Event) for event in several)
 
-    def is_compatible(self, plan: SpecifiedsPlan, solver: Any, options: dict[str, Any]) -> bool:
+    def is_compatible(
+        self, plan: SpecifiedsPlan, solver: object, options: dict[str, object]
+    ) -> bool:
         """Return whether a call differs only in numbers, as far as can be determined."""
         if solver is not self._solver or [*options] != [*self._user_options]:
             return False
@@ -133,14 +138,14 @@ class PreparedIntegration:
                 return False
         return plan is self._plan or self._has_same_inputs(plan)
 
-    def _alike(self, name: str, value: Any) -> bool:
+    def _alike(self, name: str, value: object) -> bool:
         stored = self._user_options[name]
         if name == "events":
             return self._events is not None and self._events == CompiledEvents.key(value)
         return type(value) in _IMMUTABLE and type(value) is type(stored) and bool(value == stored)
 
     def retuned(
-        self, plan: SpecifiedsPlan, solver: Any, options: dict[str, Any]
+        self, plan: SpecifiedsPlan, solver: object, options: dict[str, object]
     ) -> PreparedIntegration | None:
         """Return a copy with other tolerances or step sizes, or None if more than these differ."""
         native = isinstance(solver, Solver)
@@ -178,8 +183,8 @@ class PreparedIntegration:
 def prepare(
     problem: Problem,
     times: np.ndarray,
-    solver: Any,
-    options: dict[str, Any],
+    solver: object,
+    options: dict[str, object],
     alone: bool = True,
 ) -> tuple[PreparedIntegration, np.ndarray]:
     """Return the prepared integration of a Problem, the latest one if compatible, and the times.

@@ -14,12 +14,12 @@ from pydy._option_checks import Check, checked, optional
 _FOR_ODEINT = {"max_step": "hmax", "first_step": "h0", "min_step": "hmin"}
 
 
-def named_for_odeint(options: Mapping[str, Any]) -> dict[str, Any]:
+def named_for_odeint(options: Mapping[str, object]) -> dict[str, object]:
     """Return options with odeint's names in place of those of the other solvers.
 
     None and infinity, which mean no limit, become 0.
     """
-    named: dict[str, Any] = {}
+    named: dict[str, object] = {}
     for name, value in options.items():
         renamed = _FOR_ODEINT.get(name, name)
         if renamed != name and renamed in options:
@@ -33,7 +33,7 @@ def named_for_odeint(options: Mapping[str, Any]) -> dict[str, Any]:
     return named
 
 
-def _jacobian(value: Any, argument: str) -> Any:
+def _jacobian(value: Any, argument: str) -> object:
     """Check the Jacobian of `solve_ivp`: a function, or a matrix, which may be sparse."""
     shape = () if isinstance(value, str) else getattr(value, "shape", np.shape(value))
     if value is None or callable(value) or len(shape) == 2:
@@ -44,7 +44,7 @@ def _jacobian(value: Any, argument: str) -> Any:
     )
 
 
-def _gradient(value: Any, argument: str) -> Any:
+def _gradient(value: object, argument: str) -> object:
     """Check the Jacobian of `odeint`."""
     if value is None or callable(value):
         return value
@@ -70,6 +70,6 @@ _SCIPY: dict[str, Check] = {
 }
 
 
-def check_scipy_options(options: Mapping[str, Any]) -> dict[str, Any]:
+def check_scipy_options(options: Mapping[str, object]) -> dict[str, object]:
     """Check options of SciPy's solvers, whose own errors do not name the wrong one."""
     return checked(_SCIPY, options)

@@ -10,7 +10,7 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial, wraps
 from inspect import Parameter, signature, unwrap
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
@@ -21,6 +21,11 @@ from pydy._motion.scipy_options import check_scipy_options
 from pydy._names import nearest, numbers_of, unique_names
 from pydy.solvers import SOLVERS, Outcome, Solver, check_option_names
 from pydy.trajectory import EventRecord
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import AnySymbol
 
 # -- LSODA, which odeint and solve_ivp call, has static memory: runs cannot be nested --------------
 
@@ -58,7 +63,7 @@ def odeint_options() -> frozenset[str]:
     return frozenset(signature(scipy.integrate.odeint).parameters) - positional
 
 
-def is_odeint(solver: Any) -> bool:
+def is_odeint(solver: object) -> bool:
     """Return whether a solver is `odeint`; for native ones, without loading SciPy's packages."""
     return not isinstance(solver, (Solver, SolveIvp)) and solver is scipy.integrate.odeint
 
@@ -69,12 +74,12 @@ def came_to_the_end(states: np.ndarray, info: dict[str, Any]) -> bool:
 
 
 def call_odeint(
-    f: Callable[..., Any],
+    f: Callable[..., np.ndarray],
     x0: np.ndarray,
     times: np.ndarray,
-    args: tuple[Any, ...],
-    names: Sequence[Any],
-    options: dict[str, Any],
+    args: tuple[object, ...],
+    names: Sequence[AnySymbol],
+    options: dict[str, object],
 ) -> tuple[np.ndarray, dict[str, Any]]:
     """Return the states and information of `odeint`; raise IntegrationError if it gives up."""
     refuse_nested("odeint")
@@ -131,7 +136,7 @@ def call_odeint(
 METHODS = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA")
 
 
-def resolve_ode_solver(solver: Any) -> Any:
+def resolve_ode_solver(solver: object) -> Callable[..., Any] | None:
     """Return an `ode_solver` from a function or a name; None for odeint."""
     if solver is None:
         return None
@@ -152,7 +157,7 @@ def resolve_ode_solver(solver: Any) -> Any:
     )
 
 
-def _as_solver(solver: Any) -> Any:
+def _as_solver(solver: object) -> Callable[..., Any] | None:
     if isinstance(solver, Solver):
         return solver
     if not callable(solver):
@@ -172,12 +177,12 @@ def _as_solver(solver: Any) -> Any:
 class _Rates:
     """The derivatives for SciPy. It stores the first time and state where they are not finite."""
 
-    def __init__(self, f: Callable[[float, np.ndarray], Any]) -> None:
+    def __init__(self, f: Callable[[float, np.ndarray], ArrayLike]) -> None:
         self._f, self._first = f, True
         self.raised = False  # whether the latest call raised
         self.undefined: tuple[float, np.ndarray] | None = None
 
-    def __call__(self, t: float, x: np.ndarray) -> Any:
+    def __call__(self, t: float, x: np.ndarray) -> ArrayLike:
         self.raised = True
         derivatives = self._f(t, x)
         self.raised = False
@@ -190,7 +195,7 @@ class _Rates:
         return derivatives
 
 
-def _check_scales(options: dict[str, Any], x0: Any) -> None:
+def _check_scales(options: dict[str, object], x0: np.ndarray) -> None:
     """Refuse a zero `atol` for a state that is zero: SciPy's first step would remain NaN."""
     atol = np.asarray(options.get("atol", 1.0))
     x0 = np.asarray(x0)
@@ -204,7 +209,9 @@ def _check_scales(options: dict[str, Any], x0: Any) -> None:
         )
 
 
-def _scipy_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
+def _scipy_events(
+    events: object, args: tuple[object, ...]
+) -> tuple[list[partial[object]] | None, list[str]]:
     """Return a user's event functions in SciPy's form, and their names.
 
     Functions of more arguments than time and state also get the `args`, as in SciPy.
@@ -212,7 +219,7 @@ def _scipy_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
     if events is None:
         return None, []
     functions = [events] if callable(events) else listed("events", events, "functions f(t, x)")
-    events_for_scipy: list[Any] = []
+    events_for_scipy: list[partial[object]] = []
     for function in functions:
         if not callable(function) or isinstance(function, type):
             raise TypeError(
@@ -230,7 +237,7 @@ def _scipy_events(events: Any, args: tuple[Any, ...]) -> tuple[Any, list[str]]:
 _BY_PLACE = (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD)
 
 
-def _takes_more(function: Callable[..., Any]) -> bool:
+def _takes_more(function: Callable[..., object]) -> bool:
     """Return whether an event function takes more than time and state; raise if it takes less."""
     try:
         parameters = signature(function).parameters.values()
@@ -246,12 +253,12 @@ def _takes_more(function: Callable[..., Any]) -> bool:
     return several or sum(p.default is Parameter.empty for p in by_place) > 2
 
 
-def of_states(events: Any, n: int) -> Any:
+def of_states(events: Any, n: int) -> object:
     """Restrict event functions to the first n numbers of an augmented state."""
 
-    def cut(function: Callable[..., Any]) -> Callable[..., Any]:
+    def cut(function: Callable[..., object]) -> Callable[..., object]:
         @wraps(function)
-        def event(t: float, x: np.ndarray, *args: Any) -> Any:
+        def event(t: float, x: np.ndarray, *args: object) -> object:
             return function(t, x[:n], *args)
 
         return event
@@ -262,11 +269,13 @@ def of_states(events: Any, n: int) -> Any:
     return [*map(cut, events)] if several else events
 
 
-def _called_with(function: Callable[..., Any], args: tuple[Any, ...], t: float, x: Any) -> Any:
+def _called_with(
+    function: Callable[..., object], args: tuple[object, ...], t: float, x: np.ndarray
+) -> object:
     return function(t, x, *args)
 
 
-def _records(names: Sequence[str], result: Any) -> list[EventRecord]:
+def _records(names: Sequence[str], result: scipy.optimize.OptimizeResult) -> list[EventRecord]:
     """Return the events that `solve_ivp` detected, in chronological order."""
     records = [
         EventRecord(float(t), names[k], k, x.copy(), x.copy())
@@ -281,7 +290,7 @@ def _records(names: Sequence[str], result: Any) -> list[EventRecord]:
 class _Dense:
     """The dense output of a run of `solve_ivp`."""
 
-    solution: Any  # an OdeSolution
+    solution: scipy.integrate.OdeSolution
 
     @property
     def starts(self) -> np.ndarray:
@@ -308,13 +317,13 @@ class SolveIvp:
     def __repr__(self) -> str:
         return f"scipy.integrate.solve_ivp with method={self.method.__name__!r}"
 
-    def _chosen(self, options: dict[str, Any]) -> Any:
+    def _chosen(self, options: dict[str, object]) -> Any:
         method = options.get("method", self.method)
         return getattr(scipy.integrate, method) if method in METHODS else method
 
-    def _read(self, options: dict[str, Any]) -> Any:
+    def _read(self, options: dict[str, object]) -> type[scipy.integrate.OdeSolver]:
         """Check the names of options; remove the method from them and return it."""
-        method = self._chosen(options)
+        method: type[scipy.integrate.OdeSolver] = self._chosen(options)
         options.pop("method", None)
         if isinstance(method, type) and issubclass(method, scipy.integrate.LSODA):
             refuse_nested("LSODA")
@@ -327,21 +336,21 @@ class SolveIvp:
         check_option_names("solve_ivp", {*(parameters - reserved - extra), "full_output"}, options)
         return method
 
-    def tolerances(self, options: dict[str, Any]) -> dict[str, float]:
+    def tolerances(self, options: dict[str, object]) -> dict[str, float]:
         """Return the method's default tolerances, or {} for a method without error control."""
         parameters = signature(self._chosen(options)).parameters
         return {name: parameters[name].default for name in ("rtol", "atol") if name in parameters}
 
     def __call__(
         self,
-        f: Callable[..., Any],
-        x0: Any,
-        t: Any,
-        args: tuple[Any, ...] = (),
+        f: Callable[..., ArrayLike],
+        x0: np.ndarray,
+        t: np.ndarray,
+        args: tuple[object, ...] = (),
         *,
         full_output: bool = False,
-        **options: Any,
-    ) -> Any:
+        **options: object,
+    ) -> np.ndarray | tuple[np.ndarray, dict[str, object]]:
         """Return the states at the times, shape (m, n); with `full_output`, also a dictionary.
 
         Events are functions, as in SciPy. After a terminal event there are fewer rows; their times
@@ -357,7 +366,7 @@ class SolveIvp:
                     f"`t_eval` must hold times within those of the System, {span[0]} to {span[1]}, "
                     f"got {shown(chosen)}."
                 )
-        info: dict[str, Any] = {}
+        info: dict[str, object] = {}
         times, rows = np.unique(t, return_inverse=True)  # neighbours may be equal
         if span[1] < span[0]:
             times, rows = times[::-1], len(times) - 1 - rows
@@ -410,7 +419,13 @@ class SolveIvp:
         states = states[rows]
         return (states, info) if full_output else states
 
-    def _refuse(self, result: Any, states: Any, finite: Any, info: dict[str, Any]) -> None:
+    def _refuse(
+        self,
+        result: scipy.optimize.OptimizeResult,
+        states: np.ndarray,
+        finite: np.ndarray,
+        info: dict[str, object],
+    ) -> None:
         reached = int(np.argmin(finite)) if not finite.all() else len(states)
         outcome = Outcome.STEP_UNDERFLOW if reached == len(states) else Outcome.NOT_FINITE
         times, states = result.t[:reached].copy(), states[:reached].copy()

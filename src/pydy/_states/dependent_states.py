@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
@@ -31,9 +31,13 @@ from pydy._rank import (
 from pydy._states.states import point_at
 from pydy.solvers import CompiledConstraints
 
+if TYPE_CHECKING:
+    from pydy._kernel import Kernel
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 
 def check_dependents(
-    definition: Definition, dep_vars: Iterable[Any]
+    definition: Definition, dep_vars: Iterable[SymbolOrName]
 ) -> tuple[list[int], list[int]]:
     """Return the columns in x of the dependent coordinates and speeds."""
     equations = definition.equations
@@ -58,8 +62,8 @@ def check_dependents(
 
 
 def given_values(
-    problem: Problem, keys: Iterable[Any], latest: Mapping[Any, float]
-) -> dict[Any, float]:
+    problem: Problem, keys: Iterable[AnySymbol], latest: Mapping[AnySymbol, float]
+) -> dict[AnySymbol, float]:
     """Return the user's initial conditions to retain: neither zero nor `latest` solved for."""
     states = problem.definition.states
     values = {s: float(problem.x[states.index(s)]) for s in keys}
@@ -67,11 +71,11 @@ def given_values(
     return {s: v for s, v in candidates.items() if v != 0.0 and len(candidates) < len(states)}
 
 
-def default_dependents(problem: Problem, retained_keys: Iterable[Any]) -> list[Any]:
+def default_dependents(problem: Problem, retained_keys: Iterable[AnySymbol]) -> list[AnySymbol]:
     """Return the states to solve for: the dependent ones, or others if these are to be retained."""
     definition = problem.definition
     equations = definition.equations
-    dependents: list[Any] = []
+    dependents: list[AnySymbol] = []
     for block, symbols, chosen in (
         ("holonomic", equations.coordinates, equations.dependents.coordinates),
         ("velocity", equations.speeds, equations.dependents.speeds),
@@ -105,14 +109,16 @@ def _motions(problem: Problem, x: np.ndarray) -> np.ndarray:
     return rates
 
 
-def _guessed(definition: Definition) -> set[Any]:
+def _guessed(definition: Definition) -> set[AnySymbol]:
     """Return the dependent coordinates that the user chose."""
     equations = definition.equations
     body = equations.multibody
     return set(equations.dependents.coordinates) - set(() if body is None else body.chosen)
 
 
-def _warn_of_changes(definition: Definition, requested: Mapping[Any, float], x: np.ndarray) -> None:
+def _warn_of_changes(
+    definition: Definition, requested: Mapping[AnySymbol, float], x: np.ndarray
+) -> None:
     """Warn of user-given values that the constraints changed."""
     guessed, changes = _guessed(definition), []
     for symbol, before in requested.items():
@@ -128,7 +134,7 @@ def _warn_of_changes(definition: Definition, requested: Mapping[Any, float], x: 
         )
 
 
-def _at(problem: Problem, kernel: Any, state: np.ndarray) -> np.ndarray:
+def _at(problem: Problem, kernel: Kernel, state: np.ndarray) -> np.ndarray:
     """Evaluate a block at the first time."""
     return np.asarray(problem.at(np.array([problem.t]), state[None]).evaluate(kernel)[0])
 
@@ -157,7 +163,7 @@ def _solve_coordinates(
     coordinates: list[int],
     x: np.ndarray,
     use_jac: bool,
-    root_kwargs: dict[str, Any],
+    root_kwargs: dict[str, object],
 ) -> bool:
     """Solve the holonomic constraints for `coordinates` in place; return whether they are met."""
     model, definition, value = problem.code, problem.definition, partial(_at, problem)
@@ -259,9 +265,9 @@ def _solve_speeds(problem: Problem, speeds: list[int], x: np.ndarray) -> None:
 def solve_dependents(
     problem: Problem,
     columns: tuple[list[int], list[int]],
-    requested: Mapping[Any, float],
+    requested: Mapping[AnySymbol, float],
     use_jac: bool,
-    root_kwargs: dict[str, Any],
+    root_kwargs: dict[str, object],
 ) -> np.ndarray:
     """Return the initial state, solved for `columns`; warn if that changes `requested` values."""
     x = problem.x.copy()
@@ -278,7 +284,7 @@ def solve_dependents(
     return x
 
 
-def with_dependents(problem: Problem, symbols: Sequence[Any]) -> Problem:
+def with_dependents(problem: Problem, symbols: Sequence[AnySymbol]) -> Problem:
     """Return a Problem in which the initial conditions of some symbols are solved for.
 
     The keys of its dictionary of initial conditions are symbols.

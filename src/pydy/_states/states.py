@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from pydy._rank import HALF, OF_FEW, ROUNDING, equilibrated, is_zero, or_one
 from pydy._states.dependence import independent_columns_of, tangents
 from pydy.codegen import SpecifiedsPlan
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
 
@@ -28,7 +31,7 @@ _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions 
 
 def located(
     definition: Definition,
-    symbol: Any,
+    symbol: SymbolOrName,
     argument: str,
     kinds: Iterable[str] = GROUPS,
     description: str = "states, constants and specifieds of the system",
@@ -44,10 +47,12 @@ def located(
 
 
 def members(
-    definition: Definition, keys: Iterable[Any], excluded: Mapping[str, Iterable[Any]] | None = None
-) -> list[Any]:
+    definition: Definition,
+    keys: Iterable[SymbolOrName],
+    excluded: Mapping[str, Iterable[AnySymbol]] | None = None,
+) -> list[AnySymbol]:
     """Replace names of groups by their symbols, except those in `excluded`."""
-    symbols: list[Any] = []
+    symbols: list[AnySymbol] = []
     for key in keys:
         if isinstance(key, str) and key in GROUPS:
             left_out = set((excluded or {}).get(key, ()))
