@@ -309,8 +309,11 @@ class CompiledModel:
 
     # -- other equations -------------------------------------------------------------------------
 
-    def changed(self, key: Any, change: Callable[[Assembly], Assembly]) -> CompiledModel:
-        """Return the same with other equations, made at most once for each key."""
+    def variant(self, key: Any, change: Callable[[Assembly], Assembly]) -> CompiledModel:
+        """Return the variant with changed equations, made at most once for each key.
+
+        The key must hold all that `change` depends on.
+        """
         other = self._variants.pop(key, None)
         if other is None:
             changed = change(self.assembly.fork())

@@ -42,8 +42,8 @@ def with_compiled_inputs(
 ) -> CompiledModel:
     """Return the model with the expressions of `plan` compiled into it.
 
-    The places of the expressions in r, which are zero, are added to them if they are `perturbed`:
-    derivatives by r are then those by a small change of each specified's value.
+    If `perturbed`, each expression becomes expression + its entry of r, which is zero: derivatives
+    by r are then those by a small change of each specified's value.
     """
     if not plan.expressions:
         return model
@@ -55,7 +55,7 @@ def with_compiled_inputs(
             _resolve(assembly.graph, definition, formulas, kinematics, perturbed)
         )
 
-    return model.changed((formulas, perturbed), change)
+    return model.variant((formulas, perturbed), change)
 
 
 def followed(definition: Definition, plan: Plan) -> set[Any]:

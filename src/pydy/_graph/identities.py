@@ -27,9 +27,9 @@ def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
 def evaluated(
     graph: Graph, nodes: Sequence[int], *, solving: bool = False
 ) -> tuple[dict[int, int], dict[int, frozenset[int]], dict[int, float]]:
-    """Return each node's value, denominators, calls, and its cost written out as a tree.
+    """Return each node's value, its denominators and its cost written out as a tree.
 
-    Functions other than sine and cosine count as calls.
+    Calls of functions other than sine and cosine are among the denominators.
     """
     values: dict[int, int] = {graph.zero: 0, graph.one: 1}
     nothing: frozenset[int] = frozenset()
@@ -104,9 +104,10 @@ class _Solutions:
             kind, n, entries = self.graph.args[args[0]]
             column = args[1]
         elif op == "guard":
-            # Where it always falls back there may be a least solution, which has no value here.
-            never = self.graph.ops[args[3]] == "bool"
-            return None if never else [self.values[k] for k in args[4]]
+            _, _, _, sound, fast = args
+            # A constant is False: it always falls back, and a least solution has no value here.
+            is_constant = self.graph.ops[sound] == "bool"
+            return None if is_constant else [self.values[k] for k in fast]
         else:
             return None
         if n > 32:  # it takes n³ times 0.2 µs in Python

@@ -71,16 +71,21 @@ class MotionPath:
 def passages(
     evaluate: Evaluate, times: np.ndarray, resets: Sequence[float] = ()
 ) -> Iterator[tuple[int, np.ndarray, Values, np.ndarray]]:
-    """Yield each switch that a motion passes: index, bracketing times, values there and sizes."""
+    """Yield crossings of switches that no reset accounts for, at most 16 of each, largest first.
+
+    Each is the index of the switch, the bracketing times, the values there, and the magnitudes of
+    the nodes along the motion.
+    """
     values = _shaped(evaluate(times))
-    sizes = np.abs(values["nodes"]).max(axis=0, initial=0.0)
-    before = np.searchsorted(resets, times, side="right")
+    node_sizes = np.abs(values["nodes"]).max(axis=0, initial=0.0)
+    resets_so_far = np.searchsorted(resets, times, side="right")
     for k, value in enumerate(values["switches"].T):
-        size = np.abs(value).max()
+        switch_size = np.abs(value).max()
         nonzero = np.flatnonzero(value)
         turns = np.flatnonzero(np.diff(np.sign(value[nonzero])))
         pairs = np.stack([nonzero[turns], nonzero[turns + 1]], axis=1)
-        pairs = pairs[before[pairs[:, 0]] == before[pairs[:, 1]]]
+        # A reset between two samples accounts for a change of sign.
+        pairs = pairs[resets_so_far[pairs[:, 0]] == resets_so_far[pairs[:, 1]]]
         largest = values["steps"][:, k][pairs].min(axis=1).max(axis=1, initial=0.0)
         # Refine the crossings with the largest steps.
         for bracket in times[pairs[np.argsort(-largest, kind="stable")[:16]]]:
@@ -92,9 +97,9 @@ def passages(
                 turn = int(np.argmax(np.sign(value) != np.sign(value[0])))
                 bracket = finer[turn - 1 : turn + 1]
             at_crossing = _shaped(evaluate(bracket))
-            # A quantity that jumps through zero passes a switch of its own at that time.
-            if (np.abs(at_crossing["switches"][:, k]) < HALF * size).any():
-                yield k, bracket, at_crossing, sizes
+            # A switch that is not near zero here jumps itself: what makes it jump is reported.
+            if (np.abs(at_crossing["switches"][:, k]) < HALF * switch_size).any():
+                yield k, bracket, at_crossing, node_sizes
 
 
 def _shaped(values: Values) -> Values:

@@ -410,11 +410,16 @@ class LoopShares:
                 yield _Closures([(a, b)], _columns(cells), self._cosines, values)
 
     def _between_bodies(self) -> Iterator[_Closures]:
+        """Yield the relative motions of pairs of bodies, or of a body and the ground.
+
+        Six components each, the velocity of the first mass centre as seen from the second body and
+        the angular velocity, in the axes of the ground and in those of the first body.
+        """
         n = len(self.k.speeds)
         ends: list[tuple[int | None, int | None]] = []
         for body in self.k.body.bodies:
-            turns = self._frames.index(body.frame) if is_rigid(body) else None
-            ends.append((self._points.index(body.masscenter), turns))
+            frame_index = self._frames.index(body.frame) if is_rigid(body) else None
+            ends.append((self._points.index(body.masscenter), frame_index))
         zero = np.zeros((2, _STATES, 3))
         no_rates = np.zeros((2, _STATES, 3, n))
         for (a, fa), (b, fb) in permutations([*ends, (None, None)], 2):
@@ -434,7 +439,7 @@ class LoopShares:
                 e = self._e[:, :, self._frames.index(axes)]
                 parts = [np.einsum("csab,csbn->csan", e, motion) for motion in (v, wa - wb)]
                 columns = np.concatenate(parts, axis=2)[:, :, None]
-                rates = partial(self._wrench, axes)
+                rates = partial(self._twist, axes)
                 yield _Closures([(first, second)], _columns(columns), rates, between_bodies=True)
 
     # -- their rates, auxiliary speeds included ---------------------------------------------------
@@ -470,7 +475,7 @@ class LoopShares:
         k, spin = self.k, self._minus(self._motion[a], self._motion[b])
         return [dot(k.graph, spin, k.cross(x, y)) for x in self._axes[a] for y in self._axes[b]]
 
-    def _wrench(
+    def _twist(
         self,
         axes: ReferenceFrame,
         first: tuple[Point, ReferenceFrame | None],

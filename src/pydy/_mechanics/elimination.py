@@ -71,7 +71,7 @@ def eliminated(
 ) -> tuple[list[int], int]:
     """Return the accelerations by articulated-body elimination, and whether all pivots are sound.
 
-    `plain` are the inertias of whole bodies, where `inertias` are divided up in another way.
+    `body_inertias` are those of whole bodies; `inertias` may be divided up in another way.
     """
     intermediate_frames = kinematics.intermediate_frames
     push = _Push(

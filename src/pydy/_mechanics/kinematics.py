@@ -276,6 +276,10 @@ class Kinematics:
         return turns if home is self.frames.above[frame] else self.expressed(turns, frame, home)
 
     def _spun(self, frame: AnyFrame, base: AnyFrame, home: AnyFrame) -> tuple[Vec, Vec]:
+        """Return the spin of a frame from that of its `base`, with components in the axes `home`.
+
+        ω = ω_base + ω_rel and α = α_base + ω_axes × ω_rel + dω_rel/dt, with ω_axes those of `home`.
+        """
         while home is not frame and home is not base and self.frames.is_fixed(base):
             base = self.frames.above[base]
         w, alpha = self.spin(base)
@@ -283,8 +287,8 @@ class Kinematics:
         base_spin = self._anchored_in(w, base, home)
         spin = self.plus(base_spin, relative)
         # The derivative in the inertial frame needs the angular velocity of the axes of `relative`.
-        turning = spin if home is frame else base_spin if home is base else self.spin(home)[0]
-        alpha = self.plus(self.expressed(alpha, base, home), self.cross(turning, relative))
+        axes_spin = spin if home is frame else base_spin if home is base else self.spin(home)[0]
+        alpha = self.plus(self.expressed(alpha, base, home), self.cross(axes_spin, relative))
         chosen = self._compensated(relative, alpha) if self._referred else ()
         alpha = self.plus(alpha, self.dt(relative))
         alpha = [self.graph.zero if i in chosen else n for i, n in enumerate(alpha)]

@@ -286,7 +286,7 @@ def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
         return replace(original, holonomic=holonomic, velocity=velocity)
 
     unchanged = not any(definition.equations.constraints.redundant)
-    return model if unchanged else model.changed("all constraints", change)
+    return model if unchanged else model.variant("all constraints", change)
 
 
 def projection_program(assembly: Assembly) -> Program:

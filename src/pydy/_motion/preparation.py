@@ -91,7 +91,7 @@ class PreparedIntegration:
             )
         if constraints == "baumgarte":
             gain = positive(gain, "`gain`", finite=True)
-            stable = model.code.changed(
+            stable = model.code.variant(
                 ("baumgarte", gain), lambda assembly: stabilised(assembly, gain)
             )
             model = replace(model, code=stable)

@@ -188,7 +188,7 @@ class Task:
         model = self.sensitive.model
         if self.integral is None and not marked:
             return model
-        return model.changed(
+        return model.variant(
             ("integral", self.integral, marked),
             partial(with_integral_and_marker, self.integral, marked),
         )

@@ -130,7 +130,10 @@ def newton(
 def poisson(
     problem: ComplementarityProblem, speed: np.ndarray, e: np.ndarray
 ) -> ImpactResult | None:
-    """Return the impact of the closed contacts; None if no impulses satisfy the laws."""
+    """Return the impact of the closed contacts; None if no impulses satisfy the laws.
+
+    The velocities before it are `speed` (rows,), and `e` (contacts,) is the restitution.
+    """
     pressing = select_modes(replace(problem, free=speed, sizes=None), _options(problem))
     if pressing is None:
         return None

@@ -234,7 +234,7 @@ def events_of(trajectory: Any, times: np.ndarray) -> tuple[tuple[float, str], ..
     return tuple(visible[:: max(1, -(-len(visible) // 100))])
 
 
-def modes_of(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
+def mode_intervals(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
     """Return the intervals of each contact's modes within the times that are shown.
 
     Intervals narrower than a pixel of a wide screen are shown as the mode before them.

@@ -27,7 +27,7 @@ from pydy.viz.arguments import (
     filmed,
     ground_height,
     in_notebook,
-    modes_of,
+    mode_intervals,
     named_constants,
     playback,
     plotted,
@@ -393,7 +393,7 @@ class Scene:
                 label: curves_by_label[label] for label in dict.fromkeys((*self.series, *curves))
             },
             events=events_of(film if states is None else None, motion.times),
-            modes=modes_of(film if states is None else None, motion.times),
+            modes=mode_intervals(film if states is None else None, motion.times),
         )
         self._motion = film_motion
         # Stored with its instants: a pickle cannot evaluate others.
