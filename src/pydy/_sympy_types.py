@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeAlias
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 if TYPE_CHECKING:
     import sympy as sm
@@ -15,6 +16,9 @@ TimeFunction: TypeAlias = "AppliedUndef | sm.Derivative"
 AnySymbol: TypeAlias = "sm.Symbol | AppliedUndef | sm.Derivative"
 SymbolOrName: TypeAlias = "AnySymbol | str"
 ExpressionOrName: TypeAlias = "sm.Expr | str"
+Value = TypeVar("Value")
+# By symbols or names. The keys are Any, as a mapping of the union would refuse a `dict[str, …]`.
+BySymbol: TypeAlias = Mapping[Any, Value]
 
 Body: TypeAlias = "RigidBody | Particle"
 # Where a load acts: a force at a point, a torque on a frame.

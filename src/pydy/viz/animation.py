@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
@@ -18,6 +18,10 @@ from pydy.viz.motion import Geometry, Placement, SceneMotion, compute_placement
 from pydy.viz.shapes import Arrow, Bar, Cube, Damper, Line, Plane, Shape, Spring, Support, Trace
 from pydy.viz.surfaces import arrow, coil, piston, rods, surface
 from pydy.viz.visuals import Visual
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from sympy.physics.mechanics import Point, ReferenceFrame
 
 # -- View of a scene: the camera, the ground, and the path that the camera follows -----------------
 
@@ -248,7 +252,7 @@ class Animation:
         positions: np.ndarray = item.positions[past]
         return positions
 
-    def at(self, t: Any) -> Animation:
+    def at(self, t: ArrayLike) -> Animation:
         """Return the animation at one time or several, interpolated between the instants shown."""
         times, last = self.times, len(self.times) - 1
         instants = np.clip(np.atleast_1d(np.asarray(t, dtype=float)), times[0], times[-1])
@@ -285,8 +289,8 @@ class Animation:
 
 
 def animate(
-    reference: Any,
-    origin: Any,
+    reference: ReferenceFrame,
+    origin: Point,
     visuals: Sequence[Visual],
     motion: SceneMotion,
 ) -> Animation:

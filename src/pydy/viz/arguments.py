@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import PurePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
@@ -34,8 +34,14 @@ from pydy.viz.curves import TimeSeries, curve
 from pydy.viz.shapes import Arrow, Line
 from pydy.viz.visuals import Visual
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from sympy.physics.mechanics import Point, ReferenceFrame
 
-def as_visual(item: Any) -> Visual:
+    from pydy._sympy_types import AnySymbol, BySymbol, ExpressionOrName, SymbolOrName
+
+
+def as_visual(item: object) -> Visual:
     """Return a Visual; a body gets a default shape."""
     if isinstance(item, Visual):
         return item
@@ -52,7 +58,7 @@ def as_visual(item: Any) -> Visual:
     )
 
 
-def series_of(series: Any) -> dict[str, Any]:
+def series_of(series: object) -> dict[str, ExpressionOrName | float]:
     """Read the expressions to plot, by label."""
     if isinstance(series, Mapping):
         return {str(label): _entry(expression) for label, expression in series.items()}
@@ -66,7 +72,7 @@ def series_of(series: Any) -> dict[str, Any]:
     return {str(_entry(e)).removesuffix("(t)"): e for e in entries}
 
 
-def _entry(value: Any) -> Any:
+def _entry(value: object) -> ExpressionOrName | float:
     if isinstance(value, (str, sm.Expr, int, float)):
         return value
     raise TypeError(
@@ -79,7 +85,7 @@ def live_unknowns(
     set_states: set[int],
     dependents: tuple[list[int], list[int]],
     sizes: tuple[int, int],
-    states: Any,
+    states: Sequence[AnySymbol],
 ) -> list[list[int]]:
     """Return the positions in x of the states for which a live page solves the constraints.
 
@@ -103,7 +109,7 @@ def live_unknowns(
     return unknowns
 
 
-def check_range(value: Any, argument: str, least: float, most: float) -> float:
+def check_range(value: object, argument: str, least: float, most: float) -> float:
     """Return a number within a range, or raise a ValueError."""
     checked = number(value, argument)
     if not least <= checked <= most:
@@ -111,7 +117,7 @@ def check_range(value: Any, argument: str, least: float, most: float) -> float:
     return checked
 
 
-def ground_height(value: Any) -> bool | float | None:
+def ground_height(value: object) -> bool | float | None:
     """Return the height of the ground, or whether there is one, or None to decide later."""
     if value is None or isinstance(value, (bool, np.bool_)):
         return None if value is None else bool(value)
@@ -122,7 +128,9 @@ def ground_height(value: Any) -> bool | float | None:
     raise ValueError(f"`ground` must be a height, True or False, got {shown(value)}.")
 
 
-def curves_of(series: Mapping[str, Any] | None, motion_times: Any) -> dict[str, TimeSeries]:
+def curves_of(
+    series: Mapping[str, ArrayLike] | None, motion_times: object
+) -> dict[str, TimeSeries]:
     """Return the curves of evaluated series, with a value for each time of the motion."""
     values_by_label = check_mapping("series", series)
     if not values_by_label:
@@ -140,7 +148,9 @@ def curves_of(series: Mapping[str, Any] | None, motion_times: Any) -> dict[str, 
     return curves
 
 
-def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, TimeSeries]:
+def recorded(
+    series: Mapping[str, ExpressionOrName | float], trajectory: Any
+) -> dict[str, TimeSeries]:
     """Return the series that are quantities of a trajectory."""
     curves = {}
     for label, expression in series.items():
@@ -155,7 +165,9 @@ def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, TimeSeries
     return curves
 
 
-def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]:
+def symbols_of(
+    visuals: Iterable[Visual], series: Mapping[str, ExpressionOrName | float]
+) -> set[AnySymbol]:
     """Return the symbols and derivatives in arrows and series."""
     expressions = [sm.sympify(e) for e in series.values() if not isinstance(e, str)]
     for visual in visuals:
@@ -165,11 +177,11 @@ def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]
 
 
 def named_constants(
-    constants: Any,
-    defaults: Mapping[Any, Any],
-    scene: tuple[Any, Any, Sequence[Visual]],
-    series: Any,
-) -> dict[Any, Any]:
+    constants: BySymbol[float] | None,
+    defaults: Mapping[SymbolOrName, float],
+    scene: tuple[ReferenceFrame, Point, Sequence[Visual]],
+    series: Mapping[str, ExpressionOrName | float],
+) -> dict[SymbolOrName, float]:
     """Return the user's constants, keyed by the symbols of the trajectory's constants.
 
     Another key must be a symbol in the scene (a reference frame, an origin and visuals) or in its
@@ -194,11 +206,14 @@ def named_constants(
 
 
 def _drawn(
-    reference: Any, origin: Any, visuals: Sequence[Visual], series: Mapping[str, Any]
-) -> set[Any]:
+    reference: ReferenceFrame,
+    origin: Point,
+    visuals: Sequence[Visual],
+    series: Mapping[str, ExpressionOrName | float],
+) -> set[sm.Symbol]:
     """Return the symbols in the positions, orientations, shapes and bodies of visuals."""
-    frames: set[Any] = set()
-    expressions: list[Any] = []
+    frames: set[ReferenceFrame] = set()
+    expressions: list[object] = []
     for visual in visuals:
         shape, body = visual.shape, visual.body
         frames |= {visual.frame} - {None}
@@ -216,7 +231,7 @@ def _drawn(
     return {s for s in (*find_symbols(expressions), *symbols_of(visuals, series)) if s.is_Symbol}
 
 
-def units_of(units: Any) -> dict[str, str]:
+def units_of(units: object) -> dict[str, str]:
     """Return units by the label of a series."""
     units_by_key = check_mapping("units", units)
     labels = [str(key).removesuffix("(t)") for key in units_by_key]
@@ -227,14 +242,18 @@ def units_of(units: Any) -> dict[str, str]:
     }
 
 
-def events_of(trajectory: Any, times: np.ndarray) -> tuple[tuple[float, str], ...]:
+def events_of(trajectory: object, times: np.ndarray) -> tuple[tuple[float, str], ...]:
     """Return times and names of the events that are shown; at most a hundred."""
     events = [(float(e.time), str(e.name)) for e in getattr(trajectory, "events", ())]
     visible = [event for event in events if times[0] <= event[0] <= times[-1]]
     return tuple(visible[:: max(1, -(-len(visible) // 100))])
 
 
+<<<<<<< HEAD
 def mode_intervals(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
+=======
+def modes_of(trajectory: object, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
+>>>>>>> ef052f57 (Signatures of viz say what they take and return: bodies, frames, points, expressions, shapes in place of Any)
     """Return the intervals of each contact's modes within the times that are shown.
 
     Intervals narrower than a pixel of a wide screen are shown as the mode before them.

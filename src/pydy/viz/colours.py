@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from pydy._checks import real_array, shown
 
@@ -51,7 +50,7 @@ ee82ee wheat f5deb3 white ffffff whitesmoke f5f5f5 yellow ffff00 yellowgreen 9ac
 NAMES: dict[str, str] = dict(re.findall(r"(\w+)\s+([0-9a-f]{6})\b", _TABLE))
 
 
-def hex_colour(colour: Any, argument: str = "`colour`") -> str:
+def hex_colour(colour: object, argument: str = "`colour`") -> str:
     """Return a CSS name, ``"#rgb"``, or red, green and blue from 0 to 1 as ``#rrggbb``."""
     if isinstance(colour, str):
         text = colour.strip().lower()

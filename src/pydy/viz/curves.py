@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from pydy._checks import descends
 from pydy.viz.motion import Geometry, SceneMotion, compute_placement
+
+if TYPE_CHECKING:
+    import sympy as sm
+    from sympy.physics.mechanics import Point, ReferenceFrame
 
 # Parts of the time that a thinned curve has points in: a strip has fewer columns of pixels than
 # that on most screens, and is drawn like the whole curve. A part keeps at most seven points (see
@@ -31,7 +35,10 @@ def curve(times: np.ndarray, values: np.ndarray) -> TimeSeries:
 
 
 def evaluated(
-    reference: Any, origin: Any, formulas: Sequence[tuple[str, Any]], motion: SceneMotion
+    reference: ReferenceFrame,
+    origin: Point,
+    formulas: Sequence[tuple[str, sm.Expr | float]],
+    motion: SceneMotion,
 ) -> dict[str, TimeSeries]:
     """Return the curves of expressions, by label, at all instants of a motion."""
     if not formulas:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
@@ -30,6 +30,11 @@ from pydy.viz.shapes import (
 from pydy.viz.surfaces import surface
 from pydy.viz.visuals import Visual
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Point
+
+    from pydy._sympy_types import AnySymbol, Body, Load, SymbolOrName
+
 # Minimum thickness of a plate, relative to its longest edge.
 _THINNEST = 0.03
 # Default radii relative to the size of the scene: a bar, a ball, a body in a plane.
@@ -39,7 +44,11 @@ _COMPACT = 0.5
 
 
 def default_shape(
-    body: Any, values: Mapping[Any, float], size: float, reach: float = 0.0, alone: bool = True
+    body: Body,
+    values: Mapping[SymbolOrName, float],
+    size: float,
+    reach: float = 0.0,
+    alone: bool = True,
 ) -> Shape:
     """Return the simplest solid with a body's inertia, or a ball for a particle.
 
@@ -98,7 +107,9 @@ def default_shape(
     return solid
 
 
-def inertial_lengths(body: Any, shape: Shape, numbers: Mapping[Any, float]) -> dict[str, Any]:
+def inertial_lengths(
+    body: Body, shape: Shape, numbers: Mapping[AnySymbol, float]
+) -> dict[str, sm.Expr]:
     """Return the lengths of a body's default shape as expressions of mass and inertia.
 
     Empty if the inertia depends on more than constants, or if the size of the shape at the
@@ -111,11 +122,11 @@ def inertial_lengths(body: Any, shape: Shape, numbers: Mapping[Any, float]) -> d
     if sm.Tuple(m, *moments).atoms(AppliedUndef):
         return {}
 
-    def root(square: Any) -> Any:
+    def root(square: sm.Expr) -> sm.Expr:
         return sm.sqrt(sm.Max(square, 0))
 
     ix, iy, iz = moments
-    lengths: dict[str, Any] = {}
+    lengths: dict[str, sm.Expr] = {}
     if isinstance(shape, Sphere):
         lengths = {"radius": root(sm.Rational(5, 2) * ix / m)}
     elif isinstance(shape, Cylinder):
@@ -134,7 +145,7 @@ def inertial_lengths(body: Any, shape: Shape, numbers: Mapping[Any, float]) -> d
     return lengths if _are(lengths, shape, numbers) else {}
 
 
-def _are(lengths: Mapping[str, Any], shape: Shape, numbers: Mapping[Any, float]) -> bool:
+def _are(lengths: Mapping[str, sm.Expr], shape: Shape, numbers: Mapping[AnySymbol, float]) -> bool:
     """Return whether expressions are the lengths of a shape."""
     values_by_symbol = {symbol: sm.Float(value) for symbol, value in numbers.items()}
     try:
@@ -162,7 +173,7 @@ def _round_shape(moments: list[float], mass: float) -> Shape | None:
     return None
 
 
-def find_origin(frame: Any, points: Iterable[Any]) -> Any:
+def find_origin(frame: ReferenceFrame, points: Iterable[Point]) -> Point | None:
     """Return a point with zero velocity in `frame` that is connected to the given ones, or None."""
     tree = FrameTree(frame)
     connected = tree.points_from([*points])
@@ -173,7 +184,9 @@ _GREY = "#7d8796"  # visible on white and on nearly black
 _SPOKE = 0.12  # width of a wheel's spoke and of its rim, as parts of the radius
 
 
-def visuals_of(bodies: Iterable[Any], parts: Outline, inertial: Any = None) -> list[Visual]:
+def visuals_of(
+    bodies: Iterable[Body], parts: Outline, inertial: ReferenceFrame | None = None
+) -> list[Visual]:
     """Return visuals of bodies and of the parts of an Outline.
 
     A scene that is shown in another frame needs the `inertial` one for the supports.
@@ -200,18 +213,18 @@ def visuals_of(bodies: Iterable[Any], parts: Outline, inertial: Any = None) -> l
     return visuals
 
 
-def _wheel(body: Any, radius: Any, axis: str | None) -> list[Visual]:
+def _wheel(body: Body, radius: sm.Expr | float, axis: str | None) -> list[Visual]:
     """Return a ball, or a wheel about an axis with a spoke that shows how it turns."""
     if axis is None:
         return [Visual(Sphere(radius), body)]
-    edges = dict.fromkeys("xyz", _SPOKE * radius)
+    edges: dict[str, Any] = dict.fromkeys("xyz", _SPOKE * radius)
     edges["x" if axis != "x" else "y"] = 1.8 * radius
     edges[axis] = 1.3 * _SPOKE * radius
     wheel = Visual(Cylinder(_SPOKE * radius, radius, axis), body)
     return [wheel, Visual(Box(**edges, colour=_GREY), body)]
 
 
-def load_arrows(bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> list[Visual]:
+def load_arrows(bodies: Iterable[Body], loads: Iterable[Load]) -> list[Visual]:
     """Return arrows for forces at their points and torques at the mass centres of their bodies."""
     centres = {getattr(body, "frame", None): body.masscenter for body in bodies}
     arrows = []
@@ -225,12 +238,12 @@ def load_arrows(bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> list
     return arrows
 
 
-def gravities(expression: Any) -> list[Any]:
+def gravities(expression: sm.Expr) -> list[sm.Symbol]:
     """Return the symbols of an expression that are named like the acceleration of gravity."""
     return [s for s in expression.free_symbols if str(s) in ("g", "G", "gravity")]
 
 
-def _constant_parts(weights: Sequence[Any], values: Mapping[Any, float]) -> np.ndarray:
+def _constant_parts(weights: Sequence[sm.Expr], values: Mapping[AnySymbol, float]) -> np.ndarray:
     """Return the numbers of a weight's components, zero for those that depend on the state.
 
     A weight written in the axes of a body has sines and cosines that cancel. SymPy does not
@@ -250,10 +263,10 @@ def _constant_parts(weights: Sequence[Any], values: Mapping[Any, float]) -> np.n
 
 
 def guess_up(
-    frame: Any,
-    bodies: Iterable[Any],
-    loads: Sequence[tuple[Any, Any]],
-    values: Mapping[Any, float],
+    frame: ReferenceFrame,
+    bodies: Iterable[Body],
+    loads: Sequence[Load],
+    values: Mapping[AnySymbol, float],
 ) -> str | None:
     """Return the axis of `frame` against which the weights pull, or None.
 
@@ -283,7 +296,7 @@ def guess_up(
     return ("-" if pull[k] > 0 else "") + "xyz"[k]
 
 
-def unit_vector(value: Any, frame: Any, argument: str) -> np.ndarray:
+def unit_vector(value: object, frame: ReferenceFrame, argument: str) -> np.ndarray:
     """Return an axis such as '-z', a constant vector or three numbers as a unit array."""
     direction = np.zeros(3)
     if isinstance(value, (str, bytes)):

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -16,6 +16,14 @@ from pydy._optional import bar_of, require
 from pydy.viz.animation import Animation, Framing, Item, ViewSettings, frame, frame_still
 from pydy.viz.shapes import Circle, Line, Mesh, Plane
 from pydy.viz.surfaces import Surface, spoke, surface
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from matplotlib.backend_bases import RendererBase
+    from matplotlib.figure import Figure
+    from mpl_toolkits.mplot3d import Axes3D
+    from PIL.Image import Image as Picture
 
 # -- An artist of Matplotlib that paints all triangles of a scene in one call ----------------------
 # Axes3D draws a triangle as a path with an edge, and sorts within each surface only. Here all
@@ -31,7 +39,7 @@ class SurfacePart(NamedTuple):
     closed: bool  # whether triangles that face away from the viewer are invisible
 
 
-def make_triangles(axes: Any) -> Any:
+def make_triangles(axes: Axes3D) -> Any:
     """Add an artist to an Axes3D and return it.
 
     Before each frame its method `set_parts` takes the surfaces. Triangles of closed surfaces that
@@ -45,7 +53,7 @@ def make_triangles(axes: Any) -> Any:
             """Set the surfaces of a frame and the direction of the light."""
             self.parts, self.light = parts, light
 
-        def draw(self, renderer: Any) -> None:
+        def draw(self, renderer: RendererBase) -> None:
             """Project the triangles and paint them from far to near."""
             if not self.parts:
                 return
@@ -100,7 +108,7 @@ def _concatenate(
 # -- Films of a scene: frames that go to a GIF or to ffmpeg as they are drawn ----------------------
 
 
-def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
+def save_gif(drawing: _Drawing, rows: Iterable[int], path: Path, fps: float) -> None:
     """Save a GIF whose frames share a palette.
 
     Pillow would choose the colours of each frame anew, which takes as long as drawing it.
@@ -110,7 +118,7 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
 
     paint, _ = _painter(drawing)
 
-    def frames() -> Iterator[Any]:
+    def frames() -> Iterator[Picture]:
         palette = None
         for k in rows:
             frame = Image.fromarray(paint(k)).convert("RGB")
@@ -128,21 +136,21 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
         next(remaining).save(file, "GIF", **options)
 
 
-def _palette(image: Any, frame: Any, colours: list[np.ndarray]) -> Any:
+def _palette(image: ModuleType, frame: Picture, colours: list[np.ndarray]) -> Picture:
     """Return a palette of 256 colours: those of a picture, and shades of the scene's."""
     # The number of shades of each colour that the palette can distinguish.
     shades = np.linspace(0.4, 1.0, 24)[:, None, None] * np.array(colours or [np.ones(3)])
     strip = np.tile((255 * shades).astype(np.uint8).reshape(1, -1, 3), (40, 1, 1))
     sample = np.concatenate([np.asarray(frame).reshape(-1, 3), strip.reshape(-1, 3)])[None]
     chosen = image.fromarray(sample)
-    palette = chosen.quantize(method=image.Quantize.FASTOCTREE, dither=image.Dither.NONE)
+    palette: Picture = chosen.quantize(method=image.Quantize.FASTOCTREE, dither=image.Dither.NONE)
     entries = np.array(palette.getpalette(), dtype=np.uint8).reshape(-1, 3)
     entries[entries.sum(1).argmax()] = 255  # the octree's white is a little grey
     palette.putpalette(entries.tobytes())
     return palette
 
 
-def save_mp4(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
+def save_mp4(drawing: _Drawing, rows: Iterable[int], path: Path, fps: float) -> None:
     """Save an MP4 with the program ffmpeg."""
     from matplotlib.animation import FFMpegWriter
 
@@ -189,7 +197,7 @@ def _encoder(ffmpeg: str) -> tuple[str, ...]:
     return ("-vcodec", "h264")
 
 
-def _painter(drawing: Any) -> tuple[Callable[[int], np.ndarray], tuple[int, int]]:
+def _painter(drawing: _Drawing) -> tuple[Callable[[int], np.ndarray], tuple[int, int]]:
     """Return ``paint(k) -> pixels``, shape (height, width, 4), and the width and height.
 
     The figure and its title are drawn once; each frame copies them and adds the moving artists.
@@ -232,8 +240,12 @@ _GRAZING = 0.25  # tolerance for normals that point away from the viewer
 
 
 def draw(
-    animation: Animation, settings: ViewSettings, t: float, axes: Any = None, single: bool = False
-) -> Any:
+    animation: Animation,
+    settings: ViewSettings,
+    t: float,
+    axes: Axes3D | None = None,
+    single: bool = False,
+) -> Axes3D:
     """Draw an animation at a time; return the axes.
 
     The limits are those of the full motion, so that pictures of several times fit together; with
@@ -294,7 +306,7 @@ def save(
         (save_gif if suffix == ".gif" else save_mp4)(drawing, rows, target, fps)
 
 
-def _full_axes(figure: Any) -> Any:
+def _full_axes(figure: Figure) -> Axes3D:
     """Return Axes that fill their figure, so that the picture clips everything beyond."""
     return figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
 
@@ -314,7 +326,7 @@ class _Drawing:
         animation: Animation,
         instants: Animation,
         framing: Framing,
-        axes: Any,
+        axes: Axes3D,
         title: str,
         triangles: Any = None,
     ) -> None:
@@ -407,7 +419,7 @@ class _Drawing:
             self._line(key, middle[None], color=colour, marker="o", markersize=_DOT, ls="none")
             self.artists[key].set_visible(size < _DOT)
 
-    def _line(self, key: tuple[int, str], points: np.ndarray, **style: Any) -> None:
+    def _line(self, key: tuple[int, str], points: np.ndarray, **style: object) -> None:
         columns = self.turn @ points.T
         if key in self.artists:
             self.artists[key].set_data_3d(*columns)

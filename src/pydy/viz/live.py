@@ -6,7 +6,7 @@ from collections import ChainMap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import sympy as sm
@@ -23,7 +23,17 @@ from pydy.viz.defaults import inertial_lengths
 from pydy.viz.motion import Geometry, Names, SceneMotion, pose_program
 from pydy.viz.shapes import Arrow, Line
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Point, ReferenceFrame, Vector
+
+    from pydy._sympy_types import AnySymbol, BySymbol, ExpressionOrName, SymbolOrName, TimeFunction
+    from pydy.solvers import Event
+    from pydy.viz.motion import SceneModel
+    from pydy.viz.visuals import Visual
+
 _SAMPLES = 6
+# A symbol of the user, its value at the start, and the initial conditions that it sets.
+UserSlider: TypeAlias = "tuple[sm.Symbol, float, BySymbol[sm.Expr | float]]"
 
 
 @dataclass(frozen=True)
@@ -54,7 +64,7 @@ class Slider:
     value: float | None = None
     unit: str = ""
     label: str = ""
-    sets: Mapping[Any, Any] = field(default_factory=dict)
+    sets: BySymbol[sm.Expr | float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("low", "high"):
@@ -99,8 +109,8 @@ class Live:
         Largest step; limit it if an input is shorter than a step.
     """
 
-    sliders: Mapping[Any, Any] = field(default_factory=dict)
-    events: Any = None
+    sliders: BySymbol[Slider | Sequence[float | str | None]] = field(default_factory=dict)
+    events: Event | Sequence[Event] | None = None
     constraints: str | None = "auto"
     rtol: float = 1e-8
     atol: float = 1e-8
@@ -124,12 +134,12 @@ class LiveSystem:
 
     model: Model
     # states, inputs, constants, outputs: symbols; in the order of the model's variables
-    states: tuple[Any, ...]
-    inputs: tuple[Any, ...]
-    constants: tuple[Any, ...]
-    outputs: tuple[Any, ...]
+    states: tuple[TimeFunction, ...]
+    inputs: tuple[TimeFunction, ...]
+    constants: tuple[sm.Symbol, ...]
+    outputs: tuple[SymbolOrName, ...]
     # mapping of symbols to expressions: specifieds that are expressions
-    definitions: Mapping[Any, Any]
+    definitions: Mapping[AnySymbol, sm.Expr]
     # (list of int, list of int): indices in x of the dependent coordinates and speeds
     dependents: tuple[list[int], list[int]]
     coordinates: int  # numbers of coordinates and of speeds
@@ -168,7 +178,7 @@ class Witness:
         self._positions = {p: np.stack([a[k] for a in positions])
                            for k, p in enumerate(geometry.points)}  # fmt: skip
 
-    def rigid(self, frame: Any, base: Any, point: Any) -> bool:
+    def rigid(self, frame: ReferenceFrame | None, base: Point, point: Point) -> bool:
         """Return whether the vector between two points is constant in a frame."""
         positions = self._positions[point], self._positions[base]
         offset = np.einsum("mji,mj->mi", self._rotations[frame], positions[0] - positions[1])
@@ -179,10 +189,10 @@ class Witness:
 
 
 def live_page(
-    live: Any,
-    model: Any,
+    live: Live | BySymbol[Slider | Sequence[float | str | None]] | None,
+    model: SceneModel | None,
     title: str,
-    scene: tuple[Any, Any, Sequence[Any], Mapping[str, Any]],
+    scene: tuple[ReferenceFrame, Point, Sequence[Visual], Mapping[str, ExpressionOrName | float]],
     animation: Animation,
     motion: SceneMotion,
 ) -> LivePage | None:
@@ -216,7 +226,7 @@ class LivePage:
         self,
         live: Live,
         system: LiveSystem,
-        scene: tuple[Any, Any, Mapping[str, Any]],
+        scene: tuple[ReferenceFrame, Point, Mapping[str, ExpressionOrName | float]],
         animation: Animation,
         motion: SceneMotion,
     ) -> None:
@@ -251,7 +261,12 @@ class LivePage:
         counts = (system.coordinates, system.speeds)
         self.unknowns = live_unknowns(set_states, system.dependents, counts, system.states)
 
-    def _geometry(self, frames: Iterable[Any], points: Iterable[Any], *blocks: Any) -> Geometry:
+    def _geometry(
+        self,
+        frames: Iterable[ReferenceFrame | None],
+        points: Iterable[Point],
+        *blocks: tuple[Vector, ...],
+    ) -> Geometry:
         """Return some frames and points, and those of lines."""
         lines = (i.shape.points for i in self.items if isinstance(i.shape, Line))
         return Geometry(
@@ -262,7 +277,9 @@ class LivePage:
             *blocks,
         )
 
-    def code(self, tracks: Sequence[tuple[Any, Any]]) -> tuple[str, dict[str, Any]]:
+    def code(
+        self, tracks: Sequence[tuple[ReferenceFrame | None, Point]]
+    ) -> tuple[str, dict[str, object]]:
         """Return the model's object in JavaScript and the data of the page's scripts.
 
         The tracks of the page are pairs of a frame, or None, and a point.
@@ -317,9 +334,7 @@ class LivePage:
         return javascript_object(model, ("poses", "formulas", "sizes", "start")), data
 
 
-def _sliders(
-    live: Live, system: LiveSystem
-) -> tuple[list[dict[str, Any]], list[tuple[Any, float, Mapping[Any, Any]]]]:
+def _sliders(live: Live, system: LiveSystem) -> tuple[list[dict[str, Any]], list[UserSlider]]:
     """Return the sliders of the page, and the user's own ones with the inputs they set."""
     groups = (
         ("p", SymbolIndex(system.constants, "constants of the system"), system.model.constants),
@@ -331,7 +346,7 @@ def _sliders(
          for key in live.sliders], "live",
     )  # fmt: skip
     rows: list[dict[str, Any]] = []
-    user_sliders: list[Any] = []
+    user_sliders: list[UserSlider] = []
     for key, argument in live.sliders.items():
         slider = _slider(key, argument)
         matches = [(g, k, v[k]) for g, lookup, v in groups
@@ -376,7 +391,7 @@ def _sliders(
     return rows, user_sliders
 
 
-def _slider(key: Any, argument: Any) -> Slider:
+def _slider(key: SymbolOrName, argument: object) -> Slider:
     if isinstance(argument, Slider):
         return argument
     if isinstance(argument, (tuple, list)) and 2 <= len(argument) <= 5:
@@ -387,9 +402,7 @@ def _slider(key: Any, argument: Any) -> Slider:
     )
 
 
-def _start(
-    system: LiveSystem, user_sliders: Sequence[tuple[Any, float, Mapping[Any, Any]]]
-) -> tuple[Program, list[int]]:
+def _start(system: LiveSystem, user_sliders: Sequence[UserSlider]) -> tuple[Program, list[int]]:
     """Return the Program of the initial conditions that user-defined sliders set."""
     graph = Graph()
     constants = [*system.constants, *(symbol for symbol, _, _ in user_sliders)]
@@ -415,9 +428,9 @@ def _start(
 def _sizes(
     items: Sequence[Item],
     system: LiveSystem,
-    definitions: Mapping[Any, Any],
-    numbers: Mapping[Any, float],
-) -> tuple[Program, list[list[Any]]]:
+    definitions: Mapping[AnySymbol, sm.Expr],
+    numbers: Mapping[AnySymbol, float],
+) -> tuple[Program, list[list[object]]]:
     """Return the Program of lengths that depend on constants, and their visuals.
 
     The constants have these `numbers` at the start.
@@ -442,11 +455,11 @@ def _sizes(
 
 
 def _series(
-    series: Mapping[str, Any], animation: Animation, system: LiveSystem
-) -> tuple[list[list[Any]], tuple[tuple[str, Any], ...]]:
+    series: Mapping[str, ExpressionOrName | float], animation: Animation, system: LiveSystem
+) -> tuple[list[list[str | int]], tuple[tuple[str, sm.Expr | float], ...]]:
     """Return the source of each curve on the page, and expressions to compute with the poses."""
-    plotted: list[list[Any]] = []
-    formulas: list[tuple[str, Any]] = []
+    plotted: list[list[str | int]] = []
+    formulas: list[tuple[str, sm.Expr | float]] = []
     for label in animation.series:
         if label not in series:
             raise ValueError(

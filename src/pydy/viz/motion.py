@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
@@ -33,6 +33,13 @@ from pydy._names import name_of
 from pydy._program import Program
 from pydy._rank import DIGITS
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from sympy.physics.mechanics import Point, ReferenceFrame, Vector
+
+    from pydy._sympy_types import AnySymbol, BySymbol, SymbolOrName, TimeFunction
+    from pydy.trajectory import Trajectory
+
 # -- Placement: the poses of all visuals from one compiled Program ---------------------------------
 # The position of each point and the orientation of each frame become nodes of one graph, in which
 # a frame's orientation is built on that of the frame before it: a chain of n links costs n
@@ -49,33 +56,33 @@ class Names:
     """The symbols whose values a trajectory supplies."""
 
     # states, specifieds, constants: symbols; in the order of the arrays x, r and p
-    states: tuple[Any, ...]
-    specifieds: tuple[Any, ...] = ()
-    constants: tuple[Any, ...] = ()
+    states: tuple[SymbolOrName, ...]
+    specifieds: tuple[SymbolOrName, ...] = ()
+    constants: tuple[SymbolOrName, ...] = ()
     # mapping of further symbols to expressions: derivatives of the coordinates, auxiliary speeds
-    definitions: Mapping[Any, Any] = field(default_factory=dict)
-    time: Any = dynamicsymbols._t
+    definitions: Mapping[AnySymbol, sm.Expr] = field(default_factory=dict)
+    time: sm.Symbol = dynamicsymbols._t
 
 
 @dataclass(frozen=True)
 class Geometry:
     """The distinct frames, points, vectors of arrows, and expressions to compute."""
 
-    reference: Any  # the frame and the point that the scene is seen from
-    origin: Any
-    frames: tuple[Any, ...]
-    points: tuple[Any, ...]
-    vectors: tuple[Any, ...] = ()
-    series: tuple[tuple[str, Any], ...] = ()  # (label, expression)
+    reference: ReferenceFrame  # the frame and the point that the scene is seen from
+    origin: Point
+    frames: tuple[ReferenceFrame, ...]
+    points: tuple[Point, ...]
+    vectors: tuple[Vector, ...] = ()
+    series: tuple[tuple[str, sm.Expr | float], ...] = ()  # (label, expression)
 
 
 @dataclass(frozen=True)
 class Placement:
     """The numbers for a Geometry at m instants, all in the reference frame."""
 
-    # dict of ReferenceFrame to ndarray, (m, 3, 3): the columns are the frame's unit vectors
-    rotations: dict[Any, np.ndarray]
-    positions: dict[Any, np.ndarray]  # dict of Point to ndarray, (m, 3)
+    # (m, 3, 3): the columns are the frame's unit vectors
+    rotations: dict[ReferenceFrame, np.ndarray]
+    positions: dict[Point, np.ndarray]  # (m, 3)
     vectors: np.ndarray  # (m, k, 3)
     series: dict[str, np.ndarray]  # (m,)
 
@@ -114,7 +121,7 @@ class _Poses:
         self.by_name = {s: node for s, node in atoms.items() if isinstance(s, str)}
         self.read = SymPyReader(graph, atoms, "the scene")
         unit = [[graph.one if i == j else graph.zero for j in range(3)] for i in range(3)]
-        self.rotations: dict[Any, Matrix3] = {geometry.reference: unit}
+        self.rotations: dict[ReferenceFrame, Matrix3] = {geometry.reference: unit}
 
     @collector_paused()
     def program(self) -> Program:
@@ -141,7 +148,7 @@ class _Poses:
         sizes = (len(names.states), len(names.specifieds), len(names.constants))
         return lower(graph, sizes, blocks)
 
-    def rotation(self, frame: Any) -> Matrix3:
+    def rotation(self, frame: ReferenceFrame) -> Matrix3:
         """Return the matrix that transforms components from `frame` to the reference frame."""
         if frame not in self.rotations:
             path = self._path_to(frame)
@@ -157,10 +164,10 @@ class _Poses:
                     ]
         return self.rotations[frame]
 
-    def _path_to(self, frame: Any) -> list[Any]:
+    def _path_to(self, frame: ReferenceFrame) -> list[ReferenceFrame]:
         try:
             # SymPy's public `dcm` would multiply out the full chain for each frame.
-            path: list[Any] = self.geometry.reference._dict_list(frame, 0)
+            path: list[ReferenceFrame] = self.geometry.reference._dict_list(frame, 0)
         except ValueError:
             raise ValueError(
                 f"The frame `{frame}` is not related to the scene's reference frame "
@@ -169,7 +176,7 @@ class _Poses:
             ) from None
         return path
 
-    def position(self, point: Any) -> Vector3:
+    def position(self, point: Point) -> Vector3:
         """Return the components of a point's position in the reference frame."""
         try:
             vector = point.pos_from(self.geometry.origin)
@@ -181,7 +188,7 @@ class _Poses:
             ) from None
         return self.components(vector, f"the position of point `{point}`")
 
-    def components(self, vector: Any, description: str) -> Vector3:
+    def components(self, vector: Vector, description: str) -> Vector3:
         """Return the components of a SymPy vector in the reference frame."""
         graph = self.graph
         terms: list[list[tuple[int, float]]] = [[], [], []]
@@ -191,7 +198,7 @@ class _Poses:
                 terms[i] += [(graph.mul(a, b), 1.0) for a, b in zip(row, nodes, strict=True)]
         return [graph.sum(term) for term in terms]
 
-    def nodes(self, expressions: Any, description: str) -> list[int]:
+    def nodes(self, expressions: Iterable[sm.Expr | float], description: str) -> list[int]:
         """Return the nodes of expressions, having checked that each symbol has a value."""
         rows = [sm.sympify(e) for e in expressions]
         for symbol in find_symbols(rows):
@@ -200,7 +207,7 @@ class _Poses:
         self.read.what = description
         return self.read.all(rows)
 
-    def _define(self, symbol: Any, description: str) -> None:
+    def _define(self, symbol: AnySymbol, description: str) -> None:
         if name_of(symbol) in self.by_name:
             self.read.define(symbol, self.by_name[name_of(symbol)])
             return
@@ -235,7 +242,7 @@ class SceneMotion:
     constants: np.ndarray  # (k,)
 
     @property
-    def values(self) -> dict[Any, float]:
+    def values(self) -> dict[SymbolOrName, float]:
         """The constants' values by symbol."""
         return dict(zip(self.names.constants, self.constants.tolist(), strict=True))
 
@@ -255,18 +262,18 @@ def forward(motion: SceneMotion) -> SceneMotion:
 class SceneModel:
     """The interface between a System and a Scene."""
 
-    states: tuple[Any, ...]  # symbols
+    states: tuple[TimeFunction, ...]
     # mapping of symbols to expressions: derivatives of the coordinates, auxiliary speeds
-    definitions: Mapping[Any, Any] = field(default_factory=dict)
+    definitions: Mapping[AnySymbol, sm.Expr] = field(default_factory=dict)
     # ``times() -> ndarray``, the times of the System
     times: Callable[[], np.ndarray] | None = None
     # ``trajectory(times, states)`` returns a Trajectory, of checked arrays
-    trajectory: Callable[[Any, Any], Any] | None = None
+    trajectory: Callable[[np.ndarray, np.ndarray], Trajectory] | None = None
     # returns a `pydy.viz.live.LiveSystem` for a live page, given events and constraints
     live: Callable[..., Any] | None = None
 
 
-def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
+def checked_samples(times: object, states: object, width: int) -> tuple[np.ndarray, np.ndarray]:
     """Check times (m,) and states (m, width), and return them as arrays."""
     t, x = monotonic(times, "`times`"), real_array(states, "`states`")
     if not len(t):
@@ -280,7 +287,11 @@ def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np
 
 
 def _motion(
-    names: Names, times: np.ndarray, states: np.ndarray, rows: np.ndarray, values: dict[Any, Any]
+    names: Names,
+    times: np.ndarray,
+    states: np.ndarray,
+    rows: np.ndarray,
+    values: Mapping[SymbolOrName, float],
 ) -> SceneMotion:
     """Return a SceneMotion of finite numbers."""
     for table, symbols in ((states, names.states), (rows, names.specifieds)):
@@ -295,7 +306,10 @@ def _motion(
 
 
 def motion_of_trajectory(
-    trajectory: Any, model: SceneModel | None, constants: Any = None, requested: Iterable[Any] = ()
+    trajectory: Any,
+    model: SceneModel | None,
+    constants: BySymbol[float] | None = None,
+    requested: Iterable[AnySymbol] = (),
 ) -> SceneMotion:
     """Return the SceneMotion of a Trajectory, or of anything with its attributes.
 
@@ -329,11 +343,11 @@ def motion_of_trajectory(
 
 
 def motion_of_arrays(
-    times: Any,
-    states: Any,
-    symbols: Sequence[Any] | None,
-    constants: Mapping[Any, Any] | None,
-    specifieds: Mapping[Any, Any] | None,
+    times: ArrayLike,
+    states: ArrayLike,
+    symbols: Sequence[SymbolOrName] | None,
+    constants: BySymbol[float] | None,
+    specifieds: BySymbol[ArrayLike] | None,
 ) -> SceneMotion:
     """Return the SceneMotion of plain arrays, as `Scene.animate` describes them."""
     if symbols is None:
@@ -361,17 +375,17 @@ def motion_of_arrays(
     return _motion(names, t, x, rows, values)
 
 
-def constants_of(trajectory: Any) -> dict[Any, Any]:
+def constants_of(trajectory: object) -> dict[SymbolOrName, float]:
     """Return the constants of a trajectory, or of an object with its attributes."""
     return dict(getattr(trajectory, "constants", None) or {})
 
 
-def _constants(constants: Any) -> dict[Any, float]:
+def _constants(constants: BySymbol[float] | None) -> dict[SymbolOrName, float]:
     values = merged(check_mapping("constants", constants))
     return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in values.items()}
 
 
-def _alike(keys: Iterable[Any], argument: str) -> list[Any]:
+def _alike(keys: Iterable[SymbolOrName], argument: str) -> list[SymbolOrName]:
     """Return keys, with names replaced by the symbols among the keys that have them."""
     keys = [*keys]
     lookup = SymbolIndex([key for key in keys if not isinstance(key, str)], argument)

@@ -6,9 +6,9 @@ between them is constant in its frame, in any unit. Only the constants have thei
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -23,7 +23,12 @@ from pydy._program import run
 from pydy._rank import HALF, rank_of
 from pydy.viz.motion import Geometry, Names, pose_program
 
-Pair = tuple[Any, Any]
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import ReferenceFrame
+
+    from pydy._sympy_types import AnySymbol, Body, Load, SymbolOrName, TimeFunction
+
+Pair = tuple[Point, Point]
 
 _SAMPLES = 6  # random states; as many again with the speeds zero
 _JUMPS = (sm.Piecewise, sm.Max, sm.Min, sm.Heaviside, sm.sign, sm.Abs)
@@ -33,24 +38,25 @@ _JUMPS = (sm.Piecewise, sm.Max, sm.Min, sm.Heaviside, sm.sign, sm.Abs)
 class Outline:
     """Lines between points, wheels and supports of a mechanism."""
 
-    bars: list[tuple[Any, Pair]] = field(default_factory=list)  # (body or None, two points)
+    bars: list[tuple[RigidBody | None, Pair]] = field(default_factory=list)  # two points
     ropes: list[Pair] = field(default_factory=list)
     springs: list[Pair] = field(default_factory=list)
     dampers: list[Pair] = field(default_factory=list)
-    wheels: dict[Any, tuple[Any, str | None]] = field(default_factory=dict)  # body: radius, axis
-    supports: list[Any] = field(default_factory=list)  # points at rest on which something turns
-    resting: list[Any] = field(default_factory=list)  # bodies that do not move
+    # Radius and axis.
+    wheels: dict[RigidBody, tuple[sm.Expr | float, str | None]] = field(default_factory=dict)
+    supports: list[Point] = field(default_factory=list)  # points at rest on which something turns
+    resting: list[RigidBody] = field(default_factory=list)  # bodies that do not move
 
 
 def outline(
-    frame: Any,
-    origin: Any,
-    bodies: Sequence[Any],
-    loads: Sequence[tuple[Any, Any]],
-    coordinates: Sequence[Any],
+    frame: ReferenceFrame,
+    origin: Point,
+    bodies: Sequence[Body],
+    loads: Sequence[Load],
+    coordinates: Sequence[TimeFunction],
     names: Names,
-    values: Mapping[Any, float],
-    potential: Any = None,
+    values: Mapping[AnySymbol, float],
+    potential: sm.Expr | None = None,
     closed: bool = False,
 ) -> Outline:
     """Return the Outline of bodies and loads; an empty one if positions are unknown.
@@ -79,14 +85,16 @@ def outline(
 class _Numbers:
     """Vectors and expressions, evaluated together at random states."""
 
-    def __init__(self, frame: Any, origin: Any, frames: Iterable[Any]) -> None:
+    def __init__(
+        self, frame: ReferenceFrame, origin: Point, frames: Iterable[ReferenceFrame]
+    ) -> None:
         self.frame, self.origin, self.frames = frame, origin, tuple(dict.fromkeys(frames))
-        self.vectors: dict[Any, Any] = {}
-        self.expressions: dict[Any, Any] = {}
-        self.speeds: frozenset[Any] = frozenset()  # the speeds among the states
+        self.vectors: dict[Hashable, Vector] = {}
+        self.expressions: dict[Hashable, sm.Expr] = {}
+        self.speeds: frozenset[SymbolOrName] = frozenset()  # the speeds among the states
         self.scale = 1.0  # of random states
 
-    def evaluate(self, names: Names, values: Mapping[Any, float]) -> None:
+    def evaluate(self, names: Names, values: Mapping[AnySymbol, float]) -> None:
         """Evaluate all of them; `names` and `values` as in `outline`."""
         supplied_symbols = {*names.states, *names.specifieds, *names.definitions, names.time}
         turns = (e for f in self.frames for m in FrameTree.orientations(f).values() for e in m)
@@ -123,11 +131,11 @@ class _Numbers:
         self._vectors = {k: blocks["vectors"][:, n] for n, k in enumerate(self.vectors)}
         self._series = {k: blocks["series"][:, n] for n, k in enumerate(self.expressions)}
 
-    def vector(self, key: Any) -> np.ndarray:
+    def vector(self, key: Hashable) -> np.ndarray:
         """Return a vector at all samples, (m, 3)."""
         return self._vectors[key]
 
-    def series(self, key: Any) -> np.ndarray:
+    def series(self, key: Hashable) -> np.ndarray:
         """Return an expression at all samples, (m,)."""
         return self._series[key]
 
@@ -137,14 +145,14 @@ class _Outliner:
 
     def __init__(
         self,
-        frame: Any,
-        origin: Any,
-        bodies: Sequence[Any],
-        loads: Sequence[tuple[Any, Any]],
-        coordinates: Sequence[Any],
+        frame: ReferenceFrame,
+        origin: Point,
+        bodies: Sequence[Body],
+        loads: Sequence[Load],
+        coordinates: Sequence[TimeFunction],
         names: Names,
-        values: Mapping[Any, float],
-        potential: Any,
+        values: Mapping[AnySymbol, float],
+        potential: sm.Expr | None,
     ) -> None:
         self.frame, self.origin, self.bodies, self.names = frame, origin, bodies, names
         self.loads = [(w, v) for w, v in loads if isinstance(w, Point) and v != Vector(0)]
@@ -152,7 +160,7 @@ class _Outliner:
         self.above = FrameTree.points_from([origin])
         self.centres = {body.masscenter for body in bodies}
         self.rigid = [body for body in bodies if isinstance(body, RigidBody)]
-        self.groups: dict[Any, Any] = {}
+        self.groups: dict[ReferenceFrame, ReferenceFrame] = {}
         frames = [frame, *(body.frame for body in self.rigid)]
         self.numbers = _Numbers(frame, origin, frames)
         self.numbers.speeds = frozenset(names.states) - {*coordinates}
@@ -185,14 +193,14 @@ class _Outliner:
 
     def _edges(self) -> Iterator[Pair]:
         """Yield the pairs of points that lead from the origin to mass centres and forces."""
-        visited: set[Any] = set()
+        visited: set[Point] = set()
         for point in (*(b.masscenter for b in self.bodies), *(target for target, _ in self.loads)):
             while point not in visited and (above := self.above.get(point)) is not None:
                 visited.add(point)
                 yield above, point
                 point = above
 
-    def _force_pairs(self) -> Iterator[tuple[Any, Any, Any, np.ndarray]]:
+    def _force_pairs(self) -> Iterator[tuple[Point, Point, Vector, np.ndarray]]:
         """Yield two points, the force on the second, opposite to that on the first, and numbers."""
         forces = [
             k
@@ -248,7 +256,7 @@ class _Outliner:
 
     # -- structure -------------------------------------------------------------------------------
 
-    def _group(self, frame: Any) -> Any:
+    def _group(self, frame: ReferenceFrame) -> ReferenceFrame:
         """Return a common frame for all frames with constant relative orientation."""
         if frame not in self.groups:
             todo = [frame]
@@ -260,7 +268,7 @@ class _Outliner:
                         todo.append(neighbour)
         return self.groups[frame]
 
-    def _is_fixed(self, a: Any, b: Any, frame: Any) -> bool:
+    def _is_fixed(self, a: Point, b: Point, frame: ReferenceFrame) -> bool:
         """Return whether the vector from a to b is constant in a frame, by its components."""
         vector = FrameTree.positions(b)[a]
         group = self._group(frame)
@@ -268,7 +276,7 @@ class _Outliner:
             self.names.time in part.free_symbols for part, _ in vector.args
         )
 
-    def _is_fixed_in(self, body: Any, a: Any, b: Any) -> bool:
+    def _is_fixed_in(self, body: RigidBody, a: Point, b: Point) -> bool:
         """Return whether the vector between two points is constant in a body's frame."""
         if self._is_fixed(a, b, body.frame):
             return True
@@ -278,7 +286,9 @@ class _Outliner:
         return _constant(away)
 
     @staticmethod
-    def _reachable_from(start: Any, is_connected: Any) -> dict[Any, Any]:
+    def _reachable_from(
+        start: Point, is_connected: Callable[..., bool]
+    ) -> dict[Point, Point | None]:
         """Return the points connected to a start through pairs, each with its predecessor."""
         before, todo = {start: None}, [start]
         while todo:
@@ -292,8 +302,8 @@ class _Outliner:
     # -- the parts -------------------------------------------------------------------------------
 
     def _find_bars(self) -> None:
-        self.members: dict[Any, set[Any]] = {}  # the points of each body
-        drawn_links: dict[tuple[Any, Any], Any] = {}
+        self.members: dict[RigidBody, set[Point]] = {}  # the points of each body
+        drawn_links: dict[tuple[ReferenceFrame, Point], RigidBody] = {}
         for body in self.rigid:
             centre = body.masscenter
             if self._group(body.frame) is self._group(self.frame) and centre in self.ground:
@@ -309,7 +319,7 @@ class _Outliner:
             drawn_links.update({(self._group(body.frame), point): body for point in tree})
             self.result.bars += [(body, pair) for pair in self._bars_of(tree)]
 
-    def _bars_of(self, tree: Mapping[Any, Any]) -> list[Pair]:
+    def _bars_of(self, tree: Mapping[Point, Point | None]) -> list[Pair]:
         """Return the bars between points of a body: a single one if they are collinear."""
         offsets = {point: self._offset(point, tree) for point in tree}
         rows = np.array([*offsets.values()])
@@ -331,14 +341,14 @@ class _Outliner:
             if before is not None and np.abs(offsets[point] - offsets[before]).max() > HALF * length
         ]
 
-    def _first_sample(self, a: Any, b: Any) -> np.ndarray:
+    def _first_sample(self, a: Point, b: Point) -> np.ndarray:
         vectors = self.numbers.vectors
         if (a, b) in vectors:
             offset: np.ndarray = self.numbers.vector((a, b))[0]
             return offset
         return -self.numbers.vector((b, a))[0] if (b, a) in vectors else np.zeros(3)
 
-    def _offset(self, point: Any, tree: Mapping[Any, Any]) -> np.ndarray:
+    def _offset(self, point: Point, tree: Mapping[Point, Point | None]) -> np.ndarray:
         """Return the vector from a tree's root to a point at the first sample."""
         offset = np.zeros(3)
         while (before := tree[point]) is not None:
@@ -366,13 +376,13 @@ class _Outliner:
                     continue
                 axis = "xyz"[int(flat.argmax())] if flat.any() else None
                 vector = FrameTree.positions(centre)[contact]
-                radius: Any = sm.sqrt(vector.dot(vector))
+                radius = sm.sqrt(vector.dot(vector))
                 if self.names.time in radius.free_symbols:  # angles in it may cancel
                     radius = self._of_constants(radius, float(np.linalg.norm(away[0])))
                 self.result.wheels[body] = radius, axis
                 self.touching |= {(contact, centre), (centre, contact)}
 
-    def _of_constants(self, length: Any, number: float) -> Any:
+    def _of_constants(self, length: sm.Expr, number: float) -> sm.Expr | float:
         """Return a length in which all functions cancel as an expression of constants.
 
         The expression is that of the length in the zero state, or in another one if it is undefined
@@ -396,7 +406,7 @@ class _Outliner:
         lengths = np.concatenate([probe.series("length"), probe.series("fixed")])
         return fixed if _constant(lengths) and lengths.all() else number
 
-    def _touches(self, body: Any, contact: Any) -> bool:
+    def _touches(self, body: RigidBody, contact: Point) -> bool:
         """Return whether a point is a contact: it is a leaf, or the body rolls there."""
         if len(FrameTree.positions(contact)) == 1 and contact is not self.origin:
             return True
@@ -410,8 +420,8 @@ class _Outliner:
 
     def _find_forces(self) -> None:
         """Find springs, dampers and actuators in opposite forces between two points."""
-        self.forced: set[frozenset[Any]] = set()
-        self.pulled: set[frozenset[Any]] = set()
+        self.forced: set[frozenset[Point]] = set()
+        self.pulled: set[frozenset[Point]] = set()
         displacements = _Numbers(self.frame, self.origin, ())
         displacements.speeds, displacements.scale = self.numbers.speeds, self.numbers.scale
         displacements.vectors = {k: b.pos_from(a) for k, (a, b, *_) in enumerate(self.pairs)}
@@ -474,7 +484,7 @@ class _Outliner:
                 self.result.dampers.append((a, b))
                 drawn.add(key)
 
-    def _stretching(self, a: Any, b: Any, displacement: np.ndarray) -> Any:
+    def _stretching(self, a: Point, b: Point, displacement: np.ndarray) -> AnySymbol | None:
         """Return the single function that changes only the length of a vector, or None.
 
         Other functions may rotate it: l sin θ N.x - l cos θ N.y is stretched by l only, and
@@ -492,7 +502,7 @@ class _Outliner:
                 return None
         return stretching[0] if len(stretching) == 1 else None
 
-    def _is_held(self, point: Any, symbol: Any, stretch: np.ndarray) -> bool:
+    def _is_held(self, point: Point, symbol: AnySymbol, stretch: np.ndarray) -> bool:
         """Return whether a force at a point, or a potential, restores a length."""
         if self.potential is not None and symbol in self.numbers.expressions:
             return bool((self.numbers.series(symbol) > 0).all())
@@ -508,7 +518,7 @@ class _Outliner:
         """Return whether the k-th force is smooth, and its opposite acts at no other point."""
         return k not in self.paired and not _jumps(self.loads[k][1])
 
-    def _is_damped(self, point: Any, symbol: Any) -> bool:
+    def _is_damped(self, point: Point, symbol: AnySymbol) -> bool:
         rate = sm.Derivative(symbol, self.names.time)
         rates = {rate, self.names.definitions.get(rate)}
         loads_at_point = (k for k, (target, _) in enumerate(self.loads) if target is point)
@@ -547,17 +557,17 @@ def _constant(rows: np.ndarray) -> bool:
     return bool(np.ptp(rows, axis=0).max() <= HALF * np.abs(rows).max())
 
 
-def _functions(vector: Any) -> list[Any]:
+def _functions(vector: Vector) -> list[AnySymbol]:
     """Return the functions of time in a vector's components, without those of its frames."""
     every = (c for part, _ in vector.args for c in part)
     return sorted({f for c in every for f in sm.sympify(c).atoms(AppliedUndef)}, key=str)
 
 
-def _derivatives(vector: Any) -> set[Any]:
+def _derivatives(vector: Vector) -> set[sm.Derivative]:
     return {d for part, _ in vector.args for c in part for d in sm.sympify(c).atoms(sm.Derivative)}
 
 
-def _varying(vector: Any) -> list[Any]:
+def _varying(vector: Vector) -> list[AnySymbol]:
     """Return the functions in a vector, and the time if it occurs explicitly."""
     functions = _functions(vector)
     time = dynamicsymbols._t
@@ -567,7 +577,7 @@ def _varying(vector: Any) -> list[Any]:
     return functions
 
 
-def _slope(vector: Any, symbol: Any) -> Any:
+def _slope(vector: Vector, symbol: AnySymbol) -> Vector:
     """Return the partial derivative of a vector's components with respect to a function or time."""
     hidden = {f: sm.Dummy() for f in _functions(vector)} | {
         d: sm.Dummy() for d in _derivatives(vector)
@@ -581,6 +591,6 @@ def _slope(vector: Any, symbol: Any) -> Any:
     return sum((Vector([part]) for part in parts), Vector(0))
 
 
-def _jumps(vector: Any) -> bool:
+def _jumps(vector: Vector) -> bool:
     """Return whether a force is not smooth, as those of contacts and friction."""
     return any(part.has(*_JUMPS) for part, _ in vector.args)

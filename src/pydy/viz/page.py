@@ -22,7 +22,7 @@ from hashlib import sha256
 from html import escape
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
@@ -37,6 +37,10 @@ from pydy.viz.colours import CYCLE, MODES
 from pydy.viz.curves import BUCKETS, thinned
 from pydy.viz.live import LivePage, Witness
 from pydy.viz.surfaces import TUBE, helix, surface
+
+if TYPE_CHECKING:
+    from numpy.typing import DTypeLike
+    from sympy.physics.mechanics import Point, ReferenceFrame
 
 # -- The page --------------------------------------------------------------------------------------
 
@@ -151,7 +155,7 @@ def page_data(
     unit = 2.0 ** float(np.clip(np.round(np.log2(framing.radius)), -1022, 1022))
     tracks = _Tracks(animation, unit, None if live is None else live.witness)
     visuals = [_visual(item, tracks) for item in animation.items]
-    live_data: dict[str, Any] = {}
+    live_data: dict[str, object] = {}
     if live is not None:
         code, data = live.code(tracks.anchors)
         live_data["live"] = {"code": code, **data, "buckets": BUCKETS}
@@ -207,12 +211,12 @@ def page_data(
     }
 
 
-def _packed(array: np.ndarray, dtype: Any = np.float32) -> str:
+def _packed(array: np.ndarray, dtype: DTypeLike = np.float32) -> str:
     little = np.ascontiguousarray(array, dtype=np.dtype(dtype).newbyteorder("<"))
     return b64encode(little.tobytes()).decode("ascii")
 
 
-def _column(array: np.ndarray, changing: bool = False) -> dict[str, Any]:
+def _column(array: np.ndarray, changing: bool = False) -> dict[str, object]:
     """Return an array of shape (m, …) for the page: once if it is constant and never changes."""
     rows = array.reshape(len(array), -1)
     scale = float(np.abs(rows).max(initial=0.0))
@@ -246,16 +250,18 @@ class _Tracks:
     def __init__(self, animation: Animation, unit: float, witness: Witness | None = None) -> None:
         low, high = animation.box
         self.unit = unit
-        self.entries: list[dict[str, Any]] = []
-        self.anchors: list[tuple[Any, Any]] = []
+        self.entries: list[dict[str, object]] = []
+        self.anchors: list[tuple[ReferenceFrame | None, Point]] = []
         self.witness = witness
-        self._bases: list[tuple[Any, np.ndarray, np.ndarray]] = []
+        self._bases: list[tuple[ReferenceFrame | None, np.ndarray, np.ndarray]] = []
         self._frames = {item.visual.frame: item.rotations for item in animation.items}
         self._frames.setdefault(None, np.broadcast_to(np.eye(3), (len(animation.times), 3, 3)))
         # The page has 32-bit floats, which do not resolve smaller differences.
         self._tolerance = HALF * float(np.abs([low, high]).max(initial=0.0))
 
-    def find(self, frame: Any, point: Any, positions: np.ndarray) -> tuple[int, list[float]]:
+    def find(
+        self, frame: ReferenceFrame | None, point: Point, positions: np.ndarray
+    ) -> tuple[int, list[float]]:
         """Return the number of the track that moves with a frame, and a point's offset from it."""
         for k, (base_frame, rotations, base) in enumerate(self._bases):
             offset = self._seen_from(rotations, positions - base)
@@ -272,11 +278,16 @@ class _Tracks:
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
         changing = self.witness is not None
-        entry = {"p": _column(positions / self.unit, changing), "q": _column(quaternions, changing)}
+        entry: dict[str, object] = {
+            "p": _column(positions / self.unit, changing),
+            "q": _column(quaternions, changing),
+        }
         self.entries.append(entry)
         return len(self._bases) - 1, [0.0, 0.0, 0.0]
 
-    def carrier(self, symbols: Sequence[Any], points: np.ndarray) -> tuple[Any, np.ndarray] | None:
+    def carrier(
+        self, symbols: Sequence[Point], points: np.ndarray
+    ) -> tuple[ReferenceFrame | None, np.ndarray] | None:
         """Return a frame in which points (m, k, 3) are fixed, and their offsets from the first.
 
         None if they move relative to each other.
@@ -301,9 +312,9 @@ class _Tracks:
         return bool(np.ptp(values, axis=0).max() <= self._tolerance)
 
 
-def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
+def _visual(item: Item, tracks: _Tracks) -> dict[str, object]:
     shape, unit = item.shape, tracks.unit
-    entry: dict[str, Any] = {
+    entry: dict[str, object] = {
         "name": item.visual.name,
         "kind": type(shape).__name__,
         "colour": shape.colour,

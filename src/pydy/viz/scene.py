@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, NoReturn, Self, TypeAlias
 
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
@@ -60,10 +60,24 @@ from pydy.viz.views import (
 )
 from pydy.viz.visuals import Visual, no_attribute
 
+if TYPE_CHECKING:
+    from os import PathLike
+
+    from mpl_toolkits.mplot3d import Axes3D
+    from numpy.typing import ArrayLike
+    from sympy.physics.vector import Vector
+    from xarray import Dataset
+
+    from pydy._sympy_types import Body, BySymbol, ExpressionOrName, SymbolOrName
+    from pydy.viz.live import Live, Slider
+
+Run: TypeAlias = "Trajectory | Dataset"
+Runs: TypeAlias = "Run | Sequence[Run] | Mapping[str, Run]"
+
 # -- Comparison with other runs: semi-transparent copies of moving visuals -------------------------
 
 
-def runs_of(compare: Any) -> list[tuple[str, Any]]:
+def runs_of(compare: object) -> list[tuple[str, Trajectory]]:
     """Return labels and trajectories of `compare`; of an ensemble, evenly spaced members."""
     if compare is None:
         return []
@@ -77,7 +91,7 @@ def runs_of(compare: Any) -> list[tuple[str, Any]]:
     return [part for label, run in named for part in _members(label, run)]
 
 
-def _members(label: str, run: Any) -> Iterator[tuple[str, Any]]:
+def _members(label: str, run: Any) -> Iterator[tuple[str, Trajectory]]:
     if not hasattr(run, "data_vars"):
         if not (hasattr(run, "state_symbols") and hasattr(run, "at")):
             raise TypeError(
@@ -114,7 +128,9 @@ def _lines(sample_times: np.ndarray, table: np.ndarray, times: np.ndarray) -> np
     return np.stack([np.interp(times, sample_times, column) for column in table.T], 1)
 
 
-def compared(animation: Animation, compare: Any, animated: Callable[[Any], Animation]) -> Animation:
+def compared(
+    animation: Animation, compare: Runs | None, animated: Callable[[Trajectory], Animation]
+) -> Animation:
     """Return an animation with the moving visuals of other runs, fainter."""
     other_runs = []
     for label, run in runs_of(compare):  # before and after its times it is at rest
@@ -124,7 +140,9 @@ def compared(animation: Animation, compare: Any, animated: Callable[[Any], Anima
         return animation
     items, bounds = list(animation.items), [animation.bounds]
     for label, animated_run in other_runs:
-        frames: dict[Any, Any] = {None: None}  # frames rotate differently in another run
+        frames: dict[ReferenceFrame | None, object] = {
+            None: None
+        }  # frames rotate differently in another run
         bounds.append(animated_run.bounds)
         for item, shown_item in zip(animated_run.items, animation.items, strict=True):
             if not isinstance(item.shape, (Plane, Trace)) and _is_moving(item):
@@ -139,7 +157,9 @@ def _is_moving(item: Item) -> bool:
     return any(a is not None and np.ptp(a, axis=0).any() for a in arrays)
 
 
-def _ghost(item: Item, shown_item: Item, label: str, frames: dict[Any, Any]) -> Item:
+def _ghost(
+    item: Item, shown_item: Item, label: str, frames: dict[ReferenceFrame | None, object]
+) -> Item:
     visual = copy(item.visual)
     frame = frames.setdefault(visual.frame, object())
     for attribute, value in (("frame", frame), ("name", label), ("trail", False)):
@@ -231,20 +251,20 @@ class Scene:
 
     def __init__(
         self,
-        reference_frame: Any,
-        origin: Any,
-        *visuals: Any,
-        up: Any = "y",
+        reference_frame: ReferenceFrame,
+        origin: Point,
+        *visuals: Visual | Body,
+        up: Vector | ArrayLike = "y",
         ground: bool | float | None = None,
         follow: bool | None = None,
-        view: Any = None,
-        series: Any = (),
+        view: Vector | ArrayLike | None = None,
+        series: Mapping[str, ExpressionOrName | float] | Iterable[ExpressionOrName | float] = (),
         title: str = "",
-        units: Mapping[Any, str] | None = None,
+        units: BySymbol[str] | None = None,
         model: SceneModel | None = None,
         system: Any = None,
-        cameras: Iterable[Any] = (),
-        **legacy: Any,
+        cameras: Iterable[PerspectiveCamera] = (),
+        **legacy: object,
     ) -> None:
         unknown = [name for name in legacy if name not in (*_MOTION, *_IGNORED)]
         if unknown:
@@ -256,10 +276,10 @@ class Scene:
         self.origin = origin
         self.visuals = tuple(as_visual(v) for v in visuals)
         self.system = system
-        self.constants: Mapping[Any, Any] = {}
-        self.states_symbols: Any = None
+        self.constants: BySymbol[float] = {}
+        self.states_symbols: Sequence[SymbolOrName] | None = None
         self._states: Any = None
-        self._times: Any = None
+        self._times: ArrayLike | None = None
         self.frames_per_second = 30.0
         self.series = series_of(series)
         self._model = model
@@ -290,14 +310,14 @@ class Scene:
 
     def animate(
         self,
-        trajectory: Any = None,
-        states: Any = None,
+        trajectory: Trajectory | ArrayLike | None = None,
+        states: ArrayLike | None = None,
         *,
-        symbols: Any = None,
-        constants: Mapping[Any, Any] | None = None,
-        specifieds: Mapping[Any, Any] | None = None,
-        series: Mapping[str, Any] | None = None,
-        compare: Any = None,
+        symbols: Sequence[SymbolOrName] | None = None,
+        constants: BySymbol[float] | None = None,
+        specifieds: BySymbol[ArrayLike] | None = None,
+        series: Mapping[str, ArrayLike] | None = None,
+        compare: Runs | None = None,
         fps: float | None = 60.0,
         speed: float | None = None,
     ) -> Self:
@@ -364,7 +384,7 @@ class Scene:
         self,
         film: Any,
         detail: Any,
-        states: Any,
+        states: ArrayLike | None,
         curves: dict[str, TimeSeries],
         options: tuple[Any, ...],
     ) -> None:
@@ -376,7 +396,7 @@ class Scene:
         film_motion = motion.at_rows(sampled(motion.times, step))
         animation = animate(*scene, film_motion)
 
-        def moved(run: Any) -> Animation:
+        def moved(run: Trajectory) -> Animation:
             values = (SymbolDict(motion.values) | dict(run.constants)).data
             symbols = symbols_of(self.visuals, self.series)
             return animate(*scene, motion_of_trajectory(run, self._model, values, symbols))
@@ -399,7 +419,9 @@ class Scene:
         # Stored with its instants: a pickle cannot evaluate others.
         self._last_call = (film, detail, states, curves, options), [v.version for v in self.visuals]
 
-    def _motion_of(self, trajectory: Any, states: Any, options: tuple[Any, ...]) -> SceneMotion:
+    def _motion_of(
+        self, trajectory: Any, states: ArrayLike | None, options: tuple[Any, ...]
+    ) -> SceneMotion:
         """Return the SceneMotion of the arguments of `animate`.
 
         `options` are symbols, constants and specifieds.
@@ -430,7 +452,7 @@ class Scene:
         return self._moving().times
 
     @times.setter
-    def times(self, times: Any) -> None:
+    def times(self, times: ArrayLike) -> None:
         self._times, self._animation = times, None
 
     @property
@@ -439,7 +461,7 @@ class Scene:
         return self._states
 
     @states_trajectories.setter
-    def states_trajectories(self, states: Any) -> None:
+    def states_trajectories(self, states: ArrayLike) -> None:
         self._states, self._animation = states, None
 
     @property
@@ -448,7 +470,7 @@ class Scene:
         return list(self.visuals)
 
     @visualization_frames.setter
-    def visualization_frames(self, visuals: Iterable[Any]) -> None:
+    def visualization_frames(self, visuals: Iterable[Visual | Body]) -> None:
         self.visuals = tuple(
             as_visual(v) for v in listed("visualization_frames", visuals, "Visuals")
         )
@@ -466,12 +488,12 @@ class Scene:
         self._system = system
 
     @property
-    def cameras(self) -> list[Any]:
+    def cameras(self) -> list[PerspectiveCamera]:
         """Cameras; the first determines the direction of view at the start."""
         return self._cameras
 
     @cameras.setter
-    def cameras(self, cameras: Iterable[Any]) -> None:
+    def cameras(self, cameras: Iterable[PerspectiveCamera]) -> None:
         self._cameras = listed("cameras", cameras, "PerspectiveCamera")
         for camera in self._cameras[:1]:
             if not isinstance(camera, PerspectiveCamera):
@@ -511,7 +533,11 @@ class Scene:
 
     # -- the page ---------------------------------------------------------------------------------
 
-    def html(self, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None) -> str:
+    def html(
+        self,
+        theme: Literal["auto", "light", "dark"] = "auto",
+        live: Live | BySymbol[Slider | Sequence[float | str | None]] | None = None,
+    ) -> str:
         """Return the HTML page of the animation; see `to_html`."""
         chosen = choice(theme, ("auto", "light", "dark"), "`theme`")
         moving = self._moving()
@@ -522,7 +548,10 @@ class Scene:
         return page(moving, self._settings, chosen, live_content)
 
     def to_html(
-        self, path: Any, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None
+        self,
+        path: str | PathLike[str],
+        theme: Literal["auto", "light", "dark"] = "auto",
+        live: Live | BySymbol[Slider | Sequence[float | str | None]] | None = None,
     ) -> Path:
         """Write the animation to a self-contained HTML file.
 
@@ -551,7 +580,7 @@ class Scene:
         write_files({target: self.html(theme, live)})
         return target
 
-    def show(self) -> Any:
+    def show(self) -> Path | None:
         """Show the scene: inline in Jupyter, otherwise in the browser, from a temporary file.
 
         Pages that were shown more than an hour ago are deleted from the disk.
@@ -571,7 +600,7 @@ class Scene:
 
     if not TYPE_CHECKING:
 
-        def __getattr__(self, name: str) -> Any:
+        def __getattr__(self, name: str) -> NoReturn:
             no_attribute(self, name)
 
     display_jupyter = display_ipython = show_inline
@@ -581,7 +610,7 @@ class Scene:
 
     # -- figures and films ------------------------------------------------------------------------
 
-    def to_matplotlib(self, t: float | None = None, axes: Any = None) -> Any:
+    def to_matplotlib(self, t: float | None = None, axes: Axes3D | None = None) -> Axes3D:
         """Draw the scene at one time with Matplotlib.
 
         Parameters
@@ -615,7 +644,7 @@ class Scene:
 
     def save(
         self,
-        path: Any,
+        path: str | PathLike[str],
         *,
         fps: float = 30.0,
         dpi: int = 120,

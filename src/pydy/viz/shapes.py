@@ -7,11 +7,11 @@ an axis of symmetry have an argument `axis`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias
 
 import numpy as np
 import sympy as sm
@@ -23,6 +23,15 @@ from pydy._mechanics import checked_vector
 from pydy._names import nearest
 from pydy._rank import rank_of
 from pydy.viz.colours import hex_colour
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from sympy.physics.vector import Vector
+
+    from pydy._sympy_types import SymbolOrName
+
+# A number, or an expression of constants.
+Length: TypeAlias = "sm.Expr | float"
 
 # -- What all shapes have in common ----------------------------------------------------------------
 
@@ -38,7 +47,7 @@ class _Spelling(type):
 
     if not TYPE_CHECKING:
 
-        def __call__(cls, *args: Any, **options: Any) -> Any:
+        def __call__(cls, *args: object, **options: object) -> object:
             for name, field_name in cls.spellings.items():
                 if name in options:
                     if field_name in options:
@@ -96,12 +105,12 @@ class Shape(metaclass=_Spelling):
         if self.name is not None:
             text(self.name, f"`name` of {kind}")
 
-    def _set(self, attribute: str, value: Any) -> None:
+    def _set(self, attribute: str, value: object) -> None:
         object.__setattr__(self, attribute, value)  # the shape is still in the making
 
     if not TYPE_CHECKING:
 
-        def __setattr__(self, name: str, value: Any) -> None:
+        def __setattr__(self, name: str, value: object) -> None:
             field_name = self.spellings.get(name, name)
             if field_name == "material":
                 type(self).ignore_material()
@@ -115,12 +124,12 @@ class Shape(metaclass=_Spelling):
                 changed = vars(replace(self, **{field_name: value}))
                 self.__dict__.update(changed, changes=self.changes + 1)
 
-        def __getattr__(self, name: str) -> Any:
+        def __getattr__(self, name: str) -> object:
             if name in self.spellings:
                 return getattr(self, self.spellings[name])
             raise AttributeError(f"{type(self).__name__} has no attribute `{name}`.")
 
-    def measured(self, values: Mapping[Any, Any]) -> Self:
+    def measured(self, values: Mapping[SymbolOrName, float]) -> Self:
         """Return this shape with numbers in place of symbols in its lengths."""
         numbers: dict[str, Any] = {}
         kind = type(self).__name__
@@ -157,7 +166,7 @@ class Shape(metaclass=_Spelling):
                 yield entry.name, getattr(self, entry.name)
 
 
-def real_number(value: Any) -> float | None:
+def real_number(value: object) -> float | None:
     """Return a value as a float, or None where it is no real number."""
     try:
         return number(value, "")
@@ -165,7 +174,7 @@ def real_number(value: Any) -> float | None:
         return None
 
 
-def _length(value: Any, argument: str) -> Any:
+def _length(value: object, argument: str) -> Length:
     """Return a length as a float, or as an expression when it has symbols."""
     if isinstance(value, sm.Expr) and value.free_symbols:
         return value
@@ -185,7 +194,7 @@ def _length(value: Any, argument: str) -> Any:
 class _Round(Shape):
     """A shape that its radius describes."""
 
-    radius: Any = 10.0
+    radius: Length = 10.0
     lengths = ("radius",)
 
 
@@ -193,8 +202,8 @@ class _Round(Shape):
 class _Straight(Shape):
     """A round shape along an axis."""
 
-    length: Any
-    radius: Any
+    length: Length
+    radius: Length
     axis: str = "y"
     lengths = ("length", "radius")
 
@@ -203,7 +212,7 @@ class _Straight(Shape):
 class Cube(Shape):
     """A cube about the point, with edges along x, y and z."""
 
-    length: Any
+    length: Length
     lengths = ("length",)
 
 
@@ -227,8 +236,8 @@ class Icosahedron(_Round):
 class TorusKnot(Shape):
     """A trefoil knot about the z axis: a tube of `tube` around a curve of about `radius`."""
 
-    radius: Any
-    tube: Any
+    radius: Length
+    tube: Length
     lengths = ("radius", "tube")
     spellings = Shape.spellings | {"tube_radius": "tube"}
 
@@ -244,8 +253,8 @@ class Tube(Shape):
         In the frame's axes, from the shape's point.
     """
 
-    radius: Any
-    points: Any
+    radius: Length
+    points: ArrayLike
     lengths = ("radius",)
 
     def __post_init__(self) -> None:
@@ -275,7 +284,7 @@ def polyhedron(shape: Shape) -> np.ndarray:
     return unit
 
 
-def hull(points: Any) -> tuple[np.ndarray, np.ndarray] | None:
+def hull(points: object) -> tuple[np.ndarray, np.ndarray] | None:
     """Return the triangles of the convex hull of points, or None for other values.
 
     They are counter-clockwise from outside.
@@ -425,9 +434,9 @@ class Sphere(_Round):
 class Box(Shape):
     """A box centred at the point, with edges along x, y and z."""
 
-    x: Any
-    y: Any
-    z: Any
+    x: Length
+    y: Length
+    z: Length
     lengths = ("x", "y", "z")
     spellings = Shape.spellings | {"width": "x", "height": "y", "depth": "z"}
 
@@ -457,8 +466,8 @@ class Capsule(_Straight):
 class Torus(Shape):
     """A torus around an axis; `radius` is that of its centre line, `tube` that of its tube."""
 
-    radius: Any
-    tube: Any
+    radius: Length
+    tube: Length
     axis: str = "z"
     lengths = ("radius", "tube")
     spellings = Shape.spellings | {"tube_radius": "tube"}
@@ -472,8 +481,8 @@ class Plane(Shape):
     the `length` along x and the `width` along z.
     """
 
-    length: Any = 10.0
-    width: Any = 5.0
+    length: Length = 10.0
+    width: Length = 5.0
     axis: str = "z"
     lengths = ("length", "width")
 
@@ -501,7 +510,7 @@ class Arrow(Shape):
     F(t)*N.x
     """
 
-    vector: Any
+    vector: Vector
     scale: float | None = 1.0
     radius: Any = None
     lengths = ("radius",)
@@ -536,7 +545,7 @@ class Line(Shape):
     (A, B)
     """
 
-    points: Any
+    points: Sequence[Point]
     radius: Any = None
     lengths = ("radius",)
 
@@ -639,7 +648,7 @@ class Trace(Shape):
         Duration of the visible part in seconds; by default all of it.
     """
 
-    duration: Any = None
+    duration: Length | None = None
     lengths = ("duration",)
 
 
@@ -665,8 +674,8 @@ class Mesh(Shape):
     array([1., 0., 0.])
     """
 
-    source: Any
-    scale: Any = 1.0
+    source: str | Path | ArrayLike | tuple[ArrayLike, ArrayLike]
+    scale: Length = 1.0
     vertices: np.ndarray = field(init=False, repr=False)
     faces: np.ndarray = field(init=False, repr=False)
     lengths = ("scale",)

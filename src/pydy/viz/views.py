@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from sympy.physics.mechanics import Particle
@@ -14,8 +15,14 @@ from pydy.viz.arguments import check_range
 from pydy.viz.shapes import Shape
 from pydy.viz.visuals import Visual
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from sympy.physics.vector import ReferenceFrame
 
-def VisualizationFrame(*args: Any) -> Visual:
+    from pydy._sympy_types import SymbolOrName
+
+
+def VisualizationFrame(*args: object) -> Visual:
     """Return a Visual, from the arguments in the order of PyDy's viz package.
 
     Parameters
@@ -55,7 +62,7 @@ class PerspectiveCamera:
 
     fov, near, far, color = 45.0, 1.0, 1000.0, "white"
 
-    def __init__(self, *args: Any, **options: Any) -> None:
+    def __init__(self, *args: object, **options: object) -> None:
         self.name, attachment = _named(args)
         self.__dict__.update(options)
         points = [getattr(t, "masscenter", getattr(t, "point", t)) for t in attachment]
@@ -79,12 +86,12 @@ class PointLight(PerspectiveCamera):
 
 def animate_states(
     scene: Any,
-    dynamic_variables: Any,
-    constant_variables: Any,
-    dynamic_values: Any,
-    constant_values: Any,
+    dynamic_variables: Sequence[SymbolOrName],
+    constant_variables: Sequence[SymbolOrName],
+    dynamic_values: ArrayLike,
+    constant_values: Sequence[float],
     fps: float = 30.0,
-    outfile_prefix: Any = None,
+    outfile_prefix: object = None,
 ) -> None:
     """Animate states at `fps` instants a second, as in PyDy's viz package; writes no files.
 
@@ -111,7 +118,7 @@ def animate_states(
     scene.animate(times, states, symbols=dynamic_variables, constants=constants)
 
 
-def animate_system(scene: Any, system: Any, **ignored: Any) -> None:
+def animate_system(scene: Any, system: object, **ignored: object) -> None:
     """Simulate and animate a System, as in PyDy's viz package; writes no files.
 
     Parameters
@@ -126,7 +133,9 @@ def animate_system(scene: Any, system: Any, **ignored: Any) -> None:
     scene._moving()
 
 
-def show_inline(scene: Any, window_size: Any = None, axes_arrow_length: float | None = None) -> Any:
+def show_inline(
+    scene: Any, window_size: object = None, axes_arrow_length: float | None = None
+) -> Any:
     """Return the scene, animated, for a notebook to display.
 
     Parameters
@@ -143,7 +152,9 @@ def show_inline(scene: Any, window_size: Any = None, axes_arrow_length: float | 
     return scene
 
 
-def direction_of(camera: Any, frame: Any, origin: Any) -> np.ndarray | None:
+def direction_of(
+    camera: PerspectiveCamera, frame: ReferenceFrame, origin: Point
+) -> np.ndarray | None:
     """Return the direction in which a camera is from the origin, or None where it moves."""
     try:
         position = camera.origin.pos_from(origin).to_matrix(frame)

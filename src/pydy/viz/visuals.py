@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
 from pydy._checks import flag, text
 from pydy.viz.shapes import Line, Shape
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import Body, Location
 
 # -- Names of PyDy's viz package that have no counterpart, with what to use instead ----------------
 
@@ -27,7 +30,7 @@ _REMEDIES = {
 }
 
 
-def no_attribute(owner: Any, name: str) -> NoReturn:
+def no_attribute(owner: object, name: str) -> NoReturn:
     """Raise the AttributeError for a name, with a remedy if PyDy's viz package has it."""
     remedy = f": {_REMEDIES[name]}" if name in _REMEDIES else ""
     raise AttributeError(f"{type(owner).__name__} has no attribute `{name}`{remedy}.")
@@ -76,14 +79,18 @@ class Visual:
     """
 
     shape: Shape | None
-    frame: Any
-    point: Any
+    frame: ReferenceFrame | None
+    point: Point
     name: str
-    body: Any
+    body: Body | None
     trail: bool
 
     def __init__(
-        self, shape: Shape | None, *where: Any, name: str | None = None, trail: bool = False
+        self,
+        shape: Shape | None,
+        *where: Location | Body,
+        name: str | None = None,
+        trail: bool = False,
     ) -> None:
         frame, point, body = _attachment(shape, where)
         if shape is not None and shape.name is not None and name is None:
@@ -103,7 +110,7 @@ class Visual:
 
     if not TYPE_CHECKING:
 
-        def __setattr__(self, name: str, value: Any) -> None:
+        def __setattr__(self, name: str, value: object) -> None:
             field_name = _SPELLINGS.get(name, name)
             if field_name not in _KINDS:
                 no_attribute(self, name)
@@ -115,7 +122,7 @@ class Visual:
             self.__dict__[field_name] = value
             self.__dict__["_changes"] += 1
 
-        def __getattr__(self, name: str) -> Any:
+        def __getattr__(self, name: str) -> object:
             if name in _SPELLINGS:
                 return getattr(self, _SPELLINGS[name])
             no_attribute(self, name)
@@ -126,7 +133,9 @@ class Visual:
         return f"Visual({self.name}: {kind} at {self.point}{turning})"
 
 
-def _attachment(shape: Any, attachments: tuple[Any, ...]) -> tuple[Any, Any, Any]:
+def _attachment(
+    shape: object, attachments: tuple[object, ...]
+) -> tuple[ReferenceFrame | None, Point, Body | None]:
     """Return the frame (or None), the point, and the body (or None)."""
     if shape is not None and not isinstance(shape, Shape):
         raise TypeError(
@@ -160,5 +169,5 @@ def _attachment(shape: Any, attachments: tuple[Any, ...]) -> tuple[Any, Any, Any
     )
 
 
-def _describe(value: Any) -> str:
+def _describe(value: object) -> str:
     return f"the {type(value).__name__} {value}"
