@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import sympy as sm
@@ -14,12 +14,15 @@ from pydy._names import unused_name
 from pydy.mechanics import Definition
 from pydy.robots.tree import EqualityConstraint, Link, Motor, RobotJoint, Tendon, Tree
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, Body, Load, TimeFunction
+
 
 class Place(NamedTuple):
     """The frame of a link: its axes and its origin."""
 
-    frame: Any
-    point: Any
+    frame: me.ReferenceFrame
+    point: me.Point
 
 
 class JointSymbols(NamedTuple):
@@ -31,8 +34,8 @@ class JointSymbols(NamedTuple):
     velocity. The coordinate of a joint that mimics another is an expression.
     """
 
-    coordinates: tuple[Any, ...]
-    speeds: tuple[Any, ...]
+    coordinates: tuple[sm.Expr, ...]
+    speeds: tuple[sm.Expr, ...]
     limits: tuple[float, float] | None = None
     effort: float | None = None
 
@@ -40,27 +43,27 @@ class JointSymbols(NamedTuple):
 class TendonSymbols(NamedTuple):
     """The length of a tendon, a sum of coordinates, and its rate, the same sum of speeds."""
 
-    length: Any
-    rate: Any
+    length: sm.Expr
+    rate: sm.Expr
     limits: tuple[float, float] | None = None
 
 
 class _Step(NamedTuple):
     """From one frame of a chain to the next: ``x = offset + rotation · x_next``."""
 
-    offset: Any
-    rotation: Any
+    offset: sm.Matrix
+    rotation: sm.Matrix
 
 
 class _Axis(NamedTuple):
     """A hinge or slide between two bodies: its frames or points, and its speed."""
 
     kind: str
-    vector: Any
+    vector: me.Vector
     inner: Place
     outer: Place
-    coordinate: Any
-    speed: Any
+    coordinate: sm.Expr
+    speed: sm.Expr
     reference: float  # the coordinate in the file's pose
 
 
@@ -75,20 +78,22 @@ class RobotAssembly:
         self.tree, self.symbolic = tree, symbolic
         self.world, self.origin = me.ReferenceFrame("N"), me.Point("O")
         self.origin.set_vel(self.world, 0)
-        self.values: dict[Any, float] = {}
+        self.values: dict[sm.Symbol, float] = {}
         self.joints: dict[str, JointSymbols] = {}
         self.tendons: dict[str, TendonSymbols] = {}
-        self.actuators: dict[str, Any] = {}
+        self.actuators: dict[str, TimeFunction] = {}
         self.input_ranges: dict[str, tuple[float, float]] = {}
         self.link_frames = [Place(self.world, self.origin)]  # of the world, then of the links
         self._used_names: set[str] = {"t"}
-        self._bodies: list[Any] = []
-        self._loads: list[Any] = []
+        self._bodies: list[Body] = []
+        self._loads: list[Load] = []
         # Steps from the parent's frame to that of each link, in the order of `link_frames`.
         self._steps: list[list[_Step]] = [[]]
         self._parents: list[int | None] = [None]
         self._axes: dict[str, _Axis] = {}
-        self._shares: dict[str, list[tuple[Any, _Axis]]] = {}  # of tendons: coefficients and joints
+        self._shares: dict[
+            str, list[tuple[sm.Expr, _Axis]]
+        ] = {}  # of tendons: coefficients and joints
         self._friction_speed = (
             None if friction_speed is None else self._number("creep", "", friction_speed)
         )
@@ -125,7 +130,7 @@ class RobotAssembly:
         self._used_names.add(unique)
         return unique
 
-    def _number(self, prefix: str, name: str, value: float, factor: float = 1.0) -> Any:
+    def _number(self, prefix: str, name: str, value: float, factor: float = 1.0) -> sm.Expr:
         """Return a symbol for this value, times a factor, or the number; zero stays zero."""
         if not value or not factor:
             return sm.S.Zero
@@ -135,7 +140,7 @@ class RobotAssembly:
         self.values[symbol] = float(value)
         return _exact(factor) * symbol
 
-    def _vector(self, prefix: str, name: str, values: np.ndarray) -> list[Any]:
+    def _vector(self, prefix: str, name: str, values: np.ndarray) -> list[sm.Expr]:
         return [self._number(f"{prefix}{a}", name, v) for a, v in zip("xyz", values, strict=True)]
 
     def _name_joints(self, joints: Sequence[RobotJoint]) -> None:
@@ -164,9 +169,9 @@ class RobotAssembly:
                 (ratio * q + shift,), (ratio * u,), joint.limits, joint.effort
             )
 
-    def _start(self) -> dict[Any, float]:
+    def _start(self) -> dict[TimeFunction, float]:
         """Return the coordinates in the file's pose."""
-        coordinates: dict[Any, float] = {}
+        coordinates: dict[TimeFunction, float] = {}
         for link in self.tree.links:
             for joint in link.joints:
                 if joint.mimics is not None:
@@ -201,7 +206,9 @@ class RobotAssembly:
         if link.mass or link.inertia.any():
             self._add_body(link, link_frame)
 
-    def _fixed(self, link: Link, frame: Any, point: Any, chain: list[_Step]) -> Place:
+    def _fixed(
+        self, link: Link, frame: me.ReferenceFrame, point: me.Point, chain: list[_Step]
+    ) -> Place:
         """Return the frame of a link before the motion of its joints."""
         offset = self._vector("p", link.name, link.origin)
         rotation = sm.Matrix(3, 3, lambda i, j: _exact(float(link.rotation[i, j])))
@@ -301,7 +308,7 @@ class RobotAssembly:
 
     # -- forces along joints -----------------------------------------------------------------------
 
-    def _add_joint_force(self, axis: _Axis, force: Any) -> None:
+    def _add_joint_force(self, axis: _Axis, force: sm.Expr) -> None:
         """Add a force along a joint, and its reaction on the inner body."""
         if not force:
             return
@@ -345,16 +352,18 @@ class RobotAssembly:
             size = self._number("armature", tendon.name, tendon.armature)
             self._add_slider(f"the tendon {tendon.name}", size, length)
 
-    def _add_tendon_force(self, tendon: str, force: Any) -> None:
+    def _add_tendon_force(self, tendon: str, force: sm.Expr) -> None:
         for coefficient, axis in self._shares[tendon]:
             self._add_joint_force(axis, coefficient * force)
 
-    def _factor(self, prefix: str, name: str, value: float) -> Any:
+    def _factor(self, prefix: str, name: str, value: float) -> sm.Expr:
         """Return a number as `_number` does, but 1 and −1 without a symbol."""
         sign = float(np.sign(value))
         return _exact(value) if abs(value) == 1.0 else self._number(prefix, name, abs(value), sign)
 
-    def _damping_and_friction(self, joint: RobotJoint | Tendon, speeds: Sequence[Any]) -> list[Any]:
+    def _damping_and_friction(
+        self, joint: RobotJoint | Tendon, speeds: Sequence[sm.Expr]
+    ) -> list[sm.Expr]:
         """Return damping and dry friction along each axis of a joint; an empty list if none."""
         if not joint.damping and not joint.friction:
             return []
@@ -382,7 +391,7 @@ class RobotAssembly:
             size = self._number("armature", joint.name, joint.armature)
             self._add_rotor(joint, size, coordinates, speeds)
 
-    def _add_slider(self, name: str, size: Any, q: Any) -> None:
+    def _add_slider(self, name: str, size: sm.Expr, q: sm.Expr) -> None:
         """Add a particle that moves along an axis of the world, with a coordinate as its position.
 
         It has the kinetic energy of the rotor, and adds the armature to the coordinate's entry of
@@ -396,11 +405,17 @@ class RobotAssembly:
         if level:
             self._add_weight(point, size)
 
-    def _add_weight(self, point: Any, mass: Any) -> None:
+    def _add_weight(self, point: me.Point, mass: sm.Expr) -> None:
         if mass and any(self._gravity):
             self._loads.append((point, _vector_in(self.world, [mass * g for g in self._gravity])))
 
-    def _add_rotor(self, joint: RobotJoint, size: Any, quaternion: Any, spin: Any) -> None:
+    def _add_rotor(
+        self,
+        joint: RobotJoint,
+        size: sm.Expr,
+        quaternion: Sequence[sm.Expr],
+        spin: Sequence[sm.Expr],
+    ) -> None:
         """Add a ball at the world's origin that rotates with the joint."""
         frame = _new_frame(self._name("rotor", joint.name))
         frame.orient_quaternion(self.world, quaternion)
@@ -436,7 +451,7 @@ class RobotAssembly:
 
     # -- equations ---------------------------------------------------------------------------------
 
-    def _kinematic(self, joint: RobotJoint) -> Iterator[Any]:
+    def _kinematic(self, joint: RobotJoint) -> Iterator[sm.Expr]:
         t, half = me.dynamicsymbols._t, sm.Rational(1, 2)
         coordinates, speeds, *_ = self.joints[joint.name]
         if joint.kind in ("hinge", "slide"):
@@ -464,7 +479,7 @@ class RobotAssembly:
             ):  # a start that is no unit quaternion is reported and corrected
                 quaternion = self.joints[joint.name].coordinates[-4:]
                 rows.append(sm.Add(*(e**2 for e in quaternion)) - 1)
-        symbols: set[Any] = set()
+        symbols: set[AnySymbol] = set()
         for row in rows:
             symbols |= row.free_symbols | row.atoms(sm.core.function.AppliedUndef)
         near = {**self.values, **self.start}
@@ -481,7 +496,7 @@ class RobotAssembly:
             values=self.values,
         )
 
-    def _rows(self, equality: EqualityConstraint) -> Iterator[Any]:
+    def _rows(self, equality: EqualityConstraint) -> Iterator[sm.Expr]:
         """Yield the residuals of an equality constraint of two links, joints or tendons."""
         if equality.kind in ("joint", "tendon"):
             second = (
@@ -512,7 +527,7 @@ class RobotAssembly:
             for a, b in ((0, 1), (1, 2), (2, 0)):
                 yield axes[a].dot(second_axes[b])
 
-    def _displacement(self, kind: str, name: str) -> Any:
+    def _displacement(self, kind: str, name: str) -> sm.Expr:
         """Return the displacement of a joint or tendon from the file's pose."""
         shares = self._shares[name] if kind == "tendon" else [(sm.S.One, self._axes[name])]
         return sm.Add(*(c * (axis.coordinate - _exact(axis.reference)) for c, axis in shares))
@@ -536,7 +551,7 @@ def _shared(first: Sequence[_Step], second: Sequence[_Step]) -> int:
     return next((k for k, (a, b) in enumerate(pairs) if a is not b), min(len(first), len(second)))
 
 
-def _new_frame(name: str) -> Any:
+def _new_frame(name: str) -> me.ReferenceFrame:
     """Return a frame with its cached direction cosines to itself.
 
     SymPy searches for a path to a frame, even to itself, in a time that grows faster than the
@@ -547,7 +562,15 @@ def _new_frame(name: str) -> Any:
     return frame
 
 
-def _inertia(frame: Any, xx: Any, yy: Any, zz: Any, xy: Any, yz: Any, xz: Any) -> Any:
+def _inertia(
+    frame: me.ReferenceFrame,
+    xx: sm.Expr,
+    yy: sm.Expr,
+    zz: sm.Expr,
+    xy: sm.Expr,
+    yz: sm.Expr,
+    xz: sm.Expr,
+) -> me.Dyadic:
     """Return the result of `me.inertia`, constructed directly in a fraction of the time."""
     moments = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     axes = tuple(frame)
@@ -569,24 +592,24 @@ def _mimicked_first(mimics: Sequence[RobotJoint]) -> list[RobotJoint]:
     return order
 
 
-def _exact(value: float) -> Any:
+def _exact(value: float) -> sm.Number:
     """Return a number for SymPy: integers are exact, so that terms can cancel."""
     return sm.Integer(int(value)) if float(value).is_integer() else sm.Float(float(value))
 
 
-def _vector_in(frame: Any, components: Sequence[Any]) -> Any:
+def _vector_in(frame: me.ReferenceFrame, components: Sequence[sm.Expr]) -> me.Vector:
     # Constructed directly: products and sums of SymPy's vectors take four times as long.
     return me.Vector([(sm.ImmutableMatrix(3, 1, [*components]), frame)])
 
 
-def _point_in_base(chain: Sequence[_Step], point: Any) -> Any:
+def _point_in_base(chain: Sequence[_Step], point: sm.Matrix) -> sm.Matrix:
     """Return a point of a chain's last frame in its first frame."""
     for step in reversed(chain):
         point = step.offset + step.rotation * point
     return point
 
 
-def _vector_in_base(chain: Sequence[_Step], vector: Any) -> Any:
+def _vector_in_base(chain: Sequence[_Step], vector: sm.Matrix) -> sm.Matrix:
     for step in reversed(chain):
         vector = step.rotation * vector
     return vector

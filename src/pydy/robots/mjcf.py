@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,11 @@ from pydy.robots.tree import (
     rotated_inertia,
 )
 from pydy.viz import Box, Capsule, Cylinder, Mesh, Sphere
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from pydy.viz import Shape
 
 _KINDS = {
     "mjJNT_HINGE": "hinge",
@@ -96,7 +101,7 @@ def _line(path: Path, pattern: str) -> str:
 class _MjcfReader:
     """Reads a compiled model; elements are identified by names instead of indices."""
 
-    def __init__(self, mujoco: Any, model: Any, path: Path) -> None:
+    def __init__(self, mujoco: ModuleType, model: Any, path: Path) -> None:
         self.mujoco, self.model, self.path = mujoco, model, path
         self.off = model.opt.disableflags
         self.left_out: list[str] = []
@@ -432,7 +437,7 @@ class _MjcfReader:
                 continue
             yield VisualShape(shape, np.array(model.geom_pos[g]), of_quaternion(model.geom_quat[g]))
 
-    def shape(self, kind: str, g: int, size: list[float], options: dict[str, Any]) -> Any:
+    def shape(self, kind: str, g: int, size: list[float], options: dict[str, Any]) -> Shape | None:
         model = self.model
         if kind == "sphere":
             return Sphere(size[0], **options)

@@ -19,6 +19,9 @@ from pydy.solvers import Event
 from pydy.system import System
 
 if TYPE_CHECKING:
+    from sympy import Symbol
+
+    from pydy._sympy_types import AnySymbol, Body, SymbolOrName, TimeFunction
     from pydy.viz import Scene
 
 
@@ -51,15 +54,15 @@ class Robot:
     def __init__(self, tree: Tree, assembly: RobotAssembly) -> None:
         self.name = tree.name
         self.definition: Definition = assembly.definition
-        self.values: dict[Any, float] = assembly.values
-        self.start: dict[Any, float] = assembly.start
+        self.values: dict[Symbol, float] = assembly.values
+        self.start: dict[TimeFunction, float] = assembly.start
         self.frames: dict[str, Place] = assembly.frames
         # The root of a URDF file is often called 'world', too.
         names = ["world", *(link.name for link in tree.links)]
         self._link_frames = list(zip(names, assembly.link_frames, strict=True))
         self.joints: dict[str, JointSymbols] = assembly.joints
         self.tendons: dict[str, TendonSymbols] = assembly.tendons
-        self.actuators: dict[str, Any] = assembly.actuators
+        self.actuators: dict[str, TimeFunction] = assembly.actuators
         self.input_ranges: dict[str, tuple[float, float]] = assembly.input_ranges
         self.left_out = tuple(dict.fromkeys(tree.left_out))
         self._visuals = [tree.visuals, *(link.visuals for link in tree.links)]
@@ -146,7 +149,7 @@ class Robot:
         from pydy.viz import Scene, Visual
 
         _, world = self._link_frames[0]
-        visuals: list[Any] = []
+        visuals: list[Visual | Body] = []
         for (name, link_frame), looks in zip(self._link_frames, self._visuals, strict=True):
             for k, shape in enumerate(looks):
                 frame, point = link_frame
@@ -166,7 +169,9 @@ class Robot:
         return Scene(world.frame, world.point, *visuals, **options)
 
 
-def _replaced(defaults: Mapping[Any, float], replacements: Mapping[Any, float]) -> dict[Any, float]:
+def _replaced(
+    defaults: Mapping[AnySymbol, float], replacements: Mapping[SymbolOrName, float]
+) -> dict[SymbolOrName, float]:
     """Return the defaults, updated with replacements, whose keys may be symbols or names."""
     replaced = {key for s in defaults for key in (s, s.name) if key in replacements}
     return {s: v for s, v in defaults.items() if not replaced & {s, s.name}} | dict(replacements)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
 
 from pydy._errors import RobotFileError, warn_user
+
+if TYPE_CHECKING:
+    from pydy.viz import Mesh, Shape
 
 # A file's rotation is normalised and converted to direction cosines, which have errors of a few
 # units in the last place: an entry this close to 0 or ±1 is set to that.
@@ -43,11 +46,11 @@ class RobotJoint:
 class VisualShape:
     """A visible shape of a link."""
 
-    shape: Any  # or a partial that reads it from its file, which may be slow
+    shape: Shape | partial[Mesh]  # or a partial that reads it from its file, which may be slow
     origin: np.ndarray
     rotation: np.ndarray
 
-    def read(self) -> Any:
+    def read(self) -> Shape:
         """Return the shape; its file is read at the first call."""
         if isinstance(self.shape, partial):
             self.shape = self.shape()

@@ -11,7 +11,7 @@ import re
 from collections import Counter
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 from xml.parsers import expat
 
@@ -31,6 +31,11 @@ from pydy.robots.tree import (
     to_quaternion,
 )
 from pydy.viz import Box, Cylinder, Mesh, Sphere, read_mesh
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from pydy.viz import Shape
 
 _MOVING = {
     "revolute": "hinge",
@@ -148,7 +153,11 @@ class _UrdfReader:
         return child
 
     def numbers(
-        self, element: ElementTree.Element | None, attribute: str, default: Any, count: int
+        self,
+        element: ElementTree.Element | None,
+        attribute: str,
+        default: float | Sequence[float] | None,
+        count: int,
     ) -> np.ndarray:
         text = None if element is None else element.get(attribute)
         if element is None or text is None:
@@ -176,7 +185,9 @@ class _UrdfReader:
             )
         return values
 
-    def number(self, element: ElementTree.Element | None, attribute: str, default: Any) -> float:
+    def number(
+        self, element: ElementTree.Element | None, attribute: str, default: float | None
+    ) -> float:
         return float(self.numbers(element, attribute, default, 1)[0])
 
     def pose(self, element: ElementTree.Element) -> tuple[np.ndarray, np.ndarray]:
@@ -185,7 +196,7 @@ class _UrdfReader:
         return position, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
 
 
-def _content(element: ElementTree.Element) -> Any:
+def _content(element: ElementTree.Element) -> tuple[str, dict[str, list[str]], list[object]]:
     """Return the content of an element, to recognise an element that was written twice."""
     attributes = {key: value.split() for key, value in element.attrib.items()}
     return element.tag, attributes, [_content(child) for child in element]
@@ -538,9 +549,9 @@ def _shape(
     visual: ElementTree.Element,
     geometry: ElementTree.Element,
     left_out: list[str],
-) -> Any:
+) -> Shape | partial[Mesh] | None:
     options = _colours(reader, visual, left_out)
-    shape: Any = None
+    shape: Shape | partial[Mesh] | None = None
     for element in geometry:
         if element.tag in _SIZES:
             size = np.concatenate([reader.numbers(element, *a) for a in _SIZES[element.tag]])
