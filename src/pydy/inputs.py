@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pydy._checks import ascending, choice, real_array
 from pydy._rank import ROUNDED
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 __all__ = ["SampledInput"]
 
@@ -82,7 +85,7 @@ class SampledInput:
 
     __slots__ = ("_knots", "_values", "breaks", "coefficients", "first", "interpolation", "last")
 
-    def __init__(self, times: Any, values: Any, interpolation: str = "linear") -> None:
+    def __init__(self, times: ArrayLike, values: ArrayLike, interpolation: str = "linear") -> None:
         self.interpolation = choice(
             interpolation, _INTERPOLATIONS, "`interpolation` of a SampledInput"
         )
@@ -108,7 +111,7 @@ class SampledInput:
         """The number of quantities, k."""
         return len(self.last)
 
-    def __call__(self, t: Any) -> Any:
+    def __call__(self, t: ArrayLike) -> float | np.ndarray:
         """Return the values at one or several times.
 
         Parameters
@@ -200,14 +203,14 @@ class SampledInput:
     def __copy__(self) -> SampledInput:
         return self
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> SampledInput:
+    def __deepcopy__(self, memo: dict[int, object]) -> SampledInput:
         return self  # it never changes
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return (SampledInput, (self.breaks, self._values, self.interpolation))
 
 
-def jumps_of(sampled: Sequence[tuple[Any, SampledInput]]) -> np.ndarray:
+def jumps_of(sampled: Sequence[tuple[object, SampledInput]]) -> np.ndarray:
     """Return rows (time, previous float, time) for the jumps of sampled inputs.
 
     The rows are those of `pydy._program.switch_times.SwitchTimes`.
@@ -245,7 +248,7 @@ def _frozen(array: np.ndarray) -> np.ndarray:
     return array
 
 
-def _check_times(times: Any) -> np.ndarray:
+def _check_times(times: object) -> np.ndarray:
     array = np.array(real_array(times, "`times` of a SampledInput"))
     if array.ndim != 1 or len(array) < 2:
         raise ValueError(
@@ -260,7 +263,7 @@ def _check_times(times: Any) -> np.ndarray:
     )
 
 
-def _check_values(values: Any, times: np.ndarray) -> np.ndarray:
+def _check_values(values: object, times: np.ndarray) -> np.ndarray:
     array = np.array(real_array(values, "`values` of a SampledInput"), order="C")
     m = len(times)
     if array.ndim not in (1, 2) or len(array) != m or 0 in array.shape:

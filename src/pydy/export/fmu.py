@@ -19,7 +19,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
 from pydy._backends import HELPERS
@@ -121,7 +121,7 @@ def _config(model: Model, fmi: str) -> Iterator[str]:
     yield ""
 
 
-def _array(kind: str, name: str, values: Iterable[Any]) -> str:
+def _array(kind: str, name: str, values: Iterable[object]) -> str:
     text = ", ".join(map(repr, values)) or "0"
     return f"static const {kind} {name}[] = {{{text}}};"
 
@@ -204,12 +204,12 @@ def _platform(fmi: str) -> tuple[str, str]:
 # -- the description ------------------------------------------------------------------------------
 
 
-def _attributes(**values: Any) -> str:
+def _attributes(**values: object) -> str:
     """Return the XML attributes of an element, without those that are None."""
     return "".join(f" {k}={quoteattr(str(v))}" for k, v in values.items() if v is not None)
 
 
-def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
+def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, object]]]:
     """Yield (kind, name, attributes) in the order of the value references; no name twice."""
     used = {"time"}
 
@@ -230,7 +230,11 @@ def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
             {"causality": "local", **calculated, "derivative": k + 1},
         )
     for v in model.inputs:
-        attributes = {"causality": "input", "variability": "continuous", "start": repr(v.value)}
+        attributes: dict[str, object] = {
+            "causality": "input",
+            "variability": "continuous",
+            "start": repr(v.value),
+        }
         yield "input", unique(v.name), attributes
     for v in model.outputs:
         yield "output", unique(v.name), {"causality": "output", **calculated}

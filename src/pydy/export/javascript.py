@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, replace
 from operator import attrgetter
-from typing import Any
 
 from pydy._backends import HELPERS, Dialect, RepeatedLine, Template, Writer, stages
 from pydy._program import Program, numbered
@@ -174,7 +173,7 @@ def _functions(
 METHOD = "dop853"
 
 
-def literal(value: Any) -> str:
+def literal(value: object) -> str:
     """Return JSON that can stand in a script of an HTML page, whatever its strings hold."""
     text = json.dumps(value, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
@@ -282,16 +281,16 @@ def _projection() -> str:
     return re.sub(r"\{\{([A-Z_]+)\}\}", lambda m: parts[m[1]], resource("projection.js"))
 
 
-def _variables(variables: Sequence[Variable]) -> list[dict[str, Any]]:
+def _variables(variables: Sequence[Variable]) -> list[dict[str, object]]:
     return [{"name": v.name, "id": v.identifier, "value": v.value} for v in variables]
 
 
-def _method() -> dict[str, Any]:
+def _method() -> dict[str, object]:
     """Return the tableau and the constants of the step-size control."""
     tableau = tableau_of(METHOD)
     method = method_arrays(METHOD, 8)
 
-    def rows(part: Any) -> list[Any]:
+    def rows(part: Iterable[Mapping[int, float]]) -> list[list[object]]:
         return [[list(row), list(row.values())] for row in part]
 
     return {

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 from pydy._forks import cached_property
 from pydy._names import unused_name
@@ -121,7 +120,7 @@ class Model:
     events: EventData = field(default_factory=EventData)
     start: float = 0.0
     stop: float = 1.0
-    constraints: Mapping[str, Any] = field(default_factory=dict)
+    constraints: Mapping[str, object] = field(default_factory=dict)
     unknowns: Sequence[int] = ()
     told: Callable[..., None] = _ignore_progress
 

@@ -312,7 +312,7 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
     return Exported(path, tuple(files), model.renamed)
 
 
-def check_options(path: Path, options: dict[str, Any]) -> None:
+def check_options(path: Path, options: dict[str, object]) -> None:
     """Raise the errors of `write` before any work is done."""
     kind = path.suffix.lower()
     if kind not in FORMATS:
