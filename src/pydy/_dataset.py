@@ -11,12 +11,17 @@ import re
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from pydy._checks import shown
 from pydy._files import file_of, replacing
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from xarray import Dataset
 
 # Kinds of quantities, in the order of their names.
 STATES = ("coordinate", "speed", "auxiliary")
@@ -43,6 +48,7 @@ class DatasetParts:
         return np.array(columns).reshape(len(columns), len(self.times)).T
 
 
+Event = TypeVar("Event")
 SENSITIVITY = "sensitivity"
 _CONSTANT = " (constant)"
 _CHECKSUM = "pydy_checksum"
@@ -67,19 +73,19 @@ _OTHER_FORMATS = {
 
 
 def to_dataset(
-    xarray: Any,
+    xarray: ModuleType,
     times: np.ndarray,
     columns: Sequence[tuple[str, str, str, np.ndarray]],
     constants: Mapping[str, tuple[str, float]],
     sensitivity: Any = None,
-) -> Any:
+) -> Dataset:
     """Return a Dataset of columns (name, role, latex, values) along ``time``.
 
     A `pydy.trajectory.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too. If
     a name is already used, its role is appended, and the attribute ``label`` has the name.
     """
-    variables: dict[str, tuple[Any, ...]] = {}
-    coords: dict[str, tuple[Any, ...]] = {"time": ("time", times)}
+    variables: dict[str, tuple[object, ...]] = {}
+    coords: dict[str, tuple[object, ...]] = {"time": ("time", times)}
     if sensitivity is not None:
         dimensions = ("time", "quantity", "parameter")
         variables[SENSITIVITY] = (dimensions, sensitivity.table(), {"role": SENSITIVITY})
@@ -102,7 +108,8 @@ def to_dataset(
     for name, (latex, value) in constants.items():
         free, attrs = labelled(name, "constant", latex)
         coords[free] = ((), value, attrs)
-    return xarray.Dataset(variables, coords)
+    dataset: Dataset = xarray.Dataset(variables, coords)
+    return dataset
 
 
 def from_dataset(dataset: Any) -> DatasetParts:
@@ -132,9 +139,9 @@ def from_dataset(dataset: Any) -> DatasetParts:
 def write_netcdf(
     dataset: Any,
     path: str | os.PathLike[str],
-    statistics: dict[str, Any] | None,
-    events: Sequence[dict[str, Any]],
-    facts: Mapping[str, Any],
+    statistics: Mapping[str, object] | None,
+    events: Sequence[Mapping[str, object]],
+    facts: Mapping[str, object],
 ) -> None:
     """Write a Dataset to a NetCDF 3 file, which SciPy alone can read and write."""
     path = file_of(_checked(path), "`path`")
@@ -164,7 +171,7 @@ def write_netcdf(
 
 def _checksum(dataset: Any) -> str:
     """Return a checksum of a Dataset's variables and attributes: NetCDF 3 has none of its own."""
-    parts: list[Any] = [sorted(dataset.attrs.items())]
+    parts: list[object] = [sorted(dataset.attrs.items())]
     for name, variable in sorted(dataset.variables.items()):
         values = np.asarray(variable)
         numbers = np.issubdtype(values.dtype, np.number)
@@ -173,27 +180,27 @@ def _checksum(dataset: Any) -> str:
     return f"{zlib.crc32(json.dumps(parts).encode()):08x}"
 
 
-def _json_value(value: Any) -> Any:
+def _json_value(value: object) -> object:
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
     return str(value)
 
 
-def _arrays(value: Any) -> Any:
+def _arrays(value: object) -> object:
     """Return a list as an array, also those of a dictionary."""
     if isinstance(value, dict):
         return {name: _arrays(entry) for name, entry in value.items()}
     return np.array(value) if isinstance(value, list) else value
 
 
-def _tuples(value: Any) -> Any:
+def _tuples(value: object) -> object:
     """Return a list as a tuple, also those in it and those of a dictionary."""
     if isinstance(value, dict):
         return {name: _tuples(part) for name, part in value.items()}
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
-def _checked(path: Any) -> str:
+def _checked(path: str | os.PathLike[str]) -> str:
     """Return a path as a string; xarray takes None for "return the bytes"."""
     try:
         name = os.fsdecode(path)
@@ -205,8 +212,8 @@ def _checked(path: Any) -> str:
 
 
 def read_netcdf(
-    xarray: Any, path: str | os.PathLike[str], record: Callable[..., Any]
-) -> tuple[DatasetParts, dict[str, Any] | None, list[Any], dict[str, Any]]:
+    xarray: ModuleType, path: str | os.PathLike[str], record: Callable[..., Event]
+) -> tuple[DatasetParts, dict[str, object] | None, list[Event], dict[str, list[object]]]:
     """Return the Parts, statistics, events and facts of a file of `write_netcdf`.
 
     `record` constructs an event from its attributes.

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
 from pydy._checks import descends, monotonic, number, real_array, shown
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import SymbolOrName
 
 
 def evenly(count: int, most: int) -> np.ndarray:
@@ -34,7 +39,7 @@ class Model(Protocol):
     def jumps(self) -> np.ndarray:
         """Return the times at which sampled inputs jump."""
 
-    def scene(self, *visuals: Any, **options: Any) -> Any:
+    def scene(self, *visuals: object, **options: object) -> Any:
         """Return a scene that shows the model."""
 
 
@@ -51,10 +56,67 @@ class SensitivityModel(Protocol):
         """Return the sensitivities of the outputs, shape (m, o, k)."""
 
 
-def check_sensitivities(value: Any, shape: tuple[int, int]) -> None:
+class EventStates(Protocol):
+    """The interface of a record of an event: the states and sensitivities on both sides of it."""
+
+    @property
+    def time(self) -> float: ...
+    @property
+    def before(self) -> np.ndarray: ...
+    @property
+    def after(self) -> np.ndarray: ...
+    @property
+    def sensitivity_before(self) -> np.ndarray | None: ...
+    @property
+    def sensitivity_after(self) -> np.ndarray | None: ...
+
+
+class SensitivityTable(Protocol):
+    """The interface of a trajectory's `sensitivity`."""
+
+    values: np.ndarray
+    names: tuple[str, ...]
+
+    def table(self) -> np.ndarray:
+        """Return the derivatives of all states and outputs, shape (m, n + o, k)."""
+
+
+class Interpolated(Protocol):
+    """The interface of `pydy.trajectory.Trajectory`, whose module imports this one."""
+
+    times: np.ndarray
+    states: np.ndarray
+    outputs: np.ndarray
+    specifieds: np.ndarray
+    _derivatives: np.ndarray | None
+    _energy: np.ndarray | None
+    _dense: Callable[[np.ndarray], np.ndarray] | None
+    _model: Model | None
+    _sides: Sides | None
+    _sensitivity_model: SensitivityModel | None
+
+    @property
+    def derivatives(self) -> np.ndarray: ...
+    @property
+    def events(self) -> tuple[EventStates, ...]: ...
+    @property
+    def _jumps(self) -> tuple[EventStates, ...]: ...
+    @property
+    def _sensitivity(self) -> SensitivityTable | None: ...
+    @property
+    def _known_sensitivity(self) -> SensitivityTable | None: ...
+    @property
+    def _sensitivities(self) -> tuple[Mapping[SymbolOrName, int], np.ndarray] | None: ...
+    def _keep_jumps(self) -> None: ...
+    def at(self, times: ArrayLike) -> Interpolated: ...
+
+
+AnyTrajectory = TypeVar("AnyTrajectory", bound=Interpolated)
+
+
+def check_sensitivities(value: object, shape: tuple[int, int]) -> None:
     """Refuse a value that is not a pair of parameters and derivatives of states with `shape`."""
-    pair = isinstance(value, (tuple, list)) and len(value) == 2
-    if not pair or not isinstance(value[0], Mapping):
+    if not (isinstance(value, (tuple, list)) and len(value) == 2 and isinstance(value[0], Mapping)):
         raise TypeError(
             "`sensitivities` must be a pair, (parameters, values), of a dictionary and an array, "
             f"got {shown(value)}."
@@ -67,7 +129,7 @@ def check_sensitivities(value: Any, shape: tuple[int, int]) -> None:
         )
 
 
-def checked_times(times: Any, limits: np.ndarray) -> np.ndarray:
+def checked_times(times: object, limits: np.ndarray) -> np.ndarray:
     """Check that times ascend or descend and lie within those of a trajectory."""
     if hasattr(times, "states") and hasattr(times, "times"):
         raise TypeError("`times` must be numbers, got a Trajectory: pass its `times`.")
@@ -89,15 +151,15 @@ def _span(times: np.ndarray) -> tuple[float, float]:
     return min(times[0], times[-1]), max(times[0], times[-1])
 
 
-def in_order(trajectory: Any) -> Any:
+def in_order(trajectory: AnyTrajectory) -> AnyTrajectory:
     """Return a trajectory with ascending times: itself, or its rows in the opposite order."""
     is_descending = hasattr(trajectory, "_sensitivities") and descends(trajectory.times)
     return reversed_rows(trajectory) if is_descending else trajectory
 
 
-def reversed_rows(trajectory: Any) -> Any:
+def reversed_rows(trajectory: AnyTrajectory) -> AnyTrajectory:
     """Return a copy of a Trajectory with its rows in reverse order."""
-    copied = object.__new__(type(trajectory))
+    copied: Any = object.__new__(type(trajectory))
     copied.__dict__.update(trajectory.__dict__)
     for name in ("times", "states", "outputs", "specifieds", "_derivatives", "_energy"):
         table = getattr(trajectory, name)
@@ -107,15 +169,16 @@ def reversed_rows(trajectory: Any) -> Any:
         copied._sensitivities, copied._known_sensitivity = (parameters, values[::-1].copy()), None
     elif (sensitivity := trajectory._known_sensitivity) is not None:  # of a file
         copied._take_sensitivity(sensitivity.names, sensitivity.table()[::-1].copy())
-    return copied
+    reversed_trajectory: AnyTrajectory = copied
+    return reversed_trajectory
 
 
 def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
     """Refine a trajectory where its times are two or more steps apart.
 
-    `step_of` returns the step for a time span. Without the solver's dense output the trajectory is
-    returned unrefined, because values between its times are unknown. The times of the result
-    ascend.
+    `step_of` returns the step for a time span. The times of the result ascend. A dataset, and a
+    trajectory without the solver's dense output, are returned as they are: their values between
+    their times are unknown.
     """
     trajectory = in_order(trajectory)
     if getattr(trajectory, "_dense", None) is None or len(trajectory.times) < 2:
@@ -158,7 +221,7 @@ def detailed(trajectory: Any, step_of: Callable[[float], float]) -> Any:
     return _with_sides(trajectory, refined)
 
 
-def _with_sides(trajectory: Any, refined: Any) -> Any:
+def _with_sides(trajectory: Interpolated, refined: Interpolated) -> Interpolated:
     """Insert the rows of both sides of the trajectory's events into its refinement."""
     if not hasattr(trajectory, "_sensitivities") or not len(refined.times):
         return refined
@@ -179,6 +242,7 @@ def _with_sides(trajectory: Any, refined: Any) -> Any:
         rates, outputs, specifieds = (table[inside] for table in trajectory._sides)
     else:
         rates = None
+        assert model is not None
         outputs, specifieds = model.outputs(just, states), model.specifieds(just, states)
     tables = [
         (refined.states, states),
@@ -205,7 +269,7 @@ def _with_sides(trajectory: Any, refined: Any) -> Any:
         table = refined._known_sensitivity.table()
         tables.append((table, interpolated(table)))
     times, merged = _with_events(refined, moments, tables)
-    result = object.__new__(type(refined))
+    result: Any = object.__new__(type(refined))
     result.__dict__.update(refined.__dict__)
     result.times, result.states, result.outputs, result.specifieds, just, *remaining = (
         times,
@@ -214,11 +278,13 @@ def _with_sides(trajectory: Any, refined: Any) -> Any:
     result._derivatives = remaining.pop(0) if len(tables) > 4 and tables[4][1] is rates else None
     result._energy = remaining.pop(0) if energy is not None else None
     if values is not None:
+        assert refined._sensitivities is not None
         result._sensitivities, result._known_sensitivity = (
             (refined._sensitivities[0], remaining.pop(0)),
             None,
         )
     elif table is not None:
+        assert refined._known_sensitivity is not None
         result._take_sensitivity(refined._known_sensitivity.names, remaining.pop(0))
     result._detail = Detail(model, just[:, 0])
     result._model = None if model is None else result._detail
@@ -226,7 +292,8 @@ def _with_sides(trajectory: Any, refined: Any) -> Any:
     result._sensitivity_model = (
         None if sensitivity_model is None else Detail(sensitivity_model, just[:, 0])
     )
-    return result
+    complete: Interpolated = result
+    return complete
 
 
 class Detail:
@@ -235,7 +302,7 @@ class Detail:
     It is the model or sensitivity model of a Trajectory that `detailed` returned.
     """
 
-    def __init__(self, model: Any, times: np.ndarray) -> None:
+    def __init__(self, model: Model | SensitivityModel | None, times: np.ndarray) -> None:
         self.model, self.times = model, times
         for name in ("derivatives", "outputs", "specifieds", "energy", "rates"):
             if hasattr(model, name):
@@ -254,7 +321,7 @@ class Sides(NamedTuple):
     specifieds: np.ndarray
 
     @classmethod
-    def of_trajectory(cls, trajectory: Any) -> Any:
+    def of_trajectory(cls, trajectory: Interpolated) -> Sides:
         """Return those stored in a file's Trajectory, or evaluate its model at the breaks."""
         if trajectory._sides is not None:
             return trajectory._sides
@@ -262,18 +329,22 @@ class Sides(NamedTuple):
         # Just before the event, with the modes and inputs that end there.
         moments[::2] = np.fmax(np.nextafter(moments[::2], -np.inf), _span(trajectory.times)[0])
         model, rows = trajectory._model, len(moments)
+        assert model is not None
         tables = (f(moments, states) for f in (model.derivatives, model.outputs, model.specifieds))
         return cls(*(np.reshape(table, (rows, -1)) for table in tables))
 
     @classmethod
-    def concatenated(cls, parts: list[Any]) -> Any:
+    def concatenated(cls, parts: Sequence[Mapping[str, np.ndarray] | None]) -> Sides | None:
         """Concatenate those of each break; older files have none."""
-        if not parts or None in parts:
+        tables = [part for part in parts if part is not None]
+        if not tables or len(tables) < len(parts):
             return None
-        return cls(*(np.concatenate([part[name] for part in parts]) for name in cls._fields))
+        return cls(*(np.concatenate([part[name] for part in tables]) for name in cls._fields))
 
 
-def states_between(trajectory: Any, times: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
+def states_between(
+    trajectory: Interpolated, times: np.ndarray
+) -> tuple[np.ndarray, np.ndarray | None]:
     """Interpolate the states of a Trajectory, and its sensitivities if it has any.
 
     The times ascend.
@@ -295,13 +366,13 @@ def states_between(trajectory: Any, times: np.ndarray) -> tuple[np.ndarray, np.n
     return interpolated[:, :n].copy(), interpolated[:, n:].reshape(len(times), n, values.shape[2])
 
 
-def breaks(trajectory: Any) -> tuple[Any, ...]:
+def breaks(trajectory: Interpolated) -> tuple[EventStates, ...]:
     """Return the records at which derivatives jump: events, and stored jumps of inputs."""
-    records: tuple[Any, ...] = trajectory.events + trajectory._jumps
+    records: tuple[EventStates, ...] = trajectory.events + trajectory._jumps
     return records
 
 
-def states_at_jumps(trajectory: Any) -> list[tuple[float, np.ndarray, np.ndarray | None]]:
+def states_at_jumps(trajectory: Interpolated) -> list[tuple[float, np.ndarray, np.ndarray | None]]:
     """Return times, states and sensitivities at jumps of a Trajectory's inputs, without events."""
     if trajectory._dense is None or trajectory._model is None:
         return []
@@ -313,7 +384,7 @@ def states_at_jumps(trajectory: Any) -> list[tuple[float, np.ndarray, np.ndarray
     return list(zip(times.tolist(), states, sensitivities, strict=True))
 
 
-def _hermite(trajectory: Any, times: np.ndarray, values: np.ndarray | None) -> np.ndarray:
+def _hermite(trajectory: Interpolated, times: np.ndarray, values: np.ndarray | None) -> np.ndarray:
     """Interpolate states, followed by sensitivities if their derivatives are known."""
     nodes = trajectory.times
     x, rates = _with_sensitivities(
@@ -342,7 +413,7 @@ def _hermite(trajectory: Any, times: np.ndarray, values: np.ndarray | None) -> n
 
 
 def straight(
-    trajectory: Any, times: np.ndarray, table: np.ndarray, sides: np.ndarray | None
+    trajectory: Interpolated, times: np.ndarray, table: np.ndarray, sides: np.ndarray | None
 ) -> np.ndarray:
     """Interpolate a table of a Trajectory linearly, discontinuously at the `sides` of events."""
     nodes = trajectory.times
@@ -364,7 +435,11 @@ def _brackets(nodes: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 def _with_sensitivities(
-    trajectory: Any, times: np.ndarray, states: np.ndarray, rates: np.ndarray, values: Any
+    trajectory: Interpolated,
+    times: np.ndarray,
+    states: np.ndarray,
+    rates: np.ndarray,
+    values: np.ndarray | None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Append sensitivities to states, and their time derivatives to those of the states."""
     model, m = trajectory._sensitivity_model, len(times)
@@ -377,13 +452,13 @@ def _with_sensitivities(
     )
 
 
-def _at_events(trajectory: Any) -> tuple[np.ndarray, np.ndarray]:
+def _at_events(trajectory: Interpolated) -> tuple[np.ndarray, np.ndarray]:
     """Return the times of both sides of each event, and the states there."""
     moments = np.repeat([e.time for e in breaks(trajectory)], 2)
     return moments, np.array([side for e in breaks(trajectory) for side in (e.before, e.after)])
 
 
-def _sensitivities_at(trajectory: Any) -> np.ndarray | None:
+def _sensitivities_at(trajectory: Interpolated) -> np.ndarray | None:
     """Return the sensitivities of the states on both sides of each event, if all have them."""
     pairs = [(e.sensitivity_before, e.sensitivity_after) for e in breaks(trajectory)]
     values = [value for pair in pairs for value in pair]
@@ -391,7 +466,7 @@ def _sensitivities_at(trajectory: Any) -> np.ndarray | None:
 
 
 def _with_events(
-    trajectory: Any, moments: np.ndarray, tables: Iterable[tuple[np.ndarray, np.ndarray]]
+    trajectory: Interpolated, moments: np.ndarray, tables: Iterable[tuple[np.ndarray, np.ndarray]]
 ) -> tuple[np.ndarray, list[np.ndarray]]:
     """Insert both sides of each event into the times, and into tables with rows for these."""
     # A node at the time of an event may belong to either side: replace it by both.
@@ -417,7 +492,7 @@ class Leg(Protocol):
     def refusal(self) -> str:
         """Why the motion cannot be continued, or ''."""
 
-    def continued(self, times: np.ndarray) -> Any:
+    def continued(self, times: np.ndarray) -> Interpolated:
         """Return the Trajectory of the continuation."""
 
 
@@ -428,14 +503,14 @@ class Continued:
     _leg: Leg | None = None
     # Attributes that describe the full motion, such as modes of contacts: they are copied to
     # trajectories at other times, and to files (as JSON).
-    _facts: Mapping[str, Any] = {}
+    _facts: Mapping[str, object] = {}
 
-    def _describe(self, facts: Mapping[str, Any]) -> None:
+    def _describe(self, facts: Mapping[str, object]) -> None:
         """Set the attributes that describe the full motion."""
         self._facts = facts
         vars(self).update(facts)
 
-    def continue_to(self, t: Any) -> Any:
+    def continue_to(self, t: float | Sequence[float] | np.ndarray) -> Any:
         """Simulate on from where this motion ended, and return the motion from there on.
 
         It starts from the last state, that after the event if an event ended the motion, with the

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -48,6 +48,11 @@ from pydy._names import (
 )
 from pydy._optional import require
 
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from pydy._sympy_types import BySymbol, SymbolOrName
+
 __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
 
 # -- The quantities of a trajectory: symbols by kind, lookup by symbol or name --------------------
@@ -56,7 +61,7 @@ __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
 class Columns:
     """Symbols of the columns by kind, in the order of the columns, with unique names."""
 
-    def __init__(self, symbols: Mapping[str, Sequence[Any]]) -> None:
+    def __init__(self, symbols: Mapping[str, Sequence[SymbolOrName]]) -> None:
         symbols_by_kind = check_mapping("symbols", symbols)
         self.kinds = {
             kind: tuple(listed(f"symbols[{kind!r}]", symbols_by_kind.get(kind, ()), hashable=True))
@@ -70,7 +75,7 @@ class Columns:
         self._index = {s: k for k, s in reversed(list(enumerate(self.symbols)))}
         self._index_of_name = {n: k for k, n in enumerate(self.names)}
 
-    def of(self, *kinds: str) -> tuple[Any, ...]:
+    def of(self, *kinds: str) -> tuple[SymbolOrName, ...]:
         """Return the symbols of some kinds, in the order in which the kinds are given."""
         return tuple(s for kind in kinds for s in self.kinds[kind])
 
@@ -81,7 +86,7 @@ class Columns:
         all_kinds = [kind for kind in KINDS for _ in self.kinds[kind]]
         return tuple(n for n, k in zip(self.names, all_kinds, strict=True) if k in kinds)
 
-    def latex(self, key: Any, rate: bool = False) -> str:
+    def latex(self, key: SymbolOrName, rate: bool = False) -> str:
         """Return the LaTeX of a quantity's symbol, or of its `rate`, the derivative by time."""
         k = self.find(key)
         name = self.names[k] + "'" * rate
@@ -89,7 +94,7 @@ class Columns:
             self.latex_by_name[name] = (latex_of_rate if rate else latex_of)(self.symbols[k])
         return self.latex_by_name[name]
 
-    def find(self, key: Any) -> int:
+    def find(self, key: SymbolOrName) -> int:
         """Return the position of a quantity, given its symbol or its name."""
         k = self._index.get(key) if isinstance(key, Hashable) else None
         if k is None:
@@ -112,7 +117,7 @@ class Columns:
             )
         return k
 
-    def __contains__(self, key: Any) -> bool:
+    def __contains__(self, key: object) -> bool:
         return key in self._index or name_of(key) in self._index_of_name
 
 
@@ -142,16 +147,16 @@ class Sensitivity:
     def __init__(
         self,
         values: np.ndarray,
-        parameters: Mapping[Any, int],
-        states: Sequence[Any],
-        outputs: Sequence[Any],
+        parameters: Mapping[SymbolOrName, int],
+        states: Sequence[SymbolOrName],
+        outputs: Sequence[SymbolOrName],
         evaluate: Callable[[], np.ndarray],
     ) -> None:
         self.values = values
         self.counts = dict(parameters)
         names = unique_names(list(self.counts))
         self.names = column_names(self.counts)
-        self._columns: dict[Any, slice | int] = {name: k for k, name in enumerate(self.names)}
+        self._columns: dict[SymbolOrName, slice | int] = {n: k for k, n in enumerate(self.names)}
         start = 0
         for name, (symbol, count) in zip(names, self.counts.items(), strict=True):
             self._columns[name] = start if count == 1 else slice(start, start + count)
@@ -159,14 +164,14 @@ class Sensitivity:
             start += count
         symbols = (*states, *outputs)
         self.quantities = unique_names(symbols)
-        self._index_of: dict[Any, int] = {str(symbol): k for k, symbol in enumerate(symbols)}
+        self._index_of: dict[SymbolOrName, int] = {str(s): k for k, s in enumerate(symbols)}
         self._index_of.update((name, k) for k, name in enumerate(self.quantities))
         self._index_of.update((symbol, k) for k, symbol in enumerate(symbols))
         self._evaluate = evaluate
         self._outputs: np.ndarray | None = None
 
     @property
-    def parameters(self) -> tuple[Any, ...]:
+    def parameters(self) -> tuple[SymbolOrName, ...]:
         """The parameters, in the order of the columns."""
         return tuple(self.counts)
 
@@ -177,7 +182,7 @@ class Sensitivity:
             self._outputs = self._evaluate()
         return self._outputs
 
-    def __getitem__(self, key: Any) -> np.ndarray:
+    def __getitem__(self, key: SymbolOrName | tuple[SymbolOrName, SymbolOrName]) -> np.ndarray:
         """Return the derivatives of a quantity, by one parameter or by all."""
         quantity, *parameter = key if isinstance(key, tuple) else (key,)
         k = _lookup(self._index_of, quantity, "states and outputs", self.quantities)
@@ -205,9 +210,6 @@ def _lookup(index_of: Mapping[Any, Any], key: Any, description: str, names: Sequ
             f"`{text_of(key)}` is not one of the {description} of the sensitivities: {some(names)}."
         )
     return index
-
-
-# -- EventRecord: an event that a simulation located ----------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -311,18 +313,18 @@ class Trajectory(Continued):
 
     def __init__(
         self,
-        times: Any,
-        states: Any,
-        symbols: Mapping[str, Sequence[Any]] | Columns,
+        times: np.typing.ArrayLike,
+        states: np.typing.ArrayLike,
+        symbols: Mapping[str, Sequence[SymbolOrName]] | Columns,
         *,
-        outputs: Any = None,
-        specifieds: Any = None,
-        constants: Mapping[Any, float] | None = None,
-        events: Any = (),
-        statistics: dict[str, Any] | None = None,
+        outputs: np.typing.ArrayLike | None = None,
+        specifieds: np.typing.ArrayLike | None = None,
+        constants: BySymbol[float] | None = None,
+        events: Iterable[EventRecord] = (),
+        statistics: Mapping[str, object] | None = None,
         model: Model | None = None,
         dense: Callable[[np.ndarray], np.ndarray] | None = None,
-        sensitivities: tuple[Mapping[Any, int], np.ndarray] | None = None,
+        sensitivities: tuple[Mapping[SymbolOrName, int], np.ndarray] | None = None,
         sensitivity_model: SensitivityModel | None = None,
     ) -> None:
         self.times = np.array(monotonic(times, "`times`"))
@@ -362,32 +364,32 @@ class Trajectory(Continued):
     # -- names ------------------------------------------------------------------------------------
 
     @property
-    def coordinates_symbols(self) -> tuple[Any, ...]:
+    def coordinates_symbols(self) -> tuple[SymbolOrName, ...]:
         """The coordinates, in the order of the first columns of `states`."""
         return self._columns.of("coordinate")
 
     @property
-    def speeds_symbols(self) -> tuple[Any, ...]:
+    def speeds_symbols(self) -> tuple[SymbolOrName, ...]:
         """The speeds, in the order of the columns of `states` after the coordinates."""
         return self._columns.of("speed")
 
     @property
-    def state_symbols(self) -> tuple[Any, ...]:
+    def state_symbols(self) -> tuple[SymbolOrName, ...]:
         """The states, in the order of the columns of `states`."""
         return self._columns.of(*STATES)
 
     @property
-    def outputs_symbols(self) -> tuple[Any, ...]:
+    def outputs_symbols(self) -> tuple[SymbolOrName, ...]:
         """The outputs, in the order of the columns of `outputs`."""
         return self._columns.of(*OUTPUTS)
 
     @property
-    def constraints_symbols(self) -> tuple[Any, ...]:
+    def constraints_symbols(self) -> tuple[SymbolOrName, ...]:
         """The residuals of the constraints, in the order of the columns of `constraints`."""
         return self._columns.of("constraint")
 
     @property
-    def specifieds_symbols(self) -> tuple[Any, ...]:
+    def specifieds_symbols(self) -> tuple[SymbolOrName, ...]:
         """The specifieds, in the order of the columns of `specifieds`."""
         return self._columns.of("specified")
 
@@ -405,25 +407,25 @@ class Trajectory(Continued):
         """
         return self._columns.names_of(*kinds)
 
-    def name(self, key: Any) -> str:
+    def name(self, key: SymbolOrName) -> str:
         """Return the name of a quantity, given its symbol or its name."""
         return self._columns.names[self._columns.find(key)]
 
-    def latex(self, key: Any) -> str:
+    def latex(self, key: SymbolOrName) -> str:
         """Return the LaTeX of a quantity's symbol, without dollar signs."""
         return self._columns.latex(key)
 
-    def latex_of_rate(self, key: Any) -> str:
+    def latex_of_rate(self, key: SymbolOrName) -> str:
         """Return the LaTeX of a quantity's time derivative, without dollar signs."""
         return self._columns.latex(key, rate=True)
 
-    def __getitem__(self, key: Any) -> np.ndarray:
+    def __getitem__(self, key: SymbolOrName | list[Any]) -> np.ndarray:
         """Return the values of one quantity, shape (m,), or of a list of k of them, (m, k)."""
         if isinstance(key, list):
             return np.array([self._quantity(k) for k in key]).reshape(len(key), len(self.times)).T
         return self._quantity(key)
 
-    def _quantity(self, key: Any) -> np.ndarray:
+    def _quantity(self, key: SymbolOrName) -> np.ndarray:
         k = self._columns.find(key)
         for table in (self.states, self.outputs, self.specifieds):
             if k < table.shape[1]:
@@ -431,10 +433,10 @@ class Trajectory(Continued):
             k -= table.shape[1]
         raise AssertionError("more names than columns")
 
-    def __contains__(self, key: Any) -> bool:
+    def __contains__(self, key: object) -> bool:
         return key in self._columns
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
+    def __array__(self, dtype: np.dtype | None = None, copy: bool | None = None) -> np.ndarray:
         """Return `states`, for ``np.asarray(trajectory)``."""
         as_is = dtype is None or np.dtype(dtype) == self.states.dtype
         if copy is False and not as_is:
@@ -534,7 +536,7 @@ class Trajectory(Continued):
             )
         return self._model
 
-    def at(self, times: Any) -> Trajectory:
+    def at(self, times: np.typing.ArrayLike) -> Trajectory:
         """Return the trajectory at other times.
 
         The states come from the solver's dense output if there is one, as after `System.simulate`
@@ -569,11 +571,9 @@ class Trajectory(Continued):
         """
         times = checked_times(times, self.times)
         if descends(times):
-            result: Trajectory = reversed_rows(self.at(times[::-1]))
-            return result
+            return reversed_rows(self.at(times[::-1]))
         if descends(self.times):
-            result = reversed_rows(self).at(times)
-            return result
+            return reversed_rows(self).at(times)
         source = self._sensitivity
         states, values = states_between(self, times)
         if self._model is not None:
@@ -602,7 +602,7 @@ class Trajectory(Continued):
 
     # -- pictures ---------------------------------------------------------------------------------
 
-    def plot(self, names: Sequence[Any] | None = None, **options: Any) -> Any:
+    def plot(self, names: Sequence[SymbolOrName] | None = None, **options: Any) -> Any:
         """Plot the states or selected quantities over time.
 
         Parameters
@@ -635,7 +635,7 @@ class Trajectory(Continued):
             return plot_states(self, **options)
         return plot_quantities(self, names, **options)
 
-    def animate(self, *visuals: Any, **options: Any) -> Any:
+    def animate(self, *visuals: object, **options: object) -> Any:
         """Return a scene that shows this motion; a notebook displays it.
 
         Parameters
@@ -656,7 +656,7 @@ class Trajectory(Continued):
 
     # -- conversion and files ---------------------------------------------------------------------
 
-    def to_xarray(self, derivatives: bool = False, energy: bool = False) -> Any:
+    def to_xarray(self, derivatives: bool = False, energy: bool = False) -> Dataset:
         """Return an `xarray.Dataset` with one variable for each quantity along ``time``.
 
         Each variable has the attributes ``role`` (its kind, such as 'coordinate' or 'output') and
@@ -715,7 +715,7 @@ class Trajectory(Continued):
             EventRecord(t, "", -1, x, x, None, s, s) for t, x, s in states_at_jumps(self)
         )
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         self._keep_jumps()
         return {**self.__dict__, "_leg": None}
 
@@ -769,9 +769,9 @@ class Trajectory(Continued):
             The file is damaged, or contains no trajectory.
         """
         xarray = require("xarray", "labels", "Trajectory.load")
-        sides: list[Any] = []
+        sides: list[dict[str, np.ndarray] | None] = []
 
-        def record(beside: Any = None, **attributes: Any) -> EventRecord:
+        def record(beside: dict[str, np.ndarray] | None = None, **attributes: Any) -> EventRecord:
             sides.append(beside)
             return EventRecord(**attributes)
 
