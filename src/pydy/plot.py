@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
 
@@ -23,6 +23,13 @@ from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import detailed
 from pydy._names import label_parts, latex_of, name_of, some, text_of
 from pydy._optional import require
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from xarray import DataArray, Dataset
+
+    from pydy._sympy_types import BySymbol, SymbolOrName
 
 __all__ = [
     "plot_constraints",
@@ -42,7 +49,24 @@ __all__ = [
 
 SMOOTH = 400  # segments of a curve that looks smooth
 NAMES = 3  # names that fit beside an axis of the usual height; with more, only the legend has them
-Units = Mapping[Any, str] | None
+# What is drawn: a trajectory (its module imports this one), a dataset, or several of these.
+Run: TypeAlias = "NamedMotion | Dataset"
+Results: TypeAlias = "Run | Sequence[Run] | Mapping[str, Run]"
+Units: TypeAlias = "BySymbol[str] | None"
+
+
+class NamedMotion(Protocol):
+    """The interface of a trajectory by which it is recognised."""
+
+    @property
+    def times(self) -> np.ndarray:
+        """The times, shape (m,)."""
+
+    def names_of(self, *kinds: str) -> tuple[str, ...]:
+        """Return the names of the quantities of some kinds."""
+
+    def __getitem__(self, key: SymbolOrName) -> np.ndarray:
+        """Return the values of a quantity, shape (m,)."""
 
 
 @dataclass(frozen=True)
@@ -81,10 +105,10 @@ def typeset(name: str, latex: str) -> str:
 
 
 def curves_of(
-    result: Any,
+    result: object,
     kinds: tuple[str, ...],
     description: str,
-    names: Sequence[Any] | None,
+    names: Sequence[SymbolOrName] | None,
     units: Units,
 ) -> list[PlotCurve]:
     """Return the curves of some kinds or names."""
@@ -110,7 +134,7 @@ def curves_of(
     return curves
 
 
-def runs_of(result: Any) -> list[tuple[str, Any]]:
+def runs_of(result: object) -> list[tuple[str, Any]]:
     """List the results to draw together, with labels; a single one has none.
 
     Trajectories with dense output get enough times for smooth curves, and both sides of events.
@@ -125,16 +149,16 @@ def runs_of(result: Any) -> list[tuple[str, Any]]:
     return [(text(label, "a label in `result`"), _smooth(run)) for label, run in result.items()]
 
 
-def _smooth(run: Any) -> Any:
+def _smooth(run: Any) -> object:
     return detailed(run, lambda span: span / SMOOTH)
 
 
-def is_trajectory(result: Any) -> bool:
+def is_trajectory(result: object) -> bool:
     """Return whether a result is a Trajectory; its module imports this one, so no isinstance."""
     return hasattr(result, "names_of")
 
 
-def units_of(result: Any, units: Units) -> dict[str, str]:
+def units_of(result: object, units: Units) -> dict[str, str]:
     """Return units by the names in a result; other keys, such as rates, stay as they are."""
     units_by_key = check_mapping("units", units)
     names = []
@@ -168,7 +192,7 @@ def names_in(result: Any, kinds: tuple[str, ...]) -> list[str]:
     return [n for n, v in result.data_vars.items() if v.attrs.get("role") in kinds]
 
 
-def name_in(result: Any, key: Any) -> str:
+def name_in(result: Any, key: SymbolOrName) -> str:
     """Return the name under which the result holds a quantity."""
     if is_trajectory(result):
         return str(result.name(key))
@@ -180,7 +204,7 @@ def name_in(result: Any, key: Any) -> str:
     )
 
 
-def samples_over_time(variable: Any) -> np.ndarray:
+def samples_over_time(variable: DataArray) -> np.ndarray:
     """Return the values with all sample dimensions in one, before time."""
     table = np.asarray(variable.transpose(..., "time"))
     return table if table.ndim == 1 else table.reshape(-1, table.shape[-1])
@@ -223,13 +247,13 @@ AXIS_SPACING = 8.0  # distance between the axes of further units, in points
 
 
 def plot_coordinates(
-    result: Any,
-    names: Sequence[Any] | None = None,
+    result: Results,
+    names: Sequence[SymbolOrName] | None = None,
     *,
-    ax: Any = None,
+    ax: Axes | None = None,
     units: Units = None,
     time_unit: str = "",
-) -> Any:
+) -> Axes:
     """Plot the generalized coordinates over time.
 
     Parameters
@@ -288,25 +312,25 @@ def plot_coordinates(
 
 
 def plot_speeds(
-    result: Any,
-    names: Sequence[Any] | None = None,
+    result: Results,
+    names: Sequence[SymbolOrName] | None = None,
     *,
-    ax: Any = None,
+    ax: Axes | None = None,
     units: Units = None,
     time_unit: str = "",
-) -> Any:
+) -> Axes:
     """Plot the generalized speeds over time; the parameters are those of `plot_coordinates`."""
     return _plot(result, ("speed",), "speeds", names, ax, units, time_unit)
 
 
 def plot_outputs(
-    result: Any,
-    names: Sequence[Any] | None = None,
+    result: Results,
+    names: Sequence[SymbolOrName] | None = None,
     *,
-    ax: Any = None,
+    ax: Axes | None = None,
     units: Units = None,
     time_unit: str = "",
-) -> Any:
+) -> Axes:
     """Plot outputs and noncontributing forces over time.
 
     The parameters are those of `plot_coordinates`. The residuals of constraints, which are also
@@ -316,13 +340,13 @@ def plot_outputs(
 
 
 def plot_quantities(
-    result: Any,
-    names: Sequence[Any],
+    result: Results,
+    names: Sequence[SymbolOrName],
     *,
-    ax: Any = None,
+    ax: Axes | None = None,
     units: Units = None,
     time_unit: str = "",
-) -> Any:
+) -> Axes:
     """Plot quantities of any kind over time: states, outputs, specifieds.
 
     The parameters are those of `plot_coordinates`.
@@ -331,14 +355,14 @@ def plot_quantities(
 
 
 def plot_sensitivities(
-    result: Any,
-    quantity: Any,
-    parameters: Any = None,
+    result: NamedMotion,
+    quantity: SymbolOrName,
+    parameters: SymbolOrName | Sequence[SymbolOrName] | None = None,
     *,
-    ax: Any = None,
+    ax: Axes | None = None,
     units: Units = None,
     time_unit: str = "",
-) -> Any:
+) -> Axes:
     """Plot the derivatives of a state or output with respect to parameters over time.
 
     Parameters
@@ -367,19 +391,19 @@ def plot_sensitivities(
     >>> plot_sensitivities(system.simulate(sensitivities=['m0', 'k0']), 'x0').get_ylabel()
     'derivatives of x0'
     """
-    ((_, result),) = runs_of(result)
-    sensitivity, name = result.sensitivity, result.name(quantity)
+    ((_, trajectory),) = runs_of(result)
+    sensitivity, name = trajectory.sensitivity, trajectory.name(quantity)
     names = sensitivity.names
     if parameters is not None:
         names = [name_of(parameter) for parameter in one_or_more("parameters", parameters)]
         if not names:
             raise ValueError("`parameters` is empty: there is nothing to plot. None means all.")
-    units_by_name = units_of(result, units)
+    units_by_name = units_of(trajectory, units)
     curves = [
         PlotCurve(
             parameter,
             "",
-            result.times,
+            trajectory.times,
             sensitivity[quantity, parameter],
             _quotient(units_by_name, name, parameter),
         )
@@ -399,12 +423,12 @@ def _quotient(units: dict[str, str], name: str, parameter: str) -> str:
 
 
 def plot_states(
-    result: Any,
+    result: Results,
     *,
-    axes: Sequence[Any] | None = None,
+    axes: np.ndarray | Sequence[Axes] | None = None,
     units: Units = None,
     time_unit: str = "",
-) -> Any:
+) -> np.ndarray:
     """Plot all states over a shared time axis: coordinates, speeds, and auxiliary states if any.
 
     Parameters
@@ -436,12 +460,12 @@ def plot_states(
 
 
 def plot_constraints(
-    result: Any,
-    names: Sequence[Any] | None = None,
+    result: Results,
+    names: Sequence[SymbolOrName] | None = None,
     *,
-    ax: Any = None,
+    ax: Axes | None = None,
     time_unit: str = "",
-) -> Any:
+) -> Axes:
     """Plot the magnitudes of the constraint residuals on a logarithmic scale.
 
     The parameters are those of `plot_coordinates`. Residuals that are zero are not drawn.
@@ -455,7 +479,9 @@ def plot_constraints(
     return ax
 
 
-def plot_energy(result: Any, *, ax: Any = None, unit: str = "", time_unit: str = "") -> Any:
+def plot_energy(
+    result: Results, *, ax: Axes | None = None, unit: str = "", time_unit: str = ""
+) -> Axes:
     """Plot the kinetic, the potential and the total energy over time.
 
     Parameters
@@ -499,13 +525,13 @@ def _energies(result: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
 
 
 def plot_phase(
-    result: Any,
-    x: Any,
-    y: Any = None,
+    result: Results,
+    x: SymbolOrName,
+    y: SymbolOrName | None = None,
     *,
-    ax: Any = None,
+    ax: Axes | None = None,
     units: Units = None,
-) -> Any:
+) -> Axes:
     """Plot one quantity over another, such as a coordinate's rate over the coordinate.
 
     Dots mark the initial states. For an ensemble, at most a hundred evenly spaced motions are
@@ -542,11 +568,12 @@ def plot_phase(
         a, b = np.broadcast_arrays(np.atleast_2d(horizontal.values), np.atleast_2d(vertical.values))
         step = -(-len(a) // 100)
         a, b = a[::step], b[::step]
-        faint = {"alpha": 0.4, "linewidth": 0.8} if len(a) > 1 else {}
-        first, *_ = ax.plot(a.T, b.T, color=ax._get_lines.get_next_color(), **faint)
+        faint: dict[str, Any] = {"alpha": 0.4, "linewidth": 0.8} if len(a) > 1 else {}
+        first, *_ = ax.plot(a.T, b.T, color=_next_colour(ax), **faint)
         first.set_label(label)
-        start = {"linestyle": "none", "marker": "o", "markersize": 4}
-        ax.plot(a[:, 0], b[:, 0], color=first.get_color(), **start)
+        ax.plot(
+            a[:, 0], b[:, 0], color=first.get_color(), linestyle="none", marker="o", markersize=4
+        )
     ax.set_xlabel(horizontal.label)
     ax.set_ylabel(vertical.label)
     ax.grid(alpha=0.3)
@@ -559,28 +586,28 @@ def plot_phase(
 
 
 def _plot(
-    result: Any,
+    result: object,
     kinds: tuple[str, ...],
     description: str,
-    names: Sequence[Any] | None,
-    ax: Any,
+    names: Sequence[SymbolOrName] | None,
+    ax: Axes | None,
     units: Units,
     time_unit: str,
-) -> Any:
+) -> Axes:
     return _draw(ax, curves_of(result, kinds, description, names, units), description, time_unit)
 
 
 def _draw(
-    ax: Any, curves: Sequence[PlotCurve], description: str, time_unit: str, title: str = ""
-) -> Any:
+    ax: Axes | None, curves: Sequence[PlotCurve], description: str, time_unit: str, title: str = ""
+) -> Axes:
     """Draw curves over time; the label of an axis is the description, or names its curves."""
     ax = axes_of(ax)
     time_label = with_unit("time", text(time_unit, "`time_unit`"))
     shared = list(dict.fromkeys(c.unit for c in curves))
     axes = _axes_of_units(ax, curves, description)
     quantities = list(dict.fromkeys(c.name for c in curves))
-    colours: dict[str, Any] = {}
-    lines = []
+    colours: dict[str, object] = {}
+    lines: list[Artist] = []
     for curve in curves:
         # A common unit is shown once, at the axis.
         label = typeset(curve.name, curve.latex) if len(shared) == 1 else curve.label
@@ -593,7 +620,7 @@ def _draw(
             if curve.name in colours:
                 style["color"] = colours[curve.name]
         # All axes of a plot take their colours from one cycle.
-        style.setdefault("color", ax._get_lines.get_next_color())
+        style.setdefault("color", _next_colour(ax))
         colours.setdefault(curve.name, style["color"])
         target_axes = axes[curve.unit]
         if curve.values.ndim == 1:
@@ -629,7 +656,13 @@ def _draw(
     return ax
 
 
-def _axes_of_units(ax: Any, curves: Sequence[PlotCurve], description: str) -> dict[str, Any]:
+def _next_colour(ax: Any) -> str:
+    """Return the next colour of the cycle of Axes, which have no public method for it."""
+    colour: str = ax._get_lines.get_next_color()
+    return colour
+
+
+def _axes_of_units(ax: Axes, curves: Sequence[PlotCurve], description: str) -> dict[str, Axes]:
     """Return the Axes of each unit; further ones share the time and have a scale at the right.
 
     Quantities without a unit are drawn on the axis of a single one: their labels show none.
@@ -653,23 +686,27 @@ def _names_at_an_axis(curves: Sequence[PlotCurve]) -> str:
     return ", ".join(names) if len(names) <= NAMES else "values"
 
 
-def _place_beside_each_other(ax: Any, axes: Sequence[Any]) -> None:
+def _place_beside_each_other(ax: Axes, axes: Sequence[Axes]) -> None:
     """Shift the further axes to the right so that their tick labels do not overlap."""
     for before, after in pairwise(axes[1:]):
-        reach = before.yaxis.get_tightbbox().x1 - ax.bbox.x1  # in pixels
+        box = before.yaxis.get_tightbbox()
+        assert box is not None
+        reach = box.x1 - ax.bbox.x1  # in pixels
         after.spines["right"].set_position(("outward", 72 * reach / ax.figure.dpi + AXIS_SPACING))
 
 
-def axes_of(ax: Any, feature: str = "pydy.plot") -> Any:
+def axes_of(ax: Axes | None, feature: str = "pydy.plot") -> Axes:
     """Return the given Axes, or those of a new figure."""
     if ax is None:
-        return require("matplotlib.pyplot", "plot", feature).subplots(layout="constrained")[1]
+        pyplot = require("matplotlib.pyplot", "plot", feature)
+        created: Axes = pyplot.subplots(layout="constrained")[1]
+        return created
     if not hasattr(ax, "set_xlabel"):
         raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
     return ax
 
 
-def plot_fit(result: Any, axes: Any = None) -> Any:
+def plot_fit(result: Any, axes: np.ndarray | None = None) -> np.ndarray:
     """Plot measured and fitted quantities, with the residuals below.
 
     Parameters
@@ -739,8 +776,8 @@ def plot_fit(result: Any, axes: Any = None) -> Any:
 
 
 def rows_of_axes(
-    axes: Any, count: int, description: str, feature: str = "a plot", **figure: Any
-) -> tuple[Any, list[Any]]:
+    axes: Any, count: int, description: str, feature: str = "a plot", **figure: object
+) -> tuple[Any, list[Axes]]:
     """Return the given Axes, or those of a new figure in one column, and a list of them."""
     if axes is None:
         options = {"sharex": True, "squeeze": False, "layout": "constrained", **figure}
