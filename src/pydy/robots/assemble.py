@@ -51,8 +51,8 @@ class TendonSymbols(NamedTuple):
 class _Step(NamedTuple):
     """From one frame of a chain to the next: ``x = offset + rotation · x_next``."""
 
-    offset: sm.Matrix
-    rotation: sm.Matrix
+    offset: sm.MatrixBase
+    rotation: sm.MatrixBase
 
 
 class _Axis(NamedTuple):
@@ -602,14 +602,14 @@ def _vector_in(frame: me.ReferenceFrame, components: Sequence[sm.Expr]) -> me.Ve
     return me.Vector([(sm.ImmutableMatrix(3, 1, [*components]), frame)])
 
 
-def _point_in_base(chain: Sequence[_Step], point: sm.Matrix) -> sm.Matrix:
+def _point_in_base(chain: Sequence[_Step], point: sm.MatrixBase) -> sm.MatrixBase:
     """Return a point of a chain's last frame in its first frame."""
     for step in reversed(chain):
         point = step.offset + step.rotation * point
     return point
 
 
-def _vector_in_base(chain: Sequence[_Step], vector: sm.Matrix) -> sm.Matrix:
+def _vector_in_base(chain: Sequence[_Step], vector: sm.MatrixBase) -> sm.MatrixBase:
     for step in reversed(chain):
         vector = step.rotation * vector
     return vector

@@ -109,7 +109,7 @@ class Live:
         Largest step; limit it if an input is shorter than a step.
     """
 
-    sliders: BySymbol[Slider | Sequence[float | str | None]] = field(default_factory=dict)
+    sliders: BySymbol[Slider | tuple[float | str | None, ...]] = field(default_factory=dict)
     events: Event | Sequence[Event] | None = None
     constraints: str | None = "auto"
     rtol: float = 1e-8
@@ -139,7 +139,7 @@ class LiveSystem:
     constants: tuple[sm.Symbol, ...]
     outputs: tuple[SymbolOrName, ...]
     # mapping of symbols to expressions: specifieds that are expressions
-    definitions: Mapping[AnySymbol, sm.Expr]
+    definitions: Mapping[AnySymbol, sm.Expr | float]
     # (list of int, list of int): indices in x of the dependent coordinates and speeds
     dependents: tuple[list[int], list[int]]
     coordinates: int  # numbers of coordinates and of speeds
@@ -189,7 +189,7 @@ class Witness:
 
 
 def live_page(
-    live: Live | BySymbol[Slider | Sequence[float | str | None]] | None,
+    live: Live | BySymbol[Slider | tuple[float | str | None, ...]] | None,
     model: SceneModel | None,
     title: str,
     scene: tuple[ReferenceFrame, Point, Sequence[Visual], Mapping[str, ExpressionOrName | float]],
@@ -428,7 +428,7 @@ def _start(system: LiveSystem, user_sliders: Sequence[UserSlider]) -> tuple[Prog
 def _sizes(
     items: Sequence[Item],
     system: LiveSystem,
-    definitions: Mapping[AnySymbol, sm.Expr],
+    definitions: Mapping[AnySymbol, sm.Expr | float],
     numbers: Mapping[AnySymbol, float],
 ) -> tuple[Program, list[list[object]]]:
     """Return the Program of lengths that depend on constants, and their visuals.

@@ -60,7 +60,7 @@ class Names:
     specifieds: tuple[SymbolOrName, ...] = ()
     constants: tuple[SymbolOrName, ...] = ()
     # mapping of further symbols to expressions: derivatives of the coordinates, auxiliary speeds
-    definitions: Mapping[AnySymbol, sm.Expr] = field(default_factory=dict)
+    definitions: Mapping[AnySymbol, sm.Expr | float] = field(default_factory=dict)
     time: sm.Symbol = dynamicsymbols._t
 
 
@@ -264,7 +264,7 @@ class SceneModel:
 
     states: tuple[TimeFunction, ...]
     # mapping of symbols to expressions: derivatives of the coordinates, auxiliary speeds
-    definitions: Mapping[AnySymbol, sm.Expr] = field(default_factory=dict)
+    definitions: Mapping[AnySymbol, sm.Expr | float] = field(default_factory=dict)
     # ``times() -> ndarray``, the times of the System
     times: Callable[[], np.ndarray] | None = None
     # ``trajectory(times, states)`` returns a Trajectory, of checked arrays

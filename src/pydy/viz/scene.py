@@ -536,7 +536,7 @@ class Scene:
     def html(
         self,
         theme: Literal["auto", "light", "dark"] = "auto",
-        live: Live | BySymbol[Slider | Sequence[float | str | None]] | None = None,
+        live: Live | BySymbol[Slider | tuple[float | str | None, ...]] | None = None,
     ) -> str:
         """Return the HTML page of the animation; see `to_html`."""
         chosen = choice(theme, ("auto", "light", "dark"), "`theme`")
@@ -551,7 +551,7 @@ class Scene:
         self,
         path: str | PathLike[str],
         theme: Literal["auto", "light", "dark"] = "auto",
-        live: Live | BySymbol[Slider | Sequence[float | str | None]] | None = None,
+        live: Live | BySymbol[Slider | tuple[float | str | None, ...]] | None = None,
     ) -> Path:
         """Write the animation to a self-contained HTML file.
 
