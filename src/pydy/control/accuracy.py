@@ -37,7 +37,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -50,6 +50,26 @@ from pydy.control.nlp import Nlp
 from pydy.control.schemes import Slots, derivatives, lagrange, radau_points
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import JUMPS, LAYERS, ONE_DIGIT, RESOLVED, SECANTS, STEP, TOLERANCE
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
+
+
+class SolvedMotion(Protocol):
+    """A solution on a mesh, such as an `OptimalTrajectory`."""
+
+    objective: float
+    duration: float
+    controls: tuple[AnySymbol, ...]
+    mesh: np.ndarray
+    error: np.ndarray
+    solution: NlpSolution
+    _nlp: Nlp
+    _transcription: Transcription
+
+    @property
+    def objective_error(self) -> np.ndarray:
+        """Each interval's share of the minimum minus this objective, shape (M,)."""
 
 
 def objective_errors(transcription: Transcription, nlp: Nlp, solution: NlpSolution) -> np.ndarray:
@@ -138,7 +158,7 @@ def _resolved(
     return refined_parts
 
 
-def relative_errors(motion: Any, tolerance: float, objective: float) -> np.ndarray:
+def relative_errors(motion: SolvedMotion, tolerance: float, objective: float) -> np.ndarray:
     """Return the larger of each interval's error of the states and its error of the objective.
 
     Errors of the objective are relative to its size and multiplied by the number of intervals. They
@@ -153,7 +173,9 @@ def relative_errors(motion: Any, tolerance: float, objective: float) -> np.ndarr
     return worst
 
 
-def _objective(motion: Any, tolerance: float, objective: float) -> tuple[np.ndarray, float, bool]:
+def _objective(
+    motion: SolvedMotion, tolerance: float, objective: float
+) -> tuple[np.ndarray, float, bool]:
     """Return the objective's errors by interval, its size, and whether they are negligible."""
     transcription, nlp, solution = motion._transcription, motion._nlp, motion.solution
     if transcription.scheme.convergence == 1:
@@ -180,7 +202,7 @@ def _objective(motion: Any, tolerance: float, objective: float) -> tuple[np.ndar
     )
 
 
-def warn_where_coarse(phases: Sequence[Any], objective: float) -> None:
+def warn_where_coarse(phases: Sequence[SolvedMotion], objective: float) -> None:
     """Warn if a solution violates the equations, or if no digit of its objective is certain.
 
     In a simulation the errors of the intervals add up, if the motion is neither stable nor
@@ -472,7 +494,7 @@ def _bound_terms(
     return total
 
 
-def warn_of_chatter(motion: Any) -> None:
+def warn_of_chatter(motion: SolvedMotion) -> None:
     """Warn where controls that enter linearly oscillate from point to point.
 
     Inside its bounds such a control makes its switching function zero. If that holds along an arc,

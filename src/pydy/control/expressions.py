@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
@@ -17,6 +17,9 @@ from sympy.core.relational import Relational
 from pydy._checks import describe, shown
 from pydy._rank import is_zero
 from pydy.control.transcription import Condition, Instant
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
 
 
 @dataclass(eq=False)
@@ -27,14 +30,14 @@ class ExpressionReader:
     of the constants and of the duration.
     """
 
-    time: Any
-    states: Sequence[Any]
-    controls: Sequence[Any]
-    parameters: set[Any]
-    duration: Any
+    time: sm.Symbol
+    states: Sequence[AnySymbol]
+    controls: Sequence[AnySymbol]
+    parameters: set[AnySymbol]
+    duration: sm.Symbol | float
     instants: list[Instant] = field(default_factory=list)
 
-    def objective(self, expression: Any) -> tuple[Any, Any]:
+    def objective(self, expression: sm.Expr) -> tuple[sm.Expr, sm.Expr]:
         """Split the objective into its integrand and a term at instants; refuse other forms."""
         integrals = sorted(expression.atoms(sm.Integral), key=sm.default_sort_key)
         dummies = {integral: sm.Dummy(f"integral{k}") for k, integral in enumerate(integrals)}
@@ -56,7 +59,7 @@ class ExpressionReader:
             )
         return running, self.at_instants(remainder.xreplace(none), "`objective`")
 
-    def _check_limits(self, integral: Any) -> None:
+    def _check_limits(self, integral: sm.Integral) -> None:
         limits = integral.limits
         variable, *ends = limits[0]
         spans_motion = not ends or (
@@ -68,7 +71,7 @@ class ExpressionReader:
                 f"Integral(expression, {self.time})."
             )
 
-    def squares(self, expression: Any) -> tuple[tuple[Any, Any], ...]:
+    def squares(self, expression: sm.Expr) -> tuple[tuple[sm.Expr, sm.Expr], ...]:
         """Return factors and residuals whose squares the expression is a sum of, or raise.
 
         Terms of constants and the duration alone do not count.
@@ -94,14 +97,14 @@ class ExpressionReader:
             pairs.append((factor, residual))
         return tuple(pairs)
 
-    def boundary(self, relations: Sequence[Any]) -> tuple[Condition, ...]:
+    def boundary(self, relations: Sequence[sm.Basic]) -> tuple[Condition, ...]:
         """Return relations between instants as conditions."""
         conditions = self.path("boundary", relations)
         return tuple(
             replace(c, expression=self.at_instants(c.expression, "`boundary`")) for c in conditions
         )
 
-    def path(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
+    def path(self, argument: str, relations: Sequence[sm.Basic]) -> tuple[Condition, ...]:
         """Return relations as conditions with the same meaning."""
         conditions = []
         for relation in relations:
@@ -122,7 +125,9 @@ class ExpressionReader:
         return tuple(conditions)
 
     @staticmethod
-    def check_functions(argument: str, expressions: Iterable[Any], allowed: Iterable[Any]) -> None:
+    def check_functions(
+        argument: str, expressions: Iterable[sm.Expr], allowed: Iterable[AnySymbol]
+    ) -> None:
         """Refuse functions of time that occur in none of the `allowed` symbols and derivatives."""
         functions = {f for symbol in allowed for f in symbol.atoms(AppliedUndef)}
         strange = {f for e in expressions for f in sm.sympify(e).atoms(AppliedUndef)} - functions
@@ -136,7 +141,7 @@ class ExpressionReader:
 
     # -- values at instants ----------------------------------------------------------------------
 
-    def at_instants(self, expression: Any, argument: str) -> Any:
+    def at_instants(self, expression: sm.Expr, argument: str) -> sm.Expr:
         """Replace each value at an instant by a symbol; refuse other functions of time."""
         values = self._instants_in(expression)
         replaced = {old: self._symbol(*value, argument) for old, value in values.items()}
@@ -157,11 +162,11 @@ class ExpressionReader:
             )
         return result
 
-    def _instants_in(self, expression: Any) -> dict[Any, tuple[str, int, Any]]:
+    def _instants_in(self, expression: sm.Expr) -> dict[sm.Expr, tuple[str, int, sm.Expr]]:
         """Return the quantities at instants in an expression: kind, index and time."""
         kinds = [("state", k, s) for k, s in enumerate(self.states)]
         kinds += [("control", k, s) for k, s in enumerate(self.controls)]
-        instants: dict[Any, tuple[str, int, Any]] = {}
+        instants: dict[sm.Expr, tuple[str, int, sm.Expr]] = {}
         # SymPy writes a derivative at an instant as a Subs, or by the instant if it is a symbol.
         for node in expression.atoms(sm.Subs, sm.Derivative):
             variable = node.variables[0]
@@ -180,7 +185,7 @@ class ExpressionReader:
                         instants[node] = (kind, k, node.args[0])
         return instants
 
-    def _symbol(self, kind: str, index: int, time: Any, argument: str) -> Any:
+    def _symbol(self, kind: str, index: int, time: sm.Expr, argument: str) -> sm.Dummy:
         ratio = sm.simplify(sm.sympify(time) / self.duration)
         if ratio.is_number and is_zero(complex(ratio - 1).real, 1.0):
             ratio = sm.Integer(1)  # 2*pi exceeds its value as a float
@@ -203,7 +208,7 @@ class ExpressionReader:
         return instant.symbol
 
 
-def bends(objective: Any) -> str:
+def bends(objective: sm.Expr) -> str:
     """Return a message on places where the objective may have no derivative, or ''."""
     kinds = (sm.Abs, sm.Max, sm.Min, sm.sign, sm.Piecewise, sm.Heaviside)
     bent = sorted((e for e in objective.atoms(*kinds) if not e.is_number), key=sm.default_sort_key)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,12 +15,19 @@ from pydy.control.tuning import INPUT_SAMPLES
 from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
 
+if TYPE_CHECKING:
+    import sympy as sm
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import AnySymbol
+
 
 @dataclass(frozen=True, eq=False)
 class Limit:
     """A bound, or a guess, as a function of fractions of the duration."""
 
-    values: Any  # a number, or values at equal distances over the motion, or at times
+    # A number, or values at equal distances over the motion, or at times.
+    values: Any
     duration: float | None = None  # of the motion, for samples at times
 
     def __call__(self, fractions: np.ndarray) -> np.ndarray:
@@ -46,7 +53,7 @@ class Limit:
         return float(np.min(values)), float(np.max(values))
 
 
-def limit(value: Any, argument: str, duration: float | None, *, finite: bool = False) -> Limit:
+def limit(value: object, argument: str, duration: float | None, *, finite: bool = False) -> Limit:
     """Check a guess, whose numbers must be `finite`, or one side of bounds."""
     if isinstance(value, SampledInput):
         if duration is None:
@@ -77,11 +84,15 @@ class Guess:
     """The user's initial guess."""
 
     def __init__(
-        self, guess: Any, unknown: SymbolIndex, duration: float | None, symbol: Any
+        self,
+        guess: object,
+        unknown: SymbolIndex,
+        duration: float | None,
+        symbol: sm.Symbol | None,
     ) -> None:
         self._duration, self._symbol = duration, symbol
         self._motion: Trajectory | None = None
-        self._values: dict[Any, Any] = {}
+        self._values: dict[AnySymbol, object] = {}
         if isinstance(guess, Trajectory):
             self._motion = guess
         else:
@@ -104,7 +115,9 @@ class Guess:
             )
         return float(np.mean(np.maximum(bounds, 0.0)))
 
-    def values(self, symbol: Any, fractions: np.ndarray, duration: float) -> np.ndarray | None:
+    def values(
+        self, symbol: AnySymbol, fractions: np.ndarray, duration: float
+    ) -> np.ndarray | None:
         """Return the guess of a state or control at fractions of the duration, or None."""
         if self._motion is not None:
             if symbol not in self._motion:
@@ -120,13 +133,18 @@ class Guess:
         function = limit(self._values[symbol], f"`guess[{symbol}]`", duration, finite=True)
         return function(fractions)
 
-    def number(self, symbol: Any, default: float) -> float:
+    def number(self, symbol: AnySymbol, default: float) -> float:
         """Return the guess of a free constant."""
         if self._motion is not None:
             return float(self._motion.constants.get(symbol, default))
         return number(self._values.get(symbol, default), f"`guess[{symbol}]`", finite=True)
 
-    def check_bounds(self, symbol: Any, values: np.ndarray, bounds: Any) -> None:
+    def check_bounds(
+        self,
+        symbol: AnySymbol | None,
+        values: np.ndarray,
+        bounds: tuple[ArrayLike, ArrayLike],
+    ) -> None:
         """Refuse values that the user gave and that violate bounds, which are numbers or arrays."""
         low, high = np.broadcast_arrays(*bounds, values)[:2]
         outside = (values < low) | (values > high)

@@ -45,7 +45,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import scipy.sparse
@@ -73,15 +73,26 @@ from pydy.control.tuning import (
 )
 from pydy.solvers import DriftReport, Outcome
 
+if TYPE_CHECKING:
+    from scipy.sparse import csc_array, csr_array, dia_array
+
+    from pydy._problem import Problem
+    from pydy._sympy_types import AnySymbol
+    from pydy.inputs import SampledInput
+
+
+# The transcription of an experiment, and its unknowns.
+_Motion: TypeAlias = tuple[Transcription, np.ndarray]
+
 
 @dataclass(frozen=True, eq=False)
 class Experiment:
     """A measured motion."""
 
-    snapshot: Any  # the System's snapshot as it was in this experiment
+    snapshot: Problem  # the System's snapshot as it was in this experiment
     begin: float  # the time of the initial conditions
     times: np.ndarray  # (m,)
-    measured: tuple[Any, ...]  # states and outputs
+    measured: tuple[AnySymbol, ...]  # states and outputs
     values: np.ndarray  # (m, q), the samples
     weights: np.ndarray  # (m, q), one over their noise; zero where there is no sample
     unknown: tuple[int, ...]  # states whose initial values are parameters of this experiment
@@ -130,7 +141,7 @@ class Identification:
         columns = [
             k + count * (kind == "specifieds") for kind, k in self.shared if kind != "states"
         ]
-        numbers = {
+        numbers: dict[str, Any] = {
             "constants": snapshot.p,
             "specifieds": plan.inputs.values,
             "signals": plan.inputs.sampled,
@@ -170,7 +181,7 @@ class Identification:
         code = snapshot.model.with_compiled_inputs(snapshot.plan, perturbed=disturbed)
         return RateFunction(code.compiled("rates"), snapshot.inputs)
 
-    def meshes(self, mesh: Any) -> list[np.ndarray]:
+    def meshes(self, mesh: object) -> list[np.ndarray]:
         """Return the mesh of each experiment; by default it has one or two points a sample."""
         if mesh is not None:
             return [checked_mesh(mesh)] * len(self.experiments)
@@ -181,7 +192,7 @@ class Identification:
     def solve(
         self,
         z: np.ndarray,
-        mesh: Any,
+        mesh: object,
         search: Callable[..., NlpSolution],
         watch: Callable[[Iteration], None],
     ) -> Identified:
@@ -191,7 +202,7 @@ class Identification:
         residuals, or until the estimates move by little compared with their standard errors.
         """
         meshes = self.meshes(mesh)
-        motions: list[Any] = [None] * len(self.experiments)
+        motions: list[_Motion | None] = [None] * len(self.experiments)
         slope, earlier = np.zeros(len(z)), np.full(len(z), np.inf)
         for _ in range(MOST_REFINEMENTS):
             combined = _CombinedExperiments(self, meshes)
@@ -335,7 +346,7 @@ class _CombinedExperiments:
         )
 
     def program(
-        self, z: np.ndarray, motions: Sequence[Any], slope: np.ndarray, pull: float = 0.0
+        self, z: np.ndarray, motions: Sequence[_Motion | None], slope: np.ndarray, pull: float = 0.0
     ) -> tuple[Nlp, Nlp, np.ndarray]:
         """Return the program, a second one whose rows are the residuals, and the initial guess.
 
@@ -524,7 +535,7 @@ class _CombinedExperiments:
         free[self.parameters] = False
         return free
 
-    def _linear(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[Any, Any]:
+    def _linear(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[csr_array, csr_array]:
         """Return the scaled Jacobians of residuals and equations."""
         y = z / nlp.sizes
         measured = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
@@ -537,7 +548,7 @@ class _CombinedExperiments:
         )
 
 
-def _start(e: Experiment, transcription: Transcription, motion: Any) -> np.ndarray:
+def _start(e: Experiment, transcription: Transcription, motion: _Motion | None) -> np.ndarray:
     """Return the initial guess of an experiment's unknowns."""
     duration = transcription.problem.duration
     assert duration is not None
@@ -556,16 +567,16 @@ def _start(e: Experiment, transcription: Transcription, motion: Any) -> np.ndarr
     return transcription.unknowns_of(states, controls, numbers, duration)
 
 
-def _signal_columns(signal: tuple[np.ndarray, Any]) -> list[int]:
+def _signal_columns(signal: tuple[np.ndarray, SampledInput]) -> list[int]:
     return signal[0].tolist()  # type: ignore[no-any-return]
 
 
-def _matrix(nlp: Nlp, y: np.ndarray, rows: int, columns: int) -> Any:
+def _matrix(nlp: Nlp, y: np.ndarray, rows: int, columns: int) -> csr_array:
     """Return the scaled Jacobian of a program's rows."""
     return scipy.sparse.csr_array((nlp.native("jacobian", y)[0], nlp.jacobian_at), (rows, columns))
 
 
-def _system(R: Any, A: Any) -> tuple[Any, Any]:
+def _system(R: csr_array, A: csr_array) -> tuple[csc_array, dia_array]:
     """Return K, and a diagonal that makes it regular despite redundant constraints."""
     K = scipy.sparse.block_array(
         [[-scipy.sparse.eye_array(R.shape[0]), R, None], [R.T, None, A.T], [None, A, None]],
@@ -575,6 +586,6 @@ def _system(R: Any, A: Any) -> tuple[Any, Any]:
     return K, scipy.sparse.diags_array(shift)
 
 
-def _log_determinant(K: Any, shift: Any) -> float:
+def _log_determinant(K: csc_array, shift: dia_array) -> float:
     factors = scipy.sparse.linalg.splu((K + shift).tocsc())
     return float(np.log(np.abs(factors.U.diagonal())).sum())

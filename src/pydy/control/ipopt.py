@@ -31,7 +31,7 @@ from pydy._checks import shown
 from pydy._errors import MissingDependencyError, OptimizationError
 from pydy._forks import in_child
 from pydy._interrupts import Interrupts
-from pydy.control.nlp import SIGNATURES
+from pydy.control.nlp import SIGNATURES, Nlp
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
 
 STATUS = {
@@ -116,7 +116,7 @@ class NlpSolution:
         """Number of iterations; the first entry of the history is the initial guess."""
         return max(len(self.history) - 1, 0)
 
-    def seeds(self, nlp: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def seeds(self, nlp: Nlp) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the scaled multipliers of rows, lower bounds and upper bounds."""
         return (
             self.multipliers * nlp.row_sizes / nlp.cost_size,
@@ -165,7 +165,7 @@ def solving() -> Iterator[None]:
 
 
 @cache
-def library() -> Any:
+def library() -> ctypes.CDLL:
     """Return the shared library of IPOPT, or raise an error that says how to install it."""
     spec = find_spec("casadi")
     if spec is None or not spec.submodule_search_locations:
@@ -196,7 +196,7 @@ def library() -> Any:
     )
 
 
-def _declare(lib: Any) -> None:
+def _declare(lib: ctypes.CDLL) -> None:
     lib.CreateIpoptProblem.restype = c_void_p
     lib.CreateIpoptProblem.argtypes = [
         c_int, c_void_p, c_void_p, c_int, c_void_p, c_void_p, c_int, c_int, c_int, *[c_void_p] * 5,
@@ -212,7 +212,7 @@ def _declare(lib: Any) -> None:
     lib.IpoptSolve.restype = c_int
 
 
-def _probe(lib: Any) -> bool:
+def _probe(lib: ctypes.CDLL) -> bool:
     """Return whether the library's numbers and indices have the sizes that we pass.
 
     The problem min (x − 3)² with 1 ≤ x ≤ 2 has the solution 2.
@@ -237,7 +237,7 @@ def _probe(lib: Any) -> bool:
     }
     pointers = {name: ctypes.cast(call, c_void_p).value for name, call in calls.items()}
     empty, unit, at = np.empty(0), np.ones(1), np.zeros(1, np.int32)
-    square = SimpleNamespace(
+    square: Any = SimpleNamespace(
         size=1, rows=0, cost_size=1.0, estimated=False, lower=unit, upper=2.0 * unit, sizes=unit,
         row_sizes=empty, row_bounds=(empty, empty), jacobian_at=(empty, empty), hessian_at=(at, at),
         native=SimpleNamespace(addresses=pointers, handle=None),
@@ -250,7 +250,7 @@ class IterationRecorder:
     """The iterations of a search, and the exception that ended it, if any."""
 
     def __init__(
-        self, nlp: Any, watch: Callable[[Iteration], None], interrupts: Interrupts
+        self, nlp: Nlp, watch: Callable[[Iteration], None], interrupts: Interrupts
     ) -> None:
         self.nlp, self._watch, self._interrupts = nlp, watch, interrupts
         self.history: list[Iteration] = []
@@ -258,7 +258,13 @@ class IterationRecorder:
         self.stopped: BaseException | None = None  # reported as `interrupted` of the NlpSolution
 
     def solution(
-        self, y: Any, multipliers: Any, below: Any, above: Any, objective: float, status: int
+        self,
+        y: np.ndarray,
+        multipliers: np.ndarray,
+        below: np.ndarray,
+        above: np.ndarray,
+        objective: float,
+        status: int,
     ) -> NlpSolution:
         """Return a solver's scaled result as an NlpSolution."""
         nlp = self.nlp
@@ -276,7 +282,7 @@ class IterationRecorder:
 
     def guarded(
         self, _mode: int, number: int, objective: float, primal: float, dual: float, barrier: float,
-        *_: Any,
+        *_: object,
     ) -> bool:  # fmt: skip
         """Record an iteration; return whether to continue.
 
@@ -324,7 +330,7 @@ def _view(address: int, kind: Any = c_double) -> Any:
     return (kind * 1).from_address(address)
 
 
-def program_bounds(nlp: Any) -> list[np.ndarray]:
+def program_bounds(nlp: Nlp) -> list[np.ndarray]:
     """Return the scaled bounds of unknowns and rows: low, high, low, high."""
     low, high = nlp.row_bounds
     return [  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
@@ -334,23 +340,28 @@ def program_bounds(nlp: Any) -> list[np.ndarray]:
     ]  # fmt: skip
 
 
-def solver_options(nlp: Any, warm: NlpSolution | None) -> dict[str, Any]:
+def solver_options(nlp: Nlp, warm: NlpSolution | None) -> dict[str, object]:
     """Return the default options, which the user's options override."""
     # The program is scaled already.
-    defaults = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
+    defaults: dict[str, object] = {
+        "print_level": 0,
+        "sb": "yes",
+        "nlp_scaling_method": "none",
+        "tol": TOLERANCE,
+    }
     if nlp.estimated:
         defaults["hessian_approximation"] = "limited-memory"
     return defaults if warm is None else defaults | _WARM
 
 
 def solve(
-    nlp: Any,
+    nlp: Nlp,
     z: np.ndarray,
     *,
-    options: Mapping[str, Any] | None = None,
+    options: Mapping[str, object] | None = None,
     watch: Callable[[Iteration], None] = lambda iteration: None,
     warm: NlpSolution | None = None,
-    lib: Any = None,
+    lib: ctypes.CDLL | None = None,
 ) -> NlpSolution:
     """Solve a nonlinear program from the initial guess z; `watch` is called in each iteration.
 
@@ -401,7 +412,7 @@ def solve(
     return recorder.solution(y, multipliers, below, above, float(objective[0]), status)
 
 
-def option_values(name: Any, value: Any) -> list[Any]:
+def option_values(name: object, value: Any) -> list[str | int | float]:
     """Return a user's option in the types that it may have in IPOPT, the likely type first.
 
     IPOPT prints a message if an integer is set as a number, or the reverse.
@@ -417,7 +428,7 @@ def option_values(name: Any, value: Any) -> list[Any]:
         return [str(value)]  # of NumPy's too
     if isinstance(value, (bool, np.bool_)):
         return ["yes" if value else "no"]
-    forms: list[Any] = []
+    forms: list[str | int | float] = []
     with suppress(OverflowError):  # no float is as large, and no option
         forms.append(float(value))
     if -(2**31) <= value < 2**31 and value == int(value):  # C's has 32 bits
@@ -426,7 +437,7 @@ def option_values(name: Any, value: Any) -> list[Any]:
     return forms
 
 
-def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
+def _set_option(lib: ctypes.CDLL, problem: c_void_p, name: str, value: object) -> None:
     add = {str: lib.AddIpoptStrOption, int: lib.AddIpoptIntOption, float: lib.AddIpoptNumOption}
     for form in option_values(name, value):
         encoded = form.encode(errors="replace") if isinstance(form, str) else form

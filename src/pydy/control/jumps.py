@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import sympy as sm
@@ -25,6 +25,11 @@ from pydy._graph import Branches, Graph, SymPyReader, jacobian, rounding_bounds,
 from pydy._rank import HALF, ROUNDING
 from pydy.control.transcription import TranscribedProblem
 from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS
+
+if TYPE_CHECKING:
+    from pydy._assembly import Definition
+    from pydy._sympy_types import AnySymbol
+    from pydy.control.result import OptimalTrajectory
 
 _DECADES = 9.0  # samples of unknowns without bounds have sizes up to this power of ten
 # Functions that a message names by themselves; for others it shows the full expression.
@@ -187,7 +192,7 @@ def _switches_at(graph: Graph, node: int, switch: int) -> bool:
     return above != below
 
 
-def branching(definition: Any) -> dict[Any, Any]:
+def branching(definition: Definition) -> dict[AnySymbol, sm.Expr]:
     """Return the outputs with branches, such as an absolute value, and their expressions."""
     symbols = {*definition.states, *definition.specifieds, *definition.constants}
     kinds = (sm.Abs, sm.Max, sm.Min, *_JUMPING)
@@ -214,7 +219,7 @@ class Expressions:
     ranges: Mapping[tuple[str, int], Range]
     at_instants: Sequence[Range]  # of values at instants
 
-    def jump(self, expression: Any, argument: str, *, instants: bool = False) -> str:
+    def jump(self, expression: sm.Expr, argument: str, *, instants: bool = False) -> str:
         """Describe the first discontinuity of an expression, or return ''.
 
         The branch cut of `atan2` is ignored: a motion on either side of it is smooth.
@@ -222,7 +227,7 @@ class Expressions:
         graph = self.problem.equations.graph.copy()
         substitutions, ranges, fixed = self._inputs(graph, instants)
 
-        def read(part: Any) -> int:
+        def read(part: sm.Expr) -> int:
             return substitute(graph, self._read(graph, part, argument, instants), substitutions)[0]
 
         node = read(expression)
@@ -244,7 +249,9 @@ class Expressions:
         nodes = [n for e, argument in every for n in self._read(graph, e, argument, False)]
         return bool(Branches(graph, nodes).switches(whole=True))
 
-    def crossing(self, expression: Any, argument: str, motion: Any, active: np.ndarray) -> str:
+    def crossing(
+        self, expression: sm.Expr, argument: str, motion: OptimalTrajectory, active: np.ndarray
+    ) -> str:
         """Describe the first jump of a path expression along a motion, or return ''.
 
         Only jumps next to a time, (m,), at which the expression is `active` count.
@@ -277,8 +284,9 @@ class Expressions:
                 )
         return ""
 
-    def _unknowns_along(self, motion: Any) -> np.ndarray:
+    def _unknowns_along(self, motion: OptimalTrajectory) -> np.ndarray:
         """Return the unknowns along a motion, (m, n)."""
+        assert motion._model is not None
         rates = motion._model.derivatives(motion.times, motion.states)
         _, _, constants, duration = motion._transcription.split(motion.solution.z)
         controls = motion._transcription.controls_at(motion.solution.z, motion.times)
@@ -292,7 +300,7 @@ class Expressions:
         }
         return np.array([columns[group](k) for group, k in self.ranges]).T
 
-    def _read(self, graph: Graph, expression: Any, argument: str, instants: bool) -> list[int]:
+    def _read(self, graph: Graph, expression: sm.Expr, argument: str, instants: bool) -> list[int]:
         p = self.problem
         if not instants:
             return p.equations.read(graph, [expression], argument, p.named)
@@ -302,7 +310,11 @@ class Expressions:
         return SymPyReader(graph, atoms, argument).all([expression])
 
     def _inputs(
-        self, graph: Graph, instants: bool, fractions: Any = None, duration: Any = None
+        self,
+        graph: Graph,
+        instants: bool,
+        fractions: np.ndarray | None = None,
+        duration: float | None = None,
     ) -> tuple[dict[int, int], list[Range], dict[int, np.ndarray]]:
         """Return substitutions for the inputs, the ranges of unknowns, and fixed input values.
 
@@ -356,7 +368,7 @@ def refuse_jumps(expressions: Expressions) -> None:
             )
 
 
-def warn_of_crossings(expressions: Expressions, motion: Any) -> None:
+def warn_of_crossings(expressions: Expressions, motion: OptimalTrajectory) -> None:
     """Warn if the objective or an active condition is discontinuous along a solution."""
     p = expressions.problem
     message = expressions.crossing(

@@ -25,7 +25,7 @@ import marshal
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -48,6 +48,13 @@ from pydy._program import OPERATIONS, Program
 from pydy._rank import DIGITS
 from pydy.control.tuning import STORED_FUNCTIONS
 
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._assembly import Assembly
+    from pydy._problem import Problem, StateSamples
+    from pydy._sympy_types import AnySymbol
+
 _LANES = 8  # points evaluated by one call of the machine code
 # Read at import: the package's files may be replaced while this process runs.
 _SOURCE = hashlib.sha256(Path(__file__).read_bytes()).digest()
@@ -67,16 +74,16 @@ class ImplicitEquations:
     # Nodes that replace the constraints where these already hold: γ, z' − G, then the rates of the
     # constraints of velocities.
     rates: list[int]
-    atoms: Mapping[Any, int]  # nodes of the symbols that further expressions may contain
+    atoms: Mapping[AnySymbol, int]  # nodes of the symbols that further expressions may contain
     substitutions: Mapping[int, int]  # nodes of the specifieds that are given as expressions
     # The functions compiled last for this model, by a digest of their content.
     compiled: dict[bytes, PointFunctions] = field(default_factory=dict, repr=False)
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         return {**self.__dict__, "compiled": {}}
 
     @classmethod
-    def from_snapshot(cls, snapshot: Any, *, disturbed: bool = False) -> ImplicitEquations:
+    def from_snapshot(cls, snapshot: Problem, *, disturbed: bool = False) -> ImplicitEquations:
         """Return the equations of a System's snapshot.
 
         If `disturbed`, the entries of r of specifieds that are expressions are added to these.
@@ -101,6 +108,7 @@ class ImplicitEquations:
         holonomic = [assembly.holonomic[k] for k in constraints.enforced_holonomic]
         motion = assembly.velocity
         if motion:
+            assert equations.constraint_forces is not None  # the equations have bodies
             forces = equations.constraint_forces.unbalanced(definition.forces)
             unbalanced = implicit.read(graph, forces, "the equations of motion")
         else:
@@ -117,23 +125,25 @@ class ImplicitEquations:
         start_rows += [graph.sum(terms[k]) for k in solved]
         terms = [[] if k in solved else parts for k, parts in enumerate(terms)]
         by_places, by_speeds = jacobian(graph, holonomic, x[:nq]), jacobian(graph, motion, x[nq:])
-        for j, row in enumerate(by_places):
-            for k, node in row.items():
+        for j, derivatives in enumerate(by_places):
+            for k, node in derivatives.items():
                 slack = graph.mul(node, graph.input("s", j))
                 if k in solved:
                     terms[k].append((slack, 1.0))
                 elif enforced:  # otherwise these slack velocities are zero
                     terms[k].append((graph.mul(slack, graph.input("w", k)), -1.0))
-        for j, row in enumerate(by_speeds, start=len(holonomic)):
-            for k, node in row.items():
+        for j, derivatives in enumerate(by_speeds, start=len(holonomic)):
+            for k, node in derivatives.items():
                 terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
-        constraints = [*holonomic, *motion]
-        residuals = [*(graph.sum(parts) for parts in terms), *constraints]
+        constraint_nodes = [*holonomic, *motion]
+        residuals = [*(graph.sum(parts) for parts in terms), *constraint_nodes]
         for i in equations.dependents.speed_columns:  # these rows of M u' = F are the constraints
             row = assembly.mass_matrix[i * nu : (i + 1) * nu]
             parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
             start_rows.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))
-        return replace(implicit, residuals=residuals, constraints=constraints, rates=start_rows)
+        return replace(
+            implicit, residuals=residuals, constraints=constraint_nodes, rates=start_rows
+        )
 
     def rows(self, kind: str) -> list[int]:
         """Return the equations of points; see `Points.rows`."""
@@ -157,9 +167,9 @@ class ImplicitEquations:
     def read(
         self,
         graph: Graph,
-        expressions: Iterable[Any],
+        expressions: Iterable[sm.Expr],
         description: str,
-        named: Mapping[Any, tuple[str, int]] | None = None,
+        named: Mapping[AnySymbol, tuple[str, int]] | None = None,
     ) -> list[int]:
         """Read expressions into a copy of the graph; `description` names them in messages.
 
@@ -171,7 +181,7 @@ class ImplicitEquations:
         return substitute(graph, nodes, self.substitutions)
 
 
-def violated(at: Any) -> dict[int, float]:
+def violated(at: StateSamples) -> dict[int, float]:
     """Return the nonzero residuals of invariants, such as norms of quaternions, by their indices.
 
     `at` is the start of a motion. Invariants are holonomic constraints that are not enforced.
@@ -182,7 +192,7 @@ def violated(at: Any) -> dict[int, float]:
     return {k: value for k, (value, bound) in rows.items() if abs(value) > DIGITS * bound}
 
 
-def _holonomic(assembly: Any) -> dict[str, list[int]]:
+def _holonomic(assembly: Assembly) -> dict[str, list[int]]:
     rows = assembly.holonomic
     return {"rows": rows, "bounds": rounding_bounds(assembly.graph, rows)}
 
@@ -217,7 +227,7 @@ class PointBuilder:
         """Return the node of one of the numbers P."""
         return self.graph.input("P", k)
 
-    def combined(self, terms: Iterable[tuple[int, Any, int]], h: int) -> int:
+    def combined(self, terms: Iterable[tuple[int, float | Sequence[int], int]], h: int) -> int:
         """Return Σ coefficient · node · h^power; a coefficient is a number or a node in a list."""
         g = self.graph
         parts = []
@@ -235,16 +245,16 @@ class PointBuilder:
 
     def read(
         self,
-        expressions: Sequence[Any],
+        expressions: Sequence[sm.Expr],
         description: str,
         at: Mapping[tuple[str, int], int],
-        named: Mapping[Any, tuple[str, int]] | None = None,
+        named: Mapping[AnySymbol, tuple[str, int]] | None = None,
     ) -> list[int]:
         """Return expressions of the system's quantities as nodes; `at` as in `residuals`."""
         return self._placed(self.equations.read(self.graph, expressions, description, named), at)
 
     def read_with(
-        self, expressions: Sequence[Any], description: str, atoms: Mapping[Any, int]
+        self, expressions: Sequence[sm.Expr], description: str, atoms: Mapping[AnySymbol, int]
     ) -> list[int]:
         """Return expressions of some symbols alone as nodes."""
         return SymPyReader(self.graph, dict(atoms), description).all(list(expressions))
@@ -368,11 +378,16 @@ class PointFunctions:
     # triangle.
     jacobian_at: np.ndarray
     hessian_at: np.ndarray
-    _sweeps: dict[str, tuple[np.ndarray, int, Any]] = field(default_factory=dict, repr=False)
+    _sweeps: dict[str, tuple[np.ndarray, int, object]] = field(default_factory=dict, repr=False)
 
     @classmethod
     def from_programs(
-        cls, programs: Any, sizes: Any, outputs: Any, gradient_at: Any, *pairs: Any
+        cls,
+        programs: dict[str, Program],
+        sizes: tuple[int, int, int],
+        outputs: tuple[int, int],
+        gradient_at: Sequence[int],
+        *pairs: Sequence[tuple[int, int]],
     ) -> PointFunctions:
         """Return the functions of Programs; positions of entries are given as lists."""
         first, second = (np.array(pair, dtype=int).reshape(-1, 2) for pair in pairs)
@@ -396,14 +411,14 @@ class PointFunctions:
         backend = LLVMBackend(lanes=_LANES)
         return {name: backend.compile(program) for name, program in self.programs.items()}
 
-    def sweep(self, name: str) -> tuple[np.ndarray, int, Any]:
+    def sweep(self, name: str) -> tuple[np.ndarray, int, object]:
         """Return the arguments of native code for one of the functions; see `sweep_by_columns`."""
         if name not in self._sweeps:
             self._sweeps[name] = sweep_by_columns(self.programs[name], _LANES)
         words, scratch, code = self._sweeps[name]
         return words.copy(), scratch, code
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         return {k: v for k, v in self.__dict__.items() if k != "_kernels"} | {"_sweeps": {}}
 
     def __call__(self, name: str, X: np.ndarray, R: np.ndarray, P: np.ndarray) -> np.ndarray:

@@ -11,12 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy.control.transcription import Condition, Lifted
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
 
 _MOST_PARTS = 16  # most smooth conditions that replace one with kinks
 _LARGE = 400  # operations of a Piecewise whose branches are compared by SymPy
@@ -26,14 +29,16 @@ _LARGE = 400  # operations of a Piecewise whose branches are compared by SymPy
 class Epigraph:
     """A smooth objective, with the unknowns and conditions that replace its kinks."""
 
-    expression: Any
+    expression: sm.Expr
     unknown: tuple[Lifted, ...] = ()
-    kinks: tuple[Any, ...] = ()  # the expression that each unknown equals at the minimum
+    kinks: tuple[sm.Expr, ...] = ()  # the expression that each unknown equals at the minimum
     conditions: tuple[Condition, ...] = ()
 
 
 def epigraph(
-    expression: Any, depends_on_unknowns: Callable[[Any], bool], values: Mapping[Any, float]
+    expression: sm.Expr,
+    depends_on_unknowns: Callable[[sm.Expr], bool],
+    values: Mapping[AnySymbol, float],
 ) -> Epigraph:
     """Replace the kinks of an objective where that changes no minimum.
 
@@ -70,7 +75,9 @@ def epigraph(
 
 
 def split(
-    condition: Condition, depends_on_unknowns: Callable[[Any], bool], values: Mapping[Any, float]
+    condition: Condition,
+    depends_on_unknowns: Callable[[sm.Expr], bool],
+    values: Mapping[AnySymbol, float],
 ) -> list[Condition]:
     """Return smooth conditions that are together equivalent to a condition with kinks.
 
@@ -99,21 +106,21 @@ def split(
     return conditions if len(conditions) <= _MOST_PARTS else [condition]
 
 
-def _outermost(expression: Any) -> Sequence[Any]:
+def _outermost(expression: sm.Expr) -> Sequence[sm.Expr]:
     """Return the kinks that are not nested in others, in a fixed order."""
     if _may_bend(expression):
         return [expression]
     return [kink for part in expression.args for kink in _outermost(part)]
 
 
-def _may_bend(expression: Any) -> bool:
+def _may_bend(expression: sm.Expr) -> bool:
     if isinstance(expression, sm.Pow):  # the root of a square
         base, power = expression.args
         return bool(power == sm.S.Half and base.is_Pow and base.exp == 2)
     return isinstance(expression, (sm.Abs, sm.Max, sm.Min, sm.Piecewise))
 
 
-def _extremum(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
+def _extremum(kink: sm.Expr) -> tuple[int, tuple[sm.Expr, ...]] | None:
     """Return (1, arguments) of a maximum, (−1, arguments) of a minimum, or None."""
     if isinstance(kink, (sm.Max, sm.Min)):
         return (1 if isinstance(kink, sm.Max) else -1), kink.args
@@ -123,7 +130,7 @@ def _extremum(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
     return 1, (inner, -inner)
 
 
-def _of_branches(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
+def _of_branches(kink: sm.Expr) -> tuple[int, tuple[sm.Expr, ...]] | None:
     """Return a Piecewise of two branches as a maximum or minimum, or None; as `_extremum` does.
 
     The difference of the branches must be a multiple of the switch. With a − b = k·s, where the
@@ -140,12 +147,12 @@ def _of_branches(kink: Any) -> tuple[int, tuple[Any, ...]] | None:
     return (1 if ratio.is_positive else -1), (first, second)
 
 
-def _has_sign(factor: Any, sign: int, values: Mapping[Any, float]) -> bool:
+def _has_sign(factor: sm.Expr, sign: int, values: Mapping[AnySymbol, float]) -> bool:
     """Return whether sign · factor is nonnegative for all real values of its symbols.
 
     Only the signs of constants are used, so that the result holds for other values of these signs.
     """
-    real: dict[Any, Any] = {}
+    real: dict[AnySymbol, sm.Dummy] = {}
     for a in factor.atoms(sm.Symbol, AppliedUndef, sm.Derivative):
         value = values.get(a)
         kinds = {} if value is None else {

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pydy._errors import MissingDependencyError, OptimizationError
 from pydy.control import ipopt
 from pydy.control.nlp import Nlp
-from pydy.control.transcription import Transcription
+from pydy.control.transcription import Bound, Transcription
 from pydy.control.tuning import HALVINGS
+
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol
 
 
 def least_between(transcription: Transcription, nlp: Nlp, z: np.ndarray, k: int) -> float:
@@ -85,12 +90,10 @@ def least_between(transcription: Transcription, nlp: Nlp, z: np.ndarray, k: int)
     return solution.objective if solution.solved else np.nan
 
 
-def _restriction(
-    first: float, length: float
-) -> Callable[[Any], Callable[[np.ndarray], np.ndarray]]:
+def _restriction(first: float, length: float) -> Callable[[Bound], Bound]:
     """Return a function that restricts a limit of the full motion to a part of it."""
     return lambda limit: lambda fractions: limit(first + length * fractions)
 
 
-def _symbols(expression: Any) -> Any:
+def _symbols(expression: sm.Expr | int) -> Iterable[AnySymbol]:
     return getattr(expression, "free_symbols", ())

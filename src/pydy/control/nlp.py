@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from copy import copy
 from ctypes import c_bool, c_double, c_int, c_void_p
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,7 +28,10 @@ from pydy.control.kernel import PointFunctions
 from pydy.control.tuning import UNEVEN
 from pydy.solvers import sampled_input_tables
 
-SIGNATURES: dict[str, tuple[Any, ...]] = {
+if TYPE_CHECKING:
+    from pydy.inputs import SampledInput
+
+SIGNATURES: dict[str, tuple[type, ...]] = {
     "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
     "rows": (c_int, c_void_p, c_bool, c_int, c_void_p, c_void_p),
     "gradient": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
@@ -56,7 +59,7 @@ class PointGroup:
     collocated: bool = False  # whether these are collocation points
     # Indices in r, and SampledInputs. Their `cubics_at` the points' times are the last rows of the
     # data; the times depend on the duration, which is the last variable.
-    signals: Sequence[tuple[np.ndarray, Any]] = ()
+    signals: Sequence[tuple[np.ndarray, SampledInput]] = ()
 
     def __post_init__(self) -> None:
         for side in ("low", "high"):
@@ -89,7 +92,9 @@ class PointGroup:
         return self.data[1].min() / self.data[1] if self.collocated else np.ones(1)
 
 
-def cubics_at(signals: Sequence[tuple[np.ndarray, Any]], times: np.ndarray) -> list[np.ndarray]:
+def cubics_at(
+    signals: Sequence[tuple[np.ndarray, SampledInput]], times: np.ndarray
+) -> list[np.ndarray]:
     """Return five rows for each signal: the knot before each time, and the cubic from there on."""
     rows = []
     for _, samples in signals:
@@ -238,7 +243,7 @@ class Native:
     `like`, the functions of the same program with other scales, both share their arrays.
     """
 
-    def __init__(self, nlp: Any, like: Native | None = None) -> None:
+    def __init__(self, nlp: Nlp, like: Native | None = None) -> None:
         code = nlp_functions()
         self.addresses = {name: code.addresses[f"nlp_{name}"] for name in SIGNATURES}
         self._call = {
@@ -246,7 +251,7 @@ class Native:
             for name, kinds in SIGNATURES.items()
         }
         self._sizes = nlp.size, nlp.rows, len(nlp.jacobian_at[0]), len(nlp.hessian_at[0])
-        self._references: list[Any] = [code, like]
+        self._references: list[object] = [code, like]
         self._tables: list[np.ndarray] = like._tables if like is not None else [
             np.array([self._part(nlp, k, name) for k, group in enumerate(nlp.groups)
                       if name in group.functions.programs], np.int64)
@@ -271,7 +276,7 @@ class Native:
         self._references.append(array)
         return int(array.ctypes.data)
 
-    def _part(self, nlp: Any, k: int, name: str) -> list[int]:
+    def _part(self, nlp: Nlp, k: int, name: str) -> list[int]:
         """Return one function of a group as the integers of its C struct."""
         group = nlp.groups[k]
         functions, points = group.functions, group.points
@@ -301,7 +306,7 @@ class Native:
         ]
 
     def __call__(
-        self, name: str, y: np.ndarray, weight: float = 1.0, multipliers: Any = None
+        self, name: str, y: np.ndarray, weight: float = 1.0, multipliers: np.ndarray | None = None
     ) -> tuple[np.ndarray, bool]:
         """Evaluate a function at y; return its values and whether all are finite."""
         n, m, slopes, curvatures = self._sizes

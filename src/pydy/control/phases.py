@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 import sympy as sm
@@ -15,11 +15,16 @@ from pydy._checks import check_mapping, listed, shown
 from pydy._optional import require
 from pydy.codegen import checked_expression
 from pydy.control.ipopt import Iteration, NlpSolution
-from pydy.control.kernel import PointBuilder
+from pydy.control.kernel import PointBuilder, PointFunctions
 from pydy.control.nlp import PointGroup
 from pydy.control.result import OptimalTrajectory, why_in_vain
-from pydy.control.search import TrajectorySearch
+from pydy.control.search import SearchableProblem, TrajectorySearch
 from pydy.control.transcription import Transcription
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+    from pydy._sympy_types import AnySymbol
 
 _OPEN = (-np.inf, np.inf)
 
@@ -48,7 +53,11 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
     def __len__(self) -> int:
         return len(self._phases)
 
-    def __getitem__(self, key: Any) -> Any:
+    @overload
+    def __getitem__(self, key: int) -> OptimalTrajectory: ...
+    @overload
+    def __getitem__(self, key: slice) -> tuple[OptimalTrajectory, ...]: ...
+    def __getitem__(self, key: int | slice) -> OptimalTrajectory | tuple[OptimalTrajectory, ...]:
         return self._phases[key]
 
     def summary(self) -> str:
@@ -56,7 +65,7 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
         parts = [f"phase {k}\n\n{phase.summary()}" for k, phase in enumerate(self)]
         return "\n\n".join([repr(self), *parts])
 
-    def to_dataframe(self) -> Any:
+    def to_dataframe(self) -> DataFrame:
         """Return a `pandas.DataFrame` of all phases, indexed by ``phase`` and ``time``.
 
         Raises
@@ -78,7 +87,7 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
 class Phases(TrajectorySearch[PhasedTrajectory]):
     """Consecutive optimal control problems, solved as one; see `OptimalControl.phases`."""
 
-    def __init__(self, problems: Sequence[Any], links: Any) -> None:
+    def __init__(self, problems: Sequence[SearchableProblem], links: object) -> None:
         junctions = listed("links", links, "a dictionary for each junction")
         if len(junctions) != len(problems) - 1:
             raise ValueError(
@@ -97,7 +106,7 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
             phase, link = copy(problem), self._links[k]
             # The end of a phase satisfies the constraints; the link may violate some of them.
             follow = _followers(self._problems[-1], problem, link)
-            equations, solved = problem._snapshot.definition.equations, set[Any]()
+            equations, solved = problem._snapshot.definition.equations, set[AnySymbol]()
             constraints = equations.constraints
             # After such a link residuals determine other unknowns.
             if follow < len(constraints.enforced_holonomic):
@@ -112,10 +121,10 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
             )
             self._problems.append(phase)
 
-    def _guesses(self, guess: Any) -> Sequence[Any]:
+    def _guesses(self, guess: object) -> Sequence[object]:
         if guess is None:
             return [None] * len(self._problems)
-        guesses: Sequence[Any] = listed("guess", guess, "a guess for each phase")
+        guesses: Sequence[object] = listed("guess", guess, "a guess for each phase")
         if len(guesses) != len(self._problems):
             raise ValueError(
                 f"`guess` must have an entry for each of the {len(self._problems)} phases, got "
@@ -123,15 +132,17 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
             )
         return guesses
 
-    def _with_problems(self, problems: Sequence[Any]) -> Phases:
+    def _with_problems(self, problems: Sequence[SearchableProblem]) -> Phases:
         combined = copy(self)
         combined._problems = list(problems)
         return combined
 
-    def _phases(self, motion: PhasedTrajectory) -> Sequence[Any]:
+    def _phases(self, motion: PhasedTrajectory) -> Sequence[OptimalTrajectory]:
         return list(motion)
 
-    def _combined_result(self, phases: Sequence[Any], solution: NlpSolution) -> PhasedTrajectory:
+    def _combined_result(
+        self, phases: Sequence[OptimalTrajectory], solution: NlpSolution
+    ) -> PhasedTrajectory:
         return PhasedTrajectory(phases, solution)
 
     def _link(
@@ -142,7 +153,7 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
         next_states = self._problems[k + 1]._snapshot.definition.states
         key = ("link", k, *map(str, link.items()))
 
-        def compiled() -> Any:
+        def compiled() -> PointFunctions:
             point = PointBuilder(before.equations, len(before.numbers))
             x, y = point.variables(before.states), point.variables(after.states)
             numbers, _ = before.unknown_numbers(point)
@@ -164,7 +175,9 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
         return PointGroup(functions, at[:, None], none, before.numbers, labels, np.full(1, np.nan))
 
 
-def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:
+def _followers(
+    before: SearchableProblem, after: SearchableProblem, link: Mapping[AnySymbol, sm.Expr]
+) -> int:
     """Return how many of the constraints, from the first one on, a link preserves."""
     definition, equations = after._snapshot.definition, after._problem.equations
     signals = [k for columns, _ in after._problem.signals for k in columns.tolist()]
@@ -182,12 +195,14 @@ def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:
     return position_count if any(link.get(s) != s for s in u) else len(equations.constraints)
 
 
-def _checked_link(argument: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:
+def _checked_link(
+    argument: str, link: object, before: SearchableProblem, after: SearchableProblem
+) -> dict[AnySymbol, sm.Expr]:
     """Return an expression for each state that is linked."""
     states = after._snapshot.definition.states
     definition = before._snapshot.definition
     allowed = {*definition.states, *definition.constants}
-    expressions: dict[Any, Any] = {s: s for s in states if s in definition.states}
+    expressions: dict[AnySymbol, sm.Expr] = {s: s for s in states if s in definition.states}
     entries = check_mapping(argument, link)
     symbols = after._snapshot.definition.places["states"].chosen(entries, argument)
     for s, (key, value) in zip(symbols, entries.items(), strict=True):

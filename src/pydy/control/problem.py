@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._assembly import followed
+from pydy._assembly import Definition, followed
 from pydy._checks import (
     SymbolIndex,
     check_mapping,
@@ -26,8 +26,9 @@ from pydy._checks import (
 from pydy._errors import OptimizationError
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import some, unique_names
+from pydy._problem import with_settings
 from pydy._rank import DIGITS, rank
-from pydy.codegen import checked_expression
+from pydy.codegen import SpecifiedsPlan, checked_expression
 from pydy.control.expressions import ExpressionReader, bends
 from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
 from pydy.control.ipopt import NlpSolution
@@ -55,10 +56,15 @@ from pydy.control.refine import (
 )
 from pydy.control.result import OptimalTrajectory
 from pydy.control.schemes import METHODS, scheme_of
-from pydy.control.search import TrajectorySearch
+from pydy.control.search import ModelledSystem, TrajectorySearch
 from pydy.control.transcription import TranscribedProblem, Transcription
 from pydy.control.tuning import LARGEST_ORDER
 from pydy.inputs import SampledInput
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import AnySymbol, SymbolOrName
 
 _OPEN = (-np.inf, np.inf)
 _FREE = (Limit(-np.inf), Limit(np.inf))
@@ -145,17 +151,17 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
 
     def __init__(
         self,
-        system: Any,
-        objective: Any,
-        duration: Any,
+        system: ModelledSystem,
+        objective: sm.Expr,
+        duration: float | sm.Symbol,
         *,
-        start: Mapping[Any, Any] | None = None,
-        end: Mapping[Any, Any] | None = None,
-        boundary: Iterable[Any] = (),
-        path: Iterable[Any] | None = None,
-        bounds: Mapping[Any, Any] | None = None,
-        free: Iterable[Any] = (),
-        mesh: Any = 20,
+        start: Mapping[Any, object] | None = None,
+        end: Mapping[Any, object] | None = None,
+        boundary: Iterable[sm.Basic] = (),
+        path: Iterable[sm.Basic] | None = None,
+        bounds: Mapping[Any, object] | None = None,
+        free: Iterable[SymbolOrName] = (),
+        mesh: int | ArrayLike = 20,
         method: str = "radau",
         order: int = 3,
         hessian: str = "exact",
@@ -218,8 +224,9 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         self._mesh = refined(self._mesh, np.zeros(initial.intervals), 1.0, 1, breaks)
 
     def _read(
-        self, reader: ExpressionReader, objective: Any, boundary: Any, path: Any, hessian: Any
-    ) -> TranscribedProblem:
+        self, reader: ExpressionReader, objective: sm.Expr, boundary: Sequence[sm.Basic],
+        path: Sequence[sm.Basic], hessian: str,
+    ) -> TranscribedProblem:  # fmt: skip
         """Return the problem as data."""
         snapshot, definition, plan = self._snapshot, self._snapshot.definition, self._snapshot.plan
         equations, position = definition.equations, definition.specifieds.index
@@ -322,7 +329,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         moving |= {*definition.states, *definition.equations.kinematics.speed_rates}
         moving |= {*definition.outputs_symbols}
 
-        def varies(kink: Any) -> bool:
+        def varies(kink: sm.Expr) -> bool:
             return not kink.atoms(sm.Symbol, AppliedUndef, sm.Derivative).isdisjoint(moving)
 
         constants = zip(definition.constants, self._snapshot.p.tolist(), strict=True)
@@ -351,7 +358,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         """Return the values of the kinks at instants, at a guess."""
         names, numbers = self._snapshot.definition.constants, self._snapshot.p.tolist()
         states, controls, free, duration = transcription.split(z)
-        values: dict[Any, Any] = dict(zip((*names, *self._free), (*numbers, *free), strict=False))
+        values = dict(zip((*names, *self._free), (*numbers, *free), strict=False))
         if self._symbol is not None:
             values[self._symbol] = duration
         for i in self._problem.instants:
@@ -362,7 +369,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             values[i.symbol] = float(slot_values @ (weights * (h * duration) ** powers))
         return [float(kink.subs(values)) for kink in self._kinks]
 
-    def _reach(self, symbol: Any) -> tuple[float, float]:
+    def _reach(self, symbol: AnySymbol) -> tuple[float, float]:
         """Return the widest bounds that an unknown has along the motion."""
         low, high = self._bounds.get(symbol, _FREE)
         return low.extremes[0], high.extremes[1]
@@ -372,7 +379,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         """A hint for the message of a search that failed."""
         return self._bends or jumping_conditions(self._expressions())
 
-    def _check_samples(self, plan: Any) -> str:
+    def _check_samples(self, plan: SpecifiedsPlan) -> str:
         """Refuse samples that do not cover the motion, or that jump while its duration is unknown.
 
         Returns a hint on samples that bend, for a search that failed.
@@ -396,7 +403,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             "point meets one of them finds no minimum. Use interpolation='pchip'."
         )  # fmt: skip
 
-    def _read_bounds(self, bounds: Any) -> dict[Any, tuple[Limit, Limit]]:
+    def _read_bounds(self, bounds: object) -> dict[AnySymbol, tuple[Limit, Limit]]:
         """Return the bounds by symbol."""
         entries, limits = check_mapping("bounds", bounds), {}
         symbols = self._unknown.chosen(entries, "bounds")
@@ -416,30 +423,26 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             limits[symbol] = low, high
         return limits
 
-    def _bounds_at(self, symbol: Any, fraction: float = 0.0) -> tuple[float, float]:
+    def _bounds_at(self, symbol: AnySymbol, fraction: float = 0.0) -> tuple[float, float]:
         """Return the bounds of an unknown at a fraction of the motion."""
         low, high = (float(side[0]) for side in self._pair_at(symbol, np.array([fraction])))
         return low, high
 
-    def _pair_at(self, symbol: Any, fractions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _pair_at(self, symbol: AnySymbol, fractions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         low, high = self._bounds.get(symbol, _FREE)
         return low(fractions), high(fractions)
 
-    def _limits(self, argument: str, entries: Any, symbols: Any) -> dict[Any, tuple[float, float]]:
+    def _limits(
+        self, argument: str, entries: object, symbols: Sequence[AnySymbol]
+    ) -> dict[AnySymbol, tuple[float, float]]:
         """Return pairs of numbers by symbol."""
         symbol_index = SymbolIndex(tuple(symbols), "unknowns of the problem")
         values = check_mapping(argument, entries)
-        return {
-            symbol: _pair(value, f"`{argument}[{key}]`", True)
-            for symbol, (key, value) in zip(
-                symbol_index.chosen(values, argument), values.items(), strict=True
-            )
-        }
+        pairs = zip(symbol_index.chosen(values, argument), values.items(), strict=True)
+        return {s: _pair(value, f"`{argument}[{key}]`", True) for s, (key, value) in pairs}
 
     @staticmethod
-    def phases(
-        problems: Iterable[OptimalControl], links: Iterable[Mapping[Any, Any]] | None = None
-    ) -> Phases:
+    def phases(problems: Iterable[OptimalControl], links: Iterable[object] | None = None) -> Phases:
         """Join problems to one motion in phases, as of a hopper: flight, impact, stance.
 
         The sum of the objectives is minimised. Each phase has its own time, from 0 on, system, mesh
@@ -508,8 +511,8 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         """Refuse a start that violates the constraints, or that they leave undetermined."""
         states = self._snapshot.definition.states
         if self._fixed and not self._free:
-            at = self._snapshot.at(np.zeros(1), np.array([[self._start[s][0] for s in states]]))
-            for k, value in violated(at).items():
+            start = np.array([[self._start[s][0] for s in states]])
+            for k, value in violated(self._snapshot.at(np.zeros(1), start)).items():
                 raise ValueError(
                     f"The start does not satisfy the constraints: constraint {k} of positions is "
                     f"{value:.3g}."
@@ -582,7 +585,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         return lower, upper
 
     def _guess(
-        self, transcription: Transcription, user_guess: Any, lower: np.ndarray, upper: np.ndarray
+        self, transcription: Transcription, user_guess: object, lower: np.ndarray, upper: np.ndarray
     ) -> np.ndarray:
         """Return the user's guess, completed by linear interpolation between the ends."""
         guess = Guess(user_guess, self._unknown, self._duration, self._symbol)
@@ -639,8 +642,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         p = self._snapshot.p.copy()
         p[list(columns)] = numbers
         constants = dict(zip(self._snapshot.definition.constants, p.tolist(), strict=True))
-        user = {**self._snapshot.user, "constants": constants}
-        copied._snapshot = replace(self._snapshot, user=user)
+        copied._snapshot = with_settings(self._snapshot, constants=constants)
         copied._problem = replace(self._problem, constants=p)
         copied._as_written = replace(self._as_written, constants=p)
         if self._switches:
@@ -686,7 +688,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         return propagated_errors(rate_function, transcription, z, motion._sizes, tolerance)
 
 
-def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
+def _controls_of(definition: Definition, plan: SpecifiedsPlan) -> tuple[AnySymbol, ...]:
     """Return the controls: the specifieds without a value."""
     if plan.inputs.functions:
         raise ValueError(
@@ -708,8 +710,8 @@ def _controls_of(definition: Any, plan: Any) -> tuple[Any, ...]:
 
 
 def _extra_constants(
-    definition: Any, free: Sequence[Any], expressions: Iterable[Any], duration: Any
-) -> set[Any]:
+    definition: Definition, free: Sequence[object], expressions: Iterable[object], duration: object
+) -> set[sm.Symbol]:
     """Return the free symbols that occur in the objective or the conditions only."""
     reserved = {*definition.states, *definition.specifieds, *definition.constants}
     reserved |= {duration} if isinstance(duration, sm.Symbol) else set()
@@ -718,7 +720,7 @@ def _extra_constants(
     return {s for s in symbols - reserved if s in free or s.name in free}
 
 
-def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
+def _duration_of(duration: object, definition: Definition) -> tuple[float | None, sm.Symbol | None]:
     """Return the duration and None, or None and the symbol of an unknown duration."""
     if not isinstance(duration, sm.Symbol):
         value = number(duration, "`duration`", finite=True)
@@ -740,7 +742,7 @@ def _duration_of(duration: Any, definition: Any) -> tuple[float | None, Any]:
     return None, duration
 
 
-def _constant(side: Any) -> bool:
+def _constant(side: SampledInput | Sequence[float] | np.ndarray | float | None) -> bool:
     """Return whether a bound is constant over the motion."""
     if side is None or isinstance(side, (SampledInput, list, tuple, range)):
         return side is None
@@ -750,7 +752,7 @@ def _constant(side: Any) -> bool:
         return False
 
 
-def _pair(value: Any, argument: str, single: bool) -> tuple[float, float]:
+def _pair(value: object, argument: str, single: bool) -> tuple[float, float]:
     """Return bounds, where None means unbounded; a `single` number may stand for both."""
     if value is None:
         return _OPEN
@@ -780,13 +782,10 @@ def _middle(limits: tuple[float, float], otherwise: float) -> float:
     return min(max(otherwise, low), high)
 
 
-def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
+def labels_of(definition: Definition) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the names of all equations, and of the constraints among them."""
     equations = definition.equations
-    coordinates, speeds, auxiliaries = (
-        unique_names(part)
-        for part in (equations.coordinates, equations.speeds, definition.auxiliaries)
-    )
+    coordinates, speeds = unique_names(equations.coordinates), unique_names(equations.speeds)
     constraints = (
         *(f"constraint {k} of positions" for k in equations.constraints.enforced_holonomic),
         *(f"constraint {k} of velocities" for k in range(len(equations.constraints.velocity))),
@@ -794,7 +793,7 @@ def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
     labels = (
         *(f"kinematics of {name}" for name in coordinates),
         *(f"motion of {name}" for name in speeds),
-        *(f"integral {name}" for name in auxiliaries),
+        *(f"integral {name}" for name in unique_names(definition.auxiliaries)),
         *constraints,
     )
     return labels, constraints

@@ -7,9 +7,9 @@ interval's last state is the error of the interval's collocation polynomial.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -29,6 +29,10 @@ from pydy.control.tuning import (
     UNEVEN,
 )
 from pydy.solvers import tableau_of
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
+    from pydy.control.accuracy import SolvedMotion
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,7 +179,11 @@ def _integrated(
 
 
 def refined(
-    mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int, extra_nodes: Any = ()
+    mesh: np.ndarray,
+    error: np.ndarray,
+    tolerance: float,
+    order: int,
+    extra_nodes: Iterable[float] = (),
 ) -> np.ndarray:
     """Return a mesh on which the errors should be within the tolerance.
 
@@ -261,7 +269,7 @@ def refuse_singular(
     x: np.ndarray,
     z: np.ndarray,
     sizes: np.ndarray,
-    limits: Mapping[Any, tuple[float, float]],
+    limits: Mapping[AnySymbol, tuple[float, float]],
 ) -> None:
     """Refuse constants at bounds where the equations have no solution, such as a mass of zero."""
     problem, first = transcription.problem, sum(transcription.sizes[:2])
@@ -282,7 +290,10 @@ def refuse_singular(
 
 
 def refuse_unsolvable(
-    rate_function: RateFunction, transcription: Transcription, z: np.ndarray, names: Sequence[Any]
+    rate_function: RateFunction,
+    transcription: Transcription,
+    z: np.ndarray,
+    names: Sequence[AnySymbol],
 ) -> None:
     """Refuse constants with which the accelerations are undefined at every node."""
     states, _, _, duration = transcription.split(z)
@@ -300,7 +311,7 @@ def refuse_unsolvable(
         )
 
 
-def checked_mesh(mesh: Any) -> np.ndarray:
+def checked_mesh(mesh: object) -> np.ndarray:
     """Return the nodes as fractions."""
     nodes = real_array(mesh, "`mesh`")
     if nodes.ndim == 0:
@@ -322,7 +333,7 @@ def checked_mesh(mesh: Any) -> np.ndarray:
 
 
 def warn_of_refinements(
-    count: int, phases: Sequence[Any], tolerance: float, failed: int = 0
+    count: int, phases: Sequence[SolvedMotion], tolerance: float, failed: int = 0
 ) -> None:
     """Warn that refinement did not reach the tolerance.
 
@@ -360,7 +371,7 @@ def warn_of_refinements(
     )
 
 
-def _error_of_search(phase: Any) -> float:
+def _error_of_search(phase: SolvedMotion) -> float:
     """Return how much the residuals that the search leaves change the objective."""
     nlp, solution = phase._nlp, phase.solution
     values = nlp.native("rows", solution.z / nlp.sizes)[0]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -23,7 +23,15 @@ from pydy.inputs import SampledInput
 from pydy.plot import axes_of, rows_of_axes, typeset
 from pydy.trajectory import Columns, Trajectory
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from pydy._sympy_types import AnySymbol
+
 _STUCK = (INFEASIBLE, 3, -1, -2, -3)  # statuses of a search that could make no more progress
+
+# Times and values of a curve, and times and values of each of its limits.
+_Curve: TypeAlias = tuple[np.ndarray, np.ndarray, list[tuple[np.ndarray, np.ndarray]]]
 
 
 class OptimalTrajectory(Trajectory):
@@ -69,8 +77,8 @@ class OptimalTrajectory(Trajectory):
         self,
         problem: Problem,
         transcription: Transcription,
-        controls: Sequence[Any],
-        free: Sequence[Any],
+        controls: Sequence[AnySymbol],
+        free: Sequence[AnySymbol],
         nlp: Nlp,
         solution: NlpSolution,
         error: np.ndarray,
@@ -164,7 +172,7 @@ class OptimalTrajectory(Trajectory):
         return objective_errors(self._transcription, self._nlp, self.solution)
 
     @property
-    def costates(self) -> dict[Any, np.ndarray]:
+    def costates(self) -> dict[AnySymbol, np.ndarray]:
         """Derivatives of the objective that remains at a node by each state there, shape (M + 1,).
 
         These are the adjoint variables of Pontryagin's principle for ``H = L + costates · rates``
@@ -226,7 +234,7 @@ class OptimalTrajectory(Trajectory):
             f"{self.error.sum():.2g} in all",
         ])  # fmt: skip
 
-    def plot_controls(self, axes: Any = None) -> Any:
+    def plot_controls(self, axes: Axes | Sequence[Axes] | None = None) -> Axes | Sequence[Axes]:
         """Plot the controls over time, dashed their bounds, and the nodes; return the Axes.
 
         Parameters
@@ -245,7 +253,7 @@ class OptimalTrajectory(Trajectory):
             curves.append((times, inputs[symbol].rows(times)[:, 0], limits))
         return self._plotted(axes, self.controls, curves)
 
-    def plot_states(self, axes: Any = None) -> Any:
+    def plot_states(self, axes: Axes | Sequence[Axes] | None = None) -> Axes | Sequence[Axes]:
         """Plot the states over time, dashed their bounds, and the nodes; return the Axes.
 
         Parameters
@@ -267,7 +275,12 @@ class OptimalTrajectory(Trajectory):
         curves = [(times, row, [(at, low), (at, high)]) for row, low, high in rows]
         return self._plotted(axes, self._states, curves)
 
-    def _plotted(self, axes: Any, symbols: Sequence[Any], curves: Sequence[Any]) -> Any:
+    def _plotted(
+        self,
+        axes: Axes | Sequence[Axes] | None,
+        symbols: Sequence[AnySymbol],
+        curves: Sequence[_Curve],
+    ) -> Axes | Sequence[Axes]:
         """Plot times and values with their limits, each in its Axes."""
         names = unique_names(symbols)
         axes, rows = rows_of_axes(axes, len(names), f"of {', '.join(names)}")
@@ -282,7 +295,7 @@ class OptimalTrajectory(Trajectory):
             ax.set_ylabel(typeset(name, ""))
         return axes
 
-    def plot_error(self, ax: Any = None) -> Any:
+    def plot_error(self, ax: Axes | None = None) -> Axes:
         """Plot the error of each interval over time; return the Axes."""
         ax = axes_of(ax, "a plot")
         ax.stairs(self.error, self.mesh, baseline=None)
@@ -292,7 +305,7 @@ class OptimalTrajectory(Trajectory):
         ax.set_ylabel("error of the interval")
         return ax
 
-    def plot_sparsity(self, ax: Any = None) -> Any:
+    def plot_sparsity(self, ax: Axes | None = None) -> Axes:
         """Plot where the Jacobian of the equations by the unknowns is not zero; return the Axes."""
         ax = axes_of(ax, "a plot")
         rows, columns = self._nlp.jacobian_at
@@ -303,7 +316,7 @@ class OptimalTrajectory(Trajectory):
         ax.set_ylabel("equations")
         return ax
 
-    def inputs(self) -> dict[Any, SampledInput]:
+    def inputs(self) -> dict[AnySymbol, SampledInput]:
         """Return the controls as `pydy.inputs.SampledInput`, for `System.specifieds`.
 
         Simulate with them to see how far the motion is from one of the real equations. The
@@ -346,9 +359,9 @@ def moving(
     problem: Problem,
     transcription: Transcription,
     z: np.ndarray,
-    controls: Sequence[Any],
-    free: Sequence[Any],
-) -> Any:
+    controls: Sequence[AnySymbol],
+    free: Sequence[AnySymbol],
+) -> Problem:
     """Return a System's snapshot with the controls and constants of a solution."""
     constants = transcription.split(z)[2][: len(free)]
     specifieds, _ = one_format(problem.settings.specifieds, "specifieds")
@@ -384,7 +397,8 @@ def _multipliers(
 
 
 def why_in_vain(
-    solution: NlpSolution, parts: Sequence[tuple[Transcription, Nlp, np.ndarray, Sequence[Any]]]
+    solution: NlpSolution,
+    parts: Sequence[tuple[Transcription, Nlp, np.ndarray, Sequence[AnySymbol]]],
 ) -> str:
     """Explain why a search failed: IPOPT's message, and controls without effect at the guess.
 
@@ -402,8 +416,8 @@ def why_in_vain(
 
 
 def _stationary(
-    transcription: Transcription, nlp: Nlp, start: np.ndarray, controls: Sequence[Any]
-) -> list[Any]:
+    transcription: Transcription, nlp: Nlp, start: np.ndarray, controls: Sequence[AnySymbol]
+) -> list[AnySymbol]:
     J, columns = nlp.native("jacobian", start / nlp.sizes)[0], nlp.jacobian_at[1]
     first, count, stationary = transcription.sizes[0], len(transcription.control_times), []
     for k, symbol in enumerate(controls):

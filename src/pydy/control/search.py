@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from itertools import repeat
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
@@ -27,6 +27,16 @@ from pydy.control.solvers import solver_of
 from pydy.control.transcription import Transcription, metric_of, sizes_of
 from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS, TOLERANCE
 
+if TYPE_CHECKING:
+    import sympy as sm
+    from numpy.typing import ArrayLike
+
+    from pydy._problem import Problem
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+    from pydy.control.schemes import Scheme
+    from pydy.control.transcription import TranscribedProblem
+
+
 Result = TypeVar("Result")
 
 
@@ -39,12 +49,66 @@ class PhaseProgram(NamedTuple):
     state_sizes: np.ndarray  # the size of each state in the guess
 
 
+class ModelledSystem(Protocol):
+    """A System, which returns its model with its numbers."""
+
+    def _now(self, *, further: Iterable[AnySymbol] = ()) -> Problem:
+        """Return everything as it is now, with some further constants."""
+
+
+class SearchableProblem(Protocol):
+    """What a search needs of an `OptimalControl`."""
+
+    _snapshot: Problem
+    _problem: TranscribedProblem
+    _scheme: Scheme
+    _mesh: np.ndarray
+    _controls: tuple[AnySymbol, ...]
+    _free: tuple[AnySymbol, ...]
+    _symbol: sm.Symbol | None  # of an unknown duration
+    _start: dict[AnySymbol, tuple[float, float]]
+    _begins: frozenset[AnySymbol]  # states with an entry in `start`
+    _start_constraints: tuple[str, ...]
+
+    @property
+    def _hint(self) -> str:
+        """A hint for the message of a search that failed."""
+
+    def _on(self, mesh: np.ndarray) -> Transcription:
+        """Return the transcription on a mesh."""
+
+    def _bounds_of(self, transcription: Transcription) -> tuple[np.ndarray, np.ndarray]:
+        """Return the bounds of the unknowns."""
+
+    def _guess(
+        self, transcription: Transcription, user_guess: object, lower: np.ndarray, upper: np.ndarray
+    ) -> np.ndarray:
+        """Return the user's guess, completed by linear interpolation between the ends."""
+
+    def _check_start(self, transcription: Transcription, z: np.ndarray, sizes: np.ndarray) -> None:
+        """Refuse a start that violates the constraints, or that they leave undetermined."""
+
+    def _with(self, columns: Sequence[int], numbers: Sequence[float]) -> SearchableProblem:
+        """Return the problem with other values of constants."""
+
+    def _trajectory(
+        self, transcription: Transcription, nlp: Nlp, state_sizes: np.ndarray, solution: NlpSolution
+    ) -> OptimalTrajectory:
+        """Return the trajectory of a solution."""
+
+    def _propagated_errors(self, motion: OptimalTrajectory, tolerance: float) -> np.ndarray:
+        """Return which intervals make a simulation miss the nodes."""
+
+    def _warn_of_crossings(self, motion: OptimalTrajectory) -> None:
+        """Warn if the objective or a path condition is discontinuous along a solution."""
+
+
 class TrajectorySearch(Generic[Result]):
     """Optimal control problems that are solved together, with a result of type `Result`."""
 
-    _problems: Sequence[Any]  # of OptimalControl
+    _problems: Sequence[SearchableProblem]
 
-    def check(self, guess: Any = None) -> None:
+    def check(self, guess: object = None) -> None:
         """Check the problem before the search.
 
         Parameters
@@ -62,10 +126,10 @@ class TrajectorySearch(Generic[Result]):
 
     def solve(
         self,
-        guess: Any = None,
+        guess: object = None,
         *,
         mesh_tol: float | None = None,
-        options: Mapping[str, Any] | None = None,
+        options: Mapping[str, object] | None = None,
         progress: bool = False,
         solver: str = "ipopt",
     ) -> Result:
@@ -153,7 +217,7 @@ class TrajectorySearch(Generic[Result]):
                 orders = [problem._scheme.convergence for problem in self._problems]
                 if most == np.inf and all(np.median(phase.error) < 1.0 for phase in phases):
                     most = sum(map(most_intervals, meshes, orders, repeat(tolerance)))
-                nodes = [
+                nodes: list[Iterable[float]] = [
                     ()
                     if mesh_suffices
                     else jumps(phase._transcription, phase.solution.z, error, tolerance)
@@ -175,11 +239,11 @@ class TrajectorySearch(Generic[Result]):
 
     def sweep(
         self,
-        values: Mapping[Any, Any],
-        guess: Any = None,
+        values: Mapping[Any, ArrayLike],
+        guess: object = None,
         *,
         mesh_tol: float | None = None,
-        options: Mapping[str, Any] | None = None,
+        options: Mapping[str, object] | None = None,
         progress: bool = False,
         solver: str = "ipopt",
     ) -> list[Result]:
@@ -236,21 +300,21 @@ class TrajectorySearch(Generic[Result]):
 
     # -- overridden by `Phases`, which has several problems ----------------------------------------
 
-    _links: Sequence[Any] = ()  # conditions between a problem and the next
+    _links: Sequence[Mapping[AnySymbol, sm.Expr]] = ()  # conditions between a problem and the next
 
-    def _guesses(self, guess: Any) -> Sequence[Any]:
+    def _guesses(self, guess: object) -> Sequence[object]:
         """Return a guess for each problem."""
         return [guess]
 
-    def _with_problems(self, problems: Sequence[Any]) -> Any:
+    def _with_problems(self, problems: Sequence[SearchableProblem]) -> Any:
         """Return a search for other problems of the same kind."""
         return problems[0]
 
-    def _phases(self, motion: Any) -> Sequence[Any]:
+    def _phases(self, motion: Any) -> Sequence[OptimalTrajectory]:
         """Return the motions of the problems."""
         return [motion]
 
-    def _combined_result(self, phases: Sequence[Any], solution: NlpSolution) -> Any:
+    def _combined_result(self, phases: Sequence[OptimalTrajectory], solution: NlpSolution) -> Any:
         """Return the result that the motions of the problems form."""
         return phases[0]
 
@@ -263,7 +327,7 @@ class TrajectorySearch(Generic[Result]):
     # -- the nonlinear program of all problems -----------------------------------------------------
 
     def _combined_program(
-        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any]
+        self, meshes: Sequence[np.ndarray], guesses: Sequence[object]
     ) -> tuple[Nlp, np.ndarray, list[PhaseProgram]]:
         """Return the program, the initial guess, and the problems on their meshes."""
         transcriptions, programs, starts, state_sizes = [], [], [], []
@@ -303,7 +367,7 @@ class TrajectorySearch(Generic[Result]):
     ) -> tuple[Nlp, list[np.ndarray]]:
         """Return the program of several problems, and the indices of each one's unknowns in it."""
         positions = []
-        shared_positions: dict[Any, int] = {}
+        shared_positions: dict[AnySymbol, int] = {}
         size = 0
         for problem, program in zip(self._problems, programs, strict=True):
             last = () if problem._symbol is None else (problem._symbol,)
@@ -343,8 +407,12 @@ class TrajectorySearch(Generic[Result]):
         return Nlp(groups, lower, upper, sizes, estimated=estimated), positions
 
     def _solved(
-        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
-    ) -> tuple[Any, Sequence[Any]]:
+        self,
+        meshes: Sequence[np.ndarray],
+        guesses: Sequence[object],
+        search: Callable[..., NlpSolution],
+        watch: Callable[[Iteration], None],
+    ) -> tuple[Any, Sequence[OptimalTrajectory]]:
         """Return the solution on meshes, and the motions of the problems."""
         nlp, start, parts = self._combined_program(meshes, guesses)
         several, warm = len(parts) > 1, None
@@ -397,7 +465,7 @@ class TrajectorySearch(Generic[Result]):
         return motion, phases
 
 
-def _metric(guess: Any, sizes: np.ndarray) -> Any:
+def _metric(guess: object, sizes: np.ndarray) -> np.ndarray | float:
     """Return the metric of slack velocities, which is the same on all meshes of a search."""
     last = guess._transcription.problem.metric if isinstance(guess, OptimalTrajectory) else 1.0
     return last if np.shape(last) == sizes.shape else metric_of(sizes)
@@ -451,7 +519,7 @@ def _check_freedom(nlp: Nlp) -> None:
         )
 
 
-def _mesh_tolerance(value: Any) -> float | None:
+def _mesh_tolerance(value: object) -> float | None:
     """Return a checked `mesh_tol`."""
     if value is None:
         return None
@@ -464,7 +532,7 @@ def _mesh_tolerance(value: Any) -> float | None:
     return result
 
 
-def _checked_sweep(values: Any) -> tuple[list[Any], list[np.ndarray]]:
+def _checked_sweep(values: object) -> tuple[list[SymbolOrName], list[np.ndarray]]:
     """Return the swept quantities, with equally many values for each."""
     entries = check_mapping("values", values)
     rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in entries.items()]

@@ -35,13 +35,13 @@ from pydy.control.ipopt import (
 from pydy.control.nlp import Nlp
 
 
-def solver_of(name: Any, options: Any) -> Callable[..., NlpSolution]:
+def solver_of(name: object, options: object) -> Callable[..., NlpSolution]:
     """Return the function ``solve(nlp, z, *, watch, warm)`` of a solver with its options."""
     chosen = SOLVERS[choice(name, tuple(SOLVERS), "`solver`")]
     return partial(chosen, options=check_mapping("options", options))
 
 
-def fitting_solver_of(name: Any, options: Any) -> Callable[..., NlpSolution]:
+def fitting_solver_of(name: object, options: object) -> Callable[..., NlpSolution]:
     """Return the function of `solver_of`, with default options for a fit.
 
     A few unknowns, the parameters, occur in many equations. The elimination order 6 of MUMPS is an
@@ -62,7 +62,7 @@ class _CyipoptProblem(IterationRecorder):
             self.raised.append(error)
         else:
             if fine and not self.raised:
-                return values  # type: ignore[no-any-return]
+                return values
         size = {"cost": 1, "gradient": self.nlp.size, "rows": self.nlp.rows}
         entries = {"jacobian": self.nlp.jacobian_at, "hessian": self.nlp.hessian_at}
         return np.full(size[name] if name in size else len(entries[name][0]), np.nan)
@@ -76,13 +76,13 @@ class _CyipoptProblem(IterationRecorder):
     def constraints(self, y: np.ndarray) -> np.ndarray:
         return self._filled("rows", y)
 
-    def jacobianstructure(self) -> Any:
+    def jacobianstructure(self) -> tuple[np.ndarray, np.ndarray]:
         return self.nlp.jacobian_at
 
     def jacobian(self, y: np.ndarray) -> np.ndarray:
         return self._filled("jacobian", y)
 
-    def hessianstructure(self) -> Any:
+    def hessianstructure(self) -> tuple[np.ndarray, np.ndarray]:
         return self.nlp.hessian_at
 
     def hessian(self, y: np.ndarray, multipliers: np.ndarray, weight: float) -> np.ndarray:
@@ -90,7 +90,7 @@ class _CyipoptProblem(IterationRecorder):
 
     def intermediate(
         self, alg_mod: int, iter_count: int, obj_value: float, inf_pr: float, inf_du: float,
-        mu: float, *_: Any, **_options: Any,
+        mu: float, *_: object, **_options: object,
     ) -> bool:  # fmt: skip
         return self.guarded(alg_mod, iter_count, obj_value, inf_pr, inf_du, mu)
 
@@ -101,7 +101,7 @@ def _by_package(
     nlp: Nlp,
     z: np.ndarray,
     *,
-    options: Mapping[str, Any],
+    options: Mapping[str, object],
     watch: Callable[[Iteration], None] = lambda iteration: None,
     warm: NlpSolution | None = None,
 ) -> NlpSolution:
@@ -140,7 +140,7 @@ def _by_package(
     )
 
 
-def _add_option(problem: Any, module: str, name: Any, value: Any) -> None:
+def _add_option(problem: Any, module: str, name: str, value: object) -> None:
     for form in option_values(name, value):
         with suppress(TypeError):
             problem.add_option(name, form)

@@ -6,9 +6,9 @@ The unknowns are ordered as states by slots, controls by slots, constants, and t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -20,14 +20,23 @@ from pydy.control.nlp import Nlp, PointGroup, cubics_at
 from pydy.control.schemes import Points, Scheme, Slots
 from pydy.control.tuning import JUMP, TOLERANCE, WIDE
 
+if TYPE_CHECKING:
+    import sympy as sm
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import AnySymbol
+    from pydy.inputs import SampledInput
+
 Compiled = TypeVar("Compiled")
+# A lower or upper bound, as a function of fractions of the duration.
+Bound: TypeAlias = Callable[[np.ndarray], np.ndarray]
 
 
 @dataclass(frozen=True)
 class Condition:
     """``low ≤ expression ≤ high``."""
 
-    expression: Any  # a SymPy expression
+    expression: sm.Expr
     low: float
     high: float
     label: str
@@ -37,7 +46,7 @@ class Condition:
 class Instant:
     """A state or control at one time."""
 
-    symbol: Any  # its symbol in conditions and the objective
+    symbol: sm.Dummy  # its symbol in conditions and the objective
     kind: str  # 'state' or 'control'
     index: int
     fraction: float  # the time, as a fraction of the duration
@@ -50,7 +59,7 @@ class Lifted:
     Its conditions, one for each part, are ``sign · (symbol − part) ≥ 0``; see `kinks`.
     """
 
-    symbol: Any
+    symbol: sm.Dummy
     sign: int
     parts: int
 
@@ -67,40 +76,40 @@ class TranscribedProblem:
     controls: tuple[int, ...]  # indices in r
     # Lower and upper bound of each control, as functions of fractions of the duration; for states,
     # see `state_bounds`.
-    control_bounds: tuple[tuple[Any, Any], ...]
-    signals: tuple[tuple[np.ndarray, Any], ...]  # indices in r, and SampledInputs
+    control_bounds: tuple[tuple[Bound, Bound], ...]
+    signals: tuple[tuple[np.ndarray, SampledInput], ...]  # the indices in r of each
     free: tuple[int, ...]  # indices in (p, r) of constants that are unknown
     # The values p and r; entries that are unknowns or signals are not used.
     constants: np.ndarray
     specifieds: np.ndarray
     duration: float | None  # None if it is unknown
-    duration_symbol: Any = None
-    symbols: Mapping[Any, int] = field(default_factory=dict)  # indices of the constants in p
+    duration_symbol: sm.Symbol | None = None
+    symbols: Mapping[AnySymbol, int] = field(default_factory=dict)  # indices of the constants in p
     # SymPy expressions: the objective is the integral of `running` plus `terminal`.
-    running: Any = 0
-    terminal: Any = 0
+    running: sm.Expr | int = 0
+    terminal: sm.Expr | int = 0
     instants: tuple[Instant, ...] = ()
     boundary: tuple[Condition, ...] = ()
     path: tuple[Condition, ...] = ()
     # Which second derivatives are compiled: 'exact', 'gauss-newton' or None.
     hessian: str | None = "exact"
     # SymPy expressions: `running` and `terminal` as sums of factor · residual².
-    squares: tuple[tuple[Any, Any], ...] = ()
-    terminal_squares: tuple[tuple[Any, Any], ...] = ()
+    squares: tuple[tuple[sm.Expr, sm.Expr], ...] = ()
+    terminal_squares: tuple[tuple[sm.Expr, sm.Expr], ...] = ()
     begin: float = 0.0  # the time at which the motion begins
     # Intensities of white noise: the controls are then added to the given values of these
     # specifieds, and ½ ∫ Σ (control / intensity)² dt to the objective.
     noise: tuple[float, ...] = ()
     # States and outputs that `Transcription.samples` compares with samples.
-    measured: tuple[Any, ...] = ()
-    state_bounds: tuple[tuple[Any, Any], ...] = ()
+    measured: tuple[AnySymbol, ...] = ()
+    state_bounds: tuple[tuple[Bound, Bound], ...] = ()
     # (states,), the weights with which slack velocities move coordinates; see `metric_of`.
-    metric: Any = 1.0
+    metric: np.ndarray | float = 1.0
     # Unknowns that replace kinks: functions of time in `running`, with their conditions at the end
     # of `path`, and numbers in `terminal`, with their conditions at the end of `boundary`.
     lifted: tuple[Lifted, ...] = ()
     lifted_numbers: tuple[Lifted, ...] = ()
-    _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)
+    _compiled: dict[Hashable, Any] = field(default_factory=dict, repr=False)
 
     @property
     def algebraic(self) -> int:
@@ -108,7 +117,7 @@ class TranscribedProblem:
         return len(self.controls) + len(self.equations.constraints) + len(self.lifted)
 
     @property
-    def named(self) -> dict[Any, tuple[str, int]]:
+    def named(self) -> dict[sm.Symbol, tuple[str, int]]:
         """The inputs of further symbols in the objective and path conditions."""
         inputs = {lifted.symbol: ("e", k) for k, lifted in enumerate(self.lifted)}
         return (
@@ -139,7 +148,7 @@ class TranscribedProblem:
         further = {"all": self.labels[first:], "motion": (), "start": rates}
         return (*self.labels[:first], *further[points.rows])
 
-    def once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
+    def once(self, key: Hashable, make: Callable[[], Compiled]) -> Compiled:
         """Return the code that is compiled once for all meshes and numbers."""
         if key not in self._compiled:
             with collector_paused():  # the graph is freed before it could become an old object
@@ -395,7 +404,7 @@ class Transcription:
         )
 
     def unknowns_of(
-        self, states: np.ndarray, controls: np.ndarray, constants: Any, duration: Any
+        self, states: np.ndarray, controls: np.ndarray, constants: ArrayLike, duration: float
     ) -> np.ndarray:
         """Join the parts that `split` returns into the unknowns."""
         last = [duration] if self.problem.duration is None else []
