@@ -1,5 +1,5 @@
 from .interpret import run as run, solver_sources as solver_sources
-from .nodes import Nodes as Nodes
+from .nodes import Evaluator as Evaluator, Nodes as Nodes
 from .of_scipy import ScipyOperation as ScipyOperation
 from .operations import (
     OPERATIONS as OPERATIONS,

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,6 +26,10 @@ from pydy.contact.run import ContactRun
 from pydy.contact.sensitivities import HybridSensitivities, Transitions
 from pydy.trajectory import EventRecord
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, ExpressionOrName
+    from pydy.solvers import Solver
+
 
 class RecordedTransitions(Transitions):
     """Segments of a motion, each with the matrix of the transition that leads to it.
@@ -36,7 +40,11 @@ class RecordedTransitions(Transitions):
     """
 
     def __init__(
-        self, wrt: Any, terms: Mapping[str, Any], rows: ContactRows, problem: Problem
+        self,
+        wrt: object,
+        terms: Mapping[str, ExpressionOrName | None],
+        rows: ContactRows,
+        problem: Problem,
     ) -> None:
         sensitive = AugmentedSystem.for_parameters(
             problem, problem.model.code, problem.plan, wrt, "wrt"
@@ -55,7 +63,12 @@ class RecordedTransitions(Transitions):
         self.adjoint_segments: list[tuple[MotionSegment, np.ndarray, np.ndarray]] = []
 
     def simulate(
-        self, mode: Mode, start: np.ndarray, problem: Problem, solver: Any, options: dict[str, Any]
+        self,
+        mode: Mode,
+        start: np.ndarray,
+        problem: Problem,
+        solver: Solver,
+        options: dict[str, Any],
     ) -> Motion:
         """Simulate in one mode, with the transition matrix at its start."""
         definition = problem.definition
@@ -95,7 +108,7 @@ class RecordedTransitions(Transitions):
         """Begin the matrix of a transition at the event that ends a mode."""
         self.end_mode(self._unit, self._moments[record.index], rates)
 
-    def doubt(self, values: Mapping[Any, float], rows: Sequence[int]) -> None:
+    def doubt(self, values: Mapping[AnySymbol, float], rows: Sequence[int]) -> None:
         """Treat the time of a stop in a plane as unknown: nearby motions do not stop there."""
         self.doubtful[:] = True
 
@@ -109,7 +122,7 @@ class RecordedTransitions(Transitions):
     def results(self, reached: np.ndarray) -> None:
         """Return no sensitivities of the motion."""
 
-    def labels(self, values: Any, segments: Sequence[Segment]) -> dict[str, Any]:
+    def labels(self, values: np.ndarray | None, segments: Sequence[Segment]) -> dict[str, object]:
         """Return the trajectory's arguments for its sensitivities: none."""
         return {}
 

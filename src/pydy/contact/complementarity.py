@@ -22,7 +22,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 from scipy.optimize import linprog
@@ -70,7 +69,7 @@ def innermost(
     pressing = [c.normal for c in cones if c.normal is not None]
     cost = np.append(TILT / max(1, len(pressing)) * null[pressing].sum(axis=0), -1.0)
 
-    def cut(cone: FrictionCone, normal: float, weights: Any = ()) -> None:
+    def cut(cone: FrictionCone, normal: float, weights: Sequence[float] | np.ndarray = ()) -> None:
         """Add the inequality τ ≤ normal y_n − weights · y_t."""
         row, bound = np.zeros(number + 1), 0.0
         row[-1] = 1.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
@@ -11,6 +11,9 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbol
 from pydy._checks import flag, instance, shown
 from pydy.contact.laws import _axes, _check_units, _expressions
 from pydy.solvers import Event
+
+# A law of a force: a function of two expressions.
+Law: TypeAlias = Callable[[sm.Expr, sm.Expr], sm.Expr | float]
 
 
 class CompliantContact:
@@ -86,11 +89,11 @@ class CompliantContact:
         plane: Point,
         normal: Vector,
         frame: ReferenceFrame,
-        force: Callable[[Any, Any], Any],
-        friction: Callable[[Any, Any], Any] | None = None,
+        force: Law,
+        friction: Law | None = None,
         *,
         along: Vector | Sequence[Vector] | None = None,
-        smoothing: Any = None,
+        smoothing: sm.Expr | float | None = None,
         reaction: bool = False,
         name: str = "touch",
     ) -> None:
@@ -121,7 +124,7 @@ class CompliantContact:
         self.loads = [(point, total), *([(plane, -total)] if opposite else [])]
         self.events = [Event(self.gap, name=name)]
 
-    def _friction(self, law: Any, smoothing: Any) -> tuple[Any, ...]:
+    def _friction(self, law: Law | None, smoothing: sm.Expr | float | None) -> tuple[sm.Expr, ...]:
         if law is None:
             return ()
         signature = "friction(speed, normal)"
@@ -133,7 +136,7 @@ class CompliantContact:
         return tuple(share * v for v in self.speeds)
 
 
-def _of_law(signature: str, law: Callable[[Any, Any], Any], *arguments: Any) -> Any:
+def _of_law(signature: str, law: Law, *arguments: sm.Expr) -> sm.Expr:
     """Return the force that a user's law gives: an expression or a number."""
     try:
         force = law(*arguments)

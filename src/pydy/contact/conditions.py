@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import sympy as sm
-from sympy.physics.mechanics import Point, Vector
+from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._checks import instance, listed, shown, text
 from pydy.contact.laws import _axes, _expressions
@@ -41,7 +41,9 @@ class Unilateral:
     <Unilateral floor: y(t)>
     """
 
-    def __init__(self, gap: Any, *, restitution: Any = 0, name: str = "contact") -> None:
+    def __init__(
+        self, gap: sm.Expr, *, restitution: sm.Expr | float = 0, name: str = "contact"
+    ) -> None:
         self.gap, self.restitution = _expressions(gap=gap, restitution=restitution)
         _check_range("restitution", self.restitution, 1.0)
         if self.gap.is_number:
@@ -94,14 +96,14 @@ class Stick:
 
     def __init__(
         self,
-        point: Any,
+        point: Any,  # a Point, a speed or a pair of speeds
         *,
-        mu: Any,
+        mu: sm.Expr | float,
         on: Unilateral | None = None,
-        mu_static: Any = None,
+        mu_static: sm.Expr | float | None = None,
         along: Vector | Sequence[Vector] | None = None,
         against: Point | None = None,
-        normal: Any = None,
+        normal: sm.Expr | float | None = None,
         name: str = "",
     ) -> None:
         if (on is None) == (normal is None):
@@ -145,14 +147,14 @@ class Stick:
         """Whether the point slides in a plane, in any direction."""
         return len(self.along or self.point) == 2
 
-    def speeds(self, frame: Any) -> tuple[Any, ...]:
+    def speeds(self, frame: ReferenceFrame) -> tuple[sm.Expr, ...]:
         """Return the sliding speed or speeds, from velocities in the inertial frame."""
         if not isinstance(self.point, Point):
             return tuple(self.point)
         velocity = self.velocity(frame)
         return tuple(velocity.dot(axis) for axis in self.along)
 
-    def velocity(self, frame: Any) -> Vector:
+    def velocity(self, frame: ReferenceFrame) -> Vector:
         """Return the velocity of the point, relative to the body it slides on."""
         velocity = self.point.vel(frame)
         return velocity if self.against is None else velocity - self.against.vel(frame)
@@ -174,7 +176,7 @@ class Contact:
         return "gap" if self.stick is None else "both"
 
     @property
-    def coefficients(self) -> dict[str, Any]:
+    def coefficients(self) -> dict[str, sm.Expr]:
         """The expressions that need numbers besides gap and sliding speed; neutral if absent."""
         gap, stick = self.unilateral, self.stick
         pressed = None if stick is None else stick.normal
@@ -186,7 +188,7 @@ class Contact:
         }
 
 
-def paired(contacts: Any) -> tuple[Contact, ...]:
+def paired(contacts: Iterable[Unilateral | Stick]) -> tuple[Contact, ...]:
     """Return the contacts, each gap with the friction on it."""
     conditions = listed("contacts", contacts, "Unilateral and Stick objects")
     for condition in conditions:
@@ -244,7 +246,7 @@ def check_values(contacts: Sequence[Contact], numbers: Any) -> None:
             )
 
 
-def _check_range(argument: str, value: Any, most: float | None = None) -> None:
+def _check_range(argument: str, value: sm.Expr | None, most: float | None = None) -> None:
     """Refuse a number that is negative, or above the limit."""
     if value is None or not value.is_number:
         return

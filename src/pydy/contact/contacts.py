@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import sympy as sm
@@ -18,7 +18,7 @@ from pydy._names import column_names
 from pydy._problem import CallArguments, Problem, refuse_descending, with_settings
 from pydy.analysis import AdjointGradient
 from pydy.contact.complementarity import OPEN, SLIDING, independent, rows_of_modes
-from pydy.contact.conditions import InfeasibleError, paired
+from pydy.contact.conditions import InfeasibleError, Stick, Unilateral, paired
 from pydy.contact.modes import CompiledModes, modes_of
 from pydy.contact.rows import StartError
 from pydy.contact.run import ContactRun, State
@@ -26,6 +26,9 @@ from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers import Event, Outcome, Solver
 from pydy.system import System
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, ExpressionOrName
 
 # Methods of a System that take contacts.
 _TAKE_CONTACTS = (
@@ -112,7 +115,7 @@ class Contacts:
     def __init__(
         self,
         system: System,
-        contacts: Any,
+        contacts: Iterable[Unilateral | Stick],
         constants: Mapping[Any, float] | None = None,
         *,
         hypothesis: str = "newton",
@@ -122,7 +125,7 @@ class Contacts:
         self.contacts = paired(contacts)
         self.hypothesis: str = choice(hypothesis, ("newton", "poisson"), "`hypothesis`")
         self.names = tuple(c.name for c in self.contacts)
-        parts: list[Any] = []  # expressions that need numbers
+        parts: list[sm.Expr] = []  # expressions that need numbers
         frame = getattr(system._equations.mechanism, "frame", None)
         if frame is None:
             raise ValueError("Contacts need a System with bodies and an inertial frame.")
@@ -159,7 +162,9 @@ class Contacts:
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
         return "t" in rows.graph.inputs_of(nodes)
 
-    def _problem(self, events: Any = None) -> tuple[Problem, CompiledModes]:
+    def _problem(
+        self, events: Event | Iterable[Event] | None = None
+    ) -> tuple[Problem, CompiledModes]:
         problem = self.system._now(events, contacts=self)
         return problem, self._compiled(problem)
 
@@ -173,9 +178,9 @@ class Contacts:
         problem: Problem,
         times: np.ndarray,
         *,
-        solver: Any,
+        solver: object,
         sensitivities: SensitivityRequest | None = None,
-        events: Any = (),
+        events: Event | Iterable[Event] | None = (),
         **options: Any,
     ) -> Motion:
         """Integrate a Problem of the System; see `pydy._integration.integration.integrate`.
@@ -328,7 +333,7 @@ class Contacts:
             "combination of modes, which has it, is returned by `in_modes`."
         )
 
-    def refuse_lost(self, constants: dict[Any, Any]) -> None:
+    def refuse_lost(self, constants: dict[Any, float]) -> None:
         """Refuse constants that lack those of the Contacts, which would default to 1.0."""
         numbers = SymbolDict(constants)
         if missing := [key for key in self.contact_constants if key not in numbers]:
@@ -344,7 +349,13 @@ class Contacts:
         return ContactMotions(self, *arguments)
 
     def gradient(
-        self, wrt: Any, final: Any, integral: Any, *, events: Any = (), **options: Any
+        self,
+        wrt: object,
+        final: ExpressionOrName | None,
+        integral: ExpressionOrName | None,
+        *,
+        events: Event | Iterable[Event] | None = (),
+        **options: Any,
     ) -> AdjointGradient:
         """Return the gradient of a motion, for `System.adjoint_gradient`."""
         from pydy.contact.backward import RecordedTransitions, gradient
@@ -359,8 +370,8 @@ class Contacts:
         self,
         problem: Problem,
         times: np.ndarray,
-        solver: Any,
-        events: Any = (),
+        solver: object,
+        events: Event | Iterable[Event] | None = (),
         **solver_kwargs: Any,
     ) -> ContactRun:
         """Return a simulation that has not started."""
@@ -396,7 +407,7 @@ class Contacts:
         return ContactRun(compiled, solver, problem, times, user_events, solver_kwargs)
 
 
-def _requested(parameters: Any, controlled: Any) -> SensitivityRequest | None:
+def _requested(parameters: object, controlled: object) -> SensitivityRequest | None:
     """Return the sensitivities to compute, or None."""
     controlled = flag(controlled, "`control_sensitivities`")
     return None if parameters is None else SensitivityRequest(parameters, controlled)
@@ -413,7 +424,7 @@ class ContactMotions:
         contacts: Contacts,
         problem: Problem,
         solver: Solver,
-        specifieds: Mapping[Any, Any],
+        specifieds: Mapping[AnySymbol, object],
         columns: Sequence[int],
         options: Mapping[str, Any],
     ) -> None:
@@ -441,7 +452,7 @@ class ContactMotions:
         self._varied = {definition.specifieds[k]: k for k in columns}
 
     @property
-    def identity(self) -> Any:
+    def identity(self) -> tuple[object, ...]:
         """The data of a cache key, in addition to equations, numbers and options."""
         events = [
             (e.name, sm.srepr(e.expression), int(e.direction), bool(e.terminal))

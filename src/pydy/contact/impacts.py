@@ -23,7 +23,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -39,8 +39,12 @@ from pydy.contact.complementarity import (
     select_modes,
     solved,
 )
-from pydy.contact.missed_transitions import diagnose_flat_gap
+from pydy.contact.missed_transitions import ContactSimulation, diagnose_flat_gap
 from pydy.contact.tuning import ROUNDING_MARGIN, SLACK
+
+if TYPE_CHECKING:
+    from pydy._motion import Segment
+    from pydy.contact.rows import RowValues
 
 OPTIONS = (  # the modes of an impulse, by the number of tangential directions
     [CLOSED, OPEN],
@@ -190,7 +194,51 @@ def _options(problem: ComplementarityProblem) -> list[Sequence[str]]:
 # -- effect of an impact on a motion ---------------------------------------------------------------
 
 
-def apply_impacts(run: Any, state: Any, closing: set[int]) -> None:
+class ContactState(Protocol):
+    """The current state of a motion, and of its contacts."""
+
+    t: float
+    x: np.ndarray
+    closed: set[int]
+    separating: set[int]  # open contacts whose gap is zero to rounding and increases
+    at_rest: set[int]  # closed contacts whose sliding speed is zero
+
+
+class ImpactedRun(ContactSimulation, Protocol):
+    """A simulation with impacts, such as a `ContactRun`."""
+
+    impacts: list[tuple[float, dict[str, tuple[float, ...]], float]]
+    impacted: set[int]  # contacts that have closed
+    first_height: dict[int, float]
+    segments: list[Segment]
+    transitions: Any  # Transitions, or None
+
+    def complementarity(self, p: RowValues, state: Any) -> ComplementarityProblem:
+        """Return the complementarity problem of accelerations and forces."""
+
+    def note(self, state: Any, i: int, kind: str, before: np.ndarray) -> None:
+        """Record a transition of a contact."""
+
+    def note_rest(
+        self,
+        state: Any,
+        i: int,
+        p: RowValues,
+        rebound: Any,
+        slopes: dict[str, np.ndarray] | None,
+    ) -> None:
+        """Record the limit time of accumulating impacts of a contact."""
+
+    def check_instant(
+        self, state: Any, p: RowValues, slopes: np.ndarray, closing: Collection[int]
+    ) -> None:
+        """Refuse derivatives if contacts close together for these parameter values alone."""
+
+    def is_low(self, i: int, speed: float, rate: Any, p: RowValues, x: np.ndarray) -> bool:
+        """Whether the rebounds at a speed and acceleration are lower than the tolerance."""
+
+
+def apply_impacts(run: ImpactedRun, state: ContactState, closing: set[int]) -> None:
     """Apply an impact to a `ContactRun`: contacts in `closing`, and all closed ones, take part."""
     p, rows = run.numbers(state.t, state.x), run.rows
     hit = {
@@ -218,7 +266,7 @@ def apply_impacts(run: Any, state: Any, closing: set[int]) -> None:
     if run.compiled.hypothesis == "newton":
         back = [i for i in closing - suppressed.keys() if p.speed[rows.normal[i]] < 0.0]
         e[back] = p.restitution[back]
-    slopes: Any = None
+    slopes: dict[str, np.ndarray] | None = None
     if run.transitions is not None:
         slopes = _apply_derivatives(run, state, p, impact, e, hit & closing)
     state.x = before.copy()
@@ -249,9 +297,9 @@ def apply_impacts(run: Any, state: Any, closing: set[int]) -> None:
 
 
 def _find_impact(
-    run: Any,
-    state: Any,
-    p: Any,
+    run: ImpactedRun,
+    state: ContactState,
+    p: RowValues,
     problem: ComplementarityProblem,
     rates: np.ndarray,
     hit: set[int],
@@ -293,7 +341,12 @@ def _find_impact(
 
 
 def _apply_derivatives(
-    run: Any, state: Any, p: Any, impact: ImpactResult, e: np.ndarray, closing: set[int]
+    run: ImpactedRun,
+    state: ContactState,
+    p: RowValues,
+    impact: ImpactResult,
+    e: np.ndarray,
+    closing: set[int],
 ) -> dict[str, np.ndarray]:
     """Apply the derivatives of an impact; return the derivatives of the rows before it."""
     normals = run.rows.normal
@@ -308,7 +361,13 @@ def _apply_derivatives(
 
 
 def _update_contact(
-    run: Any, state: Any, i: int, p: Any, q: Any, impact: ImpactResult, ratio: float
+    run: ImpactedRun,
+    state: ContactState,
+    i: int,
+    p: RowValues,
+    q: RowValues,
+    impact: ImpactResult,
+    ratio: float,
 ) -> None:
     """Update whether a contact of the impact separates, stays closed or comes to rest.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
@@ -56,15 +56,15 @@ class Roll(Stick):
     def __init__(
         self,
         body: RigidBody,
-        radius: Any,
+        radius: sm.Expr | float,
         *,
         on: Point,
         normal: Vector,
-        along: Any,
-        mu: Any,
-        mu_static: Any = None,
+        along: Vector | Sequence[Vector],
+        mu: sm.Expr | float,
+        mu_static: sm.Expr | float | None = None,
         axis: Vector | None = None,
-        restitution: Any = 0,
+        restitution: sm.Expr | float = 0,
         name: str = "roll",
     ) -> None:
         instance(body, RigidBody, "`body`")
@@ -90,7 +90,7 @@ class Roll(Stick):
             body.masscenter, on=gap, mu=mu, mu_static=mu_static, along=along, name=name
         )
 
-    def speeds(self, frame: Any) -> tuple[Any, ...]:
+    def speeds(self, frame: ReferenceFrame) -> tuple[sm.Expr, ...]:
         """Return the sliding speed or speeds, from velocities in the inertial frame."""
         centre, plane = self.body.masscenter, self.normal_vector.args[0][1]
         touched = centre.pos_from(self.plane_point) + self.arm
@@ -143,13 +143,13 @@ class Clearance(Stick):
         pin: Point,
         bush: Point,
         *,
-        radius: Any,
-        play: Any,
+        radius: sm.Expr | float,
+        play: sm.Expr | float,
         axis: Vector,
         frames: tuple[ReferenceFrame, ReferenceFrame],
-        mu: Any,
-        mu_static: Any = None,
-        restitution: Any = 0,
+        mu: sm.Expr | float,
+        mu_static: sm.Expr | float | None = None,
+        restitution: sm.Expr | float = 0,
         name: str = "clearance",
     ) -> None:
         instance(pin, Point, "`pin`")
@@ -168,7 +168,7 @@ class Clearance(Stick):
         pressed = Unilateral(gap, restitution=restitution, name=name)
         super().__init__(pin, on=pressed, mu=mu, mu_static=mu_static, along=axis, name=name)
 
-    def speeds(self, frame: Any) -> tuple[Any, ...]:
+    def speeds(self, frame: ReferenceFrame) -> tuple[sm.Expr, ...]:
         """Return the sliding speed, from velocities in the inertial frame.
 
         It is that of the pin on the bush where they touch, r and r + c away from the centres.
@@ -184,11 +184,11 @@ class Clearance(Stick):
         )
 
 
-def _unit(argument: str, value: Any) -> None:
+def _unit(argument: str, value: Vector) -> None:
     instance(value, Vector, f"`{argument}`", "a unit Vector")
     _check_units(argument, (value,))
 
 
-def _positive(argument: str, value: Any) -> None:
+def _positive(argument: str, value: sm.Expr) -> None:
     if value.is_number and not (value.is_real and value > 0):
         raise ValueError(f"`{argument}` must be positive, got {value}.")

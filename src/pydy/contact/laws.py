@@ -7,8 +7,7 @@ that speed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Sequence
 
 import sympy as sm
 from sympy.physics.mechanics import Vector
@@ -18,7 +17,13 @@ from pydy._mechanics import checked_vector
 from pydy._rank import ROUNDED
 
 
-def hunt_crossley(gap: Any, rate: Any, stiffness: Any, damping: Any, exponent: Any = 1.5) -> Any:
+def hunt_crossley(
+    gap: sm.Expr | float,
+    rate: sm.Expr | float,
+    stiffness: sm.Expr | float,
+    damping: sm.Expr | float,
+    exponent: sm.Expr | float = 1.5,
+) -> sm.Expr:
     """Return the normal force k δⁿ (1 + λ δ'), with δ = −gap, where bodies touch.
 
     It is continuous where the bodies touch and part, and differentiable there if n > 1. The bodies
@@ -63,7 +68,14 @@ def hunt_crossley(gap: Any, rate: Any, stiffness: Any, damping: Any, exponent: A
     return k * sm.Max(-depth, 0) ** n * sm.Max(1 - damping * rate, 0)
 
 
-def kelvin_voigt(gap: Any, rate: Any, stiffness: Any, damping: Any, *, pulls: bool = False) -> Any:
+def kelvin_voigt(
+    gap: sm.Expr | float,
+    rate: sm.Expr | float,
+    stiffness: sm.Expr | float,
+    damping: sm.Expr | float,
+    *,
+    pulls: bool = False,
+) -> sm.Expr:
     """Return the normal force k δ + c δ', with δ = −gap, of a spring and a damper in parallel.
 
     It jumps by c δ' where the bodies touch: give the solver the touch as an event.
@@ -104,15 +116,15 @@ def kelvin_voigt(gap: Any, rate: Any, stiffness: Any, damping: Any, *, pulls: bo
 
 
 def brown_mcphee(
-    speed: Any,
-    normal: Any,
-    mu: Any,
-    transition: Any,
+    speed: sm.Expr | float,
+    normal: sm.Expr | float,
+    mu: sm.Expr | float,
+    transition: sm.Expr | float,
     *,
-    mu_static: Any = None,
-    viscous: Any = 0,
-    normal_transition: Any = None,
-) -> Any:
+    mu_static: sm.Expr | float | None = None,
+    viscous: sm.Expr | float = 0,
+    normal_transition: sm.Expr | float | None = None,
+) -> sm.Expr:
     """Return smooth Coulomb friction, with a larger coefficient where sliding begins.
 
     With x = speed/transition it is −N (μ tanh 4x + (μ_s − μ) x/(x²/4 + 3/4)²), which has its
@@ -167,16 +179,16 @@ def brown_mcphee(
 
 
 def stribeck(
-    speed: Any,
-    normal: Any,
-    mu: Any,
-    mu_static: Any,
-    stribeck_speed: Any,
+    speed: sm.Expr | float,
+    normal: sm.Expr | float,
+    mu: sm.Expr | float,
+    mu_static: sm.Expr | float,
+    stribeck_speed: sm.Expr | float,
     *,
-    viscous: Any = 0,
-    exponent: Any = 2,
-    transition: Any = None,
-) -> Any:
+    viscous: sm.Expr | float = 0,
+    exponent: sm.Expr | float = 2,
+    transition: sm.Expr | float | None = None,
+) -> sm.Expr:
     """Return friction that falls from static to kinetic friction as the sliding speed grows.
 
     It is −N (μ + (μ_s − μ) exp(−|v/v_s|ⁿ)) sign v − c v.
@@ -232,7 +244,12 @@ def stribeck(
     return -n * (mu + (peak - mu) * sm.exp(-(size**power))) * sign - viscous * v
 
 
-def rolling_resistance(rate: Any, normal: Any, arm: Any, transition: Any) -> Any:
+def rolling_resistance(
+    rate: sm.Expr | float,
+    normal: sm.Expr | float,
+    arm: sm.Expr | float,
+    transition: sm.Expr | float,
+) -> sm.Expr:
     """Return the torque −b N tanh(ω/ω_t) against rolling; it is smooth in the rate.
 
     Parameters
@@ -268,8 +285,14 @@ def rolling_resistance(rate: Any, normal: Any, arm: Any, transition: Any) -> Any
 
 
 def joint_friction(
-    rate: Any, normal: Any, mu: Any, radius: Any, transition: Any, *, mu_static: Any = None
-) -> Any:
+    rate: sm.Expr | float,
+    normal: sm.Expr | float,
+    mu: sm.Expr | float,
+    radius: sm.Expr | float,
+    transition: sm.Expr | float,
+    *,
+    mu_static: sm.Expr | float | None = None,
+) -> sm.Expr:
     """Return the friction torque of a dry journal bearing under a given load.
 
     The pin touches its bearing in a line, at which the friction of `brown_mcphee` acts. With
@@ -317,7 +340,7 @@ _POSITIVE = {"exponent", "transition", "stribeck_speed", "normal_transition", "s
 _NOT_NEGATIVE = {"stiffness", "damping", "mu", "mu_static", "viscous", "arm", "radius"}
 
 
-def _expressions(**arguments: Any) -> list[Any]:
+def _expressions(**arguments: object) -> list[sm.Expr]:
     """Return the arguments as SymPy expressions; numbers must be finite and in their range."""
     expressions = []
     for name, value in arguments.items():
@@ -340,7 +363,7 @@ def _expressions(**arguments: Any) -> list[Any]:
     return expressions
 
 
-def _check_units(argument: str, vectors: Iterable[Any]) -> None:
+def _check_units(argument: str, vectors: Iterable[Vector]) -> None:
     """Refuse vectors whose length is a number other than 1: it would scale the forces."""
     for vector in vectors:
         length = sm.simplify(vector.dot(vector))
@@ -351,14 +374,14 @@ def _check_units(argument: str, vectors: Iterable[Any]) -> None:
             )
 
 
-def _axes(argument: Any) -> tuple[Vector, ...]:
+def _axes(argument: Vector | Sequence[Vector] | None) -> tuple[Vector, ...]:
     vectors = () if argument is None else (argument,) if isinstance(argument, Vector) else argument
     valid = isinstance(vectors, (list, tuple)) and len(vectors) <= 2
     if not valid or not all(isinstance(v, Vector) for v in vectors):
         raise TypeError(f"`along` must be one Vector or two, got {shown(argument)}.")
     for v in vectors:
         checked_vector(v, "`along`")
-    axes: tuple[Any, ...] = tuple(vectors)
+    axes: tuple[Vector, ...] = tuple(vectors)
     if len(axes) == 2:
         product = sm.simplify(axes[0].dot(axes[1]))
         if product.is_number and not abs(product) <= ROUNDED:

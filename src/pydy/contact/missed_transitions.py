@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -16,11 +16,56 @@ from pydy.contact.complementarity import OPEN, SLIDES, STICKS
 from pydy.contact.modes import margin_symbol
 from pydy.contact.tuning import CHECKED, SLACK
 
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._errors import ContactError
+    from pydy._problem import Problem
+    from pydy._sympy_types import AnySymbol
+    from pydy.contact.conditions import Contact
+    from pydy.contact.modes import CompiledModes
+    from pydy.contact.rows import ContactRows, RowValues
+
+
+class ContactSimulation(Protocol):
+    """A simulation with contacts, such as a `ContactRun`."""
+
+    compiled: CompiledModes
+    problem: Problem
+    contacts: tuple[Contact, ...]
+    rows: ContactRows
+    modes: tuple[str, ...]
+    sizes: np.ndarray  # of forces where a segment begins
+    n: int  # number of states
+    first: int  # the column of the first speed
+
+    @property
+    def atol(self) -> np.ndarray:
+        """The absolute tolerances of the solver."""
+
+    def numbers(self, t: float, x: np.ndarray) -> RowValues:
+        """Return the rows of the contacts at a state."""
+
+    def values(self, t: float, x: np.ndarray) -> Mapping[AnySymbol, float]:
+        """Return the values of states, constants, specifieds and time, by symbol."""
+
+    def resolution(self, t: float) -> float:
+        """Return the time difference below which two events count as simultaneous."""
+
+    def unresolved(self, i: int) -> float:
+        """Return the largest sliding speed that solver tolerances do not distinguish from zero."""
+
+    def unresolved_gap(self, i: int, p: RowValues, x: np.ndarray) -> float:
+        """Return the largest gap that solver tolerances do not distinguish from zero."""
+
+    def fail(self, t: float, x: np.ndarray, why: str) -> ContactError:
+        """Return an error with the state, the modes and the results so far."""
+
 
 def missed_transitions(
-    run: Any,
+    run: ContactSimulation,
     motion: Motion,
-    output_index: Mapping[Any, int],
+    output_index: Mapping[AnySymbol, int],
     at_rest: Collection[int],
     end: float,
     last: np.ndarray | None,
@@ -91,7 +136,7 @@ def missed_transitions(
     return broken
 
 
-def _check_cuts(run: Any, i: int, times: np.ndarray, states: np.ndarray) -> None:
+def _check_cuts(run: ContactSimulation, i: int, times: np.ndarray, states: np.ndarray) -> None:
     """Refuse a gap that jumps during the motion, where atan2 goes from π to −π."""
     order = np.argsort(times, kind="stable")
     times, states = times[order], states[order]
@@ -114,7 +159,9 @@ def _check_cuts(run: Any, i: int, times: np.ndarray, states: np.ndarray) -> None
             )  # fmt: skip
 
 
-def diagnose_flat_gap(run: Any, t: float, x: np.ndarray, contacts: Collection[int]) -> str:
+def diagnose_flat_gap(
+    run: ContactSimulation, t: float, x: np.ndarray, contacts: Collection[int]
+) -> str:
     """Return a message if a closed gap has no slope, as q² has none at q = 0, or no mass; or ''.
 
     A slope counts as zero if it changes by its own size within the rounding errors of the gap and
@@ -148,7 +195,9 @@ def diagnose_flat_gap(run: Any, t: float, x: np.ndarray, contacts: Collection[in
     return ""
 
 
-def _limits(run: Any, i: int, at_rest: bool) -> Iterator[tuple[Any, float, str, str]]:
+def _limits(
+    run: ContactSimulation, i: int, at_rest: bool
+) -> Iterator[tuple[sm.Symbol, float, str, str]]:
     """Yield the non-negative quantities of a contact's mode: symbol, slack, event kind, name."""
     c, mode, symbols, size = run.contacts[i], run.modes[i], run.compiled.symbols, run.sizes[i]
     if c.unilateral is None:

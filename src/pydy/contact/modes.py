@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sm
 
@@ -30,6 +30,10 @@ from pydy.contact.tuning import TURN_LIMIT
 from pydy.solvers import Event, Turn
 from pydy.trajectory import Columns
 
+if TYPE_CHECKING:
+    from pydy._assembly import Definition
+    from pydy._sympy_types import AnySymbol
+
 _WATCHED = {
     "closes": "gap",
     "nears": "speed of the gap",
@@ -40,11 +44,11 @@ _WATCHED = {
 
 
 @extract.register(Equations)
-def _(equations: Equations, source: str | None = None, implicit: Any = None) -> Equations:
+def _(equations: Equations, source: str | None = None, implicit: object = None) -> Equations:
     return equations
 
 
-def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
+def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], sm.Symbol]:
     """Return the symbols of each contact's outputs, by its position and their kind."""
     symbols = {}
     for i, c in enumerate(contacts):
@@ -56,7 +60,9 @@ def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
     return symbols
 
 
-def check_names(rows: ContactRows, outputs: Iterable[Any], other_symbols: Iterable[Any]) -> None:
+def check_names(
+    rows: ContactRows, outputs: Iterable[AnySymbol], other_symbols: Iterable[AnySymbol]
+) -> None:
     """Refuse quantities of the System that have the name of an output of the contacts.
 
     The `outputs` are the user's; `other_symbols` are states, constants and specifieds.
@@ -82,7 +88,7 @@ def modes_of(contact: Contact) -> list[str]:
     return [*modes, STICKS, *([SLIDING] if contact.stick.plane else [FORWARD, BACKWARD])]
 
 
-def margin_symbol(contact: Contact) -> Any:
+def margin_symbol(contact: Contact) -> sm.Symbol:
     """Return the symbol of a sticking contact's margin: (μ_s N)² − F²."""
     return sm.Symbol(f"{contact.name}_margin")
 
@@ -102,7 +108,9 @@ class Mode:
         active: Sequence[int],
     ) -> None:
         self.rows, self.modes = rows, modes
-        self.output_index: dict[Any, int] = {}  # columns of the outputs of its Model, by symbol
+        self.output_index: dict[
+            AnySymbol, int
+        ] = {}  # columns of the outputs of its Model, by symbol
         self.columns: list[int] = []  # the columns of the outputs of the trajectory
         base, formed = rows.equations, rows.formed
         g = self.graph = formed.graph.copy()
@@ -221,16 +229,16 @@ class Mode:
         nodes = {symbol: node for node, symbol in self.rows.symbols.items()}
         return [nodes[s] for s in self.rows.references[i]]
 
-    def _expression(self, node: int, name: str) -> Any:
+    def _expression(self, node: int, name: str) -> sm.Expr:
         value = self.graph.value(node)
         if value is not None:
             return sm.Float(value) if value else sm.S.Zero
         return NodeExpression.of(self.graph, node, self.rows.symbols, name)
 
-    def _outputs(self) -> dict[Any, Any]:
+    def _outputs(self) -> dict[sm.Symbol, sm.Expr]:
         rows, g = self.rows, self.graph
         symbols = output_symbols(rows.contacts)
-        outputs: dict[Any, Any] = {}
+        outputs: dict[sm.Symbol, sm.Expr] = {}
         for i in range(len(rows.contacts)):
             normal, tangent = rows.normal[i], rows.tangent[i]
             forces, speeds = ([part[k] for k in tangent] for part in (self.forces, rows.speeds))
@@ -385,11 +393,13 @@ class CompiledModes:
         self._specifieds = problem.settings.specifieds
         self._lock = _forks.Lock()
 
-    def __reduce__(self) -> tuple[Any, ...]:  # not sent to other processes, which compile their own
+    def __reduce__(
+        self,
+    ) -> tuple[object, ...]:  # not sent to other processes, which compile their own
         return type(None), ()
 
     @property
-    def outputs(self) -> tuple[Any, ...]:
+    def outputs(self) -> tuple[AnySymbol, ...]:
         """The symbols of a trajectory's outputs."""
         definition = self.definition
         users = definition.symbols_by_kind["output"]
@@ -405,7 +415,7 @@ class CompiledModes:
         return tuple(names)
 
     def mode(
-        self, modes: tuple[str, ...], enforced: tuple[int, ...], active: Any
+        self, modes: tuple[str, ...], enforced: tuple[int, ...], active: Sequence[int]
     ) -> tuple[Mode, Model]:
         """Return a Mode and its Model, which all runs share."""
         key = modes, enforced
@@ -422,7 +432,7 @@ class CompiledModes:
         """Return the arguments of a Model or a System of a Mode, besides the equations."""
         definition = self.definition
         generated, labels = {*definition.residuals, *definition.forces}, dict(definition.labels)
-        users: dict[Any, Any] = {}
+        users: dict[AnySymbol | tuple[AnySymbol, ...], object] = {}
         for group in definition.groups:
             if generated.isdisjoint(group.names):
                 names = tuple(labels.get(name, name) for name in group.names)
@@ -437,7 +447,7 @@ class CompiledModes:
             "specifieds_symbols": self.definition.specifieds,
         }
 
-    def _columns(self, mode: Mode, definition: Any) -> list[int]:
+    def _columns(self, mode: Mode, definition: Definition) -> list[int]:
         """Return the columns of the trajectory's outputs in a mode; store all indices."""
         mode.output_index = {symbol: k for k, symbol in enumerate(definition.outputs_symbols)}
         base = self.definition

@@ -6,10 +6,10 @@ contact forces, the accelerations of the rows are J a + b + J W λ.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
@@ -34,6 +34,10 @@ from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact, InfeasibleError
 from pydy.contact.smooth import Switched, switched
 from pydy.contact.tuning import ROUNDING_MARGIN
+
+if TYPE_CHECKING:
+    from pydy._program import Evaluator
+    from pydy._sympy_types import AnySymbol
 
 
 class StartError(InfeasibleError):
@@ -105,8 +109,8 @@ class ContactRows:
         self,
         equations: Equations,
         contacts: Sequence[Contact],
-        constants: Sequence[Any],
-        specifieds: Sequence[Any],
+        constants: Sequence[AnySymbol],
+        specifieds: Sequence[AnySymbol],
     ) -> None:
         self.equations, self.contacts = equations, tuple(contacts)
         formed = _checked(equations)
@@ -162,7 +166,7 @@ class ContactRows:
         self.normal: list[int | None] = []
         self.tangent: list[list[int]] = []
         self.switched: list[Switched] = []  # piecewise gaps and sliding speeds
-        speeds: list[Any] = []
+        speeds: list[sm.Expr] = []
         gaps: list[int] = []
         for c in self.contacts:
             self.normal.append(None if c.unilateral is None else len(speeds))
@@ -196,7 +200,7 @@ class ContactRows:
         self.restitution, self.mu, self.static, self.pressed = map(list, rows)
 
     @property
-    def identity(self) -> Any:
+    def identity(self) -> tuple[object, ...]:
         """A cache key of the rows: their nodes in the order of reading."""
         g, groups = self.graph, (self.jacobian, self.response, self.formed.matrix)
         parts = (
@@ -212,7 +216,7 @@ class ContactRows:
         names = [(c.name, c.kind, c.stick is not None and c.stick.plane) for c in self.contacts]
         return names, inputs, nodes, [list(part) for part in parts]
 
-    def _smooth(self, subject: str, expression: Any, slopes: bool) -> Any:
+    def _smooth(self, subject: str, expression: sm.Expr, slopes: bool) -> sm.Expr:
         """Return an expression in a differentiable form; refuse jumps."""
         moving = (self.equations.time, *self.equations.coordinates, *self.equations.speeds)
         switches = switched(subject, expression, moving, slopes)
@@ -322,7 +326,7 @@ class ContactRows:
         return compile_program(lower(self.graph, sizes, blocks), "llvm", {})
 
     @cached_property
-    def _friction_jacobians(self) -> dict[int, Any]:
+    def _friction_jacobians(self) -> dict[int, Evaluator]:
         """For each friction at a point of a gap: evaluators of both Jacobians and the axes.
 
         The point's velocity has three rows, in the inertial frame.
@@ -343,12 +347,12 @@ class ContactRows:
         return evaluators
 
     @cached_property
-    def cuts(self) -> dict[int, list[tuple[Any, Any]]]:
+    def cuts(self) -> dict[int, list[tuple[sm.Expr, Evaluator]]]:
         """For each gap: its functions atan2(y, x), which jump by 2π where y = 0 and x < 0.
 
         Each comes with an evaluator of y, x, the gap, and the gap with 2π added and subtracted.
         """
-        evaluators: dict[int, list[tuple[Any, Any]]] = {}
+        evaluators: dict[int, list[tuple[sm.Expr, Evaluator]]] = {}
         atoms = {symbol: node for node, symbol in self.symbols.items()}
         read = SymPyReader(self.graph.copy(), atoms, "the contacts")
         for i, c in enumerate(self.contacts):
@@ -360,7 +364,9 @@ class ContactRows:
                 evaluators.setdefault(i, []).append((f, read.graph.evaluator(nodes)))
         return evaluators
 
-    def check_directions(self, closed: Iterable[int], values_by_symbol: dict[Any, float]) -> None:
+    def check_directions(
+        self, closed: Iterable[int], values_by_symbol: Mapping[AnySymbol, float]
+    ) -> None:
         """Refuse friction at a point if the closed gap is no length, or `along` is not tangential.
 
         If the gap belongs to the point, its rate is the point's velocity along a unit normal; this
@@ -421,7 +427,7 @@ def by_name(parts: Parts, values: np.ndarray) -> dict[str, np.ndarray]:
     return {name: array.reshape(*shape, *values.shape[1:]) for (name, (shape, _)), array in arrays}
 
 
-def _indices(inputs: Sequence[Any], symbols: Sequence[Any]) -> list[int]:
+def _indices(inputs: Sequence[AnySymbol], symbols: Sequence[AnySymbol]) -> list[int]:
     """Return the index of each symbol among the inputs; -1 if it is missing."""
     index = {symbol: k for k, symbol in enumerate(inputs)}
     return [index.get(symbol, -1) for symbol in symbols]
@@ -476,7 +482,7 @@ def _checked(equations: Equations) -> EquationGraph:
     return formed
 
 
-def _rate(equations: Equations, gap: Any, name: str) -> Any:
+def _rate(equations: Equations, gap: sm.Expr, name: str) -> sm.Expr:
     symbols = find_symbols([gap])
     rates = (*equations.speeds, *equations.kinematics.coordinate_rates)
     wrong = [s for s in symbols if s in rates]
@@ -486,7 +492,7 @@ def _rate(equations: Equations, gap: Any, name: str) -> Any:
     return equations.kinematics.in_states(sm.sympify(gap).diff(equations.time))
 
 
-def _check_symbols(equations: Equations, symbols: Any, name: str) -> None:
+def _check_symbols(equations: Equations, symbols: Iterable[AnySymbol], name: str) -> None:
     supported = {*equations.coordinates, *equations.speeds, *equations.kinematics.coordinate_rates}
     unsupported = [
         s for s in symbols if isinstance(s, (AppliedUndef, sm.Derivative)) and s not in supported
@@ -498,7 +504,7 @@ def _check_symbols(equations: Equations, symbols: Any, name: str) -> None:
         )
 
 
-def _check_linear(equations: Equations, speed: Any, name: str) -> None:
+def _check_linear(equations: Equations, speed: sm.Expr, name: str) -> None:
     _check_symbols(equations, find_symbols([speed]), name)
     for u in equations.speeds:
         slope = speed.diff(u)

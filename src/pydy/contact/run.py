@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -45,8 +45,11 @@ from pydy.contact.rows import RowValues, StartError
 from pydy.contact.sensitivities import HybridSensitivities
 from pydy.contact.trajectory import contact_trajectory
 from pydy.contact.tuning import BEGUN, ERRORS, RESOLUTION, RESOLVED, ROUNDING_MARGIN, SLACK
-from pydy.solvers import SOLVERS, EventContinuation, Options, Outcome, Solver, read_options
+from pydy.solvers import SOLVERS, Event, EventContinuation, Options, Outcome, Solver, read_options
 from pydy.trajectory import EventRecord
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
 
 _MODE_PRESERVING = frozenset({"bends", "clears", "turns"})  # events that change no mode
 
@@ -72,7 +75,7 @@ class ContactRun:
         solver: Solver,
         problem: Problem,
         times: np.ndarray,
-        events: Sequence[Any],
+        events: Sequence[Event],
         options: dict[str, Any],
         transitions: Any = None,  # Transitions
     ) -> None:
@@ -101,13 +104,13 @@ class ContactRun:
         self.peak_speed: dict[int, float] = {}  # largest sliding speed since the slide began
         self.reached = np.ones(len(times), dtype=bool)
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
-        self._latest: tuple[Any, RowValues] | None = None  # the rows at the last state evaluated
+        self._latest: tuple[tuple[float, bytes], RowValues] | None = None  # at the last state
         self.impacted: set[int] = set()  # contacts that have closed
         # Transitions found at the event of another contact; recorded if the new modes agree.
         self.pending_events: dict[int, str] = {}
         self.gap_rounding = np.zeros(len(self.contacts))  # largest rounding bounds so far
         values = zip(problem.definition.constants, problem.p.tolist(), strict=True)
-        self._numbers_of: dict[Any, float] = dict(values)
+        self._numbers_of: dict[AnySymbol, float] = dict(values)
 
     # -- numbers ----------------------------------------------------------------------------------
 
@@ -130,7 +133,7 @@ class ContactRun:
             self._latest = key, self.rows.numbers(t, x, r, self.problem.p)
         return self._latest[1]
 
-    def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
+    def values(self, t: float, x: np.ndarray) -> dict[AnySymbol, float]:
         """Return the values of states, constants, specifieds and time, by symbol."""
         definition = self.problem.definition
         values = {**self._numbers_of, definition.equations.time: t}
@@ -540,7 +543,9 @@ class ContactRun:
             )
         return self.solver
 
-    def references(self, p: RowValues, state: State, solution: ModeSolution) -> dict[Any, float]:
+    def references(
+        self, p: RowValues, state: State, solution: ModeSolution
+    ) -> dict[AnySymbol, float]:
         """Return the values of the hidden constants: biases, speed bounds, reference directions.
 
         Below the least speed the direction of sliding is that of the acceleration. It is the
@@ -548,7 +553,7 @@ class ContactRun:
         onset ends at a fraction of the speed that the contact would gain without friction.
         """
         bias = np.zeros(len(self.rows.speeds)) if self.bias is None else self.bias
-        values: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
+        values: dict[AnySymbol, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
         eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
         values.update(dict.fromkeys(self.rows.speed_bounds, 0.0))
         for i in state.separating:  # bounds on rounding of their speeds

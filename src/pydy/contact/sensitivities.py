@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -36,6 +36,12 @@ from pydy.contact.trajectory import SegmentedSensitivities
 from pydy.contact.tuning import ROUNDING_MARGIN, SLACK
 from pydy.trajectory import EventRecord
 
+if TYPE_CHECKING:
+    from pydy._program import Evaluator
+    from pydy._sympy_types import AnySymbol
+    from pydy.contact.rows import Parts
+    from pydy.solvers import Solver
+
 _SLOPES = ("gap", "speed", "delassus", "response", "restitution", "mu", "free")
 
 
@@ -48,7 +54,11 @@ class Transitions:
     """
 
     def __init__(
-        self, rows: ContactRows, problem: Problem, constants: Sequence[Any], total: np.ndarray
+        self,
+        rows: ContactRows,
+        problem: Problem,
+        constants: Sequence[AnySymbol | None],
+        total: np.ndarray,
     ) -> None:
         self.rows, self.problem, self._constants = rows, problem, constants
         self._first = len(rows.equations.coordinates)  # the column of the first speed
@@ -59,7 +69,7 @@ class Transitions:
         self.blurred = np.zeros((len(rows.contacts), len(constants)))
 
     @cached_property
-    def _slopes(self) -> Any:
+    def _slopes(self) -> tuple[Parts, Evaluator, dict[int, AnySymbol]]:
         """The differentiated blocks, their evaluator, and the symbol of each seed."""
         rows = self.rows
         parts = {name: rows.parts[name] for name in _SLOPES}
@@ -78,14 +88,14 @@ class Transitions:
         evaluator = g.evaluator([row.get(0, g.zero) for row in slopes])
         return parts, evaluator, {seeds[node]: symbol for node, symbol in moving_symbols.items()}
 
-    def slopes(self, values: Mapping[Any, float]) -> dict[str, np.ndarray]:
+    def slopes(self, values: Mapping[AnySymbol, float]) -> dict[str, np.ndarray]:
         """Return derivatives of `RowValues` along D by k parameters, from the values by symbol.
 
         The last axis is that of the parameters; accelerations are those without contact forces.
         """
         parts, evaluate, directions = self._slopes
         states = list(self.problem.definition.states)
-        inputs: dict[int, Any] = {
+        inputs: dict[int, np.ndarray | float] = {
             node: values.get(symbol, 0.0) for node, symbol in self.rows.symbols.items()
         }
         for node, symbol in directions.items():
@@ -135,7 +145,7 @@ class Transitions:
 
     def impact(
         self,
-        values: Mapping[Any, float],
+        values: Mapping[AnySymbol, float],
         p: RowValues,
         result: ImpactResult,
         rebound_ratios: Mapping[int, float],
@@ -237,7 +247,9 @@ class Transitions:
             right[row] *= p.delassus[row, row]
         return _least(matrix, right, p.delassus.diagonal())
 
-    def project(self, values: Mapping[Any, float], p: RowValues, active: Sequence[int]) -> None:
+    def project(
+        self, values: Mapping[AnySymbol, float], p: RowValues, active: Sequence[int]
+    ) -> None:
         """Project D onto the null space of the active rows."""
         owners, first = self.rows.owners_of(active), self._first
         normals = list(owners)
@@ -261,7 +273,7 @@ class HybridSensitivities(Transitions):
     """
 
     def __init__(
-        self, requested: Any, controlled: bool, rows: ContactRows, problem: Problem
+        self, requested: object, controlled: bool, rows: ContactRows, problem: Problem
     ) -> None:
         self.sensitive = sensitive = AugmentedSystem.for_parameters(
             problem, problem.model.code, problem.plan, requested
@@ -278,7 +290,12 @@ class HybridSensitivities(Transitions):
         self._columns = np.full((len(problem.settings.times), *self.total.shape), np.nan)
 
     def simulate(
-        self, mode: Mode, start: np.ndarray, problem: Problem, solver: Any, options: dict[str, Any]
+        self,
+        mode: Mode,
+        start: np.ndarray,
+        problem: Problem,
+        solver: Solver,
+        options: dict[str, Any],
     ) -> Motion:
         """Simulate in one mode, with the sensitivities S at the start."""
         self._columns[self.problem.settings.times == problem.settings.times[0]] = start
@@ -319,7 +336,7 @@ class HybridSensitivities(Transitions):
         self._before = record.sensitivity_before
         self.end_mode(self._before, record.time_sensitivity, rates)
 
-    def doubt(self, values: Mapping[Any, float], rows: Sequence[int]) -> None:
+    def doubt(self, values: Mapping[AnySymbol, float], rows: Sequence[int]) -> None:
         """Mark parameters for which the derivative of the time of a stop in a plane is unknown.
 
         At a stop both sliding speeds vanish for all parameter values. One of them determines the
@@ -346,7 +363,7 @@ class HybridSensitivities(Transitions):
         columns: np.ndarray = self._columns[reached]
         return columns
 
-    def labels(self, values: Any, segments: Sequence[Segment]) -> dict[str, Any]:
+    def labels(self, values: np.ndarray | None, segments: Sequence[Segment]) -> dict[str, object]:
         """Return the trajectory's arguments for its sensitivities (m, n, k)."""
         model = SegmentedSensitivities(segments)
         return {"sensitivities": (self._counts, values), "sensitivity_model": model}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -21,9 +21,13 @@ from pydy._mechanics import find_symbols, replace_symbols
 from pydy._rank import ROUNDING
 from pydy.contact.tuning import DRAWS, ROUNDING_MARGIN
 
+if TYPE_CHECKING:
+    from pydy._program import Evaluator
+    from pydy._sympy_types import AnySymbol
+
 _STEPS = (sm.floor, sm.ceiling, sm.frac, sm.Mod)
 _KINDS = (sm.Piecewise, sm.Abs, sm.Min, sm.Max, sm.sign, sm.Heaviside, sm.DiracDelta, *_STEPS)
-_INVERSES: dict[Any, Any] = {
+_INVERSES: dict[type[sm.Function], type[sm.Function] | tuple[type[sm.Function], ...]] = {
     sm.asin: (sm.sin, sm.cos), sm.acos: (sm.sin, sm.cos), sm.atan: sm.tan
 }  # fmt: skip
 _BOUNDED = {
@@ -33,9 +37,11 @@ _BOUNDED = {
 }  # inverses that are NaN outside the range
 
 
-def switched(subject: str, expression: Any, moving: Iterable[Any], slopes: bool) -> Switched | None:
+def switched(
+    subject: str, expression: sm.Expr, moving: Iterable[AnySymbol], slopes: bool
+) -> Switched | None:
     """Return the switches of an expression, or None if it has none; refuse jumps and kinks."""
-    visited: dict[int, Any] = {}
+    visited: dict[int, sm.Basic] = {}
     stack = [expression]
     while stack:
         e = stack.pop()
@@ -56,11 +62,13 @@ class Switched:
     values of the constants only, such as switching times in ascending order; `check` takes them.
     """
 
-    def __init__(self, subject: str, expression: Any, moving: Iterable[Any], slopes: bool) -> None:
+    def __init__(
+        self, subject: str, expression: sm.Expr, moving: Iterable[AnySymbol], slopes: bool
+    ) -> None:
         self.subject, self.slopes = subject, slopes
         self.symbols = {s: sm.Dummy(str(s), real=True) for s in find_symbols([expression])}
         self.moving = [self.symbols[s] for s in moving if s in self.symbols]
-        self.steps: dict[Any, Any] = {}  # integer symbols, by the argument of their floor
+        self.steps: dict[sm.Expr, sm.Dummy] = {}  # integer symbols, by the argument of their floor
         # SymPy writes roots of squares of these as Abs.
         real = replace_symbols(expression, self.symbols).replace(_is_folded, _unfolded)
         # SymPy would add floats: the remainder of 0.1 + 0.2 - 0.3 would look like a jump.
@@ -71,21 +79,21 @@ class Switched:
         functions = [f for f in real.atoms(*_KINDS) if self._depends_on_motion(f)]
         self.functions = sorted(functions, key=lambda f: (f.count_ops(), sm.default_sort_key(f)))
         self.piecewise = self._rewritten(real.xreplace(self.floats))
-        self.graph, self.surfaces = Graph(), list[tuple[Any, int, Any]]()
+        self.graph, self.surfaces = Graph(), list[tuple[sm.Basic, int, Evaluator]]()
         if self.functions:
             self._read()
 
-    def _depends_on_motion(self, expression: Any) -> bool:
+    def _depends_on_motion(self, expression: sm.Basic) -> bool:
         return not expression.free_symbols.isdisjoint(self.moving)
 
-    def _rewritten(self, expression: Any) -> Any:
+    def _rewritten(self, expression: sm.Expr) -> sm.Expr:
         """Replace functions such as Abs and Max by Piecewise expressions."""
         return expression.replace(
             lambda e: isinstance(e, _KINDS) and self._depends_on_motion(e), self._by_conditions
         )
 
     @property
-    def expression(self) -> Any:
+    def expression(self) -> sm.Expr:
         """The expression in Piecewise form, whose second derivatives have no DiracDelta."""
         symbols = {d: s for s, d in self.symbols.items()}
         symbols |= {d: f for f, d in self.floats.items() if d.is_Dummy}
@@ -95,7 +103,7 @@ class Switched:
             result = replace_symbols(result, symbols)
         return result
 
-    def _by_conditions(self, f: Any) -> Any:
+    def _by_conditions(self, f: sm.Expr) -> sm.Expr:
         s = f.args[0]
         if isinstance(f, sm.Abs):
             return sm.Piecewise((s, s >= 0), (-s, True))
@@ -116,10 +124,10 @@ class Switched:
             return s - self._floor(s)
         return s - f.args[1] * self._floor(s / f.args[1]) if isinstance(f, sm.Mod) else f
 
-    def _floor(self, s: Any) -> Any:
+    def _floor(self, s: sm.Expr) -> sm.Dummy:
         return self.steps.setdefault(s, sm.Dummy("k", integer=True))
 
-    def _surfaces(self) -> Iterator[tuple[Any, Any, Any, Any]]:
+    def _surfaces(self) -> Iterator[tuple[sm.Basic, sm.Expr, sm.Expr, tuple[sm.Expr, sm.Expr]]]:
         """Yield each switch, both sides of its surface's equation, and both expressions."""
         conditions = [
             r for r in self.piecewise.atoms(Relational)
@@ -128,7 +136,7 @@ class Switched:
         ]  # fmt: skip
         conditions.sort(key=sm.default_sort_key)
         excess = {r: r.gts - r.lts for r in conditions}  # positive where it holds
-        done: set[Any] = set()
+        done: set[Relational] = set()
         for r in conditions:
             if r in done:
                 continue
@@ -171,14 +179,14 @@ class Switched:
                 every = [*substituted, *rounding_bounds(g, substituted), *targets]
                 self.surfaces.append((switch, len(nodes), g.evaluator(every)))
 
-    def _number_input(self, value: Any) -> int:
+    def _number_input(self, value: sm.Expr) -> int:
         """Return an input with the value of a number, so that rounding bounds include it."""
         symbol = sm.Dummy(str(value), real=True)
         self.exact[symbol] = float(value) if value.is_extended_real else np.nan
         self.inputs[symbol] = self.graph.input("x", len(self.inputs))
         return self.inputs[symbol]
 
-    def check(self, constants: Mapping[Any, float] | None = None) -> None:
+    def check(self, constants: Mapping[AnySymbol, float] | None = None) -> None:
         """Refuse switches with a jump; constants without values are drawn at random."""
         for f in self.functions:
             if isinstance(f, sm.DiracDelta):
@@ -202,7 +210,7 @@ class Switched:
                     )
                 )
 
-    def _drawn(self, values: Mapping[Any, float] | None) -> dict[int, np.ndarray]:
+    def _drawn(self, values: Mapping[AnySymbol, float] | None) -> dict[int, np.ndarray]:
         """Draw random inputs: the constants vary by row, the other inputs by column, too.
 
         Coordinates are drawn over all magnitudes, because their units are unknown.
@@ -225,7 +233,7 @@ class Switched:
             drawn[node] = x.ravel()
         return drawn
 
-    def _refuse(self, function: Any) -> None:
+    def _refuse(self, function: sm.Expr) -> None:
         function_text = replace_symbols(function, {d: s for s, d in self.symbols.items()})
         must, part = "must not jump", "a ramp"
         if self.slopes:
@@ -236,7 +244,7 @@ class Switched:
         )
 
 
-def _is_folded(e: Any) -> bool:
+def _is_folded(e: sm.Basic) -> bool:
     """Whether an expression is √(s²), an inverse such as asin(sin(s)), or an acot."""
     if e.is_Pow:
         powers = (f for f in sm.Mul.make_args(e.base) if f.is_Pow)
@@ -246,7 +254,7 @@ def _is_folded(e: Any) -> bool:
     )
 
 
-def _unfolded(e: Any) -> Any:
+def _unfolded(e: sm.Expr) -> sm.Expr:
     """Return an equivalent expression in functions that switch."""
     half = sm.pi / 2
     if e.is_Pow:
@@ -262,8 +270,8 @@ def _unfolded(e: Any) -> Any:
 
 
 def _surface_substitutions(
-    left_side: Any, right_side: Any, moving: Sequence[Any]
-) -> list[dict[Any, Any]]:
+    left_side: sm.Expr, right_side: sm.Expr, moving: Sequence[sm.Dummy]
+) -> list[dict[sm.Expr, sm.Expr]]:
     """Return substitutions that solve the equation of a surface, left_side = right_side."""
     excess = left_side - right_side
     parts = [e for e in excess.atoms(sm.Function, sm.Pow) if not e.free_symbols.isdisjoint(moving)]
@@ -286,7 +294,7 @@ def _surface_substitutions(
     return [{left_side: right_side}]
 
 
-def _without_common_terms(a: Any, b: Any) -> tuple[Any, Any]:
+def _without_common_terms(a: sm.Expr, b: sm.Expr) -> tuple[sm.Expr, sm.Expr]:
     """Return two expressions without their common terms."""
     first, second = (Counter(sm.Add.make_args(e)) for e in (a, b))
     return sm.Add(*(first - second).elements()), sm.Add(*(second - first).elements())

@@ -12,7 +12,7 @@ from pydy._forks import cached_property
 from pydy._interpolation import states_between
 from pydy._motion import Motion, Segment
 from pydy._problem import AssumptionChecks, TrajectoryModel
-from pydy.trajectory import Trajectory
+from pydy.trajectory import Columns, Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -25,7 +25,7 @@ class _Segmented:
         self._starts = np.array([segment.start for segment in segments])
 
     def _by_segment(
-        self, times: np.ndarray, value: Callable[[Segment, Any], np.ndarray]
+        self, times: np.ndarray, value: Callable[[Segment, np.ndarray | slice], np.ndarray]
     ) -> np.ndarray:
         """Evaluate each time by its segment; at a transition, by the later one."""
         if len(self.segments) == 1:
@@ -45,7 +45,7 @@ class _Segmented:
 class SegmentedModel(_Segmented):
     """The model of a motion in several modes; see `pydy.trajectory.Model`."""
 
-    def __init__(self, segments: Sequence[Segment], base: Any) -> None:
+    def __init__(self, segments: Sequence[Segment], base: TrajectoryModel) -> None:
         super().__init__(segments)
         self.specifieds, self.energy, self.scene = base.specifieds, base.energy, base.scene
         self.jumps = base.jumps
@@ -76,10 +76,10 @@ class _SegmentedDense(_Segmented):
         times = np.asarray(times, dtype=float)
         return self._by_segment(times, lambda segment, rows: segment.dense(times[rows]))
 
-    def __deepcopy__(self, memo: Any) -> _SegmentedDense:
+    def __deepcopy__(self, memo: object) -> _SegmentedDense:
         return self
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(None), ()
 
 
@@ -149,7 +149,7 @@ class ContactTrajectory(Trajectory):
         self._describe({"modes": self.modes, "impacts": self.impacts})
         self._impact_work = [(time, work) for time, _, work in impacts]
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         state = super().__getstate__()
         return {**state, "contact_work": self.contact_work}  # it needs the dense output
 
@@ -189,7 +189,11 @@ class ContactTrajectory(Trajectory):
 
 
 def contact_trajectory(
-    columns: Any, names: Sequence[str], impacts: Any, sensitivities: Any, motion: Motion
+    columns: Columns,
+    names: Sequence[str],
+    impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
+    sensitivities: Any,
+    motion: Motion,
 ) -> ContactTrajectory:
     """Return the Trajectory of a Motion, with modes; it can be continued.
 
