@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from inspect import signature
 from math import isfinite, prod
 from numbers import Number
-from types import FunctionType
-from typing import Any
+from types import CodeType, FunctionType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 from weakref import WeakSet
 
 import numpy as np
@@ -35,10 +35,19 @@ from pydy._kernel import Inputs
 from pydy._mechanics import find_symbols
 from pydy.inputs import SampledInput
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
+
 ARGUMENT_TYPES = ("array", "dictionary", "function")
 _SPECIFIEDS = "specifieds of the system"
 _USUAL = frozenset((float, FunctionType))
 _UNCHANGING = frozenset((float, int, FunctionType, SampledInput))
+
+# The symbols of a key of a dictionary, their positions, and whether the key is a tuple.
+Group: TypeAlias = "tuple[tuple[AnySymbol, ...], np.ndarray, bool]"
+# Values of specifieds as users give them, in either format.
+Specifieds: TypeAlias = Mapping[Any, Any]
+Part = TypeVar("Part", SampledInput, "_Checked")
 
 
 class _Argument:
@@ -47,7 +56,7 @@ class _Argument:
     def __init__(self, symbol_index: SymbolIndex, arg_type: str | None) -> None:
         self.symbol_index, self.arg_type = symbol_index, arg_type
 
-    def numeric_array(self, values: dict[Any, Any]) -> Any:
+    def numeric_array(self, values: Specifieds) -> Any:
         """Convert a dictionary of numbers for all symbols to an array; return others unchanged."""
         if self.arg_type not in (None, "dictionary"):
             return values
@@ -58,11 +67,11 @@ class _Argument:
 class ConstantsArgument(_Argument):
     """Reads the argument p: an array or a dictionary."""
 
-    def __init__(self, symbols: Sequence[Any], arg_type: str | None = None) -> None:
+    def __init__(self, symbols: Sequence[AnySymbol], arg_type: str | None = None) -> None:
         choice(arg_type, (None, "array", "dictionary"), "`constants_arg_type`")
         super().__init__(SymbolIndex(symbols, "constants of the equations"), arg_type)
 
-    def __call__(self, p: Any) -> np.ndarray:
+    def __call__(self, p: object) -> np.ndarray:
         """Return p as an array of shape (k,)."""
         if self.arg_type == "dictionary" and not isinstance(p, Mapping):
             raise ValueError(
@@ -77,13 +86,16 @@ class SpecifiedsArgument(_Argument):
     """Reads the argument r: an array, a function, or a dictionary of numbers and functions."""
 
     def __init__(
-        self, symbols: Sequence[Any], arg_type: str | None = None, time_first: bool = False
+        self,
+        symbols: Sequence[AnySymbol],
+        arg_type: str | None = None,
+        time_first: bool = False,
     ) -> None:
         choice(arg_type, (None, *ARGUMENT_TYPES), "`specifieds_arg_type`")
         super().__init__(SymbolIndex(symbols, _SPECIFIEDS), arg_type)
         self.time_first = time_first
 
-    def __call__(self, r: Any, x: np.ndarray, t: float) -> np.ndarray:
+    def __call__(self, r: object, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at one state and time as an array of shape (s,)."""
         kind = self.arg_type
         symbols = self.symbol_index.symbols
@@ -126,7 +138,7 @@ class SpecifiedsArgument(_Argument):
         return plan.inputs(x, t)
 
     def _evaluated(
-        self, groups: Iterable[Any], values: Iterable[Any], x: np.ndarray, t: float
+        self, groups: Iterable[Group], values: Iterable[Any], x: np.ndarray, t: float
     ) -> np.ndarray:
         """Return r from floats and functions; the same as a SpecifiedsPlan, at less cost."""
         result = np.empty(len(self.symbol_index))
@@ -137,9 +149,7 @@ class SpecifiedsArgument(_Argument):
         return result
 
 
-def _groups(
-    symbol_index: SymbolIndex, values: Mapping[Any, Any], argument: str
-) -> list[tuple[Any, ...]]:
+def _groups(symbol_index: SymbolIndex, values: Specifieds, argument: str) -> list[Group]:
     """Return `symbol_index.groups`; if that fails for the time, the error says to leave it out."""
     try:
         return symbol_index.groups(values, argument)
@@ -154,7 +164,7 @@ def _groups(
         ) from None
 
 
-def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, Any], bool]:
+def one_format(values: Specifieds, argument: str) -> tuple[Specifieds, bool]:
     """Return specifieds in the first format, and whether they had 'symbols' and 'values'."""
     if "symbols" not in values and "values" not in values:
         return values, False
@@ -167,7 +177,7 @@ def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, A
     return {tuple(symbols): values["values"]}, True
 
 
-def checked_expression(value: Any, label: str) -> Any:
+def checked_expression(value: object, label: str) -> sm.Expr | Boolean:
     """Return a number or an expression as SymPy's; refuse text, which SymPy would parse."""
     none = isinstance(value, sm.Expr) and value in (sm.oo, -sm.oo, sm.zoo, sm.nan)
     if isinstance(value, (sm.Expr, Boolean)) and not (none or getattr(value, "is_Matrix", False)):
@@ -178,7 +188,7 @@ def checked_expression(value: Any, label: str) -> Any:
     raise ValueError(f"{label} must be SymPy expressions or numbers, got {shown(value)}.")
 
 
-def symbolic_entries(value: Any) -> list[Any] | None:
+def symbolic_entries(value: object) -> list[object] | None:
     """Return the entries of a value when SymPy expressions are among them, else None."""
     if isinstance(value, (sm.MatrixBase, sm.Tuple, list, tuple)):
         entries = list(value)
@@ -191,7 +201,7 @@ def symbolic_entries(value: Any) -> list[Any] | None:
     return entries if any(map(_is_symbolic, entries)) else None
 
 
-def _is_symbolic(value: Any) -> bool:
+def _is_symbolic(value: object) -> bool:
     # A SymPy expression without symbols is a number: changing it needs no new code.
     if not isinstance(value, sm.Basic) or isinstance(value, sm.Number):
         return False
@@ -215,8 +225,8 @@ class OfTime(ABC):
 class _Checked:
     """A user's function g(x, t) for some specifieds, whose results are checked."""
 
-    function: Callable[..., Any]
-    names: tuple[Any, ...]
+    function: Callable[..., object]
+    names: tuple[AnySymbol, ...]
     time_first: bool
     retained: tuple[int, ...]
 
@@ -226,7 +236,7 @@ class _Checked:
         return describe(self.names)
 
     @property
-    def identity(self) -> tuple[Any, ...]:
+    def identity(self) -> tuple[object, ...]:
         """The data that determine the values together with the function, except positions in r."""
         return self.time_first, self.retained
 
@@ -265,8 +275,8 @@ class SpecifiedsPlan:
 
     def __init__(
         self,
-        values: Mapping[Any, Any],
-        symbols: SymbolIndex | Sequence[Any],
+        values: Specifieds,
+        symbols: SymbolIndex | Sequence[AnySymbol],
         *,
         time_first: bool = False,
         complete: bool = False,
@@ -278,7 +288,7 @@ class SpecifiedsPlan:
         self.symbol_index = symbol_index
         self.symbols = symbol_index.symbols
         numbers = np.zeros(len(self.symbols))
-        self.expressions: dict[Any, Any] = {}
+        self.expressions: dict[AnySymbol, sm.Expr] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
         functions: list[tuple[np.ndarray, _Checked]] = []
         self._entries = [*values], [*values.values()]
@@ -317,8 +327,8 @@ class SpecifiedsPlan:
 
     def _take(
         self,
-        value: Any,
-        names: Sequence[Any],
+        value: object,
+        names: Sequence[AnySymbol],
         columns: np.ndarray,
         label: str,
         several: bool,
@@ -370,7 +380,7 @@ class SpecifiedsPlan:
         of_expressions = {k for k, s in enumerate(self.symbols) if s in self.expressions}
         return self.inputs.changing | of_expressions
 
-    def with_changed_floats(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
+    def with_changed_floats(self, values: Specifieds) -> SpecifiedsPlan | None:
         """Return the plan of a dictionary that differs from this plan's in floats only, or None."""
         keys, before = self._entries
         entries, moved = [*values.values()], []
@@ -400,7 +410,7 @@ class SpecifiedsPlan:
         result.expressions = {**expressions, **other.expressions}
         result.given = self.given | other.given
 
-        def left_of(parts: Iterable[tuple[np.ndarray, Any]]) -> Iterator[tuple[np.ndarray, Any]]:
+        def left_of(parts: Iterable[tuple[np.ndarray, Part]]) -> Iterator[tuple[np.ndarray, Part]]:
             for columns, part in parts:
                 if unchanged_positions := [j for j, c in enumerate(columns) if unchanged[c]]:
                     yield columns[unchanged_positions], part.of(unchanged_positions)
@@ -424,7 +434,7 @@ class SpecifiedsPlan:
                 )
 
 
-def _is_unchanging(value: Any) -> bool:
+def _is_unchanging(value: object) -> bool:
     if type(value) is tuple:
         return all(isinstance(entry, sm.Basic) for entry in value)
     return type(value) in _UNCHANGING or isinstance(value, sm.Basic)
@@ -438,7 +448,7 @@ def _shape(value: Any) -> tuple[int, ...]:
         return ()
 
 
-def _refuse_mixtures(value: Any, label: str) -> None:
+def _refuse_mixtures(value: object, label: str) -> None:
     """Refuse a sequence of other things than numbers, and name the remedy."""
     if not isinstance(value, (list, tuple)):
         return
@@ -456,8 +466,8 @@ def _refuse_mixtures(value: Any, label: str) -> None:
 
 
 def evaluate_function(
-    function: Callable[..., Any],
-    symbols: Sequence[Any],
+    function: Callable[..., object],
+    symbols: Sequence[AnySymbol],
     x: np.ndarray,
     t: float,
     time_first: bool = False,
@@ -497,7 +507,7 @@ def evaluate_function(
     raise ValueError(f"{label} must return {shapes}, got the shape {array.shape}.{hint}")
 
 
-def _reenters(error: BaseException, function: Callable[..., Any]) -> bool:
+def _reenters(error: BaseException, function: Callable[..., object]) -> bool:
     """Return whether a user's function was called again before it returned."""
     below = error.__traceback__.tb_next if error.__traceback__ else None
     while below is not None:
@@ -507,23 +517,25 @@ def _reenters(error: BaseException, function: Callable[..., Any]) -> bool:
     return False
 
 
-def _argument_names(function: Callable[..., Any]) -> tuple[str, ...]:
+def _argument_names(function: Callable[..., object]) -> tuple[str, ...]:
     """Return the names of the arguments of a function written in Python, without `self`."""
     code = getattr(function, "__code__", None)
     names = () if code is None else code.co_varnames[: code.co_argcount]
     return names[1:] if hasattr(function, "__self__") else names
 
 
-_WARNED: WeakSet[Any] = WeakSet()  # code of functions whose users have been warned
+_WARNED: WeakSet[CodeType] = WeakSet()  # code of functions whose users have been warned
 
 
-def _is_swapped(function: Callable[..., Any], time_first: bool) -> bool:
+def _is_swapped(function: Callable[..., object], time_first: bool) -> bool:
     """Return whether a function's argument names suggest the opposite order."""
     timelike = [name in ("t", "time") for name in _argument_names(function)[:2]]
     return timelike == ([False, True] if time_first else [True, False])
 
 
-def _swapped(function: Callable[..., Any], symbols: Sequence[Any], time_first: bool) -> str:
+def _swapped(
+    function: Callable[..., object], symbols: Sequence[AnySymbol], time_first: bool
+) -> str:
     names = ", ".join(_argument_names(function))
     order = "g(t, x), with the time" if time_first else "g(x, t), with the state"
     return (
@@ -532,7 +544,9 @@ def _swapped(function: Callable[..., Any], symbols: Sequence[Any], time_first: b
     )
 
 
-def _check_arity(function: Callable[..., Any], symbols: Sequence[Any], arguments: str) -> None:
+def _check_arity(
+    function: Callable[..., object], symbols: Sequence[AnySymbol], arguments: str
+) -> None:
     """Raise a TypeError where a user's function does not take two arguments."""
     try:
         parameters = signature(function)

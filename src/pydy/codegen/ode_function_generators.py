@@ -6,7 +6,7 @@ import itertools
 import weakref
 from collections.abc import Callable, Sequence
 from types import FunctionType
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import sympy as sm
@@ -28,23 +28,30 @@ from pydy._mechanics import find_symbols
 from pydy.codegen.arguments import checked_expression
 from pydy.codegen.right_hand_side import RightHandSide, make_backend
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 __all__ = ["generate_ode_function"]
+
+# Expressions in order, and those of a matrix, as users give them.
+Column: TypeAlias = sm.MatrixBase | sm.MatrixExpr | np.ndarray | Sequence[sm.Expr | float]
+Matrix: TypeAlias = sm.MatrixBase | sm.MatrixExpr | np.ndarray | Sequence[Sequence[sm.Expr | float]]
 
 
 def generate_ode_function(
-    right_hand_side: Any,
-    coordinates: Sequence[Any],
-    speeds: Sequence[Any],
-    constants: Sequence[Any] = (),
-    mass_matrix: Any = None,
-    coordinate_derivatives: Any = None,
-    specifieds: Sequence[Any] | None = None,
-    outputs: Any = None,
-    linear_sys_solver: Any = "builtin",
+    right_hand_side: Column,
+    coordinates: Sequence[SymbolOrName],
+    speeds: Sequence[SymbolOrName],
+    constants: Sequence[SymbolOrName] = (),
+    mass_matrix: Matrix | None = None,
+    coordinate_derivatives: Column | None = None,
+    specifieds: Sequence[SymbolOrName] | None = None,
+    outputs: Column | None = None,
+    linear_sys_solver: str | Callable[..., np.ndarray] | None = "builtin",
     constants_arg_type: str | None = None,
     specifieds_arg_type: str | None = None,
     time_first: bool = False,
-    generator: Any = "llvm",
+    generator: str | type = "llvm",
     **generator_options: Any,
 ) -> Callable[..., Any]:
     """Return a function that evaluates the derivatives of the states.
@@ -184,7 +191,9 @@ def generate_ode_function(
     )
 
 
-def _symbols(argument: str, value: Any, parts: Sequence[Any], time: Any) -> list[Any]:
+def _symbols(
+    argument: str, value: object, parts: Sequence[Column], time: sm.Symbol
+) -> list[AnySymbol]:
     """Return a user's list of symbols, with names replaced by the symbols of the equations."""
     symbols = listed(argument, value, hashable=True)
     if any(isinstance(s, str) for s in symbols):
@@ -205,7 +214,7 @@ def _symbols(argument: str, value: Any, parts: Sequence[Any], time: Any) -> list
     return symbols
 
 
-def _column(argument: str, value: Any) -> list[Any]:
+def _column(argument: str, value: object) -> list[sm.Expr]:
     """Return a column matrix or a sequence of expressions as a list."""
     value = _explicit(argument, value)
     if isinstance(value, sm.MatrixBase):
@@ -234,8 +243,12 @@ def _explicit(argument: str, value: Any) -> Any:
 
 
 def _check_form(
-    force: list[Any], q: list[Any], u: list[Any], mass_matrix: Any, first: list[Any] | None
-) -> Any:
+    force: list[sm.Expr],
+    q: list[AnySymbol],
+    u: list[AnySymbol],
+    mass_matrix: Matrix | None,
+    first: list[sm.Expr] | None,
+) -> sm.MatrixBase | None:
     """Return the mass matrix, or None for the form [1], after checking that shapes fit."""
     n = len(q) + len(u)
     if mass_matrix is None:
@@ -261,7 +274,7 @@ def _check_form(
     return matrix
 
 
-def _matrix(value: Any) -> Any:
+def _matrix(value: Matrix) -> sm.MatrixBase:
     """Return a mass matrix of any type as SymPy's."""
     if isinstance(value, sm.MatrixBase):
         return value
@@ -271,14 +284,14 @@ def _matrix(value: Any) -> Any:
     return sm.Matrix([[checked_expression(e, "`mass_matrix`") for e in row] for row in rows])
 
 
-def _check_length(argument: str, value: list[Any], size: int, rows: str) -> None:
+def _check_length(argument: str, value: list[sm.Expr], size: int, rows: str) -> None:
     if len(value) != size:
         raise ValueError(
             f"`{argument}` must have {size} entries, one for each of the {rows}, got {len(value)}."
         )
 
 
-def _refuse_repeated(symbols: list[Any]) -> None:
+def _refuse_repeated(symbols: list[AnySymbol]) -> None:
     repeated = sorted({str(s) for s in symbols if symbols.count(s) > 1})
     if repeated:
         raise ValueError(
@@ -301,17 +314,17 @@ class _FunctionRegistry:
     """The generated functions that are alive, by name."""
 
     def __init__(self) -> None:
-        self._alive: weakref.WeakValueDictionary[str, Any] = weakref.WeakValueDictionary()
-        self._restored: dict[str, Any] = {}
+        self._alive: weakref.WeakValueDictionary[str, FunctionType] = weakref.WeakValueDictionary()
+        self._restored: dict[str, FunctionType] = {}
 
-    def keep(self, name: str, function: Any) -> None:
+    def keep(self, name: str, function: FunctionType) -> None:
         self._alive[name] = function
 
     def restore(self, name: str) -> None:
         # A strong reference until the unpickler has looked the name up.
         self._restored[name] = self._alive[name]
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> _Handle:
         if name.startswith("_"):
             raise AttributeError(name)
         function = self._restored.pop(name, None)
@@ -328,7 +341,7 @@ class _Handle:
     def __init__(self, rhs: Any) -> None:
         self.rhs = rhs
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return (_handle, (self.rhs.__qualname__.implementation,))
 
 
@@ -344,7 +357,7 @@ class _Name(str):
 
     implementation: RightHandSide
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return (_restore, (self.implementation,))
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from inspect import Parameter, signature
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import sympy as sm
@@ -22,6 +22,9 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._names import distinguished, nearest
 from pydy.codegen.arguments import ConstantsArgument, SpecifiedsArgument, SpecifiedsPlan
 from pydy.inputs import SampledInput
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import SymbolOrName
 
 # -- The docstring of a generated function: which numbers, in which order --------------------------
 
@@ -130,12 +133,12 @@ y : ndarray, shape({o},)
 """
 
 
-def _items(names: Sequence[Any]) -> str:
+def _items(names: Sequence[SymbolOrName]) -> str:
     labels = distinguished(names, [_name(name) for name in names])
     return "\n".join(f"        - {name}" for name in labels)
 
 
-def _name(symbol: Any) -> str:
+def _name(symbol: SymbolOrName) -> str:
     """Return a symbol's name, a hundred times faster than SymPy's printer."""
     if isinstance(symbol, sm.Symbol):
         return str(symbol.name)
@@ -148,6 +151,8 @@ def _name(symbol: Any) -> str:
 
 
 _NOTHING = np.empty(0)
+# The arguments of a generated function, as users pass them.
+Arguments: TypeAlias = tuple[Any, ...]
 
 
 class RightHandSide:
@@ -212,7 +217,7 @@ class RightHandSide:
         plain_p, plain_r = self.constants.numeric_array, self.specifieds.numeric_array
         if self.layout.specifieds:
 
-            def evaluate(args: tuple[Any, ...]) -> np.ndarray:
+            def evaluate(args: Arguments) -> np.ndarray:
                 try:
                     x, t, r, p = args
                 except ValueError:
@@ -228,7 +233,7 @@ class RightHandSide:
 
         else:
 
-            def evaluate(args: tuple[Any, ...]) -> np.ndarray:
+            def evaluate(args: Arguments) -> np.ndarray:
                 try:
                     x, t, p = args
                 except ValueError:
@@ -255,7 +260,7 @@ class RightHandSide:
         rhs.native = self.native  # type: ignore[attr-defined]
         return rhs
 
-    def native(self, args: tuple[Any, ...]) -> KernelCall | None:
+    def native(self, args: Arguments) -> KernelCall | None:
         """Return how native solvers call the function with these `args`, or None."""
         symbols = self.layout.specifieds
         if self.time_first or self.num_outputs or len(args) != (2 if symbols else 1):
@@ -283,12 +288,12 @@ class RightHandSide:
 
     # -- the slow path ----------------------------------------------------------------------------
 
-    def _wrong_count(self, args: tuple[Any, ...]) -> TypeError:
+    def _wrong_count(self, args: Arguments) -> TypeError:
         first = "t, x" if self.time_first else "x, t"
         names = f"{first}, r, p" if self.layout.specifieds else f"{first}, p"
         return TypeError(f"rhs({names}) takes {names.count(',') + 1} arguments, got {len(args)}.")
 
-    def _convert_and_call(self, x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> None:
+    def _convert_and_call(self, x: object, t: object, r: Any, p: object, out: np.ndarray) -> None:
         if self.refuse_strided and isinstance(x, np.ndarray) and not x.flags.c_contiguous:
             raise ValueError(
                 "`x` must be a C-contiguous array, because `force_c_contiguous` is False: pass "
@@ -307,7 +312,7 @@ def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
     empty, n = np.empty, len(model.layout.states)
     call = kernel.gate
 
-    def f(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+    def f(x: Any, t: float, r: Any, p: Any) -> np.ndarray:
         out = empty(n)
         if call(x, t, r, p, out):
             x, t = _state(model, x), number(t, "`t`")
@@ -315,13 +320,13 @@ def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
                 raise model.singular(t, x)
         return out
 
-    def f_with_functions(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+    def f_with_functions(x: object, t: float, r: object, p: object) -> np.ndarray:
         x = _state(model, x)
         return f(x, t, inputs(x, float(t)), p)
 
     chosen: Any = f if inputs.constant else f_with_functions
 
-    def native(args: tuple[Any, ...]) -> KernelCall:
+    def native(args: Arguments) -> KernelCall:
         r, p = args
         values = _specifieds(model, r) if inputs.constant else inputs.values
         return native_call(model, kernel, inputs, values, p)
@@ -331,7 +336,7 @@ def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
 
 
 def native_call(
-    model: CompiledModel, kernel: Kernel, inputs: Inputs, r: np.ndarray, p: Any
+    model: CompiledModel, kernel: Kernel, inputs: Inputs, r: np.ndarray, p: object
 ) -> KernelCall:
     """Return how native solvers call a Kernel of the derivatives; r are the inputs' numbers."""
     return KernelCall(
@@ -345,15 +350,15 @@ def native_call(
     )
 
 
-def _specifieds(model: CompiledModel, r: Any) -> np.ndarray:
+def _specifieds(model: CompiledModel, r: object) -> np.ndarray:
     return vector(r, len(model.layout.specifieds), "`r`, the specifieds,")
 
 
-def _constants(model: CompiledModel, p: Any) -> np.ndarray:
+def _constants(model: CompiledModel, p: object) -> np.ndarray:
     return vector(p, len(model.layout.constants), "`p`, the constants,")
 
 
-def _state(model: CompiledModel, x: Any) -> np.ndarray:
+def _state(model: CompiledModel, x: object) -> np.ndarray:
     n = len(model.layout.states)
     array = real_array(x, "`x`")
     if array.shape != (n,):
@@ -363,7 +368,7 @@ def _state(model: CompiledModel, x: Any) -> np.ndarray:
     return array
 
 
-def make_backend(generator: Any, options: dict[str, Any]) -> Any:
+def make_backend(generator: object, options: dict[str, Any]) -> Any:
     """Return a back end with its options, or say which options it has."""
     backend = resolve(generator)
     try:
