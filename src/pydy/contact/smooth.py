@@ -79,7 +79,8 @@ class Switched:
         functions = [f for f in real.atoms(*_KINDS) if self._depends_on_motion(f)]
         self.functions = sorted(functions, key=lambda f: (f.count_ops(), sm.default_sort_key(f)))
         self.piecewise = self._rewritten(real.xreplace(self.floats))
-        self.graph, self.surfaces = Graph(), list[tuple[sm.Basic, int, Evaluator]]()
+        self.graph = Graph()
+        self.surfaces: list[tuple[sm.Basic, int, Evaluator]] = []
         if self.functions:
             self._read()
 

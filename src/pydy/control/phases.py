@@ -106,7 +106,8 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
             phase, link = copy(problem), self._links[k]
             # The end of a phase satisfies the constraints; the link may violate some of them.
             follow = _followers(self._problems[-1], problem, link)
-            equations, solved = problem._snapshot.definition.equations, set[AnySymbol]()
+            equations = problem._snapshot.definition.equations
+            solved: set[AnySymbol] = set()
             constraints = equations.constraints
             # After such a link residuals determine other unknowns.
             if follow < len(constraints.enforced_holonomic):
