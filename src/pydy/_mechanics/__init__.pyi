@@ -16,7 +16,7 @@ from .frame_tree import FrameTree as FrameTree
 from .frames import orthogonality_residuals as orthogonality_residuals
 from .generic import generic_values as generic_values
 from .implicit import Implicit as Implicit
-from .inverse import BodyDynamics as BodyDynamics
+from .inverse import BodyDynamics as BodyDynamics, SymbolicNodes as SymbolicNodes
 from .multibody import Multibody as Multibody
 from .potential import find_potential as find_potential
 from .reactions import Multipliers as Multipliers, Reaction as Reaction, Reactions as Reactions

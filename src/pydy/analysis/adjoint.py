@@ -5,10 +5,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,6 +20,12 @@ from pydy._names import column_names, name_of, some, text_of, unique_names
 from pydy._problem import CallArguments, Problem, TrajectoryModel, read_term, refuse_descending
 from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
 from pydy.solvers import Solver
+
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol, ExpressionOrName, SymbolOrName
+    from pydy.trajectory import Trajectory
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,11 +54,11 @@ class AdjointGradient:
 
     value: float
     values: np.ndarray
-    counts: Mapping[Any, int]
+    counts: Mapping[AnySymbol, int]
     by_state: np.ndarray
     time: float
     statistics: dict[str, Any]
-    _motion: Callable[[], Any]
+    _motion: Callable[[], Trajectory]
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -60,11 +66,11 @@ class AdjointGradient:
         return column_names(self.counts)
 
     @cached_property
-    def trajectory(self) -> Any:
+    def trajectory(self) -> Trajectory:
         """The motion at the System's times, as `System.simulate` returns it."""
         return self._motion()
 
-    def __getitem__(self, parameter: Any) -> Any:
+    def __getitem__(self, parameter: SymbolOrName) -> float | np.ndarray:
         """Return the derivative with respect to a parameter, given by symbol or name."""
         start, named = 0, unique_names(list(self.counts))
         for (symbol, count), name in zip(self.counts.items(), named, strict=True):
@@ -76,7 +82,7 @@ class AdjointGradient:
             return float(self.values[self.names.index(parameter)])
         raise KeyError(f"`{text_of(parameter)}` is not one of the parameters: {some(self.names)}.")
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         return {**vars(self), "trajectory": self.trajectory, "_motion": None}
 
     def __str__(self) -> str:
@@ -89,12 +95,12 @@ class AdjointGradient:
 def adjoint_gradient(
     problem: Problem,
     times: np.ndarray,
-    wrt: Any,
+    wrt: SymbolOrName | Iterable[SymbolOrName],
     *,
-    final: Any = None,
-    integral: Any = None,
+    final: ExpressionOrName | None = None,
+    integral: ExpressionOrName | None = None,
     solver: Solver,
-    **options: Any,
+    **options: object,
 ) -> AdjointGradient:
     """Return a scalar of a Problem's motion and its derivatives: see `System.adjoint_gradient`."""
     final, integral = (
@@ -107,7 +113,7 @@ def adjoint_gradient(
     n, reached = len(problem.definition.states), run.info["reached"]
     states = run.states[:reached, :n].copy()
 
-    def trajectory() -> Any:
+    def trajectory() -> Trajectory:
         times = run.times[:reached].copy()
         return TrajectoryModel(problem).label(
             times, states, events=run.records, statistics=run.info
@@ -121,12 +127,12 @@ def adjoint_gradient(
 def motion_and_gradient(
     problem: Problem,
     times: np.ndarray,
-    wrt: Any,
+    wrt: SymbolOrName | Iterable[SymbolOrName],
     *,
-    final: Any,
-    integral: Any,
+    final: int | sm.Expr | None,
+    integral: int | sm.Expr | None,
     solver: Solver,
-    options: dict[str, Any],
+    options: dict[str, object],
     weights: np.ndarray | None = None,
 ) -> tuple[MotionSegment, AugmentedSystem, np.ndarray, np.ndarray]:
     """Return a motion and the objective's derivatives by the parameters and by the first state.
@@ -151,7 +157,7 @@ def motion_and_gradient(
     return run, sensitive, values, by_state
 
 
-def explicit_solver(solver: Any) -> Solver:
+def explicit_solver(solver: object) -> Solver:
     """Return the solver for the adjoint: the System's if it is native, otherwise 'dop853'."""
     if isinstance(solver, Solver) and solver.name == "radau":
         raise ValueError(

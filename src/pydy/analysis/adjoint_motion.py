@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
@@ -46,8 +46,15 @@ from pydy.solvers import (
 )
 from pydy.trajectory import EventRecord
 
+if TYPE_CHECKING:
+    import sympy as sm
 
-def with_integral_and_marker(term: Any, marked: bool, assembly: Assembly) -> Assembly:
+    from pydy.trajectory import Trajectory
+
+
+def with_integral_and_marker(
+    term: int | sm.Expr | None, marked: bool, assembly: Assembly
+) -> Assembly:
     """Return the equations with the integral and the sample marker appended to the states."""
     n, s, c = assembly.sizes
     extra_rates = [] if term is None else [node_of(assembly, term, "`integral`")]
@@ -147,7 +154,7 @@ class Projections:
         rows = np.broadcast_to(self._r, (len(self.times), self._r.shape[1]))
         r = np.concatenate([rows, -self._multipliers], axis=1)
         per_time = model.evaluate(kernel, self.times, self._x, r, self._p)
-        total: Any = per_time.sum(axis=0)
+        total: np.ndarray = per_time.sum(axis=0)
         return total, per_time
 
 
@@ -178,8 +185,8 @@ class Task:
     """The equations, objective and parameters of one gradient."""
 
     sensitive: AugmentedSystem  # its model has the system's states only
-    final: Any  # the position of an output, an expression, or None
-    integral: Any
+    final: int | sm.Expr | None  # the position of an output, an expression, or None
+    integral: int | sm.Expr | None
 
     @cached_property
     def full_model(self) -> CompiledModel:
@@ -234,7 +241,7 @@ class Task:
     # -- compiled ---------------------------------------------------------------------------------
 
     def with_sensitivities(
-        self, full_state: np.ndarray, columns: np.ndarray, options: dict[str, Any]
+        self, full_state: np.ndarray, columns: np.ndarray, options: dict[str, object]
     ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
         """Return the equations with columns of sensitivities, and the solver's options for them.
 
@@ -256,7 +263,7 @@ class Task:
         return call, augmented.columns.together(full_state, values), compiled
 
     def with_generic_direction(
-        self, full_state: np.ndarray, options: dict[str, Any]
+        self, full_state: np.ndarray, options: dict[str, object]
     ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
         """Return the equations with one column of sensitivities, and the solver's options for it.
 
@@ -394,10 +401,10 @@ class MotionSegment:
         elif bounded and solver.adaptive:
             call, full_state, sensitivities = task.with_generic_direction(full_state, options)
             options = {**options, "sensitivities": sensitivities}
-        read: Any = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
+        read = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
         integration = Integration(solver.name, call, len(full_state), times, (), read)
         self.task, self.times, self.n, self._first = task, times, n, x0
-        self.options: Any = read
+        self.options = read
         width = n + num_extra
         self.states = states = integration.run(full_state)[:, :width]
         for message in integration.event_warnings():
@@ -482,7 +489,7 @@ class MotionSegment:
             projected=ready.enforced,
         )
 
-    def passed(self, problem: Problem) -> Any:
+    def passed(self, problem: Problem) -> Trajectory:
         """Return the motion as a Trajectory at the solver's steps."""
         states = np.vstack([self.before, self.last])[:, : self.n]
         return TrajectoryModel(problem).label(
@@ -686,7 +693,7 @@ class MotionSegment:
                 )
         return part, changed, time
 
-    def _refuse(self, outcome: Outcome, record: EventRecord, **details: Any) -> NoReturn:
+    def _refuse(self, outcome: Outcome, record: EventRecord, **details: object) -> NoReturn:
         text, remedy = (
             part.format(event=record.name, **details) for part in (outcome.text, outcome.remedy)
         )

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from pydy._checks import real_array, shown
 
 
-def limits(value: Any, subject: str) -> tuple[float, float]:
+def limits(value: object, subject: str) -> tuple[float, float]:
     """Return the lowest and the highest value of a pair; None means unbounded."""
     pair = value
     if isinstance(value, (tuple, list)) and len(value) == 2:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,11 @@ from pydy.analysis.tuning import (
     ZERO_REAL_PART,
 )
 from pydy.plot import axes_of, typeset
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from pydy._sympy_types import SymbolOrName
 
 Function = Callable[[np.ndarray], np.ndarray]
 Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
@@ -104,16 +109,19 @@ class EquilibriumBranch:
 
     __repr__ = __str__
 
-    def __getitem__(self, unknown: Any) -> np.ndarray:
+    def __getitem__(self, unknown: SymbolOrName) -> np.ndarray:
         """Return an unknown along the branch, by symbol or name."""
         return self.solutions[:, place_of(unknown, self.unknowns, "unknowns")]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Return an `xarray.Dataset` with the parameter and all unknowns by `point`."""
         xarray = require("xarray", "ensemble", "to_xarray()")
         columns = {self.parameter: self.values, "stable": self.stable}
         columns |= {name: self[name] for name in self.unknowns}
-        return xarray.Dataset({name: (("point",), column) for name, column in columns.items()})
+        dataset: Dataset = xarray.Dataset(
+            {name: (("point",), column) for name, column in columns.items()}
+        )
+        return dataset
 
     def plot(self, name: str, ax: Any = None) -> Any:
         """Plot an unknown over the parameter, dashed where unstable; return the Axes."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
@@ -22,6 +22,9 @@ from pydy._names import few, numbers_of, place_of, some, unique_names
 from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one, rank_of, unrounded
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import LARGEST_NONLINEARITY, SMALL_NONLINEARITY
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
 
 _POLISH = 20  # largest number of Newton steps
 _TRIALS = 400  # largest number of implicit Euler steps
@@ -57,16 +60,16 @@ class Equilibrium:
         The constants and specifieds that were given for the search.
     """
 
-    values: dict[Any, float]
-    initial_conditions: dict[Any, float]
-    constants: dict[Any, float]
-    specifieds: dict[Any, float]
+    values: dict[AnySymbol, float]
+    initial_conditions: dict[AnySymbol, float]
+    constants: dict[AnySymbol, float]
+    specifieds: dict[AnySymbol, float]
     state: np.ndarray
     residual: float
     free: tuple[str, ...] = field(default=())
-    given: dict[Any, float] = field(default_factory=dict)
+    given: dict[AnySymbol, float] = field(default_factory=dict)
 
-    def __getitem__(self, unknown: Any) -> float:
+    def __getitem__(self, unknown: SymbolOrName) -> float:
         """Return the value of an unknown, by symbol or name."""
         values = list(self.values.values())
         return values[place_of(unknown, unique_names(list(self.values)), "unknowns")]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,6 +21,9 @@ from pydy.analysis.bounds import limits
 from pydy.analysis.equilibria import Equilibrium, RootProblem, Sizes, nonzero_row, solve_equilibrium
 from pydy.codegen import SpecifiedsPlan
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 # Number of times at which an equilibrium is checked again; powers of two if `times` is a point.
 _TIMES = 64
 
@@ -28,8 +31,8 @@ _TIMES = 64
 class Unknowns:
     """Unknown states, constants and specifieds, with their positions among all of these."""
 
-    def __init__(self, definition: Definition, symbols: Sequence[Any]) -> None:
-        self.symbols: list[Any] = []
+    def __init__(self, definition: Definition, symbols: Sequence[SymbolOrName]) -> None:
+        self.symbols: list[AnySymbol] = []
         self.order: list[tuple[str, int]] = []
         for symbol in symbols:
             kind, index = located(definition, symbol, "unknowns")
@@ -58,10 +61,10 @@ class EquilibriumResidual:
     def __init__(
         self,
         problem: Problem,
-        unknowns: Iterable[Any] | None,
-        fixed_values: Mapping[Any, Any] | None,
-        moving: Iterable[Any],
-        varied: Sequence[Any] = (),
+        unknowns: Iterable[SymbolOrName] | None,
+        fixed_values: Mapping[SymbolOrName, float] | None,
+        moving: Iterable[SymbolOrName],
+        varied: Sequence[SymbolOrName] = (),
     ) -> None:
         definition = self.definition = problem.definition
         equations = definition.equations
@@ -116,9 +119,9 @@ class EquilibriumResidual:
         r = self.plan.inputs.rows(self.x[None], np.array([self.t]))[0]
         self.start[by_specified] = r[self.columns]
 
-    def _apply_values(self, values: Mapping[Any, Any]) -> list[tuple[str, int]]:
+    def _apply_values(self, values: Mapping[SymbolOrName, float]) -> list[tuple[str, int]]:
         """Replace the System's numbers by the given ones; return each one's kind and index."""
-        definition, self.fixed_values = self.definition, dict[Any, float]()
+        definition, self.fixed_values = self.definition, dict[AnySymbol, float]()
         slots = [located(definition, key, "given") for key in values]
         refuse_twice([definition.places[kind].symbols[k] for kind, k in slots], "given")
         for (kind, index), (key, entry) in zip(slots, values.items(), strict=True):
@@ -343,7 +346,9 @@ class EquilibriumResidual:
 
 
 def _bounds(
-    definition: Definition, unknowns: Unknowns, bounds: Mapping[Any, Any] | None
+    definition: Definition,
+    unknowns: Unknowns,
+    bounds: Mapping[SymbolOrName, Sequence[float | None]] | None,
 ) -> tuple[np.ndarray, np.ndarray]:
     low = np.full(len(unknowns.symbols), -np.inf)
     high = -low
@@ -360,10 +365,10 @@ def _bounds(
 
 def find_equilibrium(
     problem: Problem,
-    unknowns: Iterable[Any] | None = None,
-    given: Mapping[Any, Any] | None = None,
-    bounds: Mapping[Any, Any] | None = None,
-    moving: Iterable[Any] = (),
+    unknowns: Iterable[SymbolOrName] | None = None,
+    given: Mapping[SymbolOrName, float] | None = None,
+    bounds: Mapping[SymbolOrName, Sequence[float | None]] | None = None,
+    moving: Iterable[SymbolOrName] = (),
 ) -> Equilibrium:
     """Find an equilibrium of a Problem; see `System.find_equilibrium`."""
     warn_of_missing_derivatives(problem)

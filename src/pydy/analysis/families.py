@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,8 +22,13 @@ from pydy.analysis.equilibrium_residual import EquilibriumResidual
 from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_rounding
 from pydy.analysis.tuning import VALUES_PER_PART
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
-def parameter_of(definition: Definition, mapping: Any) -> tuple[Any, np.ndarray]:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
+
+def parameter_of(definition: Definition, mapping: object) -> tuple[AnySymbol, np.ndarray]:
     """Return the parameter and the values of a mapping with one entry."""
     mapping = check_mapping("over", mapping)
     if len(mapping) != 1:
@@ -45,7 +50,7 @@ def parameter_of(definition: Definition, mapping: Any) -> tuple[Any, np.ndarray]
     return definition.places[kind].symbols[index], values
 
 
-def check_swept(problem: Problem, parameter: Any, values: np.ndarray) -> None:
+def check_swept(problem: Problem, parameter: AnySymbol, values: np.ndarray) -> None:
     """Warn of values of a parameter that contradict its assumptions."""
     kind, _ = located(problem.definition, parameter, "over")
     for value in (values.min(), values.max()):
@@ -58,10 +63,10 @@ class Family:
     def __init__(
         self,
         problem: Problem,
-        parameter: Any,
-        unknowns: Iterable[Any] | None,
-        fixed_values: Mapping[Any, Any] | None,
-        moving: Iterable[Any],
+        parameter: AnySymbol,
+        unknowns: Iterable[SymbolOrName] | None,
+        fixed_values: Mapping[SymbolOrName, float] | None,
+        moving: Iterable[SymbolOrName],
     ) -> None:
         self.residual = EquilibriumResidual(problem, unknowns, fixed_values, moving, [parameter])
         self.names = self.residual.unknowns.names
@@ -215,12 +220,12 @@ class _SweepBuilder:
 
 def eigenvalues(
     problem: Problem,
-    over: Mapping[Any, Any],
+    over: Mapping[SymbolOrName, ArrayLike],
     *,
     at: Any = None,
-    unknowns: Iterable[Any] | None = None,
-    given: Mapping[Any, Any] | None = None,
-    moving: Iterable[Any] = (),
+    unknowns: Iterable[SymbolOrName] | None = None,
+    given: Mapping[SymbolOrName, float] | None = None,
+    moving: Iterable[SymbolOrName] = (),
     progress: bool = False,
 ) -> EigenvalueSweep:
     """Return eigenvalues along a parameter of a Problem; see `System.eigenvalues`."""
@@ -277,11 +282,11 @@ def eigenvalues(
 
 def follow_equilibria(
     problem: Problem,
-    over: Mapping[Any, Any],
+    over: Mapping[SymbolOrName, ArrayLike],
     *,
-    unknowns: Iterable[Any] | None = None,
-    given: Mapping[Any, Any] | None = None,
-    moving: Iterable[Any] = (),
+    unknowns: Iterable[SymbolOrName] | None = None,
+    given: Mapping[SymbolOrName, float] | None = None,
+    moving: Iterable[SymbolOrName] = (),
     step: float = 0.02,
     most: int = 500,
     progress: bool = False,

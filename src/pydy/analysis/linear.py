@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -36,6 +36,13 @@ from pydy._states import EvaluationPoints
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.tuning import ZERO_REAL_PART
 from pydy.plot import axes_of, rows_of_axes, typeset
+
+if TYPE_CHECKING:
+    import control
+    from numpy.typing import ArrayLike
+    from scipy.signal import StateSpace
+
+    from pydy._sympy_types import SymbolOrName
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +118,7 @@ class LinearModel:
         """
         ax, eigenvalues = complex_plane(axes), self.eigenvalues
         ax.axhline(0.0, color="0.7", linewidth=0.8)
-        colours: dict[str, Any] = {"color": "C0"}
+        colours: dict[str, object] = {"color": "C0"}
         if eigenvalues.ndim == 2:
             colours = {
                 "c": np.broadcast_to(np.arange(len(eigenvalues))[:, None], eigenvalues.shape)
@@ -119,13 +126,13 @@ class LinearModel:
         ax.scatter(eigenvalues.real, eigenvalues.imag, marker="x", **colours)
         return ax
 
-    def to_state_space(self) -> Any:
+    def to_state_space(self) -> StateSpace:
         """Return the model as a `scipy.signal.StateSpace`."""
         from scipy.signal import StateSpace
 
         return StateSpace(*self._single_model("to_state_space"))
 
-    def to_control(self) -> Any:
+    def to_control(self) -> control.StateSpace:
         """Return the model as a ``control.StateSpace`` of python-control, with its names."""
         control = require("control", "control", "to_control()")
         names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
@@ -134,7 +141,7 @@ class LinearModel:
             **{kind: list(members) for kind, members in names.items()},
         )
 
-    def frequency_response(self, frequencies: Any) -> np.ndarray:
+    def frequency_response(self, frequencies: ArrayLike) -> np.ndarray:
         """Return the complex amplitudes of the outputs for inputs of amplitude one.
 
         Parameters
@@ -171,7 +178,7 @@ class LinearModel:
         self,
         input: str,
         output: str,
-        frequencies: Any = None,
+        frequencies: ArrayLike | None = None,
         axes: Any = None,
         *,
         unit: str = "rad/s",
@@ -245,11 +252,11 @@ def complex_plane(ax: Any) -> Any:
 
 def linearize(
     problem: Problem,
-    at: Any = None,
-    t: Any = None,
+    at: ArrayLike | None = None,
+    t: ArrayLike | None = None,
     *,
-    inputs: Iterable[Any] | None = None,
-    outputs: Iterable[Any] | None = None,
+    inputs: Iterable[SymbolOrName] | None = None,
+    outputs: Iterable[SymbolOrName] | None = None,
 ) -> LinearModel:
     """Return the linear model of a Problem; see `System.linearize`."""
     warn_of_missing_derivatives(problem)
@@ -357,7 +364,7 @@ def _warn_of_violations(at: StateSamples) -> None:
 
 def _outputs(
     problem: Problem,
-    outputs: Iterable[Any] | None,
+    outputs: Iterable[SymbolOrName] | None,
     point: EvaluationPoints,
     T: np.ndarray,
     columns: list[int],

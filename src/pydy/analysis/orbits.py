@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -33,6 +33,12 @@ from pydy.analysis.tuning import (
     SMALLEST_DAMPING,
 )
 from pydy.solvers import Event
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+    from pydy.trajectory import Trajectory
 
 # Longest time until the event, in units of the guessed period.
 _LONGEST_WAIT = 5.0
@@ -72,13 +78,13 @@ class PeriodicOrbit:
     """
 
     period: float
-    initial_conditions: dict[Any, float]
+    initial_conditions: dict[AnySymbol, float]
     states: tuple[str, ...]
     monodromy: np.ndarray
     residual: float
     autonomous: bool
     equilibrium: bool
-    trajectory: Any
+    trajectory: Trajectory
 
     @property
     def multipliers(self) -> np.ndarray:
@@ -110,11 +116,11 @@ def find_periodic_orbit(
     problem: Problem,
     period: float,
     *,
-    moving: Iterable[Any] = (),
+    moving: Iterable[SymbolOrName] = (),
     until: Event | None = None,
-    solver: Any,
+    solver: Callable[..., Any],
     progress: bool = False,
-    **options: Any,
+    **options: object,
 ) -> PeriodicOrbit:
     """Find a periodic motion of a Problem; see `System.find_periodic_orbit`.
 
@@ -142,10 +148,10 @@ class _OrbitSearch:
         self,
         problem: Problem,
         period: float,
-        moving: Iterable[Any],
+        moving: Iterable[SymbolOrName],
         until: Event | None,
-        solver: Any,
-        options: dict[str, Any],
+        solver: Callable[..., Any],
+        options: dict[str, object],
     ) -> None:
         self.t0, self.guess = problem.t, positive(period, "`period`", finite=True)
         if not problem.t + self.guess / _SAMPLES > problem.t:
@@ -155,7 +161,7 @@ class _OrbitSearch:
             )
         self.until, self.solver, self.original = until, solver, problem
         self._choose_states(problem, moving)
-        self.nearest: dict[str, Any] = {
+        self.nearest: dict[str, object] = {
             "period": self.guess,
             "initial_conditions": _initial_conditions(problem),
         }
@@ -169,7 +175,7 @@ class _OrbitSearch:
         self.smallest_gap = np.inf  # the smallest gap so far
         self.progress: Any = None  # reports the progress
 
-    def _choose_states(self, problem: Problem, moving: Iterable[Any]) -> None:
+    def _choose_states(self, problem: Problem, moving: Iterable[SymbolOrName]) -> None:
         """Divide the states into unknowns of the search, advancing states, and dependent ones."""
         definition, dependent = problem.definition, problem.dependent
         equations, states = definition.equations, definition.places["states"]
@@ -202,7 +208,7 @@ class _OrbitSearch:
         problem = self.problem.replace(x=x)
         return consistent(problem) if problem.dependent else problem
 
-    def integrated(self, problem: Problem, times: Any, **extra_options: Any) -> Motion:
+    def integrated(self, problem: Problem, times: ArrayLike, **extra_options: Any) -> Motion:
         """Integrate with sensitivities."""
         # Sensitivities control the steps, too: a state at rest would allow steps that are too long.
         request = SensitivityRequest(self.parameters, controlled=True)
@@ -630,6 +636,6 @@ def _depends_on_time(problem: Problem) -> bool:
     return "t" in assembly.graph.inputs_of(assembly.rates)
 
 
-def _initial_conditions(problem: Problem) -> dict[Any, float]:
+def _initial_conditions(problem: Problem) -> dict[AnySymbol, float]:
     """Return the states' values by symbol."""
     return dict(zip(problem.definition.states, problem.x.tolist(), strict=True))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import islice
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
@@ -22,6 +22,9 @@ from pydy.analysis.tuning import (
     ZERO_REAL_PART,
 )
 from pydy.plot import axes_of, typeset, with_unit
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
@@ -275,11 +278,11 @@ class EigenvalueSweep:
             stabilizing=stabilizing,
         )
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Return an `xarray.Dataset`: ``real`` and ``imag`` by parameter and branch, the states."""
         xarray = require("xarray", "ensemble", "to_xarray()")
         axes = (self.parameter, "branch")
-        return xarray.Dataset(
+        dataset: Dataset = xarray.Dataset(
             {
                 "real": (axes, self.eigenvalues.real, {"units": "1/s"}),
                 "imag": (axes, self.eigenvalues.imag, {"units": "1/s"}),
@@ -287,6 +290,7 @@ class EigenvalueSweep:
             },
             {self.parameter: self.values, "branch": np.arange(self.eigenvalues.shape[1])},
         )
+        return dataset
 
     def plot(self, ax: Any = None, unit: str = "") -> Any:
         """Plot real parts, and imaginary parts dashed, over the parameter; return the Axes."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,13 +24,18 @@ from pydy.analysis.fits.result import Minimum
 from pydy.analysis.tuning import FIXED_MESH_TOLERANCE
 from pydy.control import Experiment, Identification, fitting_solver_of
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import SymbolOrName
+
 
 def collocated(
     problem: FitProblem,
     z: np.ndarray,
-    mesh: Any,
-    process_noise: Any,
-    solver: tuple[str, dict[str, Any]],  # its name and options
+    mesh: int | ArrayLike | None,
+    process_noise: Mapping[SymbolOrName, float] | None,
+    solver: tuple[str, dict[str, object]],  # its name and options
     progress: bool,
 ) -> Minimum:
     """Return the least-squares minimum, searched for from z by a nonlinear program."""
@@ -72,7 +78,9 @@ def collocated(
     )  # fmt: skip
 
 
-def _disturbances(problem: FitProblem, process_noise: Any) -> dict[int, float]:
+def _disturbances(
+    problem: FitProblem, process_noise: Mapping[SymbolOrName, float] | None
+) -> dict[int, float]:
     """Return the intensities of white noise, by the index of the specified."""
     specifieds = problem.base.definition.places["specifieds"]
     process_noise = check_mapping("process_noise", process_noise)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,19 +13,24 @@ from pydy.analysis.fits.result import FitResult, result_of
 from pydy.analysis.fits.shooting import ShootingFit
 from pydy.analysis.fits.trial import Trial
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import SymbolOrName
+
 
 def fit(
     model: FittedSystem,
-    parameters: Any,
-    trials: Any,
+    parameters: SymbolOrName | Iterable[SymbolOrName],
+    trials: object,
     *,
-    bounds: Any,
-    priors: Any,
+    bounds: Mapping[SymbolOrName, Sequence[float | None]] | None,
+    priors: Mapping[SymbolOrName, Sequence[float]] | None,
     segments: int,
     method: str,
-    mesh: Any,
-    process_noise: Any,
-    solver: Any,
+    mesh: int | ArrayLike | None,
+    process_noise: Mapping[SymbolOrName, float] | None,
+    solver: str | None,
     most: int,
     progress: bool,
     options: dict[str, Any],
@@ -54,7 +59,7 @@ def fit(
     return result_of(problem, shooting.minimum(z, most, flag(progress, "`progress`")))
 
 
-def _listed(parameters: Any, trials: Any) -> list[Any]:
+def _listed(parameters: Any, trials: object) -> list[object]:
     """Return the trials as a list; raise an error if they were passed as `parameters`."""
     several = isinstance(parameters, (list, tuple)) and len(parameters) > 0
     first = parameters[0] if several else parameters
@@ -65,7 +70,7 @@ def _listed(parameters: Any, trials: Any) -> list[Any]:
         )
     # These would be iterated over by entries or names; the check of each trial reports them.
     alone = isinstance(trials, (Trial, np.ndarray, Mapping, str)) or hasattr(trials, "times")
-    entries: list[Any] = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
+    entries: list[object] = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
     if not entries:
         raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
     return entries
@@ -74,9 +79,9 @@ def _listed(parameters: Any, trials: Any) -> list[Any]:
 def _check_method(
     collocation: bool,
     segments: int,
-    only: Mapping[str, Any],
-    options: Mapping[str, Any],
-    contacts: Any,
+    only: Mapping[str, object],
+    options: Mapping[str, object],
+    contacts: object,
 ) -> None:
     """Raise an error for arguments of the other method; `only` has those of collocation."""
     if collocation and segments > 1:

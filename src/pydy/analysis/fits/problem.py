@@ -6,9 +6,9 @@ Shooting appends the states at the starts of segments.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,9 @@ from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 Numbers = dict[Any, Any]
 
 
@@ -36,10 +39,10 @@ class FittedSystem:
     """The functions and options of a System that a fit needs."""
 
     # (events, constants) → the System's Problem with the events and further constants
-    problem: Callable[[Any, Mapping[Any, Any]], Problem]
+    problem: Callable[[object, Mapping[SymbolOrName, object]], Problem]
     # (events, outputs, constants, specifieds) → a Problem of trial values, exempt from assumptions
-    tried: Callable[[Any, Numbers, Numbers, Numbers], Problem]
-    solver: Any  # the System's `ode_solver`
+    tried: Callable[[object, Numbers, Numbers, Numbers], Problem]
+    solver: Callable[..., Any]  # the System's `ode_solver`
     contacts: Any = None  # the Contacts that simulate these Problems
 
 
@@ -47,7 +50,11 @@ class FitProblem:
     """The parameters, samples, bounds and priors of a fit."""
 
     def __init__(
-        self, model: FittedSystem, parameters: Any, trials: Sequence[Any], events: Any
+        self,
+        model: FittedSystem,
+        parameters: SymbolOrName | Iterable[SymbolOrName],
+        trials: Sequence[object],
+        events: object,
     ) -> None:
         self.model, self._events = model, events
         keys = one_or_more("parameters", parameters, hashable=True)
@@ -119,7 +126,7 @@ class FitProblem:
         values |= trial_values
         return {key: value for key, value in values.items() if key not in parameters}
 
-    def _initial_conditions(self, d: TrialSamples) -> dict[Any, float]:
+    def _initial_conditions(self, d: TrialSamples) -> dict[AnySymbol, float]:
         base, argument = self.base, f"initial_conditions of {d.label}"
         states = base.definition.places["states"]
         conditions = merged(check_mapping(argument, d.trial.initial_conditions))
@@ -136,7 +143,7 @@ class FitProblem:
 
     def motion(
         self, z: np.ndarray, k: int, times: np.ndarray, column: int | None = None
-    ) -> tuple[Problem, list[Any], list[int]]:
+    ) -> tuple[Problem, list[AnySymbol], list[int]]:
         """Return the Problem of a trial, the parameters that it depends on, and their columns.
 
         The motion starts from the initial conditions of the trial, or from the independent states
@@ -144,7 +151,7 @@ class FitProblem:
         """
         constants, specifieds = dict(self._constants[k]), dict(self._specifieds[k])
         initial = dict(self._initial[k])
-        symbols: list[Any] = []
+        symbols: list[AnySymbol] = []
         columns: list[int] = []
         for j, (kind, symbol) in enumerate(self.shared):
             if kind == "constants":
@@ -179,7 +186,7 @@ class FitProblem:
 
     # -- bounds and priors of the parameters ------------------------------------------------------
 
-    def read_known(self, z: np.ndarray, bounds: Any, priors: Any) -> np.ndarray:
+    def read_known(self, z: np.ndarray, bounds: object, priors: object) -> np.ndarray:
         """Read bounds and priors; return z, clipped to the bounds.
 
         z may contain further unknowns after the parameters.
@@ -212,7 +219,7 @@ class FitProblem:
         return np.append(values, pulls), np.vstack([J, rows])
 
     def _pairs(
-        self, pairs: Any, argument: str, read: Callable[[Any, str], tuple[float, float]]
+        self, pairs: object, argument: str, read: Callable[[object, str], tuple[float, float]]
     ) -> list[tuple[list[int], tuple[float, float]]]:
         """Return pairs of numbers with the columns of their parameters, none of them twice."""
         pairs = check_mapping(argument, pairs)
@@ -223,7 +230,7 @@ class FitProblem:
             for several, (key, pair) in zip(columns, pairs.items(), strict=True)
         ]
 
-    def _columns_of(self, key: Any, argument: str) -> list[int]:
+    def _columns_of(self, key: SymbolOrName, argument: str) -> list[int]:
         """Return the columns of the parameters that a key names; a state is that of each trial."""
         shared = SymbolIndex([s for _, s in self.shared], "parameters of the fit")
         index = shared.get(key, argument)
@@ -249,7 +256,7 @@ class FitProblem:
         return result
 
 
-def _mean_and_deviation(value: Any, subject: str) -> tuple[float, float]:
+def _mean_and_deviation(value: object, subject: str) -> tuple[float, float]:
     numbers = real_array(value, subject)
     if numbers.shape != (2,) or not np.isfinite(numbers).all() or not numbers[1] > 0.0:
         raise ValueError(

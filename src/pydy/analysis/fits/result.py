@@ -25,6 +25,9 @@ from pydy.analysis.tuning import NAMED_IN_FIT, NOISE_TOLERANCE_FACTOR
 from pydy.plot import rows_of_axes, typeset
 
 if TYPE_CHECKING:
+    import pandas
+
+    from pydy._sympy_types import AnySymbol, SymbolOrName
     from pydy.analysis.fits.problem import FitProblem
     from pydy.analysis.fits.samples import TrialSamples
 
@@ -75,8 +78,8 @@ class FitResult:
     names: tuple[str, ...]
     estimates: np.ndarray
     covariance: np.ndarray
-    constants: dict[Any, float]
-    initial_conditions: dict[Any, float]
+    constants: dict[AnySymbol, float]
+    initial_conditions: dict[AnySymbol, float]
     undetermined: tuple[str, ...]
     at_bounds: tuple[str, ...]
     residuals: list[dict[str, np.ndarray]]
@@ -91,7 +94,7 @@ class FitResult:
     warnings: tuple[str, ...] = ()
     noise_given: bool = False
 
-    def __getitem__(self, parameter: Any) -> float:
+    def __getitem__(self, parameter: SymbolOrName) -> float:
         """Return an estimate, by symbol or name."""
         return float(self.estimates[place_of(parameter, self.names, "parameters")])
 
@@ -129,7 +132,7 @@ class FitResult:
             for table, missed in zip(self.measured, self.residuals, strict=True)
         ]
 
-    def to_dataframe(self, level: float = 0.95) -> Any:
+    def to_dataframe(self, level: float = 0.95) -> pandas.DataFrame:
         """Return a `pandas.DataFrame` with a row for each parameter.
 
         Parameters

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -24,6 +24,11 @@ from pydy._problem import sort_out
 from pydy.analysis.fits.trial import Trial, checked_noise, checked_samples, instants
 from pydy.analysis.tuning import LARGEST_RESIDUAL
 
+if TYPE_CHECKING:
+    import sympy as sm
+
+    from pydy._sympy_types import AnySymbol, ExpressionOrName
+
 
 @dataclass(frozen=True, eq=False)
 class TrialSamples:
@@ -33,15 +38,15 @@ class TrialSamples:
     label: str
     times: np.ndarray  # (m,)
     start: float
-    keys: list[Any]  # the key of each measured quantity in a trajectory
+    keys: list[AnySymbol]  # the key of each measured quantity in a trajectory
     names: list[str]  # the user's name of each measured quantity
     values: np.ndarray  # (m, q)
     noise: np.ndarray  # (m, q)
-    unknown: list[Any]  # states with unknown initial conditions
+    unknown: list[AnySymbol]  # states with unknown initial conditions
 
 
 def checked_trial(
-    k: int, trial: Any, definition: Definition, outputs: dict[Any, Any]
+    k: int, trial: object, definition: Definition, outputs: dict[AnySymbol, sm.Expr]
 ) -> TrialSamples:
     """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
     states = definition.places["states"]
@@ -81,8 +86,12 @@ def checked_trial(
 
 
 def _key(
-    key: Any, label: str, definition: Definition, measurable: SymbolIndex, outputs: dict[Any, Any]
-) -> Any:
+    key: ExpressionOrName,
+    label: str,
+    definition: Definition,
+    measurable: SymbolIndex,
+    outputs: dict[AnySymbol, sm.Expr],
+) -> AnySymbol:
     index = measurable.get(key, "measured")
     if index is not None:
         return measurable.symbols[index]
@@ -106,8 +115,8 @@ def _key(
 
 
 def _noise(
-    noise_entries: Any,
-    keys: list[Any],
+    noise_entries: object,
+    keys: list[AnySymbol],
     names: list[str],
     shape: tuple[int, ...],
     label: str,

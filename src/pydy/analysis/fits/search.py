@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 import scipy
@@ -19,7 +18,7 @@ def estimate(
     names: Sequence[str],
     most: int,
     warns: bool = True,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, Any]:
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, scipy.optimize.OptimizeResult]:
     """Minimise the sum of squares of residuals with at most `most` evaluations.
 
     `evaluate` returns residuals (m,) and their Jacobian (m, k); NaN if the motion cannot be
@@ -111,7 +110,7 @@ def _search(
     size: np.ndarray,
     units: np.ndarray,
     most: int,
-) -> Any:
+) -> scipy.optimize.OptimizeResult:
     """Call SciPy's search with residuals and parameters in units of their sizes."""
     return scipy.optimize.least_squares(
         lambda w: at(w * units)[0] / size, z / units, lambda w: at(w * units)[1] * (units / size),
@@ -120,7 +119,7 @@ def _search(
     )  # fmt: skip
 
 
-def _power_of_two(sizes: Any, otherwise: np.ndarray) -> np.ndarray:
+def _power_of_two(sizes: np.ndarray | np.floating, otherwise: np.ndarray) -> np.ndarray:
     """Return powers of two near some sizes; invalid sizes are replaced by `otherwise`, or 1."""
     for substitute in (otherwise, np.ones(())):
         sizes = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, substitute)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,6 +26,9 @@ from pydy.analysis.fits.search import estimate
 from pydy.analysis.tuning import LEAST_SIZE
 from pydy.solvers import SOLVERS
 from pydy.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol
 
 # Weights of the gaps between segments, relative to the states' spread, from search to search.
 _WEIGHTS = (1e1, 1e3, 1e5)
@@ -107,7 +110,7 @@ class ShootingFit:
 
     # -- simulations ------------------------------------------------------------------------------
 
-    def simulate(self, trial_problem: Problem, parameters: list[Any]) -> Trajectory:
+    def simulate(self, trial_problem: Problem, parameters: list[AnySymbol]) -> Trajectory:
         """Simulate with sensitivities."""
         request = SensitivityRequest(parameters, self.controlled)
         motion = simulate(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,6 +18,11 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import some, text_of
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import ExpressionOrName, SymbolOrName
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -58,13 +63,15 @@ class Trial:
     >>> trial = Trial([0.0, 0.1, 0.2], {'q1': [0.3, 0.28, 0.21]}, noise=0.01)
     """
 
-    times: Any
-    measured: Mapping[Any, Any]
-    initial_conditions: Mapping[Any, Any] = field(default_factory=dict)
-    constants: Mapping[Any, Any] = field(default_factory=dict)
-    specifieds: Mapping[Any, Any] = field(default_factory=dict)
-    unknown: Sequence[Any] = ()
-    noise: Any = None
+    times: ArrayLike
+    measured: Mapping[ExpressionOrName, ArrayLike]
+    initial_conditions: Mapping[SymbolOrName, float] = field(default_factory=dict)
+    constants: Mapping[SymbolOrName, float] = field(default_factory=dict)
+    specifieds: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object] = field(
+        default_factory=dict
+    )
+    unknown: Iterable[SymbolOrName] | SymbolOrName = ()
+    noise: ArrayLike | Mapping[ExpressionOrName, ArrayLike] | None = None
     start: float | None = None
     name: str = ""
 
@@ -139,7 +146,7 @@ def checked_samples(trial: Trial, label: str, times: np.ndarray) -> np.ndarray:
     return values
 
 
-def checked_noise(entry: Any, samples: int, label: str) -> np.ndarray:
+def checked_noise(entry: object, samples: int, label: str) -> np.ndarray:
     """Return the standard deviation of a quantity's noise, a number or one for each sample."""
     column = real_array(entry, f"`noise` of {label}")
     sound = ((column > 0.0) & (column < np.inf)).all()
