@@ -14,9 +14,7 @@ import numpy as np
 from pydy._names import distinguished, name_of, nearest, some, text_of, written_out
 
 if TYPE_CHECKING:
-    import sympy as sm
-
-    from pydy._sympy_types import AnySymbol, SymbolOrName
+    from pydy._sympy_types import AnySymbol, Expression, Matrix, SymbolOrName
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -59,7 +57,7 @@ def listed(
     raise TypeError(f"`{argument}` must be a sequence of {entries_name}, got {shown(value)}.")
 
 
-def _entries(matrix: sm.MatrixBase) -> sm.MatrixBase | list[sm.Expr]:
+def _entries(matrix: Matrix) -> Matrix | list[Expression]:
     """Return the entries of a SymPy matrix of one column or row; other matrices unchanged."""
     shape = matrix.shape
     if not (all(isinstance(n, int) or n.is_Integer for n in shape) and {0, 1} & {*shape}):
@@ -336,7 +334,7 @@ def flag(value: object, label: str) -> bool:
     raise TypeError(f"{label} must be True or False, got {shown(value)}.")
 
 
-def choice(value: object, options: Iterable[object], label: str) -> Any:
+def choice(value: object, options: Iterable[V], label: str) -> V:
     """Check that a value is one of some options, or raise an error that lists them."""
     options = tuple(options)
     for option in options:
@@ -609,7 +607,7 @@ class SymbolIndex:
         )
 
     def groups(
-        self, values: Mapping[Any, object], argument: str
+        self, values: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object], argument: str
     ) -> list[tuple[tuple[AnySymbol, ...], np.ndarray, bool]]:
         """Return (symbols, positions, whether the key is a tuple) for each key of a dictionary."""
         keys = [*values]

@@ -120,7 +120,7 @@ class _Partial(_Pickled):
         states: np.ndarray,
         time: float,
         state: np.ndarray,
-        info: dict[str, object],
+        info: dict[str, Any],
     ) -> None:
         super().__init__(message)
         self.times = times

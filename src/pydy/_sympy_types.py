@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 TimeFunction: TypeAlias = "AppliedUndef | sm.Derivative"
 # What expressions depend on: constants, time, functions of time and their derivatives.
 AnySymbol: TypeAlias = "sm.Symbol | AppliedUndef | sm.Derivative"
+Expression: TypeAlias = "sm.Expr"
+Matrix: TypeAlias = "sm.MatrixBase"
 SymbolOrName: TypeAlias = "AnySymbol | str"
 ExpressionOrName: TypeAlias = "sm.Expr | str"
 Value = TypeVar("Value")

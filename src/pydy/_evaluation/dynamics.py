@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import prod
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
@@ -31,10 +31,16 @@ from pydy._names import item_of_name, name_of
 from pydy._problem import Problem, StateSamples
 from pydy._program import Program
 
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Vector
+
+    from pydy._mechanics import SymbolicNodes
+    from pydy._sympy_types import AnySymbol, TimeFunction
+
 
 def _states(
-    problem: Problem, q: Any, v: Any, a: np.ndarray, t: Any
-) -> tuple[np.ndarray, Any, tuple[Iterable[int], Iterable[int]]]:
+    problem: Problem, q: object, v: object, a: np.ndarray, t: object
+) -> tuple[np.ndarray, np.ndarray, tuple[Iterable[int], Iterable[int]]]:
     """Return x with a appended, the times, and the indices of q and v that are defaults.
 
     The shapes are those of one state or of m states.
@@ -71,7 +77,7 @@ def _concatenated_rows(parts: Sequence[np.ndarray], m: int) -> np.ndarray:
 
 
 def _columns(
-    argument: str, value: Any, symbols: Sequence[Any], default: Callable[[], np.ndarray]
+    argument: str, value: object, symbols: Sequence[TimeFunction], default: Callable[[], np.ndarray]
 ) -> tuple[np.ndarray, Iterable[int]]:
     """Return numbers for all symbols, (n,) or (m, n), and the indices of those with defaults."""
     n = len(symbols)
@@ -91,7 +97,7 @@ def _columns(
     return array, ()
 
 
-def accelerations_of(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
+def accelerations_of(value: object, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
     """Return accelerations and their speeds: all of them, or the independent ones."""
     n = len(equations.speeds)
     independent = equations.dependents.independent_columns
@@ -123,7 +129,7 @@ def accelerations_of(value: Any, equations: Equations) -> tuple[np.ndarray, Sequ
     return array, range(n) if array.shape[-1] == n else independent
 
 
-def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
+def all_accelerations(value: object, equations: Equations) -> np.ndarray:
     """Return the accelerations of all speeds, none of which may be missing; None means zeros."""
     n = len(equations.speeds)
     array = np.zeros(n) if value is None else accelerations_of(value, equations)[0]
@@ -136,14 +142,14 @@ class Quantity(NamedTuple):
     """A quantity to evaluate."""
 
     name: str
-    key: tuple[Any, ...]  # identifies the expressions, together with the name
+    key: tuple[object, ...]  # identifies the expressions, together with the name
     shape: tuple[int, ...]
     # Returns the expressions, or the name of a block of the Assembly.
-    expressions: Callable[[BodyDynamics], Any]
+    expressions: Callable[[BodyDynamics], SymbolicNodes | str]
     rows: Iterable[str] = ()  # names for messages, read at most once; by default entry numbers
     accelerations: Sequence[int] = ()  # speeds whose accelerations are inputs; others are zero
 
-    def variables(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+    def variables(self, definition: Definition, wrt: object) -> tuple[tuple[str, int], ...]:
         """Return the inputs that the user's `wrt` means."""
         equations = definition.equations
         nq, nu = len(equations.coordinates), len(equations.speeds)
@@ -167,7 +173,7 @@ class Quantity(NamedTuple):
         definition: Definition,
         model: CompiledModel,
         wrt: tuple[tuple[str, int], ...],
-        silent: Mapping[Any, float],
+        silent: Mapping[AnySymbol, float],
     ) -> Program:
         """Return the Program of the values, or of their derivatives."""
         equations, assembly = definition.equations, model.assembly.fork()
@@ -253,7 +259,7 @@ def required_forces(
     speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
     bound = tuple(k for k in range(n) if k not in accelerated) if not zero else ()
 
-    def expressions(dynamics: BodyDynamics) -> Any:
+    def expressions(dynamics: BodyDynamics) -> SymbolicNodes | str:
         if without_bodies(equations):
             return "forces"
         return dynamics.inverse_dynamics(bodies_of(equations), at, bound=bound)
@@ -263,7 +269,7 @@ def required_forces(
     return Quantity(name, (at, bound), (len(speeds),), expressions, rows, accelerated)
 
 
-def chosen_speeds(equations: Equations, at: Any) -> tuple[int, ...] | None:
+def chosen_speeds(equations: Equations, at: object) -> tuple[int, ...] | None:
     """Return the columns of the speeds that a user's `at` selects."""
     if at is None:
         return None
@@ -285,7 +291,9 @@ def chosen_speeds(equations: Equations, at: Any) -> tuple[int, ...] | None:
 # -- Frames and points -----------------------------------------------------------------------------
 
 
-def _frame_and_point(equations: Equations, eom_method: Any, target: Any) -> tuple[Any, Any]:
+def _frame_and_point(
+    equations: Equations, eom_method: object, target: object
+) -> tuple[ReferenceFrame | None, Point | None]:
     """Return the frame and the point that a user's `where` means; either may be None."""
     bodies, named_frames = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
     if isinstance(target, str) and target in named_frames:
@@ -310,7 +318,7 @@ def _frame_and_point(equations: Equations, eom_method: Any, target: Any) -> tupl
     )
 
 
-def _origin(body: Multibody, point: Any) -> Any:
+def _origin(body: Multibody, point: Point) -> Point:
     """Return the point that positions are measured from."""
     from pydy.viz import find_origin  # with the rest of viz and SciPy's rotations
 
@@ -331,11 +339,11 @@ def _origin(body: Multibody, point: Any) -> Any:
 def evaluate(
     problem: Problem,
     quantity: Quantity,
-    at: tuple[Any, Any, Any, Any],
-    r: Any = None,
-    p: Any = None,
-    wrt: Any = None,
-    values: Mapping[Any, float] | None = None,
+    at: tuple[object, object, np.ndarray, object],
+    r: object = None,
+    p: object = None,
+    wrt: object = None,
+    values: Mapping[AnySymbol, float] | None = None,
 ) -> np.ndarray:
     """Evaluate a quantity at the user's q, v, a and t.
 
@@ -373,12 +381,12 @@ def evaluate(
 
 def inverse_dynamics(
     problem: Problem,
-    at: tuple[Any, Any, Any, Any],
-    speeds: Any,
-    r: Any,
-    p: Any,
-    wrt: Any,
-    values: Mapping[Any, float],
+    at: tuple[object, object, object, object],
+    speeds: object,
+    r: object,
+    p: object,
+    wrt: object,
+    values: Mapping[AnySymbol, float],
 ) -> np.ndarray:
     """Return the forces at some `speeds` for a motion; see `System.inverse_dynamics`."""
     equations, (q, v, a, t) = problem.definition.equations, at
@@ -400,7 +408,7 @@ def mass_matrix(equations: Equations) -> Quantity:
     """Return the mass matrix of all speeds."""
     n = len(equations.speeds)
 
-    def expressions(dynamics: BodyDynamics) -> Any:
+    def expressions(dynamics: BodyDynamics) -> SymbolicNodes | str:
         if not equations.constraints.velocity:
             return "matrix"
         return dynamics.mass_matrix(bodies_of(equations))
@@ -408,13 +416,13 @@ def mass_matrix(equations: Equations) -> Quantity:
     return Quantity("mass matrix", (), (n, n), expressions)
 
 
-def gravity(equations: Equations, acceleration: Any) -> Quantity:
+def gravity(equations: Equations, acceleration: Vector | None) -> Quantity:
     """Return the weights at the speeds, with the loads' acceleration of gravity or another one."""
     if acceleration is not None:
         checked_vector(acceleration, "`acceleration`")
     body = bodies_of(equations)
 
-    def expressions(dynamics: BodyDynamics) -> Any:
+    def expressions(dynamics: BodyDynamics) -> SymbolicNodes:
         forces = dynamics.weights(body, acceleration)
         if forces is None:
             raise ValueError(
@@ -429,7 +437,7 @@ def gravity(equations: Equations, acceleration: Any) -> Quantity:
     return Quantity("gravity", fall, (len(equations.speeds),), expressions, rows)
 
 
-def frame_position(equations: Equations, method: Any, target: Any) -> Quantity:
+def frame_position(equations: Equations, method: object, target: object) -> Quantity:
     """Return the position of a point from a point at rest."""
     body = bodies_of(equations)
     _, point = _frame_and_point(equations, method, target)
@@ -438,13 +446,13 @@ def frame_position(equations: Equations, method: Any, target: Any) -> Quantity:
     origin = _origin(body, point)
     rows = (f"the {axis} of {point}" for axis in "xyz")
 
-    def expressions(dynamics: BodyDynamics) -> Any:
+    def expressions(dynamics: BodyDynamics) -> SymbolicNodes:
         return dynamics.position(body, point, origin)
 
     return Quantity("position", (point,), (3,), expressions, rows)
 
 
-def frame_rotation(equations: Equations, method: Any, target: Any) -> Quantity:
+def frame_rotation(equations: Equations, method: object, target: object) -> Quantity:
     """Return the rotation matrix of a frame to the inertial one."""
     body = bodies_of(equations)
     frame, _ = _frame_and_point(equations, method, target)
@@ -453,7 +461,7 @@ def frame_rotation(equations: Equations, method: Any, target: Any) -> Quantity:
     return Quantity("rotation", (frame,), (3, 3), lambda dynamics: dynamics.rotation(body, frame))
 
 
-def frame_jacobian(equations: Equations, method: Any, target: Any) -> Quantity:
+def frame_jacobian(equations: Equations, method: object, target: object) -> Quantity:
     """Return the partial velocities of a point, above the partial angular ones of a frame."""
     body = bodies_of(equations)
     frame, point = _frame_and_point(equations, method, target)
@@ -461,7 +469,7 @@ def frame_jacobian(equations: Equations, method: Any, target: Any) -> Quantity:
         _origin(body, point)
     count = 3 * ((point is not None) + (frame is not None))
 
-    def expressions(dynamics: BodyDynamics) -> Any:
+    def expressions(dynamics: BodyDynamics) -> SymbolicNodes:
         return dynamics.partial_velocities(body, point, frame)
 
     shape = count, len(equations.speeds)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 import sympy as sm
@@ -30,7 +29,7 @@ class DerivativeTarget:
     """A quantity to differentiate."""
 
     block: str  # of the Assembly; empty for selected outputs and expressions
-    chosen: tuple[Any, ...]  # indices of outputs, and expressions
+    chosen: tuple[int | sm.Expr, ...]  # indices of outputs, and expressions
     names: tuple[str, ...]
 
     def nodes(self, assembly: Assembly) -> tuple[Graph, list[int]]:
@@ -45,7 +44,9 @@ class DerivativeTarget:
         return fork.graph, simplify(fork.graph, nodes)
 
 
-def target_of(definition: Definition, quantities: Any, *, scalar: bool = False) -> DerivativeTarget:
+def target_of(
+    definition: Definition, quantities: object, *, scalar: bool = False
+) -> DerivativeTarget:
     """Return the block, outputs or expressions that a user passed as `of`; one if `scalar`."""
     if isinstance(quantities, str) and quantities in BLOCKS and not scalar:
         names = definition.row_names(BLOCKS[quantities])
@@ -58,7 +59,7 @@ def target_of(definition: Definition, quantities: Any, *, scalar: bool = False) 
         count = "one output or expression" if scalar else "at least one output or expression"
         raise ValueError(f"`of` must be {count}, got {shown(quantities)}.")
     outputs, states = definition.places["outputs"], definition.places["states"]
-    chosen: list[Any] = []
+    chosen: list[int | sm.Expr] = []
     time = definition.equations.time
     for entry in entries:
         index = outputs.get(entry, "of")
@@ -77,7 +78,7 @@ def target_of(definition: Definition, quantities: Any, *, scalar: bool = False) 
     return DerivativeTarget("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
 
 
-def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+def variables(definition: Definition, wrt: object) -> tuple[tuple[str, int], ...]:
     """Return the inputs that a user's `wrt` selects: a group, or single symbols."""
     if isinstance(wrt, str):
         if wrt in GROUPS:
@@ -95,7 +96,7 @@ def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
     return tuple((GROUPS[kind], index) for kind, index in inputs)
 
 
-def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
+def _vectors(v: object, length: int, states: object) -> tuple[np.ndarray, int, bool]:
     """Return vectors as rows of inputs, their number per sample, and whether `v` is one vector."""
     array = real_array(v, "`v`")
     is_array = states is not None and not isinstance(states, Mapping)
@@ -120,7 +121,10 @@ def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
 
 
 def evaluate_block(
-    problem: Problem, block: str, arguments: tuple[Any, Any, Any, Any], wrt: Any = None
+    problem: Problem,
+    block: str,
+    arguments: tuple[object, object, object, object],
+    wrt: tuple[tuple[str, int], ...] | None = None,
 ) -> np.ndarray:
     """Evaluate a block of the equations, or its Jacobian by `wrt`, as `variables` returns it."""
     if block in ("rates", "outputs"):
@@ -141,10 +145,10 @@ def evaluate_block(
 def evaluate_product(
     problem: Problem,
     kind: str,
-    quantities: Any,
-    wrt: Any,
-    v: Any,
-    arguments: tuple[Any, Any, Any, Any],
+    quantities: object,
+    wrt: object,
+    v: object,
+    arguments: tuple[object, object, object, object],
 ) -> np.ndarray:
     """Evaluate a product with derivatives; its kind is one of `pydy._graph.products.KINDS`."""
     definition = problem.definition

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import islice
 from operator import methodcaller
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
@@ -31,6 +31,7 @@ from pydy._program import Program
 from pydy.codegen import SpecifiedsPlan
 
 if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
     from pydy.export import Model
     from pydy.solvers import Event
     from pydy.viz import LiveSystem
@@ -49,7 +50,7 @@ def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
 
 
 def _input_columns(
-    definition: Definition, plan: SpecifiedsPlan, inputs: Sequence[Any] | None
+    definition: Definition, plan: SpecifiedsPlan, inputs: Sequence[SymbolOrName] | None
 ) -> tuple[int, ...]:
     """Return the columns of the specifieds that are inputs of the exported model.
 
@@ -95,7 +96,7 @@ def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
             )
 
 
-def _names(symbols: Sequence[Any]) -> list[str]:
+def _names(symbols: Sequence[AnySymbol]) -> list[str]:
     """Return unique names of symbols; derivatives are named as in FMI: ``der(F)``."""
     spelled = []
     for name, symbol in zip(unique_names(symbols), symbols, strict=True):
@@ -106,7 +107,7 @@ def _names(symbols: Sequence[Any]) -> list[str]:
     return spelled
 
 
-def _projection_sizes(problem: Problem) -> dict[str, Any]:
+def _projection_sizes(problem: Problem) -> dict[str, int | tuple[int, ...]]:
     """Return the sizes of the arrays in the projection."""
     equations, assembly = problem.definition.equations, problem.code.assembly
     if not (assembly.holonomic or assembly.velocity):
@@ -133,7 +134,9 @@ def _builders(
     assembly = problem.code.assembly
     n, builders = len(problem.definition.states), dict[str, Callable[[], Program]]()
 
-    def store(part: str, key: str, make: Any, assembly: Assembly = assembly) -> None:
+    def store(
+        part: str, key: str, make: Callable[[Assembly], Program], assembly: Assembly = assembly
+    ) -> None:
         program = partial(stored_program, assembly, key, lambda: make(assembly))
         builders[part] = lambda: with_inputs(program(), columns)
 
@@ -169,9 +172,9 @@ def exported_model(
     problem: Problem,
     *,
     name: str = "model",
-    events: Any = None,
-    constraints: Any = None,
-    inputs: Sequence[Any] | None = (),
+    events: Event | Iterable[Event] | None = None,
+    constraints: str | None = None,
+    inputs: Sequence[SymbolOrName] | None = (),
 ) -> Model:
     """Return the Programs, names and numbers of a Problem for exported code."""
     from pydy.export import EventData, Model, Variable, identifiers
@@ -218,7 +221,11 @@ def exported_model(
 
 
 def live_system(
-    problem: Problem, *, name: str = "model", constraints: Any = "auto", events: Any = None
+    problem: Problem,
+    *,
+    name: str = "model",
+    constraints: str | None = "auto",
+    events: Event | Iterable[Event] | None = None,
 ) -> LiveSystem:
     """Return a Problem in the format of a live page, which simulates in the browser."""
     from pydy.viz import LiveSystem

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,6 +25,9 @@ from pydy._problem import (
 from pydy._program import Program
 from pydy.codegen import SpecifiedsPlan
 
+if TYPE_CHECKING:
+    from pydy._program import Tangent
+
 
 def _evaluate_with_vectors(at: StateSamples, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
     """Evaluate a Kernel with further inputs after r."""
@@ -39,7 +42,7 @@ def _evaluate_with_vectors(at: StateSamples, kernel: Kernel, vectors: np.ndarray
     return out
 
 
-def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
+def specified_rows(r: object, t: np.ndarray, size: int) -> np.ndarray:
     """Return an array of all specifieds for m samples: shape (1, s) for all alike, or (m, s)."""
     array = real_array(r, "`r`")
     if array.shape == (size,) or array.shape == (len(t), size):
@@ -69,7 +72,9 @@ class Evaluator:
     # Whether the user's functions of specifieds are called only where the Kernel reads specifieds.
     skips_unread_inputs: bool = False
 
-    def __call__(self, t: Any = None, x: Any = None, r: Any = None, p: Any = None) -> np.ndarray:
+    def __call__(
+        self, t: object = None, x: object = None, r: object = None, p: object = None
+    ) -> np.ndarray:
         """Evaluate it."""
         problem = self.problem
         code, definition = problem.model.code, problem.definition
@@ -138,7 +143,7 @@ class Evaluator:
         result: bool = cache[key]
         return result
 
-    def _depends_on_inputs(self, code: CompiledModel, program: Any) -> bool:
+    def _depends_on_inputs(self, code: CompiledModel, program: Program | Tangent) -> bool:
         definition = self.problem.definition
         implicit = definition.equations.constraints.residuals.implicit
         if implicit is not None or "specifieds" in definition.assumptions:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydy._assembly import CompiledModel, Definition
 from pydy._checks import flag
 from pydy._errors import warn_user
 from pydy._problem import compile_definition
 from pydy.codegen import RightHandSide, make_function
+
+if TYPE_CHECKING:
+    from types import FunctionType
 
 _ARGUMENTS = ("constants_arg_type", "specifieds_arg_type", "time_first")
 _REFUSED = {
@@ -26,9 +29,9 @@ class GeneratedFunction:
     definition: Definition
     code: CompiledModel
     arguments: Mapping[str, Any]  # how the function reads r and p, and in which order
-    _functions: dict[bool, Any] = field(default_factory=dict)
+    _functions: dict[bool, FunctionType] = field(default_factory=dict)
 
-    def function(self, *, any_layout: bool) -> Any:
+    def function(self, *, any_layout: bool) -> FunctionType:
         """Return the function that users call; it is built once for each array layout."""
         side = RightHandSide(self.code, any_layout=any_layout, **self.arguments)
         if side.refuse_strided not in self._functions:
@@ -36,7 +39,7 @@ class GeneratedFunction:
         return self._functions[side.refuse_strided]
 
 
-def checked_options(options: dict[str, Any]) -> dict[str, Any]:
+def checked_options(options: dict[str, object]) -> dict[str, object]:
     """Check the options of `System.generate_ode_function`; those set by the System are refused."""
     if "specifieds" in options:
         warn_user(
@@ -56,7 +59,7 @@ def checked_options(options: dict[str, Any]) -> dict[str, Any]:
 
 
 def generate(
-    definition: Definition, eom_method: Any, options: Mapping[str, Any]
+    definition: Definition, eom_method: object, options: Mapping[str, object]
 ) -> GeneratedFunction:
     """Return a definition's code for options of `generate_ode_function`, not compiled yet."""
     arguments = {k: options[k] for k in _ARGUMENTS if k in options}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from sympy.physics.mechanics import RigidBody
@@ -11,6 +11,9 @@ from pydy._evaluation.dynamics import Quantity, bodies_of
 from pydy._mechanics import BodyDynamics, Equations, Multibody
 from pydy._names import unique_names
 from pydy._rank import ROUNDED, equilibrated, independent_columns
+
+if TYPE_CHECKING:
+    from pydy._mechanics import SymbolicNodes
 
 _COMPONENTS = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz")
 _POWERS = np.array([0, 1, 1, 1, 2, 2, 2, 2, 2, 2])  # of length, in their units
@@ -69,7 +72,7 @@ def regressor(equations: Equations) -> Quantity:
     body = bodies_of(equations)
     n, count = len(equations.speeds), len(_parameter_names(body))
 
-    def expressions(dynamics: BodyDynamics) -> Any:
+    def expressions(dynamics: BodyDynamics) -> SymbolicNodes:
         matrix = dynamics.regressor(body)
         if matrix is None:
             raise ValueError(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
@@ -12,14 +12,18 @@ from pydy._assembly import Definition
 from pydy._checks import merged
 from pydy._names import name_of, some, unique_names
 
+if TYPE_CHECKING:
+    from pydy._mechanics import Equations
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 
 def summary(
     definition: Definition,
     method: str,
-    solver: Any,
+    solver: object,
     times: np.ndarray,
-    values: Mapping[str, Mapping[Any, Any]],
-    of_events: Iterable[Any],
+    values: Mapping[str, Mapping[SymbolOrName, object]],
+    of_events: Iterable[AnySymbol],
 ) -> list[tuple[str, str]]:
     """Return the titles and texts of a summary of the user's settings.
 
@@ -47,11 +51,11 @@ def summary(
     return [(title, text) for title, text in lines if text]
 
 
-def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
+def _flat(specifieds: Mapping[Any, Any]) -> dict[SymbolOrName, object]:
     """Return the value of each specified, given in either format."""
     if isinstance(specifieds.get("symbols"), (tuple, list)):
         specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
-    values: dict[Any, Any] = {}
+    values: dict[SymbolOrName, object] = {}
     for key, value in merged(specifieds).items():
         several = isinstance(key, tuple)
         if several and isinstance(value, (list, tuple, np.ndarray)) and len(value) == len(key):
@@ -61,10 +65,12 @@ def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
     return values
 
 
-def _values(symbols: Sequence[Any], values: Mapping[Any, Any], default: str) -> str:
+def _values(
+    symbols: Sequence[AnySymbol], values: Mapping[SymbolOrName, object], default: str
+) -> str:
     """Return names with values; defaults are in parentheses."""
 
-    def value_of(symbol: Any) -> Any:
+    def value_of(symbol: AnySymbol) -> object:
         return values.get(symbol, values.get(name_of(symbol), values.get(str(symbol))))
 
     texts = []
@@ -79,7 +85,7 @@ def _values(symbols: Sequence[Any], values: Mapping[Any, Any], default: str) -> 
     return some(texts)
 
 
-def shortened(value: Any) -> str:
+def shortened(value: object) -> str:
     if callable(value) and not hasattr(value, "free_symbols"):
         return f"{getattr(value, '__name__', type(value).__name__)}(x, t)"
     if isinstance(value, (int, float, np.number)):
@@ -88,7 +94,7 @@ def shortened(value: Any) -> str:
     return text if len(text) <= 40 else text[:37] + "..."
 
 
-def _counts(equations: Any) -> str:
+def _counts(equations: Equations) -> str:
     constraints = equations.constraints
     counts = {
         "holonomic": len(constraints.holonomic),

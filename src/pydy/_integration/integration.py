@@ -257,7 +257,7 @@ def _call_scipy(
     solver: SolverFunction,
     user_options: dict[str, object],
     options: dict[str, object],
-    call: tuple[Any, np.ndarray, tuple[object, np.ndarray]],
+    call: tuple[Callable[..., np.ndarray], np.ndarray, tuple[object, np.ndarray]],
     checked: bool,
 ) -> SolverResult:
     """Call odeint or solve_ivp; record their evaluations if the checks need these."""
@@ -393,7 +393,7 @@ def motion_so_far(
     ready: PreparedIntegration,
     solver: SolverFunction,
     options: dict[str, object],
-    error: Any,
+    error: IntegrationError | IntegrationInterrupted,
 ) -> Motion:
     """Return the Motion up to the failure of an integration."""
     start = float(error.times[0]) if len(error.times) else error.time
@@ -442,7 +442,7 @@ def explain_failure(
             return
     explain(error, lambda t, x: replace(problem.at(t, x), model=ready.code))
     if ready.constrained and free and isinstance(error, IntegrationError):
-        info: Any = error.info
+        info = error.info
         check_resets(info["events"], problem.at)
 
 

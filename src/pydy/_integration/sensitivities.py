@@ -83,7 +83,7 @@ class AugmentedSystem:
 
     def __post_init__(self) -> None:
         s = len(self.definition.specifieds)
-        directions: list[Any] = []
+        directions: list[tuple[str, int] | tuple[str, int, int] | None] = []
         weights = 0
         for parameter in self.parameters:
             if parameter.kind == "states":

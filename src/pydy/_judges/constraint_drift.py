@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -49,7 +49,7 @@ def check_start(at: StateSamples, whose: str = "", corrected: bool = False) -> b
     if not satisfied:
         _check_constant(at)
     # A corrected motion is not reported, so its violated rows need no names.
-    find: Callable[..., Any] = violates_constraints if corrected else violations
+    find: Callable[..., object] = violates_constraints if corrected else violations
     violation = not satisfied and find(at, redundant=False)
     equations = at.definition.equations
     unimplied = () if violation else equations.constraints.unenforced_holonomic

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -43,7 +43,7 @@ def explain(
     at: Callable[[np.ndarray, np.ndarray], StateSamples],
 ) -> None:
     """Replace the general advice in an error's message by the cause."""
-    code: Any = Outcome.SINGULAR
+    code: int | None = Outcome.SINGULAR
     if isinstance(error, IntegrationError):
         code = error.info.get("code")
     if code in _DIAGNOSED:

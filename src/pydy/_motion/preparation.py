@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from copy import copy
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -66,7 +66,7 @@ class PreparedIntegration:
         # The memory of the latest call, with its options, unless another call is using it.
         self.free: list[tuple[Prepared, dict[str, object]]] = []
 
-    def _prepared(self, model: Model) -> tuple[CompiledModel, dict[str, object]]:
+    def _prepared(self, model: Model) -> tuple[CompiledModel, dict[str, Any]]:
         """Return the code, with options that change the equations compiled in, and the others."""
         definition = model.definition
         options, equations = dict(self._user_options), definition.equations

@@ -22,9 +22,7 @@ from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
 from pydy.solvers import Solver
 
 if TYPE_CHECKING:
-    import sympy as sm
-
-    from pydy._sympy_types import AnySymbol, ExpressionOrName, SymbolOrName
+    from pydy._sympy_types import AnySymbol, Expression, ExpressionOrName, SymbolOrName
     from pydy.trajectory import Trajectory
 
 
@@ -129,8 +127,8 @@ def motion_and_gradient(
     times: np.ndarray,
     wrt: SymbolOrName | Iterable[SymbolOrName],
     *,
-    final: int | sm.Expr | None,
-    integral: int | sm.Expr | None,
+    final: int | Expression | None,
+    integral: int | Expression | None,
     solver: Solver,
     options: dict[str, object],
     weights: np.ndarray | None = None,

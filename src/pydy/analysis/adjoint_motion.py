@@ -47,13 +47,12 @@ from pydy.solvers import (
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
-    import sympy as sm
-
+    from pydy._sympy_types import Expression
     from pydy.trajectory import Trajectory
 
 
 def with_integral_and_marker(
-    term: int | sm.Expr | None, marked: bool, assembly: Assembly
+    term: int | Expression | None, marked: bool, assembly: Assembly
 ) -> Assembly:
     """Return the equations with the integral and the sample marker appended to the states."""
     n, s, c = assembly.sizes
@@ -185,8 +184,8 @@ class Task:
     """The equations, objective and parameters of one gradient."""
 
     sensitive: AugmentedSystem  # its model has the system's states only
-    final: int | sm.Expr | None  # the position of an output, an expression, or None
-    integral: int | sm.Expr | None
+    final: int | Expression | None  # the position of an output, an expression, or None
+    integral: int | Expression | None
 
     @cached_property
     def full_model(self) -> CompiledModel:
@@ -404,7 +403,7 @@ class MotionSegment:
         read = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
         integration = Integration(solver.name, call, len(full_state), times, (), read)
         self.task, self.times, self.n, self._first = task, times, n, x0
-        self.options = read
+        self.options: Any = read
         width = n + num_extra
         self.states = states = integration.run(full_state)[:, :width]
         for message in integration.event_warnings():
@@ -738,7 +737,7 @@ def integrate_forward(
     """Integrate from the initial conditions; raise an error with a diagnosis on failure."""
     n = len(problem.definition.states)
     run = partial(MotionSegment, task, solver, problem.x, times, ready.options, guide)
-    failed: Any = None
+    failed: IntegrationError | SingularMatrixError | None = None
     try:
         try:
             segment = run()

@@ -10,7 +10,7 @@ multibody systems", Multibody System Dynamics 33 (2015) 143-161).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -38,7 +38,6 @@ from pydy.analysis.tuning import ZERO_REAL_PART
 from pydy.plot import axes_of, rows_of_axes, typeset
 
 if TYPE_CHECKING:
-    import control
     from numpy.typing import ArrayLike
     from scipy.signal import StateSpace
 
@@ -132,7 +131,7 @@ class LinearModel:
 
         return StateSpace(*self._single_model("to_state_space"))
 
-    def to_control(self) -> control.StateSpace:
+    def to_control(self) -> Any:
         """Return the model as a ``control.StateSpace`` of python-control, with its names."""
         control = require("control", "control", "to_control()")
         names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
@@ -252,7 +251,7 @@ def complex_plane(ax: Any) -> Any:
 
 def linearize(
     problem: Problem,
-    at: ArrayLike | None = None,
+    at: ArrayLike | Mapping[SymbolOrName, float] | Equilibrium | None = None,
     t: ArrayLike | None = None,
     *,
     inputs: Iterable[SymbolOrName] | None = None,

@@ -151,7 +151,7 @@ class _OrbitSearch:
         moving: Iterable[SymbolOrName],
         until: Event | None,
         solver: Callable[..., Any],
-        options: dict[str, object],
+        options: dict[str, Any],
     ) -> None:
         self.t0, self.guess = problem.t, positive(period, "`period`", finite=True)
         if not problem.t + self.guess / _SAMPLES > problem.t:

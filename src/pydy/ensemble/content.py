@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 
-def digest(value: Any) -> str:
+def digest(value: object) -> str:
     """Return the SHA-256 of numbers, texts, arrays, and tuples, lists and mappings of these.
 
     Numbers of different types differ, such as 1 and 1.0, and zeros of different signs. Mappings
@@ -20,7 +20,7 @@ def digest(value: Any) -> str:
     return hashlib.sha256(marshal.dumps(_marshallable(value), 2)).hexdigest()
 
 
-def _marshallable(value: Any) -> Any:
+def _marshallable(value: object) -> Any:
     """Return a value made of the types that marshal writes the same way everywhere."""
     if value is None or type(value) in (bool, int, float, str):
         return value

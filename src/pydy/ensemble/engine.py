@@ -9,7 +9,7 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExec
 from dataclasses import dataclass
 from math import prod
 from threading import Event, Lock, Thread
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 from uuid import uuid4
 
 import numpy as np
@@ -32,9 +32,14 @@ from pydy.ensemble.samples import (
 from pydy.ensemble.work import SMALLEST_BLOCK, Work
 from pydy.solvers import Outcome
 
+if TYPE_CHECKING:
+    from xarray import Dataset
+
 # If eight samples, integrated one by one, take less time than this (in seconds), blocks are larger:
 # a block costs 0.5 ms, and an interrupt loses at most 0.2 s of work in a block of 64.
 BRIEF = 0.02
+
+T = TypeVar("T")
 
 _ENDED: set[str] = set()  # Dask runs of this process that have ended or were interrupted
 
@@ -45,8 +50,8 @@ class Ensemble:
 
     work: Work
     samples: Samples
-    chunks: Any  # sizes of blocks, as passed by the user
-    attrs: dict[str, Any]  # of the Dataset
+    chunks: int | str | Mapping[str, int] | None  # sizes of blocks, as passed by the user
+    attrs: Mapping[str, object]  # of the Dataset
     workers: int | None = None  # number of threads; None means one for each processor
     progress: bool = False
 
@@ -66,7 +71,7 @@ class Ensemble:
 
     # -- in memory ----------------------------------------------------------------------------
 
-    def run(self) -> Any:
+    def run(self) -> Dataset:
         """Return the Dataset, computed on threads."""
         shape, model = self.samples.shape, self.work.model
         # Blocks are so small that all threads end at about the same time. Results do not depend on
@@ -146,7 +151,7 @@ class Ensemble:
 
     def _finished(
         self, results: dict[str, LabelledArray], pending: Sequence[Block]
-    ) -> tuple[str, Any]:
+    ) -> tuple[str, Dataset]:
         """Return the number of finished samples as text, and their Dataset."""
         for block in pending:
             for name, v in results.items():
@@ -166,7 +171,7 @@ class Ensemble:
     def _threads(self) -> int:
         return self.workers or _processors()
 
-    def _dataset(self, variables: dict[str, LabelledArray]) -> Any:
+    def _dataset(self, variables: dict[str, LabelledArray]) -> Dataset:
         times = self.work.model.times
         labels = self.work.labels
         return to_dataset(variables, self.samples.coordinates, times, self.attrs, labels)
@@ -203,7 +208,7 @@ class Ensemble:
 
     # -- lazily -------------------------------------------------------------------------------
 
-    def lazy(self) -> Any:
+    def lazy(self) -> Dataset:
         """Return a Dataset of Dask arrays with a task for each block."""
         blocks = list(self.samples.blocks(self.sizes))
         dask = require("dask", "ensemble", "`chunks`")
@@ -240,7 +245,7 @@ class Ensemble:
 
     # -- into a store -------------------------------------------------------------------------
 
-    def into(self, path: Any, resume: bool | str) -> Any:
+    def into(self, path: str | os.PathLike[str], resume: bool | str) -> Dataset:
         """Write a Zarr store block by block, and return it as a Dataset.
 
         Blocks that are in the store are not computed again. The others are computed by Dask tasks
@@ -295,7 +300,7 @@ class Ensemble:
             )
         return stores.parts_of(self.work, self.samples, self.sizes, name)
 
-    def _scheduler(self) -> Any:
+    def _scheduler(self) -> object:
         try:
             from dask.base import get_scheduler
         except ImportError:
@@ -335,8 +340,8 @@ def _startable(number: int) -> int:
 class _SerialExecutor(Executor):
     """Calls functions immediately in the calling thread, if another is not possible or useful."""
 
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        future: Future[Any] = Future()
+    def submit(self, fn: Callable[..., T], /, *args: object, **kwargs: object) -> Future[T]:
+        future: Future[T] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
         except Exception as error:  # noqa: BLE001 - the caller asks the future
@@ -360,7 +365,9 @@ def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, ru
     stores.write(path, block, work(samples, lambda: run in _ENDED))
 
 
-def _check(future: Future[None], block: Block, samples: Samples) -> None:
+def _check(
+    future: Future[None] | Future[dict[str, LabelledArray]], block: Block, samples: Samples
+) -> None:
     """Raise the error of a block, with a note of the block's position."""
     try:
         future.result()

@@ -34,7 +34,12 @@ from pydy.ensemble.work import Work, read_reductions
 from pydy.solvers import SOLVERS, Options, Solver, read_options
 
 if TYPE_CHECKING:
+    from os import PathLike
+
     from numpy.typing import ArrayLike
+    from xarray import Dataset
+
+    from pydy._sympy_types import SymbolOrName
 
 _ABOUT_MODES = frozenset(("events", "constraints", "gain"))
 
@@ -42,23 +47,23 @@ _ABOUT_MODES = frozenset(("events", "constraints", "gain"))
 def integrate_ensemble(
     problem: Problem,
     *,
-    initial_conditions: Mapping[Any, Any] | None = None,
-    constants: Mapping[Any, Any] | None = None,
-    specifieds: Mapping[Any, Any] | None = None,
+    initial_conditions: Mapping[SymbolOrName, ArrayLike] | None = None,
+    constants: Mapping[SymbolOrName, ArrayLike] | None = None,
+    specifieds: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object] | None = None,
     times: ArrayLike | None = None,
-    solver: Any,
+    solver: object,
     product: bool = False,
-    sensitivities: Any = None,
-    control_sensitivities: Any = False,
-    reduce: Any = None,
-    chunks: Any = None,
-    store: Any = None,
+    sensitivities: SymbolOrName | Iterable[SymbolOrName] | None = None,
+    control_sensitivities: bool = False,
+    reduce: object = None,
+    chunks: int | str | Mapping[str, int] | None = None,
+    store: str | PathLike[str] | None = None,
     resume: bool | str = False,
     workers: int | None = None,
     progress: bool = False,
-    units: Mapping[Any, str] | None = None,
-    options: dict[str, Any],
-) -> Any:
+    units: Mapping[SymbolOrName, str] | None = None,
+    options: dict[str, object],
+) -> Dataset:
     """Integrate a Problem with many different numbers; see `System.integrate_ensemble`.
 
     Values that are not varied are those of the Problem. Its constants already include the symbols
@@ -153,7 +158,11 @@ def integrate_ensemble(
     return ensemble.run() if chunks is None else ensemble.lazy()
 
 
-def _plan_of(problem: Problem, varied: Iterable[Any], common: Mapping[Any, Any]) -> SpecifiedsPlan:
+def _plan_of(
+    problem: Problem,
+    varied: Iterable[SymbolOrName],
+    common: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object],
+) -> SpecifiedsPlan:
     """Return the plan of r with the specifieds that all samples share; varied ones are zero."""
     plan = problem.plan
     for values in filter(None, (common, dict.fromkeys(varied, 0.0))):
@@ -165,7 +174,7 @@ def _plan_of(problem: Problem, varied: Iterable[Any], common: Mapping[Any, Any])
     return plan
 
 
-def _checked_times(problem: Problem, plan: SpecifiedsPlan, times: Any) -> np.ndarray:
+def _checked_times(problem: Problem, plan: SpecifiedsPlan, times: ArrayLike | None) -> np.ndarray:
     """Return the times, by default those of the Problem."""
     checked = (
         CallArguments(problem).times(problem.settings.times)
@@ -183,7 +192,7 @@ def _checked_times(problem: Problem, plan: SpecifiedsPlan, times: Any) -> np.nda
     return checked
 
 
-def _native(solver: Any) -> Solver:
+def _native(solver: object) -> Solver:
     """Return a native solver, from itself or its name."""
     native = SOLVERS.get(solver) if isinstance(solver, str) else solver
     if not isinstance(native, Solver) or native.name not in SOLVERS:
@@ -195,7 +204,7 @@ def _native(solver: Any) -> Solver:
 
 
 def _constraint_checks(
-    problem: Problem, code: CompiledModel, plan: SpecifiedsPlan, options: Mapping[str, Any]
+    problem: Problem, code: CompiledModel, plan: SpecifiedsPlan, options: Mapping[str, object]
 ) -> ConstraintChecks:
     """Return the checks of the constraints and of the energy."""
     equations = problem.definition.equations
@@ -229,7 +238,7 @@ def _read(definition: Definition, solver: Solver, options: Mapping[str, Any]) ->
     return result
 
 
-def _attributes(model: EnsembleModel) -> dict[str, Any]:
+def _attributes(model: EnsembleModel) -> dict[str, object]:
     """Return the attributes of the Dataset, which document the solver."""
     from pydy.solvers import LaneSolver
 

@@ -28,6 +28,7 @@ from pydy.solvers import (
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
+    from pydy.inputs import SampledInput
     from pydy.solvers import Integration, LaneTasks
 
 # -- Sensitivities of an ensemble: Programs and numbers that are sent to the workers ---------------
@@ -48,7 +49,7 @@ class EnsembleSensitivities:
     projected_residuals: Any  # the same for all constraints that projection satisfies
     unsolved: str  # the message if the dependent initial conditions cannot be solved for
     # (indices, SampledInput): the derivatives of sampled inputs by their samples, at the end of r
-    sampled: tuple[tuple[np.ndarray, Any], ...]
+    sampled: tuple[tuple[np.ndarray, SampledInput], ...]
     sized: tuple[ParameterSize, ...]  # the parameters
     controlled: bool  # whether the sensitivities take part in step-size control
     sources: np.ndarray  # (k, 2): see `solvers.sensitivities`
@@ -58,7 +59,7 @@ class EnsembleSensitivities:
     )
 
     @property
-    def programs(self) -> list[Any]:
+    def programs(self) -> list[Program | Tangent | None]:
         """All Programs."""
         return [
             self.rates,
@@ -70,7 +71,7 @@ class EnsembleSensitivities:
         ]
 
     @property
-    def identity(self) -> Any:
+    def identity(self) -> object:
         """The data that identify the sensitivities, in addition to the Programs."""
         samples = [(c, s.breaks, s.values, s.interpolation) for c, s in self.sampled]
         return self.columns, self.start, self.dependent, samples, self.sized, self.controlled
@@ -125,12 +126,19 @@ class EnsembleSensitivities:
         )
 
 
+class ProgramsByName(Protocol):
+    """Programs that are looked up by name, in a dictionary or compiled when first needed."""
+
+    def __getitem__(self, name: str, /) -> Program | None:
+        """Return the Program of a name, or None if there is none."""
+
+
 @dataclass(frozen=True, eq=False)
 class ConstraintChecks:
     """The checks of the drift from constraints and of the energy."""
 
     # `DriftQuantities` by name, None if unknown; 'screen' computes both rows and products
-    programs: Any
+    programs: ProgramsByName
     redundant: bool  # whether there are redundant constraints
     every: bool  # whether there are rows that projection does not satisfy: see `check_drift`
     corrected: bool  # whether the integration corrects the drift from the constraints
@@ -144,7 +152,7 @@ class SampleMotions(Protocol):
     columns: tuple[str, ...]  # the parameters of the sensitivities
 
     @property
-    def identity(self) -> Any:
+    def identity(self) -> object:
         """The data that identify the motions, in addition to Programs, numbers and options."""
 
     def __call__(
@@ -181,10 +189,10 @@ class EnsembleModel:
     times: np.ndarray
     # (columns, SampledInput): the entries of r that are samples in time, the same for all
     # members of the ensemble
-    sampled: tuple[tuple[np.ndarray, Any], ...] = ()
+    sampled: tuple[tuple[np.ndarray, SampledInput], ...] = ()
     # (columns, function): the entries of r that Python functions ``g(x, t)`` compute at each
     # evaluation
-    functions: tuple[tuple[np.ndarray, Callable[..., Any]], ...] = ()
+    functions: tuple[tuple[np.ndarray, Callable[..., object]], ...] = ()
     jacobian: Program | Tangent | None = None  # ∂f/∂x, for an implicit method
     sensitivities: EnsembleSensitivities | None = None
     constraint_checks: ConstraintChecks | None = None  # for motions with constraints
@@ -511,7 +519,9 @@ class Batch:
             start[k, :n], start[k, n:] = self.x[k], values.ravel()
         return replace(batch, x=start), codes
 
-    def passed(self, k: int, times: np.ndarray) -> tuple[MotionPath, Any] | None:
+    def passed(
+        self, k: int, times: np.ndarray
+    ) -> tuple[MotionPath, Callable[[np.ndarray], np.ndarray]] | None:
         """Integrate sample k; return its motion and its interpolated states, or None."""
         from pydy._errors import IntegrationError
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING
 
 from pydy._assembly import Definition
 from pydy._checks import SymbolIndex, check_mapping, refuse_twice, text
@@ -13,6 +13,9 @@ from pydy._problem import Problem
 from pydy.ensemble.samples import PARAMETER, QUANTITY
 from pydy.ensemble.work import COUNTS
 
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
+
 
 class ResultNames:
     """The names of a definition's states, outputs and constants in results.
@@ -21,7 +24,10 @@ class ResultNames:
     """
 
     def __init__(
-        self, definition: Definition, reserved: Iterable[str], outputs: Iterable[Any] | None = None
+        self,
+        definition: Definition,
+        reserved: Iterable[str],
+        outputs: Iterable[AnySymbol] | None = None,
     ) -> None:
         equations, n = definition.equations, len(definition.states)
         outputs = definition.outputs_symbols if outputs is None else outputs
@@ -66,12 +72,12 @@ class ResultNames:
             names = problem.model.code.latest[key] = ResultNames(problem.definition, reserved)
         return names
 
-    def name(self, key: Any) -> str:
+    def name(self, key: SymbolOrName) -> str:
         """Return the name of a state or output, from its symbol or name."""
         symbol = self._variables.meaning(key, "reduce")
         return self._name_of[symbol] if symbol in self._name_of else name_of(key)
 
-    def described(self, units: Mapping[Any, str]) -> dict[str, dict[str, Any]]:
+    def described(self, units: Mapping[SymbolOrName, str]) -> dict[str, dict[str, str]]:
         """Return the attributes of variables, including their units."""
         result = {name: dict(attributes) for name, attributes in self.attributes.items()}
         units = check_mapping("units", units)

@@ -6,12 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from math import prod
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pydy._checks import shown
 from pydy._optional import require
+
+if TYPE_CHECKING:
+    from numpy.typing import DTypeLike
+    from xarray import Dataset
 
 # -- Output, an `xarray.Dataset` ------------------------------------------------------------------
 
@@ -25,7 +29,7 @@ class LabelledArray:
 
     dims: tuple[Any, ...]
     values: Any  # of NumPy or Dask
-    attrs: dict[str, Any] = field(default_factory=dict)
+    attrs: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -33,11 +37,11 @@ class ArrayForm:
     """The dimensions, sizes and type that the results of all samples share."""
 
     sizes: dict[str, int]  # of the axes after those of the samples, in order
-    dtype: np.dtype[Any]
+    dtype: np.dtype[np.generic]
 
     @classmethod
     def from_array(
-        cls, dims: Sequence[Any], shape: Sequence[int], dtype: Any, first: int
+        cls, dims: Sequence[object], shape: Sequence[int], dtype: DTypeLike, first: int
     ) -> ArrayForm:
         """Return the form of an array whose axes before `first` are those of samples."""
         return cls(dict(zip(map(str, dims[first:]), shape[first:], strict=True)), np.dtype(dtype))
@@ -47,7 +51,9 @@ class ArrayForm:
 
 
 def check_forms(
-    results: Mapping[str, LabelledArray], expected: Mapping[str, ArrayForm], samples: Sequence[Any]
+    results: Mapping[str, LabelledArray],
+    expected: Mapping[str, ArrayForm],
+    samples: Sequence[object],
 ) -> None:
     """Raise an error if results do not match the forms of other blocks.
 
@@ -69,15 +75,15 @@ def to_dataset(
     variables: Mapping[str, LabelledArray],
     coordinates: Mapping[str, LabelledArray],
     times: np.ndarray,
-    attrs: Mapping[str, Any] | None = None,
+    attrs: Mapping[str, object] | None = None,
     labels: Mapping[str, Sequence[str]] | None = None,
-) -> Any:
+) -> Dataset:
     """Return the Dataset of some variables.
 
     Times, and labels of other dimensions, are included only if a variable has the dimension.
     """
     xarray = require("xarray", "ensemble", "System.integrate_ensemble")
-    coords: dict[str, Any] = {
+    coords: dict[str, object] = {
         name: (c.dims, c.values, dict(c.attrs)) for name, c in coordinates.items()
     }
     if any("time" in v.dims for v in variables.values()):
@@ -87,7 +93,8 @@ def to_dataset(
         if dim in used_dims:
             coords[dim] = (dim, list(names))
     data = {name: (v.dims, v.values, dict(v.attrs)) for name, v in variables.items()}
-    return xarray.Dataset(data, coords, dict(attrs or {}))
+    dataset: Dataset = xarray.Dataset(data, coords, dict(attrs or {}))
+    return dataset
 
 
 # -- Input -----------------------------------------------------------------------------------------
@@ -158,7 +165,9 @@ class Samples:
             yield position, tuple(axis[k] for axis, k in zip(axes, position, strict=True))
 
 
-def block_sizes(dims: Mapping[str, int], chunks: Any, default: int) -> tuple[int, ...]:
+def block_sizes(
+    dims: Mapping[str, int], chunks: int | str | Mapping[str, int] | None, default: int
+) -> tuple[int, ...]:
     """Return the size of blocks along each dimension.
 
     A number is the largest number of samples in a block of complete rows of the last dimensions.

@@ -16,7 +16,7 @@ import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,10 @@ from pydy.ensemble.content import digest
 from pydy.ensemble.samples import ArrayForm, Block, LabelledArray, Samples, check_forms
 from pydy.ensemble.work import Work
 from pydy.solvers import Outcome
+
+if TYPE_CHECKING:
+    from xarray import Dataset, Variable
+    from zarr import Group
 
 # -- Directory names for variables: each array of a store is a directory ---------------------------
 # Zarr reads ``\`` as ``/`` and creates a directory for each part. Windows allows neither some
@@ -114,7 +118,7 @@ def _zarr() -> Any:
         except TypeError:
             read = kind.from_dict
 
-            def from_dict(data: dict[str, Any]) -> Any:
+            def from_dict(data: dict[str, object]) -> object:
                 return read({key: value for key, value in data.items() if key != "node_type"})
 
             kind.from_dict = from_dict
@@ -304,13 +308,14 @@ def _checksums(path: str) -> dict[str, int]:
     return {name: zlib.crc32(part) for name, part in sorted(parts.items())}
 
 
-def open_dataset(path: str, chunks: Any) -> Any:
+def open_dataset(path: str, chunks: Mapping[str, int] | None) -> Dataset:
     """Return a store as a Dataset, with the original names of its variables."""
     xarray = require("xarray", "ensemble", "System.integrate_ensemble")
     dataset = xarray.open_zarr(path, consolidated=False, chunks=chunks)
     labels = dataset.attrs.pop(_LABELS, {})
     dataset = dataset.rename({file: name for name, file in dataset.attrs.get(_FILES, {}).items()})
-    return dataset.assign_coords(labels)
+    labelled: Dataset = dataset.assign_coords(labels)
+    return labelled
 
 
 def _stored(group: Any, name: str) -> Any:
@@ -323,9 +328,9 @@ def _array(
     name: str,
     shape: tuple[int, ...],
     chunks: tuple[int, ...],
-    dims: Any,
-    variable: Any,
-) -> Any:
+    dims: Iterable[str | None],
+    variable: LabelledArray | Variable,
+) -> object:
     """Create an array with the type and attributes of a variable."""
     dtype = np.dtype(variable.values.dtype)
     fill = int(Outcome.NOT_COMPUTED) if name == "status" else np.nan if dtype.kind == "f" else 0
@@ -343,7 +348,7 @@ def _array(
     )
 
 
-def write_coordinates(path: str, samples: Samples, times: Any) -> None:
+def write_coordinates(path: str, samples: Samples, times: object) -> None:
     """Write the coordinates that are missing or differ."""
     group = _zarr().open_group(path, mode="r+")
     for name in group.attrs[_COORDINATES]:
@@ -380,7 +385,7 @@ def _arrays(group: Any) -> dict[str, Any]:
 
 
 def _checksums_of(
-    path: str, group: Any, arrays: Mapping[str, Any], block: Block
+    path: str, group: Group, arrays: Mapping[str, Any], block: Block
 ) -> tuple[tuple[int, ...], np.ndarray]:
     """Return a block's position, and the checksums of its chunks including their identity."""
     sizes = arrays["status"].chunks

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,16 +15,24 @@ from pydy.ensemble.names import ResultNames
 from pydy.ensemble.samples import LabelledArray, Samples
 from pydy.inputs import SampledInput
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pydy._sympy_types import SymbolOrName
+
 Column = tuple[tuple[str, ...], np.ndarray]
 """The names of the axes and the values of one symbol; a number has no axes."""
 
 
 def split_specifieds(
-    specifieds: Mapping[Any, Any] | None,
-) -> tuple[dict[Any, Any], dict[Any, Any]]:
+    specifieds: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object] | None,
+) -> tuple[
+    dict[SymbolOrName | tuple[SymbolOrName, ...], object],
+    dict[SymbolOrName | tuple[SymbolOrName, ...], object],
+]:
     """Return the specifieds that vary from sample to sample, and those that all samples share."""
-    varied: dict[Any, Any] = {}
-    common: dict[Any, Any] = {}
+    varied: dict[SymbolOrName | tuple[SymbolOrName, ...], object] = {}
+    common: dict[SymbolOrName | tuple[SymbolOrName, ...], object] = {}
     specifieds = check_mapping("specifieds", specifieds)
     for key, value in (merged(specifieds) if len(specifieds) > 1 else specifieds).items():
         together = isinstance(key, (tuple, list)) or key in ("symbols", "values")
@@ -42,9 +50,9 @@ def read_samples(
     plan: SpecifiedsPlan,
     names: ResultNames,
     product: bool,
-    initial_conditions: Mapping[Any, Any] | None,
-    constants: Mapping[Any, Any] | None,
-    varied: Mapping[Any, Any],
+    initial_conditions: Mapping[SymbolOrName, ArrayLike] | None,
+    constants: Mapping[SymbolOrName, ArrayLike] | None,
+    varied: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object],
 ) -> Samples:
     """Return the Samples; symbols that are not varied have the values of the Problem.
 
@@ -82,7 +90,7 @@ class _SampleAxes:
         self._source: dict[str, str] = {}  # the argument that first defined each dimension
         self._index: dict[str, tuple[str, np.ndarray]] = {}
 
-    def add(self, subject: str, value: Any, name: str, attrs: dict[str, Any]) -> Column:
+    def add(self, subject: str, value: Any, name: str, attrs: Mapping[str, object]) -> Column:
         """Return one value with the names of its axes; messages call it `subject`."""
         dims: tuple[str, ...]
         if hasattr(value, "dims") and hasattr(value, "coords"):
@@ -166,7 +174,7 @@ class _SampleAxes:
 
 def _columns(
     argument: str,
-    values: Mapping[Any, Any],
+    values: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object],
     symbol_index: SymbolIndex,
     base: np.ndarray,
     axes: _SampleAxes,
@@ -189,7 +197,11 @@ def _columns(
 
 
 def _check_assumptions(
-    problem: Problem, columns: list[Column], kind: str, values: Mapping[Any, Any], argument: str
+    problem: Problem,
+    columns: list[Column],
+    kind: str,
+    values: Mapping[SymbolOrName | tuple[SymbolOrName, ...], object],
+    argument: str,
 ) -> None:
     """Warn once of samples that contradict assumptions."""
     assumed, warned = problem.definition.assumptions.get(kind), problem.settings.contradicted

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,6 +26,12 @@ from pydy.solvers import (
     DriftCheck,
     Outcome,
 )
+
+if TYPE_CHECKING:
+    from xarray import Dataset, Variable
+
+    from pydy._sympy_types import SymbolOrName
+    from pydy.ensemble.model import ProgramsByName
 
 SMALLEST_BLOCK = 64
 """Fewest samples in a block: in smaller ones, lanes are idle too long at the end."""
@@ -57,12 +63,12 @@ class _EventTimes:
     occurrences: int
 
 
-Reduction = Extreme | _Final | _EventTimes | Callable[[Any], Any]
+Reduction = Extreme | _Final | _EventTimes | Callable[["Dataset"], object]
 _Outputs = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of times and states
 _Slopes = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]  # and of their sensitivities
 
 
-def _refusal(entry: Any) -> str:
+def _refusal(entry: object) -> str:
     return (
         "`reduce` must be 'final', ('max', name), ('min', name), 'events', ('events', number), a "
         f"function of a Dataset, or a list of these, got {shown(entry)}."
@@ -70,7 +76,7 @@ def _refusal(entry: Any) -> str:
 
 
 def read_reductions(
-    reduce: Any, model: EnsembleModel, name: Callable[[Any], str]
+    reduce: Any, model: EnsembleModel, name: Callable[[SymbolOrName], str]
 ) -> tuple[Reduction, ...]:
     """Check the argument `reduce`; `name` turns a symbol into its name."""
     if reduce is None:
@@ -139,13 +145,13 @@ class Work:
 
     model: EnsembleModel
     reductions: tuple[Reduction, ...]  # empty: the result contains all times
-    attrs: dict[str, dict[str, Any]]  # attributes of variables, by name
+    attrs: Mapping[str, Mapping[str, object]]  # attributes of variables, by name
     warned: dict[str, object] = field(default_factory=dict)  # the kinds of warnings so far
     assumed: Assumptions | None = None  # SymPy's assumptions of the states
     contradicted: set[str] | None = None  # symbols already warned of; None: assumptions not checked
 
     @property
-    def function(self) -> Callable[[Any], Any] | None:
+    def function(self) -> Callable[[Dataset], Any] | None:
         """The user's own reduction."""
         return next((f for f in self.reductions if callable(f)), None)
 
@@ -267,7 +273,9 @@ class Work:
                 continue
             passed, states = motion
 
-            def evaluate(t: np.ndarray, k: int = k, states: Any = states) -> dict[str, np.ndarray]:
+            def evaluate(
+                t: np.ndarray, k: int = k, states: Callable[[np.ndarray], np.ndarray] = states
+            ) -> dict[str, np.ndarray]:
                 blocks = _values(batch, {"nodes": watched.nodes}, "nodes", [k], t, states(t)[None])
                 return {name: values[0] for name, values in blocks.items()}
 
@@ -449,7 +457,7 @@ def _drop_where_unknown(slopes: np.ndarray, values: np.ndarray) -> None:
         slopes[:, unknown] = np.nan
 
 
-def _differs(result: Any, name: Any, expected: Any) -> bool:
+def _differs(result: Any, name: Hashable, expected: Variable) -> bool:
     """Return whether a Dataset's labels, or their sizes, differ from the expected ones."""
     if name in result.coords:
         actual = result.variables[name]
@@ -459,7 +467,7 @@ def _differs(result: Any, name: Any, expected: Any) -> bool:
     return any(result.sizes.get(d, size) != size for d, size in expected.sizes.items())
 
 
-_STATISTICS: dict[str, dict[str, Any]] = {
+_STATISTICS: dict[str, dict[str, object]] = {
     "status": {
         "long_name": "how the integration ended",
         "flag_values": [int(outcome) for outcome in Outcome],
@@ -554,7 +562,7 @@ def _unsure(
 
 
 def _batched_quantities(
-    batch: Batch, programs: Any, times: np.ndarray, states: np.ndarray
+    batch: Batch, programs: ProgramsByName, times: np.ndarray, states: np.ndarray
 ) -> Callable[..., dict[str, np.ndarray]]:
     """Return a function that evaluates `DriftQuantities` of one of m samples, states (m, f, n).
 
@@ -576,7 +584,7 @@ def _batched_quantities(
 
 def _values(
     batch: Batch,
-    programs: Any,
+    programs: ProgramsByName,
     name: str,
     samples: Sequence[int],
     t: np.ndarray,
@@ -598,7 +606,7 @@ def _values(
 
 
 def _suspects(
-    batch: Batch, programs: Any, ended: np.ndarray, states: np.ndarray, times: np.ndarray
+    batch: Batch, programs: ProgramsByName, ended: np.ndarray, states: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
     """Return the samples that need a full check, from a vectorised check of all.
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from pydy._checks import SymbolIndex
@@ -20,12 +18,12 @@ _BLOCKS = {"ode": "rates", "outputs": "outputs"}
 class LayerFunctions:
     """Creates and caches the functions of a Problem: its equations, and motions by a solver."""
 
-    def __init__(self, problem: Problem, solver: Solver, options: dict[str, Any]) -> None:
+    def __init__(self, problem: Problem, solver: Solver, options: dict[str, object]) -> None:
         warn_of_missing_derivatives(problem)
         self.problem, self._solver, self._options = problem, solver, options
-        self._functions: dict[Any, LayerFunction] = {}
+        self._functions: dict[tuple[str, tuple[ArgumentPart, ...]], LayerFunction] = {}
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         return {
             **self.__dict__,
             "_functions": {},

@@ -73,7 +73,7 @@ class Layer:
         names = describe(self._functions.symbol_index("x").symbols)
         return f"Layer for {self._library} of the states {names}"
 
-    def ode(self, x: Any = None, t: Any = None, r: Any = None, p: Any = None) -> Any:
+    def ode(self, x: object = None, t: object = None, r: object = None, p: object = None) -> Any:
         """Return the derivatives of the states, as `System.evaluate_ode` does.
 
         Parameters
@@ -94,7 +94,9 @@ class Layer:
         """
         return self._call("ode", x=x, t=t, r=r, p=p)
 
-    def outputs(self, x: Any = None, t: Any = None, r: Any = None, p: Any = None) -> Any:
+    def outputs(
+        self, x: object = None, t: object = None, r: object = None, p: object = None
+    ) -> Any:
         """Return the outputs, as `System.evaluate_outputs` does.
 
         Parameters
@@ -108,7 +110,7 @@ class Layer:
         """
         return self._call("outputs", x=x, t=t, r=r, p=p)
 
-    def simulate(self, x: Any = None, r: Any = None, p: Any = None) -> Any:
+    def simulate(self, x: object = None, r: object = None, p: object = None) -> Any:
         """Return the states at all times of the system.
 
         The derivatives are the sensitivities along the motion: their cost grows with the number of
@@ -131,7 +133,7 @@ class Layer:
         """
         return self._call("simulate", x=x, r=r, p=p)
 
-    def final(self, x: Any = None, r: Any = None, p: Any = None) -> Any:
+    def final(self, x: object = None, r: object = None, p: object = None) -> Any:
         """Return the state at the end of the motion.
 
         Reverse derivatives are those of `System.adjoint_gradient`: their cost hardly depends on the
@@ -148,7 +150,7 @@ class Layer:
         """
         return self._call("final", x=x, r=r, p=p)
 
-    def _call(self, kind: str, **arguments: Any) -> Any:
+    def _call(self, kind: str, **arguments: object) -> Any:
         if all(value is None for value in arguments.values()):
             arguments["x"] = self._functions.start()
         parts, arrays = [], []
@@ -171,7 +173,7 @@ class Layer:
             ) from None
         return self._arrays.call(function, same_shape)
 
-    def _read(self, kind: str, group: str, value: Any) -> tuple[ArgumentPart, Any]:
+    def _read(self, kind: str, group: str, value: object) -> tuple[ArgumentPart, Any]:
         if group == "t":
             return ArgumentPart("t", (0,), (1,), True), self._arrays.array(value, "`t`")[..., None]
         symbol_index = self._functions.symbol_index(group)

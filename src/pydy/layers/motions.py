@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,6 +21,11 @@ from pydy.inputs import SampledInput
 from pydy.layers.layer import KINDS, ArgumentPart, Arrays
 from pydy.layers.values import plan_without
 from pydy.solvers import Outcome, Solver
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from pydy._sympy_types import AnySymbol
 
 _ARGUMENTS = {"x": "initial_conditions", "r": "specifieds", "p": "constants"}
 
@@ -50,8 +55,8 @@ class MotionFunction:
         )
         self._solved_for = problem.settings.solved_for or ()
         following = [states[k] for k in problem.dependent]
-        self._symbols: list[tuple[Any, ...]] = []  # of each part
-        self._wrt: list[list[Any]] = []  # symbols of each part to differentiate by
+        self._symbols: list[tuple[AnySymbol, ...]] = []  # of each part
+        self._wrt: list[list[AnySymbol]] = []  # symbols of each part to differentiate by
         for part in parts:
             symbol_index = definition.places[KINDS[part.group]]
             symbols = tuple(symbol_index.symbols[k] for k in part.indices)
@@ -68,13 +73,13 @@ class MotionFunction:
 
     def _problem_of(self, row: list[np.ndarray]) -> Problem:
         """Return the Problem of one sample."""
-        changes: dict[str, dict[Any, Any]] = {}
+        changes: dict[str, dict[AnySymbol, object]] = {}
         for part, symbols, values in zip(self.parts, self._symbols, row, strict=True):
             argument = _ARGUMENTS[part.group]
             replaces_all = part.group == "r" and part.is_full
             before = {} if replaces_all else getattr(self._problem.settings, argument)
             entries = np.split(values, np.cumsum(part.counts)[:-1])
-            new: dict[Any, Any] = {}
+            new: dict[AnySymbol, float | SampledInput] = {}
             for symbol, entry in zip(symbols, entries, strict=True):
                 samples = before.get(symbol)
                 if isinstance(samples, SampledInput):
@@ -94,9 +99,11 @@ class MotionFunction:
         full_r = any(part.group == "r" and part.is_full for part in self.parts)
         return m > 1 and not (sampled or full_r or self._solved_for)
 
-    def _ensemble(self, flat: list[np.ndarray], sensitivities: Any = None) -> Any:
+    def _ensemble(
+        self, flat: list[np.ndarray], sensitivities: list[AnySymbol] | None = None
+    ) -> Dataset:
         """Integrate all samples as an ensemble."""
-        varied: dict[str, dict[Any, Any]] = {}
+        varied: dict[str, dict[AnySymbol, np.ndarray]] = {}
         for part, symbols, values in zip(self.parts, self._symbols, flat, strict=True):
             columns = np.ascontiguousarray(values.T)
             varied[_ARGUMENTS[part.group]] = dict(zip(symbols, columns, strict=True))
@@ -113,7 +120,7 @@ class MotionFunction:
             options=options,
         )
 
-    def _motion(self, row: list[np.ndarray], parameters: list[Any] | None = None) -> Motion:
+    def _motion(self, row: list[np.ndarray], parameters: list[AnySymbol] | None = None) -> Motion:
         """Integrate one sample, with sensitivities to the `parameters` unless None."""
         problem, options = self._problem_of(row), dict(self._options)
         controlled = flag(options.pop("control_sensitivities", False), "`control_sensitivities`")
@@ -124,7 +131,9 @@ class MotionFunction:
             problem, problem.settings.times, solver=self._solver, sensitivities=request, **options
         )
 
-    def _or_nan(self, lead: tuple[int, ...], function: Callable[..., Any], *sample: Any) -> Any:
+    def _or_nan(
+        self, lead: tuple[int, ...], function: Callable[..., np.ndarray], *sample: object
+    ) -> np.ndarray | float:
         """Return a function of one sample; NaN if it fails and there are several samples."""
         try:
             return function(*sample)
@@ -133,7 +142,7 @@ class MotionFunction:
                 raise
             return np.nan
 
-    def _after_end(self, results: Any) -> np.ndarray:
+    def _after_end(self, results: Dataset) -> np.ndarray:
         """Return which times are after the end of each sample's motion, (m, times)."""
         ended = np.isin(results["status"].values, (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE))
         after = self._problem.settings.times > results["end_time"].values[:, None]
@@ -214,9 +223,9 @@ class MotionFunction:
             result.append(table.reshape(arrays[k].shape))
         return tuple(result)
 
-    def _columns(self, wrt: tuple[int, ...]) -> tuple[list[Any], list[np.ndarray]]:
+    def _columns(self, wrt: tuple[int, ...]) -> tuple[list[AnySymbol], list[np.ndarray]]:
         """Return the parameters to differentiate by, and their columns in each argument."""
-        parameters: list[Any] = []
+        parameters: list[AnySymbol] = []
         columns = []
         for k in wrt:
             starts = np.cumsum([0, *self.parts[k].counts])
@@ -230,7 +239,11 @@ class MotionFunction:
         return parameters, columns
 
     def _jacobian(
-        self, parameters: list[Any], flat: list[np.ndarray], lead: tuple[int, ...], columns: int
+        self,
+        parameters: list[AnySymbol],
+        flat: list[np.ndarray],
+        lead: tuple[int, ...],
+        columns: int,
     ) -> np.ndarray:
         """Return the sensitivities of the states, (m, times, n, k)."""
         m, n, steps = len(flat[0]), len(self._names), len(self._problem.settings.times)
@@ -256,7 +269,7 @@ class MotionFunction:
             result[k] = self._or_nan(lead, slopes_of, [array[k] for array in flat])
         return result
 
-    def _check_reached(self, missed: Any) -> None:
+    def _check_reached(self, missed: bool | np.bool_) -> None:
         if missed and self._final:
             remedy = "Use reverse derivatives: jax.grad or jax.vjp, backward() of PyTorch."
             if self._problem.hybrid is not None:
@@ -267,7 +280,7 @@ class MotionFunction:
             )
 
     def _adjoint(
-        self, parameters: list[Any], row: list[np.ndarray], weights: np.ndarray
+        self, parameters: list[AnySymbol], row: list[np.ndarray], weights: np.ndarray
     ) -> np.ndarray:
         """Return the gradient of the weighted sum of the last state."""
         if not parameters:
@@ -287,14 +300,18 @@ class MotionFunction:
         return result
 
 
-def _one_by_one(problem: Problem, parts: tuple[ArgumentPart, ...]) -> dict[Any, Any]:
+def _one_by_one(
+    problem: Problem, parts: tuple[ArgumentPart, ...]
+) -> dict[AnySymbol | tuple[AnySymbol, ...], object]:
     """Return the specifieds by single symbols, so that each can be replaced.
 
     The specifieds of one Python function have a common entry, unless an argument replaces some.
     """
     plan = problem.plan
     numbers = dict(zip(plan.symbols, plan.inputs.values.tolist(), strict=True))
-    specifieds: dict[Any, Any] = {s: numbers[s] for s in plan.symbols if s in plan.given}
+    specifieds: dict[AnySymbol | tuple[AnySymbol, ...], object] = {
+        s: numbers[s] for s in plan.symbols if s in plan.given
+    }
     specifieds |= plan.expressions
     for columns, samples in plan.inputs.sampled:
         for j, k in enumerate(columns):

@@ -8,13 +8,19 @@ derivatives.
 from __future__ import annotations
 
 from functools import cache, lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pydy._checks import check_copied, real_array, shown
 from pydy._optional import require
 from pydy.layers.layer import LayerFunction
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from jax import Array
+    from jax.extend.core import Primitive
 
 
 class JaxArrays:
@@ -25,7 +31,7 @@ class JaxArrays:
         _primitives()
         self._check()
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[type[JaxArrays], tuple[()]]:
         return JaxArrays, ()  # a module does not pickle
 
     def _check(self) -> None:
@@ -36,7 +42,7 @@ class JaxArrays:
                 "anything else is done with JAX."
             )
 
-    def array(self, value: Any, argument: str) -> Any:
+    def array(self, value: object, argument: str) -> Array:
         """Return an array of float64; numbers and arrays of integers are converted."""
         self._check()
         jnp = self.jax.numpy
@@ -48,7 +54,7 @@ class JaxArrays:
             traced = False
         numbers = value if traced else _checked_numbers(value, argument)
         try:
-            array = jnp.asarray(numbers)
+            array: Array = jnp.asarray(numbers)
         except (TypeError, ValueError, OverflowError, RecursionError):
             # JAX's message does not name the argument; its tracers raise other errors.
             raise TypeError(
@@ -63,23 +69,25 @@ class JaxArrays:
             )
         return array
 
-    def concatenate(self, columns: list[Any]) -> Any:
+    def concatenate(self, columns: Sequence[Array]) -> Array:
         """Return arrays (…, k), broadcast and concatenated along the last axis."""
-        return self.jax.numpy.concatenate(self.broadcast(columns), axis=-1)
+        joined: Array = self.jax.numpy.concatenate(self.broadcast(columns), axis=-1)
+        return joined
 
-    def broadcast(self, arrays: list[Any]) -> list[Any]:
+    def broadcast(self, arrays: Sequence[Array]) -> list[Array]:
         """Return arrays with their leading axes broadcast."""
         jnp = self.jax.numpy
         lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
         return [jnp.broadcast_to(a, (*lead, a.shape[-1])) for a in arrays]
 
-    def call(self, function: LayerFunction, arrays: list[Any]) -> Any:
+    def call(self, function: LayerFunction, arrays: Sequence[Array]) -> Array:
         """Return the value of a LayerFunction."""
         value, _, _ = _primitives()
-        return value.bind(*arrays, function=function)
+        result: Array = value.bind(*arrays, function=function)
+        return result
 
 
-def _checked_numbers(value: Any, argument: str) -> np.ndarray:
+def _checked_numbers(value: object, argument: str) -> np.ndarray:
     """Return numbers as an array; raise an error that names the argument for other objects.
 
     The type of a float32 array is not changed, so that the caller rejects it: digits may have been
@@ -91,7 +99,7 @@ def _checked_numbers(value: Any, argument: str) -> np.ndarray:
 
 
 @cache
-def _primitives() -> tuple[Any, Any, Any]:
+def _primitives() -> tuple[Primitive, Primitive, Primitive]:
     """Return the primitives of values, Jacobian-vector and vector-Jacobian products.
 
     The operands of all have the same leading axes. After the arguments of the function, `forward`
@@ -104,16 +112,16 @@ def _primitives() -> tuple[Any, Any, Any]:
     value, forward, backward = (Primitive(f"pydy_{name}") for name in _HOSTS)
     backward.multiple_results = True
 
-    def rules(primitive: Any, host: Any, back: bool) -> None:
+    def rules(primitive: Primitive, host: Any, back: bool) -> None:
         def abstract_value(
-            *operands: Any, function: LayerFunction, wrt: tuple[int, ...] = ()
-        ) -> Any:
+            *operands: ShapedArray, function: LayerFunction, wrt: tuple[int, ...] = ()
+        ) -> ShapedArray | list[ShapedArray]:
             if back:
                 return [operands[k].update() for k in wrt]
             return ShapedArray((*operands[0].shape[:-1], *function.shape), np.dtype(float))
 
-        def lowering(ctx: Any, *operands: Any, **params: Any) -> Any:
-            def callback(*arrays: Any) -> Any:
+        def lowering(ctx: Any, *operands: Any, **params: object) -> Any:
+            def callback(*arrays: object) -> Any:
                 outputs = host(tuple(map(np.asarray, arrays)), **params)
                 return outputs if back else (outputs,)
 
@@ -122,7 +130,9 @@ def _primitives() -> tuple[Any, Any, Any]:
             )
             return result
 
-        def batching_rule(operands: Any, axes: Any, **params: Any) -> Any:
+        def batching_rule(
+            operands: Sequence[Array], axes: Sequence[int | None], **params: object
+        ) -> tuple[object, object]:
             sizes = [a.shape[k] for a, k in zip(operands, axes, strict=True) if k is not None]
             outputs = primitive.bind(
                 *(
@@ -143,18 +153,23 @@ def _primitives() -> tuple[Any, Any, Any]:
     for primitive, host in zip((value, forward, backward), _HOSTS.values(), strict=True):
         rules(primitive, host, primitive is backward)
 
-    def value_jvp(operands: Any, tangents: Any, function: LayerFunction) -> Any:
+    def value_jvp(
+        operands: Sequence[Array], tangents: Sequence[Array | ad.Zero], function: LayerFunction
+    ) -> tuple[Array, Array]:
         wrt = tuple(k for k, d in enumerate(tangents) if not isinstance(d, ad.Zero))
         directions = [ad.instantiate_zeros(tangents[k]) for k in wrt]
         slope = forward.bind(*operands, *directions, function=function, wrt=wrt)
         return value.bind(*operands, function=function), slope
 
-    def linear_rule(primitive: Any) -> Any:
+    def linear_rule(primitive: Primitive) -> Callable[..., tuple[object, object]]:
         """Return the JVP rule of a primitive that is linear in its last operands."""
 
         def rule(
-            operands: Any, tangents: Any, function: LayerFunction, wrt: tuple[int, ...]
-        ) -> Any:
+            operands: Sequence[Array],
+            tangents: Sequence[Array | ad.Zero],
+            function: LayerFunction,
+            wrt: tuple[int, ...],
+        ) -> tuple[object, object]:
             k = len(function.parts)
             if not all(isinstance(d, ad.Zero) for d in tangents[:k]):
                 raise NotImplementedError(
@@ -170,8 +185,8 @@ def _primitives() -> tuple[Any, Any, Any]:
         return rule
 
     def transpose_forward(
-        weights: Any, *operands: Any, function: LayerFunction, wrt: tuple[int, ...]
-    ) -> Any:
+        weights: Array | ad.Zero, *operands: object, function: LayerFunction, wrt: tuple[int, ...]
+    ) -> Sequence[object]:
         k = len(function.parts)
         if isinstance(weights, ad.Zero):
             return [None] * len(operands)
@@ -179,8 +194,11 @@ def _primitives() -> tuple[Any, Any, Any]:
         return [None] * k + [*cotangents]
 
     def transpose_backward(
-        cotangents: Any, *operands: Any, function: LayerFunction, wrt: tuple[int, ...]
-    ) -> Any:
+        cotangents: Sequence[Array | ad.Zero],
+        *operands: object,
+        function: LayerFunction,
+        wrt: tuple[int, ...],
+    ) -> Sequence[object]:
         k = len(function.parts)
         directions = [ad.instantiate_zeros(d) for d in cotangents]
         return [None] * k + [forward.bind(*operands[:k], *directions, function=function, wrt=wrt)]
@@ -196,7 +214,7 @@ def _primitives() -> tuple[Any, Any, Any]:
 
 
 @lru_cache(maxsize=64)
-def _jit(primitive: Any, params: tuple[tuple[str, Any], ...]) -> Any:
+def _jit(primitive: Primitive, params: tuple[tuple[str, object], ...]) -> Callable[..., object]:
     """Return the compiled primitive, for calls outside of transformations."""
     import jax
 

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
 from pydy._checks import real_array
 from pydy._optional import require
 from pydy.layers.layer import LayerFunction
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from torch import Tensor
+    from torch.autograd import Function
+    from torch.autograd.function import FunctionCtx
 
 
 class TorchArrays:
@@ -18,10 +25,10 @@ class TorchArrays:
     def __init__(self) -> None:
         self.torch = require("torch", "torch", "`as_torch`")
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[type[TorchArrays], tuple[()]]:
         return TorchArrays, ()  # a module does not pickle
 
-    def array(self, value: Any, argument: str) -> Any:
+    def array(self, value: object, argument: str) -> Tensor:
         """Return a tensor of float64; numbers and arrays are converted."""
         torch = self.torch
         if not isinstance(value, torch.Tensor):
@@ -36,7 +43,7 @@ class TorchArrays:
             )
         return value
 
-    def _numbers(self, value: Any, argument: str) -> np.ndarray:
+    def _numbers(self, value: object, argument: str) -> np.ndarray:
         """Return numbers as an array; a list may contain tensors with one number."""
         if isinstance(value, (list, tuple)) and any(
             isinstance(entry, self.torch.Tensor) for entry in value
@@ -47,23 +54,23 @@ class TorchArrays:
         except ValueError as error:
             raise TypeError(f"{error} Pass a tensor of float64.") from None
 
-    def concatenate(self, columns: list[Any]) -> Any:
+    def concatenate(self, columns: Sequence[Tensor]) -> Tensor:
         """Return tensors (…, k), broadcast and concatenated along the last axis."""
         return self.torch.cat(self.broadcast(columns), dim=-1)
 
-    def broadcast(self, arrays: list[Any]) -> list[Any]:
+    def broadcast(self, arrays: Sequence[Tensor]) -> list[Tensor]:
         """Return tensors with their leading axes broadcast."""
         lead = np.broadcast_shapes(*(tuple(a.shape[:-1]) for a in arrays))
         return [a.expand(*lead, a.shape[-1]) for a in arrays]
 
-    def call(self, function: LayerFunction, arrays: list[Any]) -> Any:
+    def call(self, function: LayerFunction, arrays: Sequence[Tensor]) -> Tensor:
         """Return the value of a LayerFunction."""
         direct, call, transformed = _calls()
         return (call if transformed() else direct).apply(function, *arrays)
 
 
 @cache
-def _calls() -> tuple[Any, Any, Any]:
+def _calls() -> tuple[type[Function], type[Function], Callable[[], bool]]:
     """Return two autograd.Functions of a value, and the function that selects one of them.
 
     The second one supports the transformations of torch.func. It is slower: PyTorch binds its
@@ -75,24 +82,28 @@ def _calls() -> tuple[Any, Any, Any]:
     transformed = getattr(torch._C, "_are_functorch_transforms_active", lambda: True)
     tangent_of = torch.autograd.forward_ad.unpack_dual
 
-    def numbers(tensors: Any) -> tuple[np.ndarray, ...]:
+    def numbers(tensors: Iterable[Tensor]) -> tuple[np.ndarray, ...]:
         return tuple(a.detach().cpu().numpy() for a in tensors)
 
-    def tensor(array: np.ndarray, like: Any) -> Any:
+    def tensor(array: np.ndarray, like: Tensor) -> Tensor:
         return torch.from_numpy(np.ascontiguousarray(array)).to(like.device)
 
-    def batched_in_front(tensors: Any, axes: Any, size: int) -> list[Any]:
+    def batched_in_front(
+        tensors: Sequence[Tensor], axes: Sequence[int | None], size: int
+    ) -> list[Tensor]:
         return [
             a.movedim(k, 0) if k is not None else a.expand(size, *a.shape)
             for a, k in zip(tensors, axes, strict=True)
         ]
 
-    def products(function: LayerFunction, wrt: tuple[int, ...], *tensors: Any) -> tuple[Any, ...]:
+    def products(
+        function: LayerFunction, wrt: tuple[int, ...], *tensors: Tensor
+    ) -> tuple[Tensor, ...]:
         *arrays, weights = numbers(tensors)
         gradients = function.backward(wrt, tuple(arrays), weights)
         return tuple(tensor(gradient, tensors[0]) for gradient in gradients)
 
-    def keep(ctx: Any, function: LayerFunction, tensors: Any) -> None:
+    def keep(ctx: FunctionCtx, function: LayerFunction, tensors: Sequence[Tensor]) -> None:
         ctx.function = function
         ctx.save_for_backward(*tensors)
         ctx.save_for_forward(*tensors)
@@ -101,7 +112,7 @@ def _calls() -> tuple[Any, Any, Any]:
         """The value of a LayerFunction."""
 
         @staticmethod
-        def backward(ctx: Any, weights: Any) -> Any:
+        def backward(ctx: FunctionCtx, weights: Tensor) -> tuple[Tensor | None, ...]:
             wrt = tuple(k for k, need in enumerate(ctx.needs_input_grad[1:]) if need)
             tensors = ctx.saved_tensors
             # If the product may be differentiated again, it is a Function, which raises an error.
@@ -110,13 +121,13 @@ def _calls() -> tuple[Any, Any, Any]:
                 differentiated = any(tangent_of(a).tangent is not None for a in (*tensors, weights))
             product = BackwardProduct.apply if differentiated else products
             gradients = product(ctx.function, wrt, *tensors, weights)
-            result: list[Any] = [None] * (1 + len(tensors))
+            result: list[Tensor | None] = [None] * (1 + len(tensors))
             for k, gradient in zip(wrt, gradients, strict=True):
                 result[1 + k] = gradient
             return tuple(result)
 
         @staticmethod
-        def jvp(ctx: Any, _: Any, *tangents: Any) -> Any:
+        def jvp(ctx: FunctionCtx, _: object, *tangents: Tensor | None) -> Tensor:
             wrt = tuple(k for k, d in enumerate(tangents) if d is not None)
             return ForwardProduct.apply(
                 ctx.function, wrt, *ctx.saved_tensors, *(tangents[k] for k in wrt)
@@ -126,7 +137,7 @@ def _calls() -> tuple[Any, Any, Any]:
         """The value outside of torch.func."""
 
         @staticmethod
-        def forward(ctx: Any, function: LayerFunction, *tensors: Any) -> Any:
+        def forward(ctx: FunctionCtx, function: LayerFunction, *tensors: Tensor) -> Tensor:
             keep(ctx, function, tensors)
             return tensor(function.value(*numbers(tensors)), tensors[0])
 
@@ -134,26 +145,28 @@ def _calls() -> tuple[Any, Any, Any]:
         """The value within transformations of torch.func."""
 
         @staticmethod
-        def forward(function: LayerFunction, *tensors: Any) -> Any:
+        def forward(function: LayerFunction, *tensors: Tensor) -> Tensor:
             return tensor(function.value(*numbers(tensors)), tensors[0])
 
         @staticmethod
-        def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+        def setup_context(ctx: FunctionCtx, inputs: tuple[Any, ...], output: Tensor) -> None:
             keep(ctx, inputs[0], inputs[1:])
 
         @staticmethod
-        def vmap(info: Any, axes: Any, function: LayerFunction, *tensors: Any) -> Any:
+        def vmap(
+            info: Any, axes: tuple[int | None, ...], function: LayerFunction, *tensors: Tensor
+        ) -> tuple[Tensor, int]:
             return Call.apply(function, *batched_in_front(tensors, axes[1:], info.batch_size)), 0
 
     class Product(torch.autograd.Function):  # type: ignore[misc]
         """A product with the Jacobian of a LayerFunction."""
 
         @staticmethod
-        def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+        def setup_context(ctx: FunctionCtx, inputs: object, output: object) -> None:
             pass
 
         @staticmethod
-        def backward(ctx: Any, *_: Any) -> Any:
+        def backward(ctx: FunctionCtx, *_: object) -> NoReturn:
             raise NotImplementedError(
                 "Functions of as_torch have first derivatives only. For second ones of a quantity "
                 "use system.evaluate_hessian_vector."
@@ -163,12 +176,18 @@ def _calls() -> tuple[Any, Any, Any]:
         """The Jacobian-vector product; the directions are the last arguments."""
 
         @staticmethod
-        def forward(function: LayerFunction, wrt: tuple[int, ...], *tensors: Any) -> Any:
+        def forward(function: LayerFunction, wrt: tuple[int, ...], *tensors: Tensor) -> Tensor:
             arrays, k = numbers(tensors), len(function.parts)
             return tensor(function.forward(wrt, arrays[:k], arrays[k:]), tensors[0])
 
         @staticmethod
-        def vmap(info: Any, axes: Any, function: LayerFunction, wrt: Any, *tensors: Any) -> Any:
+        def vmap(
+            info: Any,
+            axes: tuple[int | None, ...],
+            function: LayerFunction,
+            wrt: tuple[int, ...],
+            *tensors: Tensor,
+        ) -> tuple[Tensor, int]:
             return ForwardProduct.apply(
                 function, wrt, *batched_in_front(tensors, axes[2:], info.batch_size)
             ), 0
@@ -177,11 +196,19 @@ def _calls() -> tuple[Any, Any, Any]:
         """The vector-Jacobian product; the weights are the last argument."""
 
         @staticmethod
-        def forward(function: LayerFunction, wrt: tuple[int, ...], *tensors: Any) -> Any:
+        def forward(
+            function: LayerFunction, wrt: tuple[int, ...], *tensors: Tensor
+        ) -> tuple[Tensor, ...]:
             return products(function, wrt, *tensors)
 
         @staticmethod
-        def vmap(info: Any, axes: Any, function: LayerFunction, wrt: Any, *tensors: Any) -> Any:
+        def vmap(
+            info: Any,
+            axes: tuple[int | None, ...],
+            function: LayerFunction,
+            wrt: tuple[int, ...],
+            *tensors: Tensor,
+        ) -> tuple[tuple[Tensor, ...], tuple[int, ...]]:
             gradients = BackwardProduct.apply(
                 function, wrt, *batched_in_front(tensors, axes[2:], info.batch_size)
             )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import accumulate
-from typing import Any
 
 import numpy as np
 
@@ -26,7 +25,9 @@ def plan_without(problem: Problem, part: ArgumentPart | None) -> SpecifiedsPlan:
     return problem.plan.updated(SpecifiedsPlan(zeros, specifieds, argument="r"))
 
 
-def _rows(base: np.ndarray, part: ArgumentPart | None, values: Any, m: int) -> np.ndarray:
+def _rows(
+    base: np.ndarray, part: ArgumentPart | None, values: np.ndarray | None, m: int
+) -> np.ndarray:
     """Return m copies of `base` (n,), or a copy of (m, n), with the entries of a part replaced."""
     rows: np.ndarray = np.array(np.broadcast_to(base, (m, base.shape[-1])), order="C")
     if part is not None:
@@ -52,7 +53,7 @@ class BlockFunction:
         self._check_unknowns()
         self._kernel = self._code.compiled(block)
         self.shape: tuple[int, ...] = (len(self._kernel.program.outputs),)
-        self._products: dict[Any, tuple[Kernel, list[ArgumentPart]]] = {}
+        self._products: dict[tuple[str, tuple[int, ...]], tuple[Kernel, list[ArgumentPart]]] = {}
 
     def _check_unknowns(self) -> None:
         """Raise an error if an argument would change the unknowns of an `Implicit`."""

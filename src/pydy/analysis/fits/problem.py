@@ -6,7 +6,7 @@ Shooting appends the states at the starts of segments.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -39,9 +39,9 @@ class FittedSystem:
     """The functions and options of a System that a fit needs."""
 
     # (events, constants) → the System's Problem with the events and further constants
-    problem: Callable[[object, Mapping[SymbolOrName, object]], Problem]
+    problem: Callable[[Any, Numbers], Problem]
     # (events, outputs, constants, specifieds) → a Problem of trial values, exempt from assumptions
-    tried: Callable[[object, Numbers, Numbers, Numbers], Problem]
+    tried: Callable[[Any, Numbers, Numbers, Numbers], Problem]
     solver: Callable[..., Any]  # the System's `ode_solver`
     contacts: Any = None  # the Contacts that simulate these Problems
 

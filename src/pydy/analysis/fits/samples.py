@@ -25,9 +25,7 @@ from pydy.analysis.fits.trial import Trial, checked_noise, checked_samples, inst
 from pydy.analysis.tuning import LARGEST_RESIDUAL
 
 if TYPE_CHECKING:
-    import sympy as sm
-
-    from pydy._sympy_types import AnySymbol, ExpressionOrName
+    from pydy._sympy_types import AnySymbol, Expression, ExpressionOrName
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +44,7 @@ class TrialSamples:
 
 
 def checked_trial(
-    k: int, trial: object, definition: Definition, outputs: dict[AnySymbol, sm.Expr]
+    k: int, trial: object, definition: Definition, outputs: dict[AnySymbol, Expression]
 ) -> TrialSamples:
     """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
     states = definition.places["states"]
@@ -90,7 +88,7 @@ def _key(
     label: str,
     definition: Definition,
     measurable: SymbolIndex,
-    outputs: dict[AnySymbol, sm.Expr],
+    outputs: dict[AnySymbol, Expression],
 ) -> AnySymbol:
     index = measurable.get(key, "measured")
     if index is not None:
