@@ -249,11 +249,9 @@ def events_of(trajectory: object, times: np.ndarray) -> tuple[tuple[float, str],
     return tuple(visible[:: max(1, -(-len(visible) // 100))])
 
 
-<<<<<<< HEAD
-def mode_intervals(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
-=======
-def modes_of(trajectory: object, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
->>>>>>> ef052f57 (Signatures of viz say what they take and return: bodies, frames, points, expressions, shapes in place of Any)
+def mode_intervals(
+    trajectory: object, times: np.ndarray
+) -> dict[str, list[tuple[float, float, str]]]:
     """Return the intervals of each contact's modes within the times that are shown.
 
     Intervals narrower than a pixel of a wide screen are shown as the mode before them.
