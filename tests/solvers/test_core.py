@@ -9,7 +9,7 @@ import solvers_ir
 
 from pydy._array_layout import address
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.compiling import Source, _finished
+from pydy._backends.llvm.compiling import Source, _with_target
 from pydy.solvers import tuning
 
 pytest.importorskip("ziglang")
@@ -35,7 +35,7 @@ def compiled(body, width, folder):
     source = folder / f"sweep{abs(hash((body, width)))}.c"
     source.write_text(SOURCE.format(body=body, width=width), encoding="utf-8")
     text = solvers_ir.neutral(solvers_ir.compiled(source, folder))
-    code = jit.load(Source(text, partial(_finished, text), ("sweep",), loops=True))
+    code = jit.load(Source(text, partial(_with_target, text), ("sweep",), loops=True))
     return code, ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_int64] * 3)(code.addresses["sweep"])
 
 

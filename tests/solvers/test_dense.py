@@ -9,7 +9,7 @@ import solvers_ir
 
 from pydy._array_layout import address
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.compiling import Source, _finished
+from pydy._backends.llvm.compiling import Source, _with_target
 
 pytest.importorskip("ziglang")
 
@@ -33,7 +33,7 @@ def compiled(kind, width, folder):
     text = SOURCE.format(kind=kind, width=width, parts=parts)
     source.write_text(text, encoding="utf-8")
     text = solvers_ir.neutral(solvers_ir.compiled(source, folder))
-    code = jit.load(Source(text, partial(_finished, text), ("solved",), loops=True))
+    code = jit.load(Source(text, partial(_with_target, text), ("solved",), loops=True))
     return code, ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_int64] * 5)(code.addresses["solved"])
 
 

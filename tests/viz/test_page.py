@@ -18,7 +18,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from pydy.contact import Contacts
 from pydy.trajectory import EventRecord, Trajectory
 from pydy.viz import Arrow, Box, Line, Mesh, Scene, Sphere, Trace, Visual
-from pydy.viz.arguments import modes_of
+from pydy.viz.arguments import mode_intervals
 from pydy.viz.page import page_data
 from touching import ball, y
 
@@ -252,5 +252,5 @@ def test_no_mode_is_narrower_than_a_pixel():
     times = np.arange(4001.0)
     modes = [(t, t + 1, {"floor": ["open", "closed"][k % 2]}) for k, t in enumerate(times[:-1])]
     trajectory = SimpleNamespace(modes=modes)
-    assert [len(spans) for spans in modes_of(trajectory, times).values()] == [1]
-    assert [len(spans) for spans in modes_of(trajectory, times[:1001]).values()] == [1000]
+    assert [len(spans) for spans in mode_intervals(trajectory, times).values()] == [1]
+    assert [len(spans) for spans in mode_intervals(trajectory, times[:1001]).values()] == [1000]

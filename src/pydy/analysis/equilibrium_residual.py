@@ -121,7 +121,8 @@ class EquilibriumResidual:
 
     def _apply_values(self, values: Mapping[SymbolOrName, float]) -> list[tuple[str, int]]:
         """Replace the System's numbers by the given ones; return each one's kind and index."""
-        definition, self.fixed_values = self.definition, dict[AnySymbol, float]()
+        definition = self.definition
+        self.fixed_values: dict[AnySymbol, float] = {}
         slots = [located(definition, key, "given") for key in values]
         refuse_twice([definition.places[kind].symbols[k] for kind, k in slots], "given")
         for (kind, index), (key, entry) in zip(slots, values.items(), strict=True):

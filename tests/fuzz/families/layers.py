@@ -21,10 +21,10 @@ class _NumPyArrays:
     def array(self, value: Any, argument: str) -> np.ndarray:
         return real_array(value, argument)
 
-    def together(self, columns: list[np.ndarray]) -> np.ndarray:
-        return np.concatenate(self.alike(columns), axis=-1)
+    def concatenate(self, columns: list[np.ndarray]) -> np.ndarray:
+        return np.concatenate(self.broadcast(columns), axis=-1)
 
-    def alike(self, arrays: list[np.ndarray]) -> list[np.ndarray]:
+    def broadcast(self, arrays: list[np.ndarray]) -> list[np.ndarray]:
         lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
         return [np.broadcast_to(a, (*lead, a.shape[-1])) for a in arrays]
 
