@@ -146,7 +146,9 @@ def gradient(run: ContactRun) -> AdjointGradient:
     try:
         for k, (segment, matrix, time) in reversed([*enumerate(segments)]):
             segment.back()
-            by_state = segment.back_through_transition(matrix, time, segments[k - 1][0] if k else None)
+            by_state = segment.back_through_transition(
+                matrix, time, segments[k - 1][0] if k else None
+            )
     except KeyboardInterrupt as stop:
         raise last.interrupted(trajectory.times, trajectory.states) from stop
     values = segments[0][0].by_parameters(by_state @ recorded.start)
