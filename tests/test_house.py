@@ -148,15 +148,24 @@ def no_offences(offences: list[str]) -> None:
     assert not offences, "\n" + "\n".join(offences)
 
 
+@cache
+def names_imported():
+    """Return (importing module, module, name) for all names that modules import from others."""
+    return [
+        (module, node.module, alias.name)
+        for module in MODULES
+        for node in ast.walk(tree(module))
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    ]
+
+
 @pytest.mark.parametrize("room", rooms())
 def test_a_door_lists_what_is_public_or_taken_by_other_rooms(room):
     taken = {
-        alias.name
-        for module in MODULES
-        if not within(module, (room,))
-        for node in ast.walk(tree(module))
-        if isinstance(node, ast.ImportFrom) and node.module == room
-        for alias in node.names
+        name
+        for module, source, name in names_imported()
+        if source == room and not within(module, (room,))
     }
     module = importlib.import_module(room)
     public = set() if room.startswith("pydy._") else set(module.__all__)
