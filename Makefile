@@ -30,7 +30,7 @@ help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make test-near FILE=src/pydy/…  in under a minute: the tests nearest to one file, and the contracts"
-	@echo "make test-slow  two of the 36 parts of the slow tests, of which make test tries one"
+	@echo "make test-slow  two of the 48 parts of the slow tests, of which make test tries one"
 	@echo "make test-whole  all tests, with every slow case"
 	@echo "make times  all tests; writes how long the slow ones take into tests/slow.txt"
 	@echo "make test-browser  open the animation pages in Chromium and check them"

@@ -1,4 +1,4 @@
-"""A run of all tests tries every quick case, and one of 36 parts of the slow ones.
+"""A run of all tests tries every quick case, and one of 48 parts of the slow ones.
 
 A test function is slow if its cases take 0.2 s of processor time together, or more. `slow.txt`,
 beside this file, lists these functions with their times; `make times` measures and writes it. The
@@ -21,7 +21,7 @@ from pathlib import Path
 import pytest
 
 COLLECTED = pytest.StashKey[list[str]]()
-PARTS = 36
+PARTS = 48
 LIMIT = 0.2
 # Functions that draw a part of their inputs themselves: every run tries each of their cases.
 DRAWING = {"tests/fuzz/test_arguments.py::test_what_does_not_fit_is_named_and_what_fits_is_right"}
