@@ -6,7 +6,7 @@ cases of a slow function are dealt out to the parts, so that all parts take abou
 
 Environment variables choose what is tried:
 
-PYDY_PART : the number of the part (0 without it; larger numbers count modulo 36), or "all"
+PYDY_PART : the number of the part (0 without it; larger numbers count modulo 48), or "all"
 PYDY_FURTHER_PARTS : a number; try no quick cases, and this many parts after that one
 PYDY_RECORD_TIMES : anything; write the table when the run has ended
 PYDY_WHOLE_FILES : files, separated by spaces, of which all cases are tried (`make test-near`)
