@@ -142,7 +142,7 @@ def construct():
         (construct, 659, 57),
         (integrate, 32, 16),
         (simulate, 110, 32),
-        (with_contacts, 149, 39),
+        (with_contacts, 150, 39),
         (ensemble, 97, 28),
         (stiff_ensemble, 102, 28),
     ],
