@@ -1,5 +1,7 @@
 """Optimal motions of constrained systems against those in coordinates that need no constraints."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -8,6 +10,8 @@ import sympy.physics.mechanics as me
 import joints
 from optima import T
 from pydy import System
+from pydy._mechanics import extract
+from pydy.analysis import Trial
 from pydy.control import OptimalControl
 from pydy.control.transcription import Transcription
 from pydy.mechanics import Definition
@@ -415,3 +419,38 @@ def test_units_of_lengths_beside_angles_do_not_change_the_search(method):
         assert found[-1].objective / size == pytest.approx(found[0].objective, rel=1e-8)
         assert found[-1].error == pytest.approx(found[0].error, rel=1e-3)
     assert len({len(one.history) for one in found}) == 1
+
+
+class WithoutBodies:
+    """A method of mechanics that knows its equations alone, as a reader of a user's may."""
+
+    def __init__(self, method):
+        self.method = method
+
+
+@extract.register
+def _(method: WithoutBodies, source=None, implicit=None):
+    equations = extract(method.method, "method", None)
+    return replace(equations, multibody=None, mechanism=None)
+
+
+def test_constraints_of_equations_without_bodies_are_refused_by_both_users_of_collocation():
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    g = sm.Symbol("g")
+    frame, origin = inertial_frame()
+    bob = origin.locatenew("P", x * frame.x + y * frame.y)
+    bob.set_vel(frame, u * frame.x + v * frame.y)
+    method = me.KanesMethod(
+        frame, [x], [u], [x.diff() - u, y.diff() - v], q_dependent=[y],
+        configuration_constraints=[x**2 + y**2 - 1], u_dependent=[v],
+        velocity_constraints=[2 * x * u + 2 * y * v],
+    )  # fmt: skip
+    method.kanes_equations([me.Particle("bob", bob, 1)], [(bob, -g * frame.y)])
+    system = System(WithoutBodies(method), constants={g: 9.81}, ode_solver="dop853")
+    system.initial_conditions, system.times = {x: 0.6, y: -0.8}, np.linspace(0.0, 1.0, num=21)
+    motion = system.simulate()
+    remedy = "needs the bodies and loads: give them to the method"
+    with pytest.raises(NotImplementedError, match=remedy):
+        system.fit([g], Trial(motion.times, {x: motion[x]}), method="collocation")
+    with pytest.raises(NotImplementedError, match=remedy):
+        system.optimize_trajectory(sm.Integral(u**2, me.dynamicsymbols._t), 1.0)

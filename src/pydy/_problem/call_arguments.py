@@ -52,10 +52,8 @@ class CallArguments:
         symbols = definition.places["specifieds"]
         if callable(r):
             return SpecifiedsPlan({symbols.symbols: r}, symbols, argument="r")
-        update, already_warned = (
-            SpecifiedsPlan(r, symbols, argument="r"),
-            self.problem.model.already_warned,
-        )
+        update = SpecifiedsPlan(r, symbols, argument="r")
+        already_warned = self.problem.model.already_warned
         AssumptionChecks(self.problem).inputs(update, "r")
         body, plan = definition.equations.multibody, None
         if body and body.activations:  # what has no value may have one in this call

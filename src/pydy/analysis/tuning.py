@@ -34,7 +34,8 @@ DEPARTURE_REAL_PART = 1e-3
 grows as a root of the distance, a cubic one if three branches meet."""
 
 ZERO_CHECKS = 32
-"""Number of values of a sweep at which an eigenvalue must be zero to count as zero at all."""
+"""Values of a sweep at which an eigenvalue is tested: one that is zero at all of these counts as
+zero at every value."""
 
 # -- periodic orbits -------------------------------------------------------------------------------
 
@@ -82,7 +83,7 @@ variances are then too small by a factor of (1 + 0.1)/(1 − 0.1), standard erro
 
 FIXED_MESH_TOLERANCE = 1e-6
 """Assumed relative tolerance of a motion that was collocated on the user's mesh, which is not
-refined."""
+refined: three digits of its samples are assumed to be correct, see NOISE_TOLERANCE_FACTOR."""
 
 NOISE_TOLERANCE_FACTOR = 1e3
 """Residuals count as noise above this multiple of the motion's tolerance, relative to its samples:

@@ -87,6 +87,7 @@ class ImplicitEquations:
         """Return the equations of a System's snapshot.
 
         If `disturbed`, the entries of r of specifieds that are expressions are added to these.
+        Raises NotImplementedError for constraints of equations without bodies.
         """
         definition, code = snapshot.definition, snapshot.code
         if disturbed:
@@ -108,7 +109,12 @@ class ImplicitEquations:
         holonomic = [assembly.holonomic[k] for k in constraints.enforced_holonomic]
         motion = assembly.velocity
         if motion:
-            assert equations.constraint_forces is not None  # the equations have bodies
+            if equations.constraint_forces is None:
+                raise NotImplementedError(
+                    "The system has constraints, and equations without bodies. Collocation on "
+                    "constraints needs the bodies and loads: give them to the method, and leave "
+                    "out `equations='method'`."
+                )
             forces = equations.constraint_forces.unbalanced(definition.forces)
             unbalanced = implicit.read(graph, forces, "the equations of motion")
         else:

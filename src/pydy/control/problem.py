@@ -229,7 +229,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
     ) -> TranscribedProblem:  # fmt: skip
         """Return the problem as data."""
         snapshot, definition, plan = self._snapshot, self._snapshot.definition, self._snapshot.plan
-        equations, position = definition.equations, definition.specifieds.index
+        position = definition.specifieds.index
         objective = checked_expression(objective, "`objective`").xreplace(branching(definition))
         instance(objective, sm.Expr, "`objective`", "an expression or a number")
         running, terminal = reader.objective(objective)
@@ -241,12 +241,6 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
                 "'lbfgs'."
             )
         conditions = reader.boundary(boundary)
-        if equations.constraints.velocity and equations.constraint_forces is None:
-            raise NotImplementedError(
-                "The system has constraints, and equations without bodies. Optimal control of "
-                "constrained systems needs the bodies and loads: give them to the method, and "
-                "leave out `equations='method'`."
-            )
         implicit = ImplicitEquations.from_snapshot(snapshot)
         inequalities = reader.path("path", path)
         reader.check_functions("`path`", [c.expression for c in inequalities], implicit.atoms)
@@ -356,9 +350,10 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
 
     def _at_guess(self, transcription: Transcription, z: np.ndarray) -> list[float]:
         """Return the values of the kinks at instants, at a guess."""
-        names, numbers = self._snapshot.definition.constants, self._snapshot.p.tolist()
+        if not self._kinks:
+            return []
         states, controls, free, duration = transcription.split(z)
-        values = dict(zip((*names, *self._free), (*numbers, *free), strict=False))
+        values = self._snapshot.constants | dict(zip(self._free, free, strict=False))
         if self._symbol is not None:
             values[self._symbol] = duration
         for i in self._problem.instants:

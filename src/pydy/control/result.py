@@ -367,8 +367,7 @@ def moving(
     specifieds, _ = one_format(problem.settings.specifieds, "specifieds")
     if controls:
         specifieds = {**specifieds, tuple(controls): _Controls(transcription, z)}
-    values = dict(zip(problem.definition.constants, problem.p.tolist(), strict=True))
-    values |= dict(zip(free, constants.tolist(), strict=True))
+    values = problem.constants | dict(zip(free, constants.tolist(), strict=True))
     return with_settings(problem, specifieds=specifieds, constants=values)
 
 
