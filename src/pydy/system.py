@@ -3028,7 +3028,8 @@ class System:
         events : Event or sequence of Event, optional
             Events to export with their resets; event indicators in an FMU.
         inputs : iterable of specifieds, optional
-            Specifieds given by a function or by samples that become inputs.
+            Specifieds given by a function or by samples that become inputs. Their order does not
+            matter: inputs are numbered as in `specifieds_symbols`.
         progress : bool, optional
             Whether to show which part is made, the C compiler's included; requires tqdm.
         **options

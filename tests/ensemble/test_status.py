@@ -5,7 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
+import loops
 import zoo
 from cases import system_of
 from ensemble_cases import constant, runaway
@@ -58,6 +60,23 @@ def test_constraints_not_met_at_the_start_have_their_own_status():
         results = system.integrate_ensemble(initial_conditions=start, constraints="project")
     assert names(results) == ["finished", "start_off_constraints"]
     np.testing.assert_array_equal(results.end_time, [0.1, 0.0])
+
+
+@pytest.mark.parametrize("reduce", [None, "final", "events", ["final", ("max", "q1")]])
+@pytest.mark.parametrize("terminal", [False, True])
+def test_a_sample_that_left_its_constraints_is_seen_whatever_is_reduced(reduce, terminal):
+    """A reduction needs few times, and an event may end the motion before the last of them."""
+    system = loops.system_of("three_cranks", np.linspace(0.0, 3.0, 61), "dop853")
+    symbol, value = next(iter(system.constants.items()))
+    stop = Event(me.dynamicsymbols._t - 2.85, terminal=terminal, name="stop")
+    results = system.integrate_ensemble(
+        constants={symbol: [value, value]},
+        events=stop, reduce=reduce, rtol=1e-10, atol=1e-10,
+    )  # fmt: skip
+    assert names(results) == ["left_constraints"] * 2
+    assert (results.end_time == 1.55).all()
+    if reduce == "events":
+        assert (results.stop_count == 0).all()
 
 
 def test_lanes_and_single_integrations_give_the_same_codes(monkeypatch):

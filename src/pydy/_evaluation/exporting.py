@@ -52,9 +52,11 @@ def _dependents(problem: Problem) -> tuple[list[int], list[int]]:
 def _input_columns(
     definition: Definition, plan: SpecifiedsPlan, inputs: Sequence[SymbolOrName] | None
 ) -> tuple[int, ...]:
-    """Return the columns of the specifieds that are inputs of the exported model.
+    """Return the columns in r of the exported model's inputs, ascending.
 
-    A live page has no argument `inputs`, which is None: its inputs are numbers.
+    These are all specifieds that no expression gives. The argument `inputs` only permits those that
+    functions or samples give; it neither orders nor selects. A live page has no such argument,
+    which is None: its inputs are numbers.
     """
     requested = {definition.places["specifieds"].find(key, "inputs") for key in inputs or ()}
     prescribed = followed(definition, plan)

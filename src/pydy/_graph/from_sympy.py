@@ -361,7 +361,7 @@ class SymPyReader:
         """Return the expression that a function stands for, as the curves of muscles do."""
         if (derivative := evaluated_derivative(expr)) is not None:
             return derivative
-        written = expr.doit(deep=False) if isinstance(expr, sm.Function) else expr
+        written = expr.doit(deep=False) if isinstance(expr, (sm.Function, sm.Product)) else expr
         if isinstance(written, type(expr)):
             raise UnsupportedFunctionError(self._unsupported(expr))
         return written
@@ -405,7 +405,22 @@ def real_part(expr: sm.Expr, what: str) -> sm.Expr:
 
 # -- functions that only SciPy computes ------------------------------------------------------------
 
-_OF_SCIPY = {"strict": True, "allow_unknown_functions": False, "fully_qualified_modules": True}
+# Functions of scipy.special that SymPy's printer does not know; both take the parameter m = k².
+_FURTHER_FUNCTIONS = {
+    "elliptic_k": "scipy.special.ellipk",
+    "elliptic_f": "scipy.special.ellipkinc",
+    "elliptic_e": [
+        (lambda *arguments: len(arguments) == 1, "scipy.special.ellipe"),
+        (lambda *arguments: len(arguments) == 2, "scipy.special.ellipeinc"),
+    ],
+    "zeta": "scipy.special.zeta",
+}
+_OF_SCIPY = {
+    "strict": True,
+    "allow_unknown_functions": False,
+    "fully_qualified_modules": True,
+    "user_functions": _FURTHER_FUNCTIONS,
+}
 
 
 def written_for_scipy(

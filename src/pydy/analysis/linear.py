@@ -184,6 +184,9 @@ class LinearModel:
     ) -> Any:
         """Plot magnitude and phase of the response of one output to one input.
 
+        The phase is continuous: unwrapped from the first frequency on, so frequencies must be dense
+        enough that it changes by less than 180° between neighbours.
+
         Parameters
         ----------
         input, output : str
@@ -214,18 +217,20 @@ class LinearModel:
                 f"`frequencies` must not be negative, got {frequencies.min():g} rad/s: the axis is "
                 "logarithmic."
             )
-        axes, (magnitude, phase) = rows_of_axes(axes, 2, "of magnitude and phase")
+        axes, (magnitude_ax, phase_ax) = rows_of_axes(axes, 2, "of magnitude and phase")
         title = f"{typeset(input, '')} → {typeset(output, '')}"
         across = frequencies / (2.0 * np.pi) if unit == "Hz" else frequencies
         with np.errstate(divide="ignore"):
-            magnitude.semilogx(across, 20.0 * np.log10(np.abs(response)), label=title)
-        phase.semilogx(across, np.degrees(np.unwrap(np.angle(response))), label=title)
-        for ax in (magnitude, phase):
+            magnitude = 20.0 * np.log10(np.abs(response))
+        phase = np.degrees(np.unwrap(np.angle(response)))
+        magnitude_ax.semilogx(across, magnitude, label=title)
+        phase_ax.semilogx(across, phase, label=title)
+        for ax in (magnitude_ax, phase_ax):
             ax.grid(which="both", alpha=0.3)
-        magnitude.set_ylabel("magnitude (dB)")
-        phase.set_ylabel("phase (°)")
-        phase.set_xlabel(f"frequency ({unit})")
-        magnitude.legend()
+        magnitude_ax.set_ylabel("magnitude (dB)")
+        phase_ax.set_ylabel("phase (°)")
+        phase_ax.set_xlabel(f"frequency ({unit})")
+        magnitude_ax.legend()
         return axes
 
     def _single_model(self, method: str) -> tuple[np.ndarray, ...]:

@@ -172,8 +172,10 @@ class Work:
         """
         model, times = self.model, self.model.times
         if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
-            # Steps do not depend on the times. A few times suffice to check assumptions.
-            times = times[evenly(len(times), 2 if self.assumed is None else DriftCheck.MOST_STATES)]
+            # Steps do not depend on the times. A few times suffice to check what is checked along
+            # the motion; a sample that an event ended early has no state at the last time.
+            checked = self.assumed is not None or model.constraint_checks is not None
+            times = times[evenly(len(times), DriftCheck.MOST_STATES if checked else 2)]
         logs = model.constraint_checks is not None or _EventTimes in map(type, self.reductions)
         batch = Batch(model, *samples.rows(), stopped, logs)
         results = batch.run(times, states)
@@ -486,16 +488,17 @@ _STATISTICS: dict[str, dict[str, object]] = {
 def invalidate_drifted(batch: Batch, results: Results, times: np.ndarray) -> None:
     """Set samples that fail the drift checks to NaN after the last valid time.
 
-    The model has constraints. Other samples are not affected.
+    The model has constraints. Checked are all samples with a valid motion, also those that an event
+    ended early.
     """
     model, checks = batch.model, batch.model.constraint_checks
     assert checks is not None
     projected = model.options.constraints is not None
     statistics = results.statistics
-    ended = np.isin(statistics["status"], (Outcome.FINISHED, Outcome.TERMINATED))
+    valid = np.isin(statistics["status"], [outcome for outcome in Outcome if outcome.is_valid])
     if projected:
-        ended &= checks.every | (statistics["nearness"] < DriftCheck.NEAR_SINGULAR)
-    suspects = np.flatnonzero(ended)
+        valid &= checks.every | (statistics["nearness"] < DriftCheck.NEAR_SINGULAR)
+    suspects = np.flatnonzero(valid)
     if not projected:
         suspects = _suspects(batch, checks.programs, suspects, results.states, times)
     for samples in _groups_by_end(results.states, suspects):
@@ -606,21 +609,22 @@ def _values(
 
 
 def _suspects(
-    batch: Batch, programs: ProgramsByName, ended: np.ndarray, states: np.ndarray, times: np.ndarray
+    batch: Batch, programs: ProgramsByName, valid: np.ndarray, states: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
-    """Return the samples that need a full check, from a vectorised check of all.
+    """Return which of the valid samples need a full check, from a vectorised check of all.
 
-    These have constraint residuals beyond six digits, or come near a loss of rank.
+    These have constraint residuals beyond six digits, or come near a loss of rank. Samples that an
+    event ended early, whose last states are NaN, are not screened and need it, too.
     """
-    complete = ended[np.isfinite(states[:, ended, -1]).all(axis=0)]
+    complete = valid[np.isfinite(states[:, valid, -1]).all(axis=0)]
     if not len(complete):
-        return ended
+        return valid
     program = programs["screen"]
     assert program is not None
     time_indices = DriftCheck.selected(states[:, complete[0]].T, projected=False)
     # A million residuals and derivatives are evaluated at a time.
     number = max(1, 1_000_000 // (len(time_indices) * max(1, len(program.outputs))))
-    suspects = [np.setdiff1d(ended, complete)]
+    suspects = [np.setdiff1d(valid, complete)]
     for start in range(0, len(complete), number):
         chunk = complete[start : start + number]
         x = np.ascontiguousarray(states[:, chunk][:, :, time_indices])

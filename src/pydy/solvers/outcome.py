@@ -31,6 +31,11 @@ class Outcome(IntEnum):
         """The name in small letters, as in the `flag_meanings` of an ensemble's `status`."""
         return self.name.lower()
 
+    @property
+    def is_valid(self) -> bool:
+        """Whether the motion up to its end is valid: it finished, or events ended it."""
+        return self in (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE)
+
     NOT_COMPUTED = -1, "not run"
     FINISHED = 0, "finished"
     TOO_MANY_STEPS = (

@@ -703,7 +703,7 @@ class Integration(Workspace):
 
     def _extension(self) -> DenseOutput | None:
         rows = self.recorded_steps()
-        if self.code not in (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE):
+        if not Outcome(self.code).is_valid:
             return None
         if rows is None or not len(rows):
             return None
