@@ -64,6 +64,26 @@ def test_values_are_those_of_mpmath(name):
         assert found == pytest.approx(exact(FUNCTIONS[name], x, a), rel=1e-12)
 
 
+def test_zeta_has_values_and_no_derivative():
+    rates = [V, A * sm.zeta(1 + X)]
+    f = generate_ode_function(rates, [X], [V], [A], generator="lambdify", time_first=True)
+    assert f(0.0, np.array([0.7, 0.0]), np.array([1.0]))[1] == pytest.approx(
+        float(mpmath.zeta(1.7)), rel=1e-14
+    )
+    system = particle(sm.zeta(1 + X))
+    system.generate_ode_function(generator="lambdify")
+    with pytest.raises(UnsupportedFunctionError, match="zeta"):
+        system.evaluate_jacobian()
+
+
+@pytest.mark.parametrize("generator", ["lambdify", "llvm"])
+def test_a_finite_product_is_written_out(generator):
+    product = sm.Product(X + N / A, (N, 1, 3))
+    f = generate_ode_function([V, product], [X], [V], [A], generator=generator, time_first=True)
+    found = f(0.0, np.array([0.7, 0.0]), np.array([2.0]))[1]
+    assert found == pytest.approx((0.7 + 0.5) * (0.7 + 1.0) * (0.7 + 1.5), rel=1e-14)
+
+
 def particle(load):
     ground, origin = me.ReferenceFrame("N"), me.Point("O")
     origin.set_vel(ground, 0)

@@ -452,7 +452,13 @@ def written_for_scipy(
 
     def partials(graph: Graph, node: int, *nodes: int) -> tuple[int, ...]:
         read = SymPyReader(graph, dict(zip(slots, nodes, strict=True)), f"the derivative of {expr}")
-        return tuple(read(sm.diff(template, slot)) for slot in slots)
+        derivatives = [sm.diff(template, slot) for slot in slots]
+        for derivative in derivatives:
+            if any(_is_unevaluated(e) for e in derivative.atoms(sm.Derivative, sm.Subs)):
+                raise UnsupportedFunctionError(
+                    f"The derivative of `{_brief(expr)}` is needed, but SymPy does not know it."
+                )
+        return tuple(map(read, derivatives))
 
     return code, operands, partials
 
