@@ -67,12 +67,12 @@ def program_of(expressions, off=frozenset()):
 def values(program, x=(), p=(), t=0.0, kernel=None):
     """Outputs at one state; without a Kernel, from the interpreter."""
     sweep = (lambda *a: run(program, *a)) if kernel is None else kernel.evaluate
-    x = np.resize(np.asarray(x, dtype=float), (1, program.num_states)) if len(x) else None
+    x = np.resize(np.asarray(x, dtype=float), (1, program.signature.num_states)) if len(x) else None
     if x is None:
-        x = np.zeros((1, program.num_states))
-    p = np.resize(np.asarray(p, dtype=float), program.num_constants) if len(p) else None
+        x = np.zeros((1, program.signature.num_states))
+    p = np.resize(np.asarray(p, dtype=float), program.signature.num_constants) if len(p) else None
     if p is None:
-        p = np.zeros(program.num_constants)
+        p = np.zeros(program.signature.num_constants)
     out, _ = sweep(np.array([float(t)]), x, np.empty((1, 0)), p)
     return out[0]
 

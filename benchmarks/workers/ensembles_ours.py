@@ -34,7 +34,7 @@ class Ours:
         model = read(f"pendulum-{links}")
         self.program = assembly_of(model).program("rates")
         self.x, self.p = samples(links, count)
-        self.r = np.zeros((1, self.program.num_specifieds))
+        self.r = np.zeros((1, self.program.signature.num_specifieds))
 
     def _ensemble(
         self, method: str, options: dict[str, Any], threads: int, reduce: Any, count: int
@@ -46,7 +46,7 @@ class Ours:
         dims = {"sample": count}
         rows = (np.resize(self.x, (count, len(names))), np.resize(self.p, (count, len(self.p[0]))))
         x, p = (tuple(rows_.T) for rows_ in rows)
-        r = tuple(np.zeros((self.program.num_specifieds, 1)))
+        r = tuple(np.zeros((self.program.signature.num_specifieds, 1)))
         return Ensemble(Work(model, work.reductions, {}), Samples(dims, x, r, p), 2048, {}, threads)
 
     def lanes(self, method: str, tol: float, threads: int, count: int) -> dict[str, Any]:

@@ -224,7 +224,7 @@ class KernelCall:
 
         It may have fewer states and specifieds than this one: those that come first.
         """
-        program = kernel.program
-        x, r = x[: program.num_states], self.inputs_at(x, t)[: program.num_specifieds]
+        signature = kernel.program.signature
+        x, r = x[: signature.num_states], self.inputs_at(x, t)[: signature.num_specifieds]
         out: np.ndarray = kernel.evaluate(np.array([t]), x[None], r[None], self.p)[0][0]
         return out

@@ -19,9 +19,8 @@ MATRIX = [[0, 2, 1], [2, 0, 3], [1, 3, -1]]
 
 def samples(program):
     rng = np.random.default_rng(8)
-    sizes = (program.num_states, program.num_specifieds, program.num_constants)
-    x, r, p = (rng.uniform(0.1, 0.9, (5, size)) for size in sizes)
-    if program.num_states == 15:  # nine entries of a matrix, and two columns
+    x, r, p = (rng.uniform(0.1, 0.9, (5, size)) for size in program.signature.sizes)
+    if program.signature.num_states == 15:  # nine entries of a matrix, and two columns
         x[:, :9] = np.ravel(MATRIX)
     return np.full(5, 0.3), x, r, p[0]
 
@@ -81,9 +80,9 @@ def test_casadis_module_has_the_same_values():
     for program in (everything(), solves(), pendulum):
         parts = {
             "HEAD": "",
-            "STATES": dict.fromkeys(range(program.num_states)),
-            "INPUTS": dict.fromkeys(range(program.num_specifieds)),
-            "CONSTANTS": dict.fromkeys(range(program.num_constants)),
+            "STATES": dict.fromkeys(range(program.signature.num_states)),
+            "INPUTS": dict.fromkeys(range(program.signature.num_specifieds)),
+            "CONSTANTS": dict.fromkeys(range(program.signature.num_constants)),
             "OUTPUTS": (),
             "NAMES": {},
             "FUNCTIONS": python_function(program, "rates", "casadi"),

@@ -158,5 +158,5 @@ def test_programs_of_derivatives_agree_with_the_jacobian(kind):
 
     r = np.empty((1, 0)) if given is None else given.reshape(1, -1)
     out, _ = run(program, np.zeros(1), np.array([POINT]), r, np.array([2.0, 3.0, 4.0]))
-    assert program.blocks[0].shape == expected.shape
+    assert program.signature.blocks[0].shape == expected.shape
     np.testing.assert_allclose(out[0].reshape(expected.shape), expected, rtol=1e-14, atol=1e-15)

@@ -132,7 +132,7 @@ def test_blocks_lie_one_after_the_other_in_the_flat_output():
     graph, (one, two, three) = nodes_of([x, y, z])
     blocks = [("first", (1,), [three]), ("second", (1, 2), [one, two])]
     program = graphs.lower(graph, graphs.SIZES, blocks)
-    second = program.block("second")
+    second = program.signature.block("second")
     out = values(program, [1.0, 2.0, 3.0, 4.0])
     assert (second.shape, second.start, second.stop) == ((1, 2), 1, 3)
     assert list(out) == [3.0, 1.0, 2.0]

@@ -24,8 +24,8 @@ def compiled(monkeypatch):
     compile_it = LLVMBackend.compile
 
     def counted(self, program):
-        names = [block.name for block in program.blocks]
-        found.append((self.options["lanes"], names, len(program.outputs)))
+        names = [block.name for block in program.signature.blocks]
+        found.append((self.options["lanes"], names, program.signature.num_outputs))
         return compile_it(self, program)
 
     monkeypatch.setattr(LLVMBackend, "compile", counted)

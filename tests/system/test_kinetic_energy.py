@@ -31,7 +31,7 @@ def hessian(system, x, t):
     r = np.array([system.specifieds.get(s, 0.0) for s in system.specifieds_symbols])
     p = np.array([system.constants[s] for s in system.constants_symbols])
     out, _ = kernel.evaluate(np.array([t]), x[None], r[None], p)
-    return out.reshape(kernel.program.blocks[0].shape)
+    return out.reshape(kernel.program.signature.blocks[0].shape)
 
 
 @pytest.mark.parametrize("name", zoo.MODELS)

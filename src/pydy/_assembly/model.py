@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 import sympy as sm
@@ -25,13 +25,22 @@ from pydy._forks import cached_property
 from pydy._graph import passes_are_shipped
 from pydy._kernel import Kernel
 from pydy._names import numbers_of, some, unique_names
-from pydy._program import OPERATIONS, Program, ScipyOperation, Tangent, program_from_bytes, run
+from pydy._program import (
+    OPERATIONS,
+    Program,
+    ScipyOperation,
+    Tangent,
+    program_from_bytes,
+    program_to_bytes,
+    run,
+)
 
 # How often a Program is interpreted before it is compiled: an operation takes about a microsecond
 # each time, and some 50 to be compiled. Who waits for both waits twice as long as need be at most.
 _INTERPRETED = 64
 # Small systems are simplified sooner than a file is read.
 _WORTH_STORING = 300
+_S = TypeVar("_S")
 _T = TypeVar("_T", bound="Program | Tangent")
 
 
@@ -73,7 +82,7 @@ def with_external_solver(
     program: Program, system: Kernel, solver: LinearSolver, rest: Kernel
 ) -> Kernel:
     """Chain the matrices, a solver and the values that depend on its solution into one Kernel."""
-    n = system.program.block("forcing").stop - system.program.block("forcing").start
+    (n,) = system.program.signature.block("forcing").shape
 
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
         if type(t) is not float or not strict(system.program, x, r, p):
@@ -99,7 +108,7 @@ def with_external_solver(
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        out = np.full((len(t), len(program.outputs)), np.nan)
+        out = np.full((len(t), program.signature.num_outputs), np.nan)
         failed = np.zeros(len(t), dtype=bool)
         for k, row in enumerate(np.broadcast_to(r, (len(t), r.shape[1]))):
             state, inputs = np.array(x[k], dtype=float), np.array(row, dtype=float)
@@ -127,16 +136,12 @@ def _as_shipped() -> bool:
     return OPERATIONS.are_shipped() and passes_are_shipped()
 
 
-class Storable(Protocol):
-    """An object that can be written to the cache."""
-
-    def to_bytes(self) -> bytes: ...
-
-
-_S = TypeVar("_S", bound=Storable)
-
-
-def stored(parts: Sequence[bytes], make: Callable[[], _S], read: Callable[[bytes], _S]) -> _S:
+def stored(
+    parts: Sequence[bytes],
+    make: Callable[[], _S],
+    write: Callable[[_S], bytes],
+    read: Callable[[bytes], _S],
+) -> _S:
     """Return the cache's entry for the key `parts`, or make the object and store it."""
     if not _as_shipped():
         return make()
@@ -145,7 +150,7 @@ def stored(parts: Sequence[bytes], make: Callable[[], _S], read: Callable[[bytes
     if data is not None:
         return read(data)
     made = make()
-    _cache_folder.write(key, made.to_bytes())
+    _cache_folder.write(key, write(made))
     return made
 
 
@@ -154,7 +159,7 @@ def stored_program(assembly: Assembly, what: str, make: Callable[[], _T]) -> _T:
     if len(assembly.graph) < _WORTH_STORING:
         return make()
     parts = (assembly.fingerprint(), what.encode())
-    return stored(parts, make, lambda data: cast("_T", program_from_bytes(data)))
+    return stored(parts, make, program_to_bytes, lambda data: cast("_T", program_from_bytes(data)))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -367,7 +372,7 @@ class Evaluated:
             out, _ = run(self.program, t, x, r, p)
         else:
             out, _ = self._kernel.evaluate(t, x, r, p)
-        return self.program.by_block(out)
+        return self.program.signature.by_block(out)
 
 
 def _listed(symbols: tuple[Any, ...]) -> str:

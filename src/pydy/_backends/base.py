@@ -30,7 +30,7 @@ from pydy._program import Program
 
 def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
     """Return whether arguments are float64 vectors with the lengths of a Program's inputs."""
-    sizes = (program.num_states, program.num_specifieds, program.num_constants)
+    sizes = program.signature.sizes
     return all(
         type(a) is np.ndarray
         and a.dtype == np.float64

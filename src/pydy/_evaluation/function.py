@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 def _evaluate_with_vectors(at: StateSamples, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
     """Evaluate a Kernel with further inputs after r."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
-    out = np.empty((m, len(kernel.program.outputs)))
+    out = np.empty((m, kernel.program.signature.num_outputs))
     for first in range(0, m, TOGETHER):
         rows = slice(first, first + TOGETHER)
         batch = at.subset(rows)
@@ -128,7 +128,7 @@ class Evaluator:
             k = int((at.x == error.state).all(axis=1).argmax())
             explain(error, lambda t, x: at.subset([k]))
             raise
-        out = out.reshape(len(out), *kernel.program.blocks[0].shape)
+        out = out.reshape(len(out), *kernel.program.signature.blocks[0].shape)
         if not np.isfinite(out).all():
             warn_not_finite(out, at, self.names())
         return out[0] if single else out

@@ -64,7 +64,9 @@ def tangent(
         blocks = [(str(k), (m,), cells[k * m : (k + 1) * m]) for k in range(len(parts))]
         first = [(values, (m,), [*outputs])] if values else []
         lowered = lower(graph, sizes_with_seeds, [*first, *blocks], sizes_of_matrices=sizes[0])
-        nodes_of_block = [(b.name, lowered.outputs[b.start : b.stop]) for b in lowered.blocks]
+        nodes_of_block = [
+            (b.name, lowered.outputs[b.start : b.stop]) for b in lowered.signature.blocks
+        ]
         separation = _Separation(lowered)
         parts_made = []
         for part, (_, column) in zip(parts, nodes_of_block[len(first) :], strict=True):

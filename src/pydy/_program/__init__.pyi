@@ -10,6 +10,10 @@ from .operations import (
     symmetric as symmetric,
 )
 from .program import Program as Program, Tape as Tape
+from .serialization import (
+    program_from_bytes as program_from_bytes,
+    program_to_bytes as program_to_bytes,
+)
 from .switch_times import SwitchTimes as SwitchTimes
-from .tangent import Part as Part, Tangent as Tangent, program_from_bytes as program_from_bytes
+from .tangent import Part as Part, Tangent as Tangent
 from .tuning import numbered as numbered

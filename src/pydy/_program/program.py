@@ -21,21 +21,18 @@ Operations and their arguments::
 from __future__ import annotations
 
 import hashlib
-import marshal
 import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import astuple, dataclass, fields
-from math import prod
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pydy._forks import cached_property
 from pydy._program.nodes import Nodes
 from pydy._program.operations import OPERATIONS
+from pydy._program.signature import Signature
 
 if TYPE_CHECKING:
-    import numpy as np
-
     from pydy._program import Args
 
 FREE = OPERATIONS.solves | {"const", "bool", "input", "item"}
@@ -148,28 +145,15 @@ class Tape(Nodes):
 
 
 @dataclass(frozen=True)
-class Block:
-    """A named part of a Program's output, which is flat and row-major."""
-
-    name: str
-    shape: tuple[int, ...]
-    start: int
-    stop: int
-
-
-@dataclass(frozen=True)
 class Program:
     """Elementary operations with ordered inputs and named output blocks."""
 
-    num_states: int  # sizes of the inputs x, r and p; time t is always one number
-    num_specifieds: int
-    num_constants: int
+    signature: Signature  # inputs and output blocks: all that its callers need to know
     ops: tuple[str, ...]  # the operations, see the module
     args: tuple[Args, ...]
     setup: tuple[bool, ...]  # whether a node belongs to the setup stage
     carried: tuple[int, ...]  # its nodes that the run stage or the outputs need: the array c
     outputs: tuple[int, ...]  # the flat output
-    blocks: tuple[Block, ...]
 
     @property
     def num_operations(self) -> int:
@@ -200,49 +184,25 @@ class Program:
         }
         needed.update(k for k in outputs if setup[k])
         carried = tuple(k for k in sorted(needed) if ops[k] not in ("const", "bool"))
-        table = []
-        start = 0
-        for name, shape, nodes in blocks:
-            assert prod(shape) == len(nodes), (name, shape, len(nodes))
-            table.append(Block(name, tuple(shape), start, start + len(nodes)))
-            start += len(nodes)
-        return cls(*sizes, ops, args, setup, carried, outputs, tuple(table))
+        signature = Signature.of(sizes, ((name, shape) for name, shape, _ in blocks))
+        lengths = [len(nodes) for _, _, nodes in blocks]
+        assert [b.stop - b.start for b in signature.blocks] == lengths, (signature, lengths)
+        return cls(signature, ops, args, setup, carried, outputs)
 
     def __str__(self) -> str:
         return listing(self)
-
-    def to_bytes(self) -> bytes:
-        """Return the Program as bytes, for this version of Python."""
-        blocks = tuple(astuple(block) for block in self.blocks)
-        values = [blocks if f.name == "blocks" else getattr(self, f.name) for f in fields(self)]
-        return marshal.dumps(values)
-
-    @classmethod
-    def from_bytes(cls, data: bytes) -> Program:
-        """Return the Program that `to_bytes` wrote."""
-        *values, blocks = marshal.loads(data)
-        return cls(*(*values, tuple(Block(*block) for block in blocks)))
-
-    def by_block(self, out: np.ndarray) -> dict[str, np.ndarray]:
-        """Return views of an output, or of many along the first axes, by the names of blocks."""
-        return {b.name: out[..., b.start : b.stop].reshape(*out.shape[:-1], *b.shape)
-                for b in self.blocks}  # fmt: skip
-
-    def block(self, name: str) -> Block:
-        """Return the output block of that name."""
-        return next(b for b in self.blocks if b.name == name)
 
     @cached_property
     def digest(self) -> str:
         """SHA-256 of everything that determines the Program's results."""
         sha = hashlib.sha256()
-        sha.update(repr((self.num_states, self.num_specifieds, self.num_constants)).encode())
+        sha.update(repr(self.signature.sizes).encode())
         for op, args in zip(self.ops, self.args, strict=True):
             if op == "const":
                 sha.update(b"const" + struct.pack("<d", args[0]))
             else:
                 sha.update(repr((op, args)).encode())
-        sha.update(repr((self.outputs, self.blocks)).encode())
+        sha.update(repr((self.outputs, self.signature.blocks)).encode())
         for op in sorted(OPERATIONS.keys() & set(self.ops)):
             sha.update(f"{op} {OPERATIONS[op].written}\n".encode())
         return sha.hexdigest()
@@ -428,8 +388,8 @@ def listing(
 
 
 def _summary(program: Program) -> Iterator[str]:
-    blocks = ", ".join(f"{b.name} {_shape(b.shape)}" for b in program.blocks)
-    sizes = (program.num_states, program.num_specifieds, program.num_constants)
+    blocks = ", ".join(f"{b.name} {_shape(b.shape)}" for b in program.signature.blocks)
+    sizes = program.signature.sizes
     counts = ", ".join(
         f"{n} {noun}" for n, noun in zip(sizes, _ARGUMENTS.values(), strict=True) if n
     )
@@ -470,7 +430,7 @@ class _ProgramListing:
             if len(listed) < len(stage):
                 yield f"  ... {len(stage) - len(listed)} more: listing(program, most_lines=None)"
         yield "outputs:"
-        for block in program.blocks:
+        for block in program.signature.blocks:
             nodes = program.outputs[block.start : block.stop]
             values = [self._name(k) for k in nodes]
             if self.most_lines is not None and len(values) > self.most_lines:

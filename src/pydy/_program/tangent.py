@@ -10,7 +10,6 @@ products.
 from __future__ import annotations
 
 import hashlib
-import marshal
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,9 +18,8 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._program.operations import OPERATIONS
-from pydy._program.program import Block, Program, Tape
-
-_MARK = b"tangent"
+from pydy._program.program import Program, Tape
+from pydy._program.signature import Signature
 
 
 @dataclass(frozen=True)
@@ -48,23 +46,15 @@ class Tangent:
     @property
     def values(self) -> int:
         """How many outputs come before the derivatives."""
-        return self.shared.blocks[-1].start
+        return self.shared.signature.blocks[-1].start
 
-    @property
-    def num_states(self) -> int:
-        """Number of states x, with the seeds."""
-        seeds = 0 if self.directions is None else self.parts[0].program.num_states
-        return self.shared.num_states + seeds * self.shape[1]
-
-    @property
-    def num_specifieds(self) -> int:
-        """Number of specifieds r."""
-        return self.shared.num_specifieds
-
-    @property
-    def num_constants(self) -> int:
-        """Number of constants p."""
-        return self.shared.num_constants
+    @cached_property
+    def signature(self) -> Signature:
+        """The inputs, with the seeds after the states, and the values and derivatives."""
+        n, s, c = self.shared.signature.sizes
+        seeds = 0 if self.directions is None else self.parts[0].program.signature.num_states
+        blocks = [(b.name, b.shape) for b in self.shared.signature.blocks[:-1]]
+        return Signature.of((n + seeds * self.shape[1], s, c), [*blocks, ("jacobian", self.shape)])
 
     @property
     def num_operations(self) -> int:
@@ -83,17 +73,6 @@ class Tangent:
         # Vectors of columns may be filled up: to less than twice as many.
         parts = (2 * part.count * len(part.program.carried) for part in self.parts)
         return range(len(self.shared.carried) + sum(parts))
-
-    @property
-    def outputs(self) -> range:
-        """The outputs, in number."""
-        return range(self.values + self.shape[0] * self.shape[1])
-
-    @property
-    def blocks(self) -> tuple[Block, ...]:
-        """The values, and the derivatives."""
-        columns = Block("jacobian", self.shape, self.values, len(self.outputs))
-        return (*self.shared.blocks[:-1], columns)
 
     @cached_property
     def digest(self) -> str:
@@ -118,14 +97,14 @@ class Tangent:
 
     def written_out(self) -> Program:
         """Return the Program of all columns in turn, for back ends that do not take Tangents."""
-        tape, n = Tape(), self.shared.num_states
+        tape, n = Tape(), self.shared.signature.num_states
         values = _copied(tape, self.shared, {})
         zero = tape.const(0.0)
         cells = [[zero] * self.shape[1] for _ in range(self.shape[0])]
         for part in self.parts:
             shared = {("r", k): node for k, node in enumerate(values[self.values :])}
             for j in range(part.count):
-                column, size = part.first + j, part.program.num_states
+                column, size = part.first + j, part.program.signature.num_states
                 if self.directions is None:
                     inputs = {("x", i): tape.const(float(i == j)) for i in range(size)}
                 else:
@@ -136,27 +115,10 @@ class Tangent:
                 outputs = _copied(tape, part.program, shared | inputs)
                 for row, node in zip(cells, outputs, strict=True):
                     row[column] = node
-        sizes = (self.num_states, self.num_specifieds, self.num_constants)
-        blocks = [(b.name, b.shape, values[b.start : b.stop]) for b in self.shared.blocks[:-1]]
+        first = self.shared.signature.blocks[:-1]
+        blocks = [(b.name, b.shape, values[b.start : b.stop]) for b in first]
         blocks.append(("jacobian", self.shape, [node for row in cells for node in row]))
-        return Program.from_tape(tape, sizes, blocks)
-
-    def to_bytes(self) -> bytes:
-        """Return the Tangent as bytes, for this version of Python."""
-        parts = tuple((part.first, part.count, part.program.to_bytes()) for part in self.parts)
-        table = self.directions
-        directions = None if table is None else (table.shape, table.tobytes())
-        return _MARK + marshal.dumps((self.shared.to_bytes(), parts, self.shape, directions))
-
-    @classmethod
-    def from_bytes(cls, data: bytes) -> Tangent:
-        """Return the Tangent that `to_bytes` wrote."""
-        shared, parts, shape, table = marshal.loads(data[len(_MARK) :])
-        parts = tuple(
-            Part(first, count, Program.from_bytes(program)) for first, count, program in parts
-        )
-        directions = None if table is None else np.frombuffer(table[1]).reshape(table[0])
-        return cls(Program.from_bytes(shared), parts, shape, directions)
+        return Program.from_tape(tape, self.signature.sizes, blocks)
 
     def __str__(self) -> str:
         texts = [str(self.shared)]
@@ -164,11 +126,6 @@ class Tangent:
             last = part.first + part.count - 1
             texts.append(f"For each of the columns {part.first} to {last}:\n{part.program}")
         return "\n\n".join(texts)
-
-
-def program_from_bytes(data: bytes) -> Program | Tangent:
-    """Return the Program or Tangent whose `to_bytes` wrote this."""
-    return (Tangent if data.startswith(_MARK) else Program).from_bytes(data)
 
 
 def _copied(tape: Tape, program: Program, inputs: Mapping[tuple[str, int], int]) -> list[int]:

@@ -90,7 +90,7 @@ class Projections:
         self._r = Inputs(constraint_call.r, constraint_call.sampled).rows(states, times)
         self._p = constraint_call.p
         out = model.evaluate(constraints.kernel, times, states, self._r, self._p)
-        self._parts = constraints.kernel.program.by_block(out)
+        self._parts = constraints.kernel.program.signature.by_block(out)
         h, v, n = constraints.holonomic, constraints.velocity, states.shape[1]
         self._gradient = self._parts["gradient"].reshape(len(times), h, constraints.coordinates)
         if any(model.assembly.following):  # their corrections are not along the gradient
@@ -387,7 +387,7 @@ class MotionSegment:
         n = len(x0)
         self.unbounded: str | None = None  # why no derivatives limit the step size
         self.rates = rates = task.call_full(task.full_model.compiled("rates"))
-        num_extra = rates.kernel.program.num_states - n
+        num_extra = rates.kernel.program.signature.num_states - n
         for name in options.keys() & {"rtol", "atol"}:
             if np.size(options[name]) == n > 1 and num_extra:  # the integral: the strictest of them
                 tolerances = np.asarray(options[name], dtype=float)
@@ -666,7 +666,7 @@ class MotionSegment:
         call = self.task.call(kernel)
         r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
         out = kernel.evaluate(np.array([t]), x[None, :n], r[None], call.p)[0][0]
-        part = kernel.program.by_block(out)
+        part = kernel.program.signature.by_block(out)
         time = np.zeros(len(part["crossing"]))
         # An event that a jump of an input causes has the jump's time, which is fixed.
         if events.forcing_time(call, record.index, x, t) is None:

@@ -77,7 +77,7 @@ class RowValues:
         kernel = self._rows.late if name in _LATE else self._rows.early
         out, failed = kernel.evaluate(*self._point)
         out[failed] = np.nan
-        vars(self).update(kernel.program.by_block(out[0]))
+        vars(self).update(kernel.program.signature.by_block(out[0]))
         return vars(self)[name]
 
     def is_closed(self, i: int) -> bool:

@@ -25,7 +25,7 @@ import marshal
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -44,7 +44,7 @@ from pydy._graph import (
     substitute,
 )
 from pydy._kernel import Kernel
-from pydy._program import OPERATIONS, Program
+from pydy._program import OPERATIONS, Program, program_from_bytes, program_to_bytes
 from pydy._rank import DIGITS
 from pydy.control.tuning import STORED_FUNCTIONS
 
@@ -291,6 +291,7 @@ class PointBuilder:
             compiled = stored(
                 (_SOURCE, key),
                 lambda: self._derived(roots, outputs, hessian),
+                PointFunctions.to_bytes,
                 PointFunctions.from_bytes,
             )
         cache[key] = compiled
@@ -401,7 +402,7 @@ class PointFunctions:
 
     def to_bytes(self) -> bytes:
         """Return the bytes that `from_bytes` reads."""
-        programs = {name: program.to_bytes() for name, program in self.programs.items()}
+        programs = {name: program_to_bytes(program) for name, program in self.programs.items()}
         positions = [at.tolist() for at in (self.gradient_at, self.jacobian_at, self.hessian_at)]
         return marshal.dumps((programs, self.sizes, self.outputs, *positions))
 
@@ -409,8 +410,8 @@ class PointFunctions:
     def from_bytes(cls, data: bytes) -> PointFunctions:
         """Read the bytes of `to_bytes`."""
         programs, sizes, outputs, *positions = marshal.loads(data)
-        decoded = {name: Program.from_bytes(data) for name, data in programs.items()}
-        return cls.from_programs(decoded, sizes, outputs, *positions)
+        decoded = {name: program_from_bytes(data) for name, data in programs.items()}
+        return cls.from_programs(cast("dict[str, Program]", decoded), sizes, outputs, *positions)
 
     @cached_property
     def _kernels(self) -> dict[str, Kernel]:
@@ -438,7 +439,7 @@ class PointFunctions:
             return np.empty((0, count))
         times, X, R = np.zeros(count), np.ascontiguousarray(X), np.ascontiguousarray(R)
         if count > 1 and len(X) > 1:  # as they lie: the values are written in place
-            out = np.empty((len(self.programs[name].outputs), count))
+            out = np.empty((self.programs[name].signature.num_outputs, count))
             self._kernels[name].evaluate(times, X.T, R.T, P, out.T)
             return out
         return np.ascontiguousarray(self._kernels[name].evaluate(times, X.T, R.T, P)[0].T)

@@ -285,7 +285,7 @@ class Native:
         rows, costs = functions.outputs if name == "hessian" else (0, 0)
         data = np.concatenate([group.data, np.zeros((rows + costs, points))])
         words[9:11] = points, len(data) if points > 1 else 0
-        results = len(functions.programs[name].outputs) * points
+        results = functions.programs[name].signature.num_outputs * points
         gradient_slots = group.at[functions.gradient_at] if name == "gradient" else np.empty(0)
         arrays = (
             np.ascontiguousarray(group.at, np.int64),

@@ -97,7 +97,7 @@ class EnsembleSensitivities:
         if self.gradients:
             assert self.residuals is not None
             r, at, p = inputs(x, t)[None], np.array([t]), np.ascontiguousarray(p)
-            s = self.gradients[0].num_specifieds
+            s = self.gradients[0].signature.num_specifieds
             rows = [kernel(g).evaluate(at, x[None], r[:, :s], p)[0][0] for g in self.gradients]
             gradients = [row.reshape(-1, len(x)) for row in rows]
             full_state = np.concatenate([x, values.ravel()])
@@ -583,7 +583,7 @@ class Batch:
             kernel = _kernel(program, LaneSolver.LANES)
             return LaneSolver.evaluate(kernel, self.r, self.p, self.model.sampled, times, states)
         kernel = _kernel(program, 1)
-        out = np.empty((len(program.outputs), *states.shape[1:]))
+        out = np.empty((program.signature.num_outputs, *states.shape[1:]))
         for k, r in enumerate(self.r):
             inputs, x = self.inputs(k), np.ascontiguousarray(states[:, k].T)
             reached = np.isfinite(x).all(axis=1)

@@ -604,7 +604,7 @@ def _values(
             inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
             r[k * f : (k + 1) * f] = inputs.rows(states, times)
     flat, _ = interpret(program, t.ravel(), x.reshape(m * f, n), r, p)
-    blocks: dict[str, np.ndarray] = program.by_block(flat.reshape(m, f, -1))
+    blocks: dict[str, np.ndarray] = program.signature.by_block(flat.reshape(m, f, -1))
     return blocks
 
 
@@ -623,13 +623,13 @@ def _suspects(
     assert program is not None
     time_indices = DriftCheck.selected(states[:, complete[0]].T, projected=False)
     # A million residuals and derivatives are evaluated at a time.
-    number = max(1, 1_000_000 // (len(time_indices) * max(1, len(program.outputs))))
+    number = max(1, 1_000_000 // (len(time_indices) * max(1, program.signature.num_outputs)))
     suspects = [np.setdiff1d(valid, complete)]
     for start in range(0, len(complete), number):
         chunk = complete[start : start + number]
         x = np.ascontiguousarray(states[:, chunk][:, :, time_indices])
         out = batch.select(chunk).evaluate(program, times[time_indices], x)
-        blocks = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
+        blocks = program.signature.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
         suspect = DriftCheck.exceeds_six_digits(blocks["rows"], blocks["sizes"])
         if batch.model.options.step is None:
             suspect |= DriftCheck.nearly_loses_rank(blocks["products"])

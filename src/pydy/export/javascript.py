@@ -211,7 +211,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
     bound = "\n".join(f"  {name}_prepare(p, {name}_c);" for name in names)
     extras = "".join(
         f"\n  {name}: (t, x, r, out) => {name}(t, x, r, {name}_c, out),\n"
-        f"  {name}_size: {len(programs[name].outputs)}," for name in extra
+        f"  {name}_size: {programs[name].signature.num_outputs}," for name in extra
     )  # fmt: skip
     constants = _constants("ROUNDINGS", "HALVINGS")
     parts = {

@@ -172,7 +172,8 @@ def with_inputs(program: Program, columns: Sequence[int]) -> Program:
         ("r", new[a[1]]) if op == "input" and a[0] == "r" else a
         for op, a in zip(program.ops, program.args, strict=True)
     )
-    return replace(program, num_specifieds=len(columns), args=args)
+    signature = replace(program.signature, num_specifieds=len(columns))
+    return replace(program, signature=signature, args=args)
 
 
 # Words of C, C++, JavaScript and Python, macros of C's headers in small letters, and the names that

@@ -245,19 +245,18 @@ def with_safe_branches(program: Program) -> Program:
             new[node] = tape.make(op, *ends)
         else:
             stack += [k for k in needs if k not in new]
-    sizes = program.num_states, program.num_specifieds, program.num_constants
     blocks = [
         (b.name, b.shape, [new[n] for n in program.outputs[b.start : b.stop]])
-        for b in program.blocks
+        for b in program.signature.blocks
     ]
-    return Program.from_tape(tape, sizes, blocks)
+    return Program.from_tape(tape, program.signature.sizes, blocks)
 
 
 def python_function(program: Program, name: str, target: str) -> str:
     """Return the definition of a function of a module, for one of `DIALECTS`."""
     writer = Writer(program, DIALECTS[target])
     nodes = sorted(itertools.chain(*stages(program)))
-    shape = program.blocks[0].shape
+    shape = program.signature.blocks[0].shape
     return "\n".join(
         writer.filled(
             _FUNCTION[target],
@@ -266,7 +265,7 @@ def python_function(program: Program, name: str, target: str) -> str:
             name=name,
             purpose=_PURPOSES[name],
             shape="" if len(shape) == 1 else f", {shape}",
-            rows=shape[0] if len(shape) == 2 else len(program.outputs),
+            rows=shape[0] if len(shape) == 2 else program.signature.num_outputs,
             columns=shape[1] if len(shape) == 2 else 1,
         )
     )

@@ -52,7 +52,7 @@ class BlockFunction:
         self._code = problem.model.with_compiled_inputs(self._plan)
         self._check_unknowns()
         self._kernel = self._code.compiled(block)
-        self.shape: tuple[int, ...] = (len(self._kernel.program.outputs),)
+        self.shape: tuple[int, ...] = (self._kernel.program.signature.num_outputs,)
         self._products: dict[tuple[str, tuple[int, ...]], tuple[Kernel, list[ArgumentPart]]] = {}
 
     def _check_unknowns(self) -> None:
@@ -79,7 +79,7 @@ class BlockFunction:
         if not lead:
             return self._at(kernel, arrays, extra_inputs)
         if 0 in lead:
-            return np.empty((*lead, len(kernel.program.outputs)))
+            return np.empty((*lead, kernel.program.signature.num_outputs))
         flat = [array.reshape(-1, array.shape[-1]) for array in arrays]
         values = {part.group: array for part, array in zip(self.parts, flat, strict=True)}
         m, problem, part_of = len(flat[0]), self.problem, self._part_of
@@ -118,7 +118,7 @@ class BlockFunction:
                 r[list(self._part_of["r"].indices)] = arrays[self.parts.index(self._part_of["r"])]
         if extra_inputs is not None:
             r = np.concatenate([r, extra_inputs])
-        out = np.empty(len(kernel.program.outputs))
+        out = np.empty(kernel.program.signature.num_outputs)
         if kernel.at(x, t, r, p, out):
             raise self._code.singular(t, x)
         return out

@@ -70,7 +70,7 @@ class CompiledConstraints:
         Constraints already left out as redundant are not named. The values are the kernel's
         outputs in a state.
         """
-        blocks = self.kernel.program.by_block(values)
+        blocks = self.kernel.program.signature.by_block(values)
         gradient = blocks["gradient"].reshape(self.holonomic, self.coordinates)
         velocity = blocks["velocity_gradient"].reshape(self.velocity, self.speeds)
         dependent = _dependent(gradient) + _dependent(velocity)
@@ -107,7 +107,7 @@ class CompiledConstraints:
         in the norm of corrections and divided by their `longest` lengths along the motion; 1 if the
         rows are not finite. A combination of the named constraints vanishes where it is 0.
         """
-        blocks = self.kernel.program.by_block(values)
+        blocks = self.kernel.program.signature.by_block(values)
         rows = self._scaled(blocks, blocks["velocity_gradient"].reshape(self.velocity, self.speeds))
         if not np.isfinite(rows).all():
             return 1.0, []
@@ -124,7 +124,7 @@ class CompiledConstraints:
         The measure is the smallest singular value of the columns of these speeds, with rows of
         length one; 1 if there are none.
         """
-        blocks = self.kernel.program.by_block(values)
+        blocks = self.kernel.program.signature.by_block(values)
         rows = blocks["velocity_gradient"].reshape(self.velocity, self.speeds)
         lengths = np.linalg.norm(rows, axis=1)
         if not self.dependent_speeds or not np.isfinite(rows).all() or not lengths.all():

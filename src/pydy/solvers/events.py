@@ -183,8 +183,8 @@ class CompiledEvents:
             near = abs(time - t) <= ROUNDINGS * ROUNDING * abs(t)
             if samples.interpolation == "previous" and near:
                 jumps[time] = [*jumps.get(time, ()), (columns, samples)]
-        inputs = self.values.program.num_specifieds
-        state, r = x[: self.values.program.num_states], call.inputs_at(x, t)
+        n, inputs, _ = self.values.program.signature.sizes
+        state, r = x[:n], call.inputs_at(x, t)
         state_twice = np.stack([state, state])
         for time, jumping in jumps.items():
             rows = np.stack([r, r])

@@ -117,7 +117,7 @@ def _kernel(kernel: Kernel, negated: int | None = None) -> Kernel:
 
     A Kernel stores its reflections: caches that use their identity serve the next run too.
     """
-    count = kernel.program.blocks[-1].stop if negated is None else negated
+    count = kernel.program.signature.blocks[-1].stop if negated is None else negated
     reflections: dict[int, Kernel] = kernel.__dict__.setdefault("_reflections", {})
     if count not in reflections:
         reflections[count] = _rebuilt(kernel.program, kernel, count)
@@ -160,7 +160,7 @@ def _events(events: CompiledEvents) -> CompiledEvents:
                 "state before it does not follow from that after it. Leave the `reset` out, or let "
                 "`times` ascend."
             )
-    (rates, *_) = events.rates.program.blocks
+    (rates, *_) = events.rates.program.signature.blocks
     return replace(
         events,
         values=_kernel(events.values, 0),
@@ -185,8 +185,8 @@ def _event(kernel: Kernel) -> Kernel:
     It is called from Python alone.
     """
     program = kernel.program
-    first = program.num_specifieds // 2
-    blocks = [b for b in program.blocks if b.name in ("rate", "after_rates")]
+    first = program.signature.num_specifieds // 2
+    blocks = [b for b in program.signature.blocks if b.name in ("rate", "after_rates")]
     odd = [k for b in blocks for k in range(b.start, b.stop)]
 
     def sweep(

@@ -91,10 +91,10 @@ class CompiledSensitivities:
         """
         n, (kernel, changed), table = self.states, self.events(event), self.table(augmented)
         r, program = call.inputs_at(augmented, t), kernel.program
-        s = program.num_specifieds // 2
+        s = program.signature.num_specifieds // 2
         inputs = np.concatenate([r[:s], call.slopes_at(t)[:s]])
         out = kernel.evaluate(np.array([t]), augmented[None, :n], inputs[None], call.p)[0][0]
-        blocks = program.by_block(out)
+        blocks = program.signature.by_block(out)
         rate, curvature = float(blocks["rate"][0]), float(blocks["curvature"][0])
         with np.errstate(all="ignore"):
             time = -self._by_parameters(blocks["crossing"][None], table, r)[0] / rate

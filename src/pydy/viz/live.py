@@ -163,13 +163,13 @@ class Witness:
         sizes = or_one(np.abs(motion.states).max(axis=0))
         for _ in range(_SAMPLES):
             x = motion.states[0] + sizes * generator.uniform(-1, 1, len(sizes))
-            r = generator.uniform(-1, 1, (1, program.num_specifieds))
+            r = generator.uniform(-1, 1, (1, program.signature.num_specifieds))
             p = motion.constants.copy()
             p[varied] = np.where(p[varied], p[varied], 1.0) * generator.uniform(
                 0.7, 1.3, len(varied)
             )
             out, _ = run(program, generator.uniform(0, 1, 1), x[None], r, p)
-            blocks = program.by_block(out[0])
+            blocks = program.signature.by_block(out[0])
             rotations.append(blocks["rotations"])
             positions.append(blocks["positions"])
         self._rotations = {f: np.stack([a[k] for a in rotations])

@@ -97,7 +97,7 @@ def compute_placement(geometry: Geometry, motion: SceneMotion) -> Placement:
     program = pose_program(geometry, motion.names)
     numbers = (motion.times, motion.states, motion.specifieds, motion.constants)
     out, _ = compile_program(program, "llvm", {}).evaluate(*numbers)
-    blocks = program.by_block(out)
+    blocks = program.signature.by_block(out)
     rotations, positions = blocks["rotations"], blocks["positions"]
     return Placement(
         {f: rotations[:, k] for k, f in enumerate(geometry.frames)},

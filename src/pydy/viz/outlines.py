@@ -126,7 +126,7 @@ class _Numbers:
         times = np.tile(rng.uniform(0.3, 1.2, _SAMPLES), 2)
         with np.errstate(all="ignore"):
             out, _ = run(program, times, states, inputs, np.array([*constants.values()]))
-        blocks = program.by_block(out)
+        blocks = program.signature.by_block(out)
         self.turns = {f: blocks["rotations"][:, k] for k, f in enumerate(self.frames)}
         self._vectors = {k: blocks["vectors"][:, n] for n, k in enumerate(self.vectors)}
         self._series = {k: blocks["series"][:, n] for n, k in enumerate(self.expressions)}

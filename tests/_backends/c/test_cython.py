@@ -66,7 +66,7 @@ def test_every_operation_agrees_with_the_interpreter(elementary, p):
 
 
 def test_arguments_that_are_no_float_arrays_are_left_to_the_caller(elementary):
-    out = np.empty(len(elementary.program.outputs))
+    out = np.empty(elementary.program.signature.num_outputs)
     assert elementary.call([0.1, 0.2], 0.0, np.zeros(2), np.zeros(2), out) == -1
 
 

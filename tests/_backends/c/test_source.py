@@ -37,7 +37,7 @@ def evaluate(library, prefix, program, t, x, r, p):
         return np.asarray(values, dtype=float).ctypes.data_as(ctypes.c_void_p)
 
     carried = np.empty(len(program.carried))
-    out = np.empty(len(program.outputs))
+    out = np.empty(program.signature.num_outputs)
     getattr(library, f"{prefix}prepare")(pointer(p), pointer(carried))
     kernel = getattr(library, f"{prefix}kernel")
     kernel.restype = ctypes.c_int32

@@ -103,12 +103,12 @@ def samples(name, m, seed=0):
     """m generic states (t, x, r, p) of a Program."""
     program = PROGRAMS[name]()
     rng = np.random.default_rng(seed)
-    x = rng.uniform(-2.0, 2.0, (m, program.num_states))
+    x = rng.uniform(-2.0, 2.0, (m, program.signature.num_states))
     if name in SOLVES:
         root = rng.normal(size=(m, 3, 3))
         x[:, :9] = (root @ root.transpose(0, 2, 1) + 0.1 * np.eye(3)).reshape(m, 9)
-    p = rng.uniform(0.5, 2.0, program.num_constants)
-    return rng.uniform(0.0, 3.0, m), x, np.empty((1, program.num_specifieds)), p
+    p = rng.uniform(0.5, 2.0, program.signature.num_constants)
+    return rng.uniform(0.0, 3.0, m), x, np.empty((1, program.signature.num_specifieds)), p
 
 
 def same(actual, expected, ulps):
@@ -192,7 +192,7 @@ def test_the_number_of_samples_need_not_be_a_multiple_of_the_lanes(lanes, name):
     whole, _ = kernel.evaluate(t, x, r, p)
     for m in range(2 * lanes + 1):
         out, failed = kernel.evaluate(t[:m], np.ascontiguousarray(x[:m]), r, p)
-        assert out.shape == (m, len(kernel.program.outputs))
+        assert out.shape == (m, kernel.program.signature.num_outputs)
         assert failed.shape == (m,)
         np.testing.assert_array_equal(out, whole[:m])
 
@@ -327,7 +327,7 @@ def native(kernel, x, t=0.0, p=(), shift=0):
 
     constants, c = place(np.repeat(p, lanes)), place(np.zeros(kernel.size_of_c * lanes))
     prepare(constants.ctypes.data, c.ctypes.data)
-    out = place(np.zeros(len(program.outputs) * lanes))
+    out = place(np.zeros(program.signature.num_outputs * lanes))
     arrays = [place([t] * lanes), place(x.T), place([]), c, out]
     status = signature(int(kernel.addresses[0]))(*(a.ctypes.data for a in arrays))
     return status, out.reshape(-1, lanes).T
@@ -485,8 +485,11 @@ def test_a_number_of_lanes_that_is_not_a_power_of_two_is_refused(lanes):
 @every_width
 def test_slots_beyond_what_a_small_stack_holds_come_from_the_heap(monkeypatch, lanes):
     program = solve_program(6, "lu")
-    x = np.random.default_rng(3).uniform(0.5, 1.5, (5, program.num_states))
-    nothing = np.zeros((1, program.num_specifieds)), np.zeros(program.num_constants)
+    x = np.random.default_rng(3).uniform(0.5, 1.5, (5, program.signature.num_states))
+    nothing = (
+        np.zeros((1, program.signature.num_specifieds)),
+        np.zeros(program.signature.num_constants),
+    )
     wanted, _ = LLVMBackend(lanes=lanes).compile(program).evaluate(np.zeros(5), x, *nothing)
     monkeypatch.setattr(ir, "STACK_BYTES", 0)
     monkeypatch.setenv("PYDY_CACHE_DIR", "off")

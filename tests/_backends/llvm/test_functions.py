@@ -84,9 +84,9 @@ def sample(kernel, m=50):
     program = kernel.program
     return (
         rng.uniform(0.0, 1.0, m),
-        rng.uniform(-1.0, 1.0, (m, program.num_states)),
-        rng.uniform(-1.0, 1.0, (m, program.num_specifieds)),
-        rng.uniform(0.5, 1.5, program.num_constants),
+        rng.uniform(-1.0, 1.0, (m, program.signature.num_states)),
+        rng.uniform(-1.0, 1.0, (m, program.signature.num_specifieds)),
+        rng.uniform(0.5, 1.5, program.signature.num_constants),
     )
 
 
@@ -153,7 +153,7 @@ def test_derivatives_bring_the_code_with_fallbacks_and_its_constants(
     tangent = made_by(system.model.assembly)
     kernel = LLVMBackend().compile(tangent)
     t, x, r, p = sample(kernel, 3)
-    x, one = x / 4 + 0.3, np.empty(len(kernel.program.outputs))
+    x, one = x / 4 + 0.3, np.empty(kernel.program.signature.num_outputs)
     p[:] = [*system.constants.values()]
     first, failed = kernel.evaluate(t, x, r, p)
     assert not failed.any()

@@ -72,7 +72,7 @@ def test_samples_that_fail_are_reported_and_the_others_are_not_disturbed(lanes, 
     # Two unknowns are few enough for the loop over blocks, eight are not.
     program = solve_program(size, "ldl")
     rng = np.random.default_rng(size)
-    x = rng.normal(size=(61, program.num_states))
+    x = rng.normal(size=(61, program.signature.num_states))
     for k, row in enumerate(x):
         a = row[: size * size].reshape(size, size)
         a[:] = a @ a.T + np.eye(size)

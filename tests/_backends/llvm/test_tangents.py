@@ -224,7 +224,9 @@ def test_columns_beside_states_are_those_of_one_program_in_any_lanes(name, count
     found, failed = kernel.evaluate(t, x, r, p)
     assert not failed.any()
     np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
-    assert len(kernel.program.outputs) == kernel.program.num_states == columns.size
+    assert (
+        kernel.program.signature.num_outputs == kernel.program.signature.num_states == columns.size
+    )
     out = np.empty(columns.size)
     assert kernel.at(x[0], t[0], r[0], p, out) == 0
     np.testing.assert_array_equal(out, found[0])

@@ -87,9 +87,9 @@ def bicycle():
 def test_lanes_in_turns_give_the_bits_of_one_lane(bicycle, order, several):
     rng = np.random.default_rng(2)
     m = 19
-    x = np.asarray(rng.uniform(0.2, 0.9, (m, bicycle.num_states)), order=order)
-    r = rng.uniform(-1.0, 1.0, (m if several else 1, bicycle.num_specifieds))
-    t, p = rng.uniform(0.0, 1.0, m), rng.uniform(0.5, 1.5, bicycle.num_constants)
+    x = np.asarray(rng.uniform(0.2, 0.9, (m, bicycle.signature.num_states)), order=order)
+    r = rng.uniform(-1.0, 1.0, (m if several else 1, bicycle.signature.num_specifieds))
+    t, p = rng.uniform(0.0, 1.0, m), rng.uniform(0.5, 1.5, bicycle.signature.num_constants)
     expected, _ = LLVMBackend().compile(bicycle).evaluate(t, np.ascontiguousarray(x), r, p)
     assert np.isfinite(expected).all()
     for lanes, width in [(8, 8), (8, 4), (8, 2), (4, 2)]:
@@ -142,9 +142,9 @@ def say(what, values):
 for name in ("bicycle", "pendulum-1", "rods-3"):
     program = assembly_of(frozen.read(name)).program("rates")
     rng = np.random.default_rng(1)
-    x, t = rng.uniform(0.2, 0.9, (19, program.num_states)), rng.uniform(0.3, 2.0, 19)
-    r = rng.uniform(-1.0, 1.0, (19, program.num_specifieds))
-    p = rng.uniform(0.5, 1.5, program.num_constants)
+    x, t = rng.uniform(0.2, 0.9, (19, program.signature.num_states)), rng.uniform(0.3, 2.0, 19)
+    r = rng.uniform(-1.0, 1.0, (19, program.signature.num_specifieds))
+    p = rng.uniform(0.5, 1.5, program.signature.num_constants)
     for lanes in (1, 8):
         say(f"{name} {lanes}", LLVMBackend(lanes=lanes).compile(program).evaluate(t, x, r, p)[0])
 for name in ("disc",):

@@ -138,7 +138,7 @@ def c_source(program: Program, *, prefix: str = "", static: bool = False) -> str
                        double *out);
 
     `prepare` computes from the constants p what all calls share, ``len(program.carried)`` numbers.
-    `kernel` writes ``len(program.outputs)`` numbers, the blocks of the Program one after the other,
+    `kernel` writes the flat output, the blocks of the Program's signature one after the other,
     and returns 1 where a linear solve met a singular matrix, whose solution is then NaN, else 0.
     Both names begin with `prefix`; `static` ones are visible in this file alone, which another one
     includes.

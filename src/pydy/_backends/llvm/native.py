@@ -121,8 +121,8 @@ def gates() -> _Gates:
 
 def _sizes(program: Program | Tangent, lanes: int) -> tuple[int, int, int, int, int]:
     """Return the numbers of states, specifieds, constants, carried values, and outputs."""
-    inputs = program.num_states, program.num_specifieds, program.num_constants
-    return *inputs, _size_of_c(program, lanes), len(program.outputs)
+    signature = program.signature
+    return *signature.sizes, _size_of_c(program, lanes), signature.num_outputs
 
 
 def _size_of_c(program: Program | Tangent, lanes: int) -> int:
@@ -215,7 +215,7 @@ def _make_call(
 ) -> Callable[..., int]:
     if lanes == 1 and _array_layout.FITS and not sysconfig.get_config_var("Py_GIL_DISABLED"):
         words = np.zeros(
-            _CALL_WORDS + program.num_constants + _size_of_c(program, 1), dtype=np.int64
+            _CALL_WORDS + program.signature.num_constants + _size_of_c(program, 1), dtype=np.int64
         )
         words[2:7] = _sizes(program, 1)
         functions.bind(words)

@@ -131,11 +131,11 @@ def _repeats(program: Program) -> bool:
     large = program.operation_count["run"].total() > LARGE
     # The time for this grows with the square of the number of results: 40 s instead of 4 s for the
     # 100 by 100 Jacobian of 50 masses.
-    return large and len(program.outputs) <= 2000 and _does_little(program)
+    return large and program.signature.num_outputs <= 2000 and _does_little(program)
 
 
 def _does_little(program: Program) -> bool:
-    return program.operation_count["run"].total() < SHORT * len(program.outputs)
+    return program.operation_count["run"].total() < SHORT * program.signature.num_outputs
 
 
 _ROUTINES: dict[tuple[str, int], jit.Code] = {}

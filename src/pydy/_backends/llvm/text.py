@@ -142,7 +142,7 @@ def _end_of_c(f: IrFunction, program: Program | Tangent, fallbacks: Fallbacks) -
         return
     complete = fallbacks is Fallbacks.ADDED
     if not complete:
-        with f.loop("0", str(program.num_constants)) as k:
+        with f.loop("0", str(program.signature.num_constants)) as k:
             position = f.let(f"add i64 {k}, {len(program.carried)}")
             f.store("double", f.load("double", "%p", k), "%c", position)
     f.store("double", literal(float(complete), 1), "%c", str(size_with_constants(program) - 1))
@@ -150,7 +150,7 @@ def _end_of_c(f: IrFunction, program: Program | Tangent, fallbacks: Fallbacks) -
 
 def size_with_constants(program: Program | Tangent) -> int:
     """Return the size of the array c of code whose fallbacks may be added."""
-    return len(program.carried) + program.num_constants + 1
+    return len(program.carried) + program.signature.num_constants + 1
 
 
 PREPARE = "ptr noalias readonly %p, ptr noalias %c"
@@ -261,7 +261,7 @@ def is_small(program: Program) -> bool:
 
 def _is_one_block(program: Program, lanes: int) -> bool:
     registers = target().registers
-    size = program.operation_count["run"].total() + len(program.outputs)
+    size = program.operation_count["run"].total() + program.signature.num_outputs
     return lanes == registers.widest and size <= registers.one_block_limit
 
 
@@ -319,9 +319,9 @@ def _in_lane_groups(program: Program, lanes: int, width: int) -> str:
     turns = range(0, lanes, width)
     v, setup_size = vector_type("double", width), len(program.carried)
     prepare = IrFunction("prepare", "void", PREPARE, "|nounwind")
-    p = prepare.slot(v, max(program.num_constants, 1))
+    p = prepare.slot(v, max(program.signature.num_constants, 1))
     for first in turns:
-        with prepare.loop("0", str(program.num_constants)) as i:
+        with prepare.loop("0", str(program.signature.num_constants)) as i:
             source = prepare.at("%p", prepare.let(f"mul i64 {i}, {lanes}"))
             value = prepare.load(v, prepare.at(source, str(first)))
             prepare.store(v, value, p, i)
@@ -449,7 +449,7 @@ class _TangentIr:
             prepare_text(program, width, "shared.", layout, self.fallbacks),
             stage_text(program, width, "shared", layout, self.fallbacks),
         ]
-        self.values = f.slot(f"<{lanes} x double>", max(len(program.outputs), 1))
+        self.values = f.slot(f"<{lanes} x double>", max(program.signature.num_outputs, 1))
         for lane in range(0, lanes, width):
             first, c = str(lane), str(lane * len(program.carried))
             inputs = [f.at(f"%{name}", first) for name in "txr"]
@@ -470,7 +470,7 @@ class _TangentIr:
             prepare_text(part.program, width, f"{name}.", layout, self.fallbacks),
             stage_text(part.program, width, name, layout, self.fallbacks),
         ]
-        after, begin = tangent.values * lanes, tangent.shared.num_states * lanes
+        after, begin = tangent.values * lanes, tangent.shared.signature.num_states * lanes
         starts = [*range(0, part.count, width if single else 1)]
         if single and not padded:
             starts[-1] = part.count - width
@@ -497,7 +497,7 @@ class _TangentIr:
 
     def _filled(self, x: str, part: Part, width: int) -> str:
         """Return seeds padded to a vector in each row."""
-        rows, columns = part.program.num_states, self.tangent.shape[1]
+        rows, columns = part.program.signature.num_states, self.tangent.shape[1]
         filled = self.kernel.slot(f"<{width} x double>", rows)
         self.kernel.do(self._memory("set.p0", filled, "i8 0", width * rows))
         self._copy(x, columns, filled, width, (rows, part.count))

@@ -75,7 +75,7 @@ class DiscreteAdjoint:
         stagewise: int,
     ) -> None:
         self.rates = rates
-        self.n = n = rates.kernel.program.num_states
+        self.n = n = rates.kernel.program.signature.num_states
         self.length = BLOCK * block_count(n)
         self.further, self.stagewise = further, stagewise
         self._tableau_columns = _tableau_columns(method, self.length)

@@ -30,7 +30,7 @@ def is_stationary(
     if rate == 0.0:
         return True
     total = 0.0
-    for i in np.flatnonzero(x[: events.rates.program.num_states]).tolist():
+    for i in np.flatnonzero(x[: events.rates.program.signature.num_states]).tolist():
         shifted = x.copy()
         shifted[i] += ROUNDINGS * ROUNDING * x[i]
         total += abs(float(call.evaluate(events.rates, shifted, t)[event]) - rate)

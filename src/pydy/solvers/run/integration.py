@@ -75,7 +75,7 @@ def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> in
     evaluation = 100 + len(call.kernel.program.ops)
     if method == IMPLICIT:
         # Ten Newton iterations, the Jacobian, and a real and a complex matrix to factorise.
-        n = call.kernel.program.num_states
+        n = call.kernel.program.signature.num_states
         return max(1, 2_000_000 // ((30 + n) * evaluation + 4 * n**3))
     return max(4, 100_000 // evaluation)  # twenty evaluations
 

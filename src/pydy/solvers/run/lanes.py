@@ -85,7 +85,7 @@ class LaneTasks:
 
     def add_constraints(self, compiled: CompiledConstraints, kernel: Kernel) -> None:
         """Project motions onto constraints; the `kernel` is the one compiled for lanes."""
-        n, (address_slot, c, prepared) = kernel.program.num_states, _bound(kernel)
+        n, (address_slot, c, prepared) = kernel.program.signature.num_states, _bound(kernel)
         self.constraints, self._scratch = constraints_for(
             compiled, "project_lanes", (address_slot, c), n, LANES
         )
@@ -379,7 +379,7 @@ class LaneSolver:
     ) -> np.ndarray:
         """Evaluate a Kernel for lanes along trajectories (n, m, times): (outputs, m, times)."""
         n, m, number = states.shape
-        out = np.empty((len(kernel.program.outputs), m, number))
+        out = np.empty((kernel.program.signature.num_outputs, m, number))
         if out.size:
             evaluation = Evaluation(
                 places=np.array([address(states), *(step // 8 for step in states.strides)]),
@@ -422,7 +422,7 @@ def _problem(
     switched: np.ndarray | None = None,
 ) -> LaneProblem:
     program, (address_slot, c, prepared) = kernel.program, _bound(kernel)
-    n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
+    n, s, k = program.signature.sizes
     tables, knots, cubics = sampled_input_tables(sampled)
     until = aligned_zeros(LANES)
     until[:] = np.inf
@@ -431,12 +431,10 @@ def _problem(
         jumps = merged_jumps([jumps, switched])
     switches = 0 if switched is None else len(switched)
     return LaneProblem(
-        words=np.array(
-            [address_slot, n, n, n - bounded, n, switches, n if bounded else 0, *inputs]
-        ),
+        words=np.array([address_slot, n, n, n - bounded, n, switches, n if bounded else 0, s, k]),
         clock=aligned_zeros(LANES),
-        r=aligned_zeros(LANES * max(1, program.num_specifieds)),
-        p=aligned_zeros(LANES * max(1, program.num_constants)),
+        r=aligned_zeros(LANES * max(1, s)),
+        p=aligned_zeros(LANES * max(1, k)),
         c=c,
         prepared=np.array([*prepared, *further_prepared]),
         tables=np.ascontiguousarray(tables[:, :3]),

@@ -135,7 +135,7 @@ def constraints_for(
         v - constraints.left_out[1],
     )
     words[at.SCRATCH] = address(table)
-    size = sum(b.stop - b.start for b in constraints.kernel.program.blocks)
+    size = constraints.kernel.program.signature.num_outputs
     values = aligned_zeros((size + projection_record_size(constraints, n)) * lanes)
     return Constraints(words, c, values), (scratch, table)
 
@@ -323,11 +323,9 @@ class Workspace:
     def _bind(self, f: Callable[..., ArrayLike], args: tuple[object, ...]) -> Problem:
         call, n = self.call, self.n
         if call is not None and call.inputs is None and call.kernel.addresses is not None:
-            if call.kernel.program.num_states != n:
-                raise ValueError(
-                    f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
-                    f"got {n}."
-                )
+            states = call.kernel.program.signature.num_states
+            if states != n:
+                raise ValueError(f"`x0` must have {states} values, one for each state, got {n}.")
             return problem_arrays(self._bind_native(call.kernel, call.p), n, call)
         label = "What `f(x, t)` returns, one derivative for each state of `x0`,"
 
@@ -348,8 +346,9 @@ class Workspace:
         if call.inputs is None and kernel.addresses is not None:
             bound = self._bind_native(kernel, call.p)
             return bound.address_slot, bound.c
-        outputs = sum(b.stop - b.start for b in kernel.program.blocks)
-        label = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
+        signature = kernel.program.signature
+        label = f"What the blocks {', '.join(b.name for b in signature.blocks)} give"
+        outputs = signature.num_outputs
         callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, label)
         return callback.address_slot, callback.c
 
@@ -443,7 +442,7 @@ class Workspace:
         ):
             assert self.call is not None
             bound = self._bind_native(bounds, self.call.p)
-            size, moving = bounds.program.num_specifieds, bounds.program.num_states
+            moving, size, _ = bounds.program.signature.sizes
             reacher, reach_c = [bound.address_slot, size - moving - 1, moving], bound.c
             reach = np.zeros(size + BLOCK)
         act, rates_c, resets_c = self._bind_event_actions(events)
