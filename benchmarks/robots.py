@@ -114,7 +114,7 @@ def terms(file: str, rng: np.random.Generator) -> tuple[dict[str, Any], dict[str
 def _operations(system: Any, what: Any) -> int:
     kernels = system.model._kernels
     if isinstance(what, tuple):
-        program = system.model.program(*what)
+        program = system.model.programs.of(*what)
     else:
         (program,) = (k.program for key, k in kernels.items() if key[0] == what)
     return int(sum(program.operation_count["run"].values()))

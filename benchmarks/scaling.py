@@ -132,7 +132,7 @@ def _two_processes(name: str, rounds: int) -> tuple[list[float], list[float]]:
 
 def _build_with_cache(name: str) -> float:
     """Return the seconds from SymPy expressions to machine code, as generated functions do it."""
-    from pydy._assembly.model import stored_program
+    from pydy._assembly.program_cache import stored_program
 
     model = frozen.read(name)
     equations = equations_of(model)

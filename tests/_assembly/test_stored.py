@@ -9,7 +9,7 @@ import sympy as sm
 
 import zoo
 from graphs import P, T, X, program_of
-from pydy._assembly import model
+from pydy._assembly import program_cache
 from pydy._assembly.system import Form, assemble_form
 from pydy._graph import passes
 from pydy._program.operations import OPERATIONS
@@ -90,7 +90,7 @@ def test_a_program_does_not_depend_on_which_others_were_made_before():
 def test_a_pass_of_somebody_else_is_never_passed_over(tmp_path, monkeypatch):
     """It may be another function today than when the Program was stored."""
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(model, "_WORTH_STORING", 0)
+    monkeypatch.setattr(program_cache, "_WORTH_STORING", 0)
     assembly = assemble_form(Form([X[0] * P[0]], [X[0]], [], P, [], T))
 
     def made():
@@ -102,11 +102,11 @@ def test_a_pass_of_somebody_else_is_never_passed_over(tmp_path, monkeypatch):
 
     calls = []
     for expected in (1, 1):  # found the second time
-        model.stored_program(assembly, "rates", made)
+        program_cache.stored_program(assembly, "rates", made)
         assert len(calls) == expected
     monkeypatch.setattr(passes, "ROUND", [*passes.ROUND, ("own", own)])
     for expected in (2, 3):
-        model.stored_program(assembly, "rates", made)
+        program_cache.stored_program(assembly, "rates", made)
         assert len(calls) == expected
 
 

@@ -183,7 +183,7 @@ def test_functions_are_made_again_in_another_process():
 
 
 def test_other_systems_are_cached_as_before():
-    from pydy._assembly.model import _as_shipped
+    from pydy._assembly.program_cache import _as_shipped
 
     generate_ode_function([V, sm.gamma(X + 2)], [X], [V], generator="lambdify")
     assert _as_shipped()

@@ -540,7 +540,7 @@ def operations(system, name):
 
 def test_forces_take_fewer_operations_than_accelerations():
     system = n_link_pendulum_on_cart(6)
-    forward = sum(system.model.program("rates").operation_count["run"].values())
+    forward = sum(system.model.programs.of("rates").operation_count["run"].values())
     system.inverse_dynamics()
     assert operations(system, "inverse dynamics") <= 0.65 * forward
 

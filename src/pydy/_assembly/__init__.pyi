@@ -6,13 +6,15 @@ from .definition import (
     Layout as Layout,
     lower_derivatives as lower_derivatives,
 )
-from .model import (
-    CompiledModel as CompiledModel,
+from .linear_solver import (
     resolve_solver as resolve_solver,
     solve_symbolically as solve_symbolically,
-    stored as stored,
-    stored_program as stored_program,
 )
+from .model import (
+    CompiledModel as CompiledModel,
+    singular_mass_matrix as singular_mass_matrix,
+)
+from .program_cache import stored as stored, stored_program as stored_program
 from .specifieds import (
     Plan as Plan,
     check_expressions as check_expressions,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._assembly import CompiledModel, Definition, stored_program
+from pydy._assembly import CompiledModel, Definition, singular_mass_matrix, stored_program
 from pydy._checks import describe
 from pydy._graph import (
     DerivativeRows,
@@ -244,7 +244,7 @@ class AugmentedSystem:
             state = np.ascontiguousarray(x, dtype=float)
             r = call.inputs_at(state, float(t))
             if kernel.at(state, float(t), r, p, out):
-                raise model.singular(float(t), state[:n])
+                raise singular_mass_matrix(model.layout, float(t), state[:n])
             return out
 
         f.native = lambda args: call  # type: ignore[attr-defined]

@@ -167,7 +167,8 @@ def _solve_coordinates(
 ) -> bool:
     """Solve the holonomic constraints for `coordinates` in place; return whether they are met."""
     model, definition, value = problem.code, problem.definition, partial(_at, problem)
-    bounded, size = model.compiled_bounded("holonomic"), len(coordinates)
+    size, programs = len(coordinates), model.programs
+    bounded = model.compiled_by(("holonomic", "bounded"), lambda: programs.bounded("holonomic"))
 
     def placed(z: np.ndarray) -> np.ndarray:
         state = x.copy()

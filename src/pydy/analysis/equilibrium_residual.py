@@ -228,7 +228,7 @@ class EquilibriumResidual:
             part = np.zeros(len(getattr(self.model.assembly, block)))
             for group, values in numbers.items():
                 if len(values):
-                    program = self.model.jacobian_program(block, group)
+                    program = self.model.programs.jacobian(block, group)
                     slopes = run(program, *arrays)[0].reshape(len(part), -1)
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)

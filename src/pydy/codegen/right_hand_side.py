@@ -14,7 +14,7 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._assembly import CompiledModel
+from pydy._assembly import CompiledModel, singular_mass_matrix
 from pydy._backends import refusal, resolve
 from pydy._checks import number, real_array, vector
 from pydy._forks import cached_property
@@ -303,7 +303,7 @@ class RightHandSide:
         if self.layout.specifieds:
             r = self.specifieds(r, x, t)
         if self.kernel.at(x, t, r, self.constants(p), out):
-            raise self.model.singular(t, x)
+            raise singular_mass_matrix(self.layout, t, x)
 
 
 def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
@@ -317,7 +317,7 @@ def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
         if call(x, t, r, p, out):
             x, t = _state(model, x), number(t, "`t`")
             if kernel.at(x, t, _specifieds(model, r), _constants(model, p), out):
-                raise model.singular(t, x)
+                raise singular_mass_matrix(model.layout, t, x)
         return out
 
     def f_with_functions(x: object, t: float, r: object, p: object) -> np.ndarray:

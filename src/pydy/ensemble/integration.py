@@ -128,8 +128,8 @@ def integrate_ensemble(
         ready.read, problem.model.code.latest["ensemble"] = read, ready
     source = motions or derivatives
     model = EnsembleModel(
-        rates=ready.code.program("rates"),
-        outputs=ready.code.program("outputs") if definition.outputs_symbols else None,
+        rates=ready.code.programs.of("rates"),
+        outputs=ready.code.programs.of("outputs") if definition.outputs_symbols else None,
         states=names.states,
         output_names=names.outputs,
         method=solver.name,
@@ -137,7 +137,9 @@ def integrate_ensemble(
         times=times,
         sampled=plan.inputs.sampled,
         functions=plan.inputs.functions,
-        jacobian=ready.code.jacobian_in_parts("rates", "x") if solver.name == "radau" else None,
+        jacobian=ready.code.programs.jacobian_in_parts("rates", "x")
+        if solver.name == "radau"
+        else None,
         sensitivities=derivatives,
         constraint_checks=constraints,
         motions=motions,
@@ -268,7 +270,7 @@ def ensemble_sensitivities(
         outputs=sensitive.written_out("outputs") if definition.outputs_symbols else None,
         start=sensitive.independent(),
         dependent=sensitive.dependent,
-        gradients=tuple(model.jacobian_program(block, "x") for block in tied),
+        gradients=tuple(model.programs.jacobian(block, "x") for block in tied),
         unknowns=tuple(sensitive.unknowns),
         residuals=sensitive.tangent("holonomic", "velocity") if tied else None,
         projected_residuals=sensitive.with_all_constraints.tangent("holonomic", "velocity")

@@ -7,6 +7,7 @@ from itertools import accumulate
 
 import numpy as np
 
+from pydy._assembly import singular_mass_matrix
 from pydy._checks import describe
 from pydy._graph import derivative_program
 from pydy._kernel import Kernel
@@ -120,7 +121,7 @@ class BlockFunction:
             r = np.concatenate([r, extra_inputs])
         out = np.empty(kernel.program.signature.num_outputs)
         if kernel.at(x, t, r, p, out):
-            raise self._code.singular(t, x)
+            raise singular_mass_matrix(self._code.layout, t, x)
         return out
 
     def value(self, *arrays: np.ndarray) -> np.ndarray:
