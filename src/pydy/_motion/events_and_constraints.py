@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -16,6 +16,7 @@ from pydy.solvers import (
     CompiledConstraints,
     CompiledEvents,
     Event,
+    EventTraits,
     Solver,
     StepOptions,
     Turn,
@@ -99,10 +100,6 @@ def compile_events(
 
     groups = [graph.inputs_of([node]) for node in nodes]
     slopes = _slopes(assembly, nodes)
-    linear = [
-        "r" not in inputs and graph.inputs_of(row.values()) <= {"p"}
-        for inputs, row in zip(groups, slopes, strict=True)
-    ]
 
     def resets() -> Program:
         fork, after = model.assembly.fork(), []
@@ -111,39 +108,47 @@ def compile_events(
             after += fork.read(state_after, f"`reset` of the event `{event.name}`")
         return fork.lowered({"resets": after}, {"resets": (len(events), len(states))})
 
-    resetting = tuple(bool(event.reset) for event in events)
-    turns = tuple(isinstance(event, Turn) for event in events)
-    sources = [k - turn for k, turn in enumerate(turns)]
+    redirects = _redirects(assembly, slopes, events, states)
+    traits = tuple(
+        EventTraits(
+            name=event.name,
+            direction=event.direction,
+            terminal=bool(event.terminal),
+            resets=bool(event.reset),
+            turns=isinstance(event, Turn),
+            constant=inputs <= {"p"},
+            linear="r" not in inputs and graph.inputs_of(row.values()) <= {"p"},
+            redirects=changes_rate,
+            may_rest=_may_rest(graph, event, node, inputs),
+        )
+        for event, node, inputs, row, changes_rate in zip(
+            events, nodes, groups, slopes, redirects, strict=True
+        )
+    )
+    sources = [k - event.turns for k, event in enumerate(traits)]
     far = event_reach(assembly, [nodes[k] for k in sources])
     key = ("resets of the events", *(tuple(event.reset.items()) for event in events))
     return CompiledEvents(
-        names=tuple(event.name for event in events),
-        directions=tuple(event.direction for event in events),
-        terminal=tuple(bool(event.terminal) for event in events),
-        constant=tuple(inputs <= {"p"} for inputs in groups),
-        linear=tuple(linear),
+        traits,
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
             ("rates and bounds of the events", *expressions),
             lambda: event_rates_program(model.assembly, expressions, bounds=True),
         ),
-        turns=turns,
         reach=None
         if far is None
         else model.compiled_by(("reach", *(expressions[k] for k in sources)), far),
-        resetting=resetting,
-        redirects=_redirects(assembly, slopes, events, states),
-        resets=model.compiled_by(key, resets) if any(resetting) else None,
+        resets=model.compiled_by(key, resets) if any(event.resets for event in traits) else None,
         sources=events,
-        may_rest=tuple(
-            not isinstance(event.expression, NodeExpression)  # contacts check their own events
-            and (
-                "r" in inputs
-                or any(graph.ops[n] in OPERATIONS.partly_constant for n in graph.reachable([node]))
-            )
-            for event, node, inputs in zip(events, nodes, groups, strict=True)
-        ),
     )
+
+
+def _may_rest(graph: Graph, event: Event, node: int, inputs: Collection[str]) -> bool:
+    """Return whether an event's expression may be zero all along a stretch."""
+    if isinstance(event.expression, NodeExpression):  # contacts check their own events
+        return False
+    reachable = graph.reachable([node])
+    return "r" in inputs or any(graph.ops[n] in OPERATIONS.partly_constant for n in reachable)
 
 
 def event_redirects(

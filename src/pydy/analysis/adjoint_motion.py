@@ -555,8 +555,7 @@ class MotionSegment:
             self._slope += float(self._adjoint @ self._rates(self.last, self.end))
         acting = []
         if events is not None and not self._followed:
-            acts = [a or b for a, b in zip(events.terminal, events.resetting, strict=True)]
-            acting = [r for r in self.records if acts[r.index]]
+            acting = [r for r in self.records if events.traits[r.index].acts]
         last, end = len(self.starts), self.last
         for record in reversed(acting):
             first = int(np.searchsorted(self.ends, record.time, side="right"))
@@ -564,7 +563,7 @@ class MotionSegment:
                 continue  # at the very start or end, where an event is recorded only
             self._steps_back(first, last, end)
             last, end = first, record.before
-            terminal = events.terminal[record.index]
+            terminal = events.traits[record.index].terminal
             self._jump(record, self._slope if terminal else 0.0)
             self._slope = 0.0 if terminal else self._slope
         self._steps_back(0, last, end)

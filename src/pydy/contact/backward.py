@@ -95,7 +95,7 @@ class RecordedTransitions(Transitions):
         self._moments = {
             r.index: recorded.moment(r, r.index in mode.untimed)[2]
             for r in recorded.records
-            if recorded.stopped and r.time == recorded.end and compiled.terminal[r.index]
+            if recorded.stopped and r.time == recorded.end and compiled.traits[r.index].terminal
         }
         self._latest = recorded, start, np.where(self.doubtful, np.nan, self.time)
         return recorded.motion(problem, solver, ready)

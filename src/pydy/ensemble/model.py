@@ -232,8 +232,8 @@ class EnsembleModel:
         native = all(k is None or k.functions is not None for k in kernels)
         # Python then handles resets.
         python = self.sampled or self.switches is not None or options.constraints is not None
-        acts = not (any(events.resetting) and python) and not any(events.turns)
-        return native and acts and not (self.sensitivities or any(events.constant))
+        acts = not any((e.resets and python) or e.turns or e.constant for e in events.traits)
+        return native and acts and not self.sensitivities
 
     @property
     def event_names(self) -> tuple[str, ...]:

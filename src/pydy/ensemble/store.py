@@ -142,7 +142,8 @@ def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     about_events = None
     if events is not None:
         kernels += [events.values, events.resets]
-        about_events = events.names, events.directions, events.terminal, events.resetting
+        names = ("name", "direction", "terminal", "resets")
+        about_events = tuple(tuple(getattr(e, n) for e in events.traits) for n in names)
     sensitivities, motions = model.sensitivities, model.motions
     programs = [model.rates, model.outputs, model.jacobian]
     programs += [] if sensitivities is None else sensitivities.programs

@@ -1,3 +1,4 @@
+from .compiled_events import CompiledEvents as CompiledEvents, EventTraits as EventTraits
 from .constraint_drift import (
     ConstraintResiduals as ConstraintResiduals,
     DriftCheck as DriftCheck,
@@ -8,7 +9,7 @@ from .core.declarations import (
     native_constants as native_constants,
     portable_sources as portable_sources,
 )
-from .events import CompiledEvents as CompiledEvents, Event as Event, Turn as Turn
+from .events import Event as Event, Turn as Turn
 from .options import (
     EventContinuation as EventContinuation,
     Options as Options,

@@ -11,8 +11,8 @@ import numpy as np
 from pydy._checks import flag, number, positive, shown, tolerance
 from pydy._names import nearest
 from pydy._option_checks import Check, checked, optional
+from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.events import CompiledEvents
 from pydy.solvers.sensitivities import CompiledSensitivities
 
 if TYPE_CHECKING:

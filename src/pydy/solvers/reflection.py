@@ -25,7 +25,7 @@ import numpy as np
 from pydy._checks import vector
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy.inputs import SampledInput
-from pydy.solvers.events import CompiledEvents
+from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.options import Options
 from pydy.solvers.sensitivities import CompiledSensitivities
 
@@ -153,12 +153,12 @@ def _no_gate(*args: object) -> int:
 
 
 def _events(events: CompiledEvents) -> CompiledEvents:
-    for name, resets in zip(events.names, events.resetting, strict=True):
-        if resets:
+    for event in events.traits:
+        if event.resets:
             raise ValueError(
-                f"`times` descend, but the event `{name}` has a reset, which cannot be undone: the "
-                "state before it does not follow from that after it. Leave the `reset` out, or let "
-                "`times` ascend."
+                f"`times` descend, but the event `{event.name}` has a reset, which cannot be "
+                "undone: the state before it does not follow from that after it. Leave the "
+                "`reset` out, or let `times` ascend."
             )
     (rates, *_) = events.rates.program.signature.blocks
     return replace(

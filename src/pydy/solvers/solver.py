@@ -326,7 +326,9 @@ class Prepared:
         events = self._integration.options.events
         run = self._integration
         if events is not None and (
-            any(events.may_rest) or run.departures_from_zero or run.inactive_at_start
+            any(event.may_rest for event in events.traits)
+            or run.departures_from_zero
+            or run.inactive_at_start
         ):
             for warning in run.event_warnings():
                 warn_user(warning)

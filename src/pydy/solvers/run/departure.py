@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from pydy._kernel import KernelCall
-from pydy.solvers.events import CompiledEvents
+from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.tuning import HALVINGS, ROUNDING, ROUNDINGS
 
 
@@ -49,7 +49,7 @@ def departure(
     if not is_stationary(call, events, event, x, t):
         rate = float(call.evaluate(events.rates, x, t)[event])
         return int(np.sign(rate)) if np.isfinite(rate) else 0
-    side, k, size = 0, len(events.names), span
+    side, k, size = 0, len(events.traits), span
     with np.errstate(all="ignore"):
         for _ in range(HALVINGS):
             size *= 0.5

@@ -30,8 +30,8 @@ from pydy._kernel import Kernel, KernelCall
 from pydy._names import few, numbers_of
 from pydy._optional import bar_of
 from pydy.solvers import layout as at
+from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.events import CompiledEvents
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import Outcome
 from pydy.solvers.reflection import reflected, reversed_times
@@ -262,7 +262,7 @@ class Integration(Workspace):
                     code == Outcome.EVENTS_ACCUMULATE
                     and (events := self.options.events) is not None
                 ):
-                    self._end(code, event=events.names[self.watch.fired.argmax()])
+                    self._end(code, event=events.traits[self.watch.fired.argmax()].name)
                     return self._undo_repetition_at_end()
                 elif code == at.LOG_FULL:
                     self._empty_log()
@@ -320,9 +320,9 @@ class Integration(Workspace):
             self._project(self.memory.x, self.options.constraints, Outcome.START_OFF_CONSTRAINTS)
         if self.options.events is not None:
             events = self.options.events
-            for name, constant in zip(events.names, events.constant, strict=True):
-                if constant:
-                    self._stop(Outcome.EVENT_CONSTANT, event=name)
+            for event in events.traits:
+                if event.constant:
+                    self._stop(Outcome.EVENT_CONSTANT, event=event.name)
             return self._handle_events_at_start(events)
         return False
 
@@ -412,7 +412,8 @@ class Integration(Workspace):
                 continuation.handled is None or k in continuation.handled
             ):
                 continue
-            side, direction = departure(call, events, k, x, t, self.span), events.directions[k]
+            side = departure(call, events, k, x, t, self.span)
+            direction = events.traits[k].direction
             sides[k] = side
             if not happens_at_start(side, direction):
                 continue
@@ -457,7 +458,7 @@ class Integration(Workspace):
             return
         recorded = {r.index for r in self.records if r.time == self._reported(t)}
         for k, side in enumerate(sides.tolist()):
-            wrong = events.directions[k] == side
+            wrong = events.traits[k].direction == side
             self.watch.fired[k] = side != 0 and reaches[k] and not wrong and k not in recorded
         if self.watch.fired.any():
             self._act()
@@ -475,16 +476,16 @@ class Integration(Workspace):
         forcing_times = {k: events.forcing_time(call, k, before, t) for k in fired}
         zero = set(fired)
         for k in fired:
-            after, n = before, self.states
-            if events.resetting[k] and events.resets is not None:
+            after, n, event = before, self.states, events.traits[k]
+            if event.resets and events.resets is not None:
                 after = call.evaluate(events.resets, before, t)[k * n : (k + 1) * n]
             if not np.isfinite(after).all():
-                self._stop(Outcome.RESET_NOT_FINITE, event=events.names[k], state=after[:n])
+                self._stop(Outcome.RESET_NOT_FINITE, event=event.name, state=after[:n])
             following = np.concatenate([after[:n], before[n:]])
-            if events.resetting[k] and (constraints := self.options.constraints) is not None:
+            if event.resets and (constraints := self.options.constraints) is not None:
                 outcome = Outcome.RESET_OFF_CONSTRAINTS
-                self._project(following, constraints, outcome, event=events.names[k])
-            if events.resetting[k]:
+                self._project(following, constraints, outcome, event=event.name)
+            if event.resets:
                 zero -= self._moved_off_zero(before, after[:n], following)
                 self._note_departures_from_zero(k, fired, before, following, t)
             self.records.append(self._record(t, k, before, following, acting=True))
@@ -494,27 +495,27 @@ class Integration(Workspace):
                 sensitivities.table(before)[:] = columns
         self.memory.x[: self.n] = before
         forced = {k: m for k, m in forcing_times.items() if m is not None}
-        if any(events.terminal[k] for k in fired):
+        if terminal := [events.traits[k].name for k in fired if events.traits[k].terminal]:
             self._take_sides(zero, forced)  # a continued motion starts with them
-            last = next(events.names[k] for k in fired if events.terminal[k])
-            self._end(Outcome.TERMINATED, event=last)
+            self._end(Outcome.TERMINATED, event=terminal[0])
             return True
         origins = self.watch.sides.copy()
         had_sign = origins != 0
         had_sign[list(fired)] = False
         values = self._take_sides(zero, forced)
         for undefined in np.flatnonzero(had_sign & np.isnan(values)):
-            self._stop(Outcome.EVENT_UNDEFINED, event=events.names[undefined])
+            self._stop(Outcome.EVENT_UNDEFINED, event=events.traits[undefined].name)
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
-            if k in zero and events.redirects[k] and is_stationary(call, events, k, before, t):
+            event = events.traits[k]
+            if k in zero and event.redirects and is_stationary(call, events, k, before, t):
                 side = departure(call, events, k, before, t, self.span)
-                if follows_itself(side, int(origins[k]), events.directions[k]):
-                    self._end(Outcome.EVENTS_ACCUMULATE, event=events.names[k])
+                if follows_itself(side, int(origins[k]), event.direction):
+                    self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                     return True
                 self.watch.sides[k] = side
             if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
-                self._end(Outcome.EVENTS_ACCUMULATE, event=events.names[k])
+                self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                 return True
         return False
 
@@ -584,17 +585,18 @@ class Integration(Workspace):
         )
         stayed = (values == old) & (np.abs(values) <= 8.0 * ROUNDING * bounds)
         changed = (rates != 0.0) & (np.sign(old_rates) != np.sign(rates))
-        in_direction = np.sign(rates) * np.array(events.directions) >= 0.0
+        in_direction = np.sign(rates) * [event.direction for event in events.traits] >= 0.0
         departs = stayed & changed & in_direction & (self.watch.acting == 1)
         for k in np.flatnonzero(departs).tolist():
             if k not in fired:
                 side = "above" if rates[k] > 0.0 else "below"
+                other, name = events.traits[k].name, events.traits[event].name
                 self.departures_from_zero.setdefault(
                     (event, k),
-                    f"At t = {t:.6g} the expression of the event `{events.names[k]}` was zero when "
-                    f"the reset of `{events.names[event]}` sent it {side}: that is no change of "
-                    "sign, so this event did nothing there. If bodies touch, let them start with "
-                    "a small gap, do both in one reset, or use `pydy.contact.Contacts`.",
+                    f"At t = {t:.6g} the expression of the event `{other}` was zero when the reset "
+                    f"of `{name}` sent it {side}: that is no change of sign, so this event did "
+                    "nothing there. If bodies touch, let them start with a small gap, do both in "
+                    "one reset, or use `pydy.contact.Contacts`.",
                 )
 
     def event_warnings(self) -> list[str]:
@@ -608,9 +610,10 @@ class Integration(Workspace):
             intervals = reversed_times(intervals.reshape(-1, 2)[:, ::-1].ravel())
         recurring = {r.index for r in self.records if r.time != start}
         unused = [
-            f"The motion starts exactly on the surface of the event `{events.names[k]}` and does "
-            "not come back to it: as the event has `direction=0`, the start counts as the state "
-            "after it, and nothing was done. Pass the `direction` in which it happens, 1 or −1."
+            "The motion starts exactly on the surface of the event "
+            f"`{events.traits[k].name}` and does not come back to it: as the event has "
+            "`direction=0`, the start counts as the state after it, and nothing was done. Pass the "
+            "`direction` in which it happens, 1 or −1."
             for k in self.inactive_at_start
             if k not in recurring
         ]
@@ -633,7 +636,7 @@ class Integration(Workspace):
         """Return the record of an event, given the states with their sensitivities."""
         events, sensitivities, n = self.options.events, self.options.sensitivities, self.states
         assert events is not None
-        states, name = (before[:n].copy(), after[:n].copy()), events.names[event]
+        states, name = (before[:n].copy(), after[:n].copy()), events.traits[event].name
         record = EventRecord(self._reported(t), name, event, *states)
         # Sensitivities that are not recorded only control the steps.
         if sensitivities is None or self.options.recorded is not None:
@@ -646,7 +649,7 @@ class Integration(Workspace):
         if value is not None or not jump.depth > jump.error:
             acting = acting and event not in sensitivities.untimed
             if acting and value is not None:
-                self._stop(Outcome.EVENT_JUMPS, event=events.names[event], value=value)
+                self._stop(Outcome.EVENT_JUMPS, event=name, value=value)
             if acting:
                 self._stop(
                     Outcome.EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
@@ -656,7 +659,7 @@ class Integration(Workspace):
         table = sensitivities.table(before).copy()
         after_columns = jump.after if acting else table
         constraints = self.options.constraints
-        if acting and events.resetting[event] and constraints is not None:
+        if acting and events.traits[event].resets and constraints is not None:
             # States that the reset omits follow from the constraints; so do their derivatives.
             augmented = np.concatenate([after[:n], after_columns.ravel()])
             self._project(augmented, constraints, Outcome.RESET_OFF_CONSTRAINTS, event=name)
@@ -733,7 +736,7 @@ class Integration(Workspace):
         if not np.isfinite(self._x0).all():
             raise ValueError(f"`x0` must be finite, got {self._x0}.")
         if code == Outcome.EVENT_UNDEFINED and (events := self.options.events) is not None:
-            self._stop(code, event=events.names[self.watch.fired.argmax()])
+            self._stop(code, event=events.traits[self.watch.fired.argmax()].name)
         step = float(self.progress.state[at.SIZE])
         if code == Outcome.STEP_UNDERFLOW:
             code = int(self.progress.counts[at.FAILURE])

@@ -165,7 +165,7 @@ class _EventTasks(LaneTasks):
 
     def _watch(self, workspace: Workspace) -> LaneWatch:
         single, m, n = workspace.watch, len(self.projection_record), workspace.n
-        number, words = len(self._events.names), np.append(single.words, 0)
+        number, words = len(self._events.traits), np.append(single.words, 0)
         words[at.WATCHER], c, self.prepared = _bound(self._kernels[0])
         reach_c = np.zeros(0)
         if self._reach is not None:
@@ -207,7 +207,7 @@ class _EventTasks(LaneTasks):
         on = on_surface(values, bounds)
         signed = np.where(on, rates, values)
         self.watch.began[:] = sides = np.sign(np.where(np.isfinite(signed), signed, 0.0))
-        directions = np.array(self._events.directions)
+        directions = np.array([event.direction for event in self._events.traits])
         self._zero = on & ((directions == 0) | (directions == sides))
         # Where an event acts, or the rate is zero, the solver of single trajectories is needed.
         acts = self._zero & (np.array(self._workspace.watch.acting) == 1)
@@ -249,7 +249,8 @@ class _EventTasks(LaneTasks):
         reaches = ((values == 0.0) & ~(signed_rates > 0.0)) | (
             (signed_rates < 0.0) & (signed_values >= 0.0) & (signed_values <= near)
         )
-        fired = reaches & (sides != 0) & (sides != np.array(self._events.directions))
+        directions = np.array([event.direction for event in self._events.traits])
+        fired = reaches & (sides != 0) & (sides != directions)
         done = super().ended(status, states) & ~fired.any(axis=1)
         return np.asarray(
             done | (status == Outcome.TERMINATED) | (status == Outcome.EVENTS_ACCUMULATE)

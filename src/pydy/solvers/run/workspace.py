@@ -14,8 +14,8 @@ from pydy._array_layout import address
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
+from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.events import CompiledEvents
 from pydy.solvers.layout import (
     Beginning,
     Constraints,
@@ -412,27 +412,18 @@ class Workspace:
         events = self.options.events
         if events is None:
             return _NO_EVENTS
-        number = len(events.names)
+        number = len(events.traits)
         address_slot, c = self._bind_kernel(events.values)
-        stops = zip(events.terminal, events.resetting, strict=True)
-        acting = [end or resets for end, resets in stops]
         rows = 256 + number if number else 0  # between two returns to Python
         # Events do not shorten steps of fixed size.
         fixed = self.options.step is not None
         kinds = [
-            at.LINEAR * (linear or fixed)
-            + at.TURNS * turns
-            + at.RESETS * (resets and not ends)
-            + at.STOPS * (ends and not resets)
-            + at.REDIRECTS * redirects
-            for linear, turns, resets, ends, redirects in zip(
-                events.linear,
-                events.turns,
-                events.resetting,
-                events.terminal,
-                events.redirects,
-                strict=True,
-            )
+            at.LINEAR * (event.linear or fixed)
+            + at.TURNS * event.turns
+            + at.RESETS * (event.resets and not event.terminal)
+            + at.STOPS * (event.terminal and not event.resets)
+            + at.REDIRECTS * event.redirects
+            for event in events.traits
         ]
         reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
         if (
@@ -451,8 +442,8 @@ class Workspace:
                 [address_slot, number, shipped.address_of("scan_events"), *reacher, *act]
             ),
             c=c,
-            directions=np.array(events.directions, dtype=np.int64),
-            acting=np.array(acting, dtype=np.int64),
+            directions=np.array([event.direction for event in events.traits], dtype=np.int64),
+            acting=np.array([event.acts for event in events.traits], dtype=np.int64),
             kinds=np.array(kinds, dtype=np.int64),
             reach=reach,
             reach_c=reach_c,
