@@ -1,11 +1,12 @@
-"""Tables of options: the check that each option's value has to pass."""
+"""Options of solvers and formats: their names, and the check that each value has to pass."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from pydy._checks import choice
+from pydy._names import nearest
 
 # Called with a value and its name for messages; returns the converted value.
 Check = Callable[[Any, str], Any]
@@ -27,3 +28,25 @@ def one_of(*options: Any) -> Check:
 def optional(check: Check) -> Check:
     """Return a check that lets None pass."""
     return lambda value, label: None if value is None else check(value, label)
+
+
+# Pairs of names for one option: native solvers and `solve_ivp`, then `odeint`.
+_SAME = (
+    *(("max_step", "hmax"), ("first_step", "h0"), ("min_step", "hmin"), ("max_steps", "mxstep")),
+    *(("jac", "Dfun"), ("lband", "ml"), ("uband", "mu")),
+    # The largest step of methods with fixed step size.
+    *(("max_step", "step"), ("hmax", "step")),
+)
+
+
+def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, object]) -> None:
+    """Refuse an option that a solver does not have, and suggest the nearest one."""
+    names = sorted({*names} - {"continuation"} if "continuation" not in options else names)
+    unknown = [name for name in options if name not in names]
+    if unknown:
+        alike = [name for pair in _SAME if unknown[0] in pair for name in pair if name in names]
+        hint = f"It is called `{alike[0]}` there." if alike else ""
+        raise TypeError(
+            f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
+            f"{hint or nearest(unknown[0], names, or_all=False)}".rstrip()
+        )

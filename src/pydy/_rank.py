@@ -18,6 +18,9 @@ ROUNDED = 2.0**-42
 A value results from some hundred operations, each of which adds at most one rounding.
 """
 
+ROUNDINGS = 8.0
+"""The largest residual of a constraint that is satisfied, in units of its rounding bound."""
+
 OF_FEW = 100 * ROUNDING
 """The same for a sum of a few numbers, such as a row without variables."""
 
@@ -49,6 +52,15 @@ _SWEEPS, _EXACT = 8, 30
 def is_zero(value: np.ndarray | float, bound: np.ndarray | float) -> np.ndarray:
     """Return whether values are within the rounding error of terms as large as `bound`."""
     return np.abs(value) <= ROUNDED * np.abs(bound)  # NaN is not
+
+
+def within_rounding(residuals: np.ndarray, bounds: np.ndarray) -> bool:
+    """Return whether residuals are within their rounding errors.
+
+    The bounds on their rounding errors are in units of 2⁻⁵²; see `pydy._graph.rounding`.
+    """
+    allowed = ROUNDINGS * ROUNDING * bounds + np.finfo(float).tiny  # an underflow is no error
+    return bool((np.abs(residuals) <= allowed).all())
 
 
 def or_one(sizes: np.ndarray) -> np.ndarray:

@@ -15,6 +15,7 @@ from pydy.solvers import (
     SOLVERS,
     CompiledConstraints,
     CompiledEvents,
+    ConstraintSizes,
     Event,
     EventTraits,
     Solver,
@@ -233,10 +234,12 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     moved = assembly.graph.inputs_of([*assembly.holonomic, *assembly.velocity])
     return CompiledConstraints(
         kernel=kernel,
-        holonomic=len(assembly.holonomic),
-        velocity=len(assembly.velocity),
-        coordinates=len(equations.coordinates),
-        speeds=len(equations.speeds),
+        sizes=ConstraintSizes(
+            holonomic=len(assembly.holonomic),
+            velocity=len(assembly.velocity),
+            coordinates=len(equations.coordinates),
+            speeds=len(equations.speeds),
+        ),
         dependent_speeds=equations.dependents.speed_columns,
         weighted=weighted,
         judged="r" not in moved and ("t" in moved or bool(equations.constraints.residuals.columns)),

@@ -18,6 +18,7 @@ from pydy._motion.events_and_constraints import (
 )
 from pydy._motion.scipy_options import named_for_odeint
 from pydy._motion.scipy_solvers import SolveIvp, is_odeint, odeint_options
+from pydy._option_checks import check_option_names
 from pydy._problem import AssumptionChecks, CallArguments, Model, Problem
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
@@ -26,7 +27,6 @@ from pydy.solvers import (
     Options,
     Prepared,
     Solver,
-    check_option_names,
 )
 
 if TYPE_CHECKING:

@@ -19,7 +19,8 @@ from pydy._checks import descends, listed, monotonic, shown
 from pydy._errors import IntegrationError
 from pydy._motion.scipy_options import check_scipy_options
 from pydy._names import nearest, numbers_of, unique_names
-from pydy.solvers import SOLVERS, Outcome, Solver, check_option_names
+from pydy._option_checks import check_option_names
+from pydy.solvers import SOLVERS, Outcome, Solver
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:

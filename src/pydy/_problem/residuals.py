@@ -13,7 +13,7 @@ from pydy._assembly import Assembly
 from pydy._checks import describe
 from pydy._graph import jacobian, rounding_bounds
 from pydy._problem.state_samples import StateSamples
-from pydy.solvers import CompiledConstraints
+from pydy._rank import within_rounding
 
 _Samples = TypeVar("_Samples", bound=StateSamples)
 
@@ -68,14 +68,14 @@ def _solved_block(sample: StateSamples, residuals: _Residuals) -> np.ndarray:
 
     z: np.ndarray = x[columns]
     violation, slopes, bounds = values(z)
-    if not CompiledConstraints.satisfied(violation, bounds):
+    if not within_rounding(violation, bounds):
         z = scipy.optimize.root(lambda z: values(z)[0], z, jac=lambda z: values(z)[1]).x
         for _ in range(5):  # two suffice
             violation, slopes, bounds = values(z)
-            if CompiledConstraints.satisfied(violation, bounds) or not np.isfinite(slopes).all():
+            if within_rounding(violation, bounds) or not np.isfinite(slopes).all():
                 break
             z = z - np.linalg.lstsq(slopes, violation)[0]
-    if not CompiledConstraints.satisfied(violation, bounds):
+    if not within_rounding(violation, bounds):
         k = int(np.argmax(np.where(np.isfinite(violation), np.abs(violation), np.inf)))
         equations = sample.definition.equations
         residual = equations.constraints.holonomic[residuals.rows[k]]

@@ -27,9 +27,9 @@ from pydy._rank import (
     or_one,
     rank,
     unrounded,
+    within_rounding,
 )
 from pydy._states.states import point_at
-from pydy.solvers import CompiledConstraints
 
 if TYPE_CHECKING:
     from pydy._kernel import Kernel
@@ -148,7 +148,7 @@ def _refined(
     residual, rounding = np.split(bounded(z), 2)
     for _ in range(20):
         gradient = slopes(z)
-        if CompiledConstraints.satisfied(residual, rounding) or not np.isfinite(gradient).all():
+        if within_rounding(residual, rounding) or not np.isfinite(gradient).all():
             break
         after = z - least_step(gradient, residual)
         values, bounds = np.split(bounded(after), 2)
@@ -198,7 +198,7 @@ def _solve_coordinates(
     )
     solution.x = solution.x * units
     residual, rounding = np.split(value(bounded, placed(solution.x)), 2)
-    met = CompiledConstraints.satisfied(residual, rounding)
+    met = within_rounding(residual, rounding)
     if solution.success and not met:
         solution.x = _refined(lambda z: value(bounded, placed(z)), slopes_at, solution.x)
         residual, rounding = np.split(value(bounded, placed(solution.x)), 2)

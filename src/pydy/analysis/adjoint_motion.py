@@ -91,8 +91,8 @@ class Projections:
         self._p = constraint_call.p
         out = model.evaluate(constraints.kernel, times, states, self._r, self._p)
         self._parts = constraints.kernel.program.signature.by_block(out)
-        h, v, n = constraints.holonomic, constraints.velocity, states.shape[1]
-        self._gradient = self._parts["gradient"].reshape(len(times), h, constraints.coordinates)
+        (h, v, q, _), n = constraints.sizes, states.shape[1]
+        self._gradient = self._parts["gradient"].reshape(len(times), h, q)
         if any(model.assembly.following):  # their corrections are not along the gradient
             by_state = model.compiled_jacobian("holonomic", "x")
             jacobian = model.evaluate(by_state, times, states, self._r, self._p)
@@ -107,12 +107,7 @@ class Projections:
     def back(self, k: int, adjoint: np.ndarray) -> np.ndarray:
         """Return the adjoint of the state before projection k, from that after it."""
         constraints = self._constraints
-        h, v, q, u = (
-            constraints.holonomic,
-            constraints.velocity,
-            constraints.coordinates,
-            constraints.speeds,
-        )
+        h, v, q, u = constraints.sizes
         part = {name: values[k] for name, values in self._parts.items()}
         inverse = np.eye(u)
         if constraints.weighted:

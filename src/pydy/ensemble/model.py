@@ -17,9 +17,9 @@ from pydy._graph import TimeSwitches
 from pydy._judges import MotionPath, WatchedQuantities
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._program import Program, Tangent
+from pydy._rank import ROUNDING
 from pydy._states import follow
 from pydy.solvers import (
-    ROUNDING,
     CompiledSensitivities,
     Options,
     Outcome,

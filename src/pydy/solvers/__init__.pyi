@@ -4,7 +4,10 @@ from .constraint_drift import (
     DriftCheck as DriftCheck,
     DriftReport as DriftReport,
 )
-from .constraints import CompiledConstraints as CompiledConstraints
+from .constraints import (
+    CompiledConstraints as CompiledConstraints,
+    ConstraintSizes as ConstraintSizes,
+)
 from .core.declarations import (
     native_constants as native_constants,
     portable_sources as portable_sources,
@@ -15,7 +18,6 @@ from .options import (
     Options as Options,
     SolverOptions as SolverOptions,
     StepOptions as StepOptions,
-    check_option_names as check_option_names,
     read_options as read_options,
 )
 from .outcome import Outcome as Outcome
@@ -38,4 +40,4 @@ from .solver import (
     vern9 as vern9,
 )
 from .tableaus import Tableau as Tableau, method_arrays as method_arrays, tableau_of as tableau_of
-from .tuning import MANY_STEPS as MANY_STEPS, NO_LATER as NO_LATER, ROUNDING as ROUNDING
+from .tuning import MANY_STEPS as MANY_STEPS, NO_LATER as NO_LATER

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
 from pydy._checks import flag, number, positive, shown, tolerance
-from pydy._names import nearest
-from pydy._option_checks import Check, checked, optional
+from pydy._option_checks import Check, check_option_names, checked, optional
 from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.sensitivities import CompiledSensitivities
@@ -124,25 +123,3 @@ def read_options(method: str, adaptive: bool, values: Mapping[str, object]) -> O
     if not adaptive and options.step is None:
         raise ValueError(f"`{method}` takes steps of fixed size: pass `step`, their largest size.")
     return options
-
-
-# Pairs of names for one option: native solvers and `solve_ivp`, then `odeint`.
-_SAME = (
-    *(("max_step", "hmax"), ("first_step", "h0"), ("min_step", "hmin"), ("max_steps", "mxstep")),
-    *(("jac", "Dfun"), ("lband", "ml"), ("uband", "mu")),
-    # The largest step of methods with fixed step size.
-    *(("max_step", "step"), ("hmax", "step")),
-)
-
-
-def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, object]) -> None:
-    """Refuse an option that a solver does not have, and suggest the nearest one."""
-    names = sorted({*names} - {"continuation"} if "continuation" not in options else names)
-    unknown = [name for name in options if name not in names]
-    if unknown:
-        alike = [name for pair in _SAME if unknown[0] in pair for name in pair if name in names]
-        hint = f"It is called `{alike[0]}` there." if alike else ""
-        raise TypeError(
-            f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
-            f"{hint or nearest(unknown[0], names, or_all=False)}".rstrip()
-        )

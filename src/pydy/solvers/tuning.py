@@ -22,7 +22,7 @@ HALF = _rank.HALF
 DIGITS = _rank.DIGITS
 """The largest residual of an implied constraint, in units of its size."""
 
-ROUNDINGS = 8.0
+ROUNDINGS = _rank.ROUNDINGS
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
 
 DEPENDENT = _rank.DEPENDENT

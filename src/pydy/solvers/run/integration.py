@@ -31,6 +31,7 @@ from pydy._names import few, numbers_of
 from pydy._optional import bar_of
 from pydy.solvers import layout as at
 from pydy.solvers.compiled_events import CompiledEvents
+from pydy.solvers.constraint_rank import ConstraintRank
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import Outcome
@@ -335,10 +336,8 @@ class Integration(Workspace):
         _WARNED_OF.add(constraints.kernel)
         t = float(self.progress.state[at.TIME])
         time = self._reported(t)
-        names = constraints.redundant(
-            call.evaluate(constraints.kernel, self.memory.x[: self.n].copy(), t)
-        )
-        if names:
+        values = call.evaluate(constraints.kernel, self.memory.x[: self.n].copy(), t)
+        if names := ConstraintRank(constraints, values).redundant():
             warn_user(
                 f"Redundant constraints at t = {time!r}: {few(names)}. They are enforced but do "
                 "not raise the rank. Leave them out if that is so in every state."
@@ -353,8 +352,9 @@ class Integration(Workspace):
         if constraints is None or call is None or not record[at.RANK] or not np.isfinite(x).all():
             return 1.0, "", 1.0
         values, longest = call.evaluate(constraints.kernel, x, t), record[at.WHERE + self.n :]
-        nearness, names = constraints.nearness_to_rank_loss(values, longest, int(record[at.RANK]))
-        return nearness, few(names), constraints.determinacy(values)
+        rank = ConstraintRank(constraints, values)
+        nearness, names = rank.nearness_to_rank_loss(longest, int(record[at.RANK]))
+        return nearness, few(names), rank.determinacy()
 
     def _project(
         self, x: np.ndarray, constraints: CompiledConstraints, outcome: int, **details: Any
@@ -559,7 +559,7 @@ class Integration(Workspace):
         t = float(self.progress.state[at.TIME])
         if constraints is not None and constraints.following:
             old, new = (
-                call.evaluate(constraints.kernel, x, t)[: constraints.holonomic]
+                call.evaluate(constraints.kernel, x, t)[: constraints.sizes.holonomic]
                 for x in (before, after)
             )
             if (old != new).any():

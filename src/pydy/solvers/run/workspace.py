@@ -89,7 +89,7 @@ def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
 
 def projection_record_size(constraints: CompiledConstraints, n: int) -> int:
     """Return how many numbers the projection of n states records."""
-    return at.WHERE + n + constraints.velocity
+    return at.WHERE + n + constraints.sizes.velocity
 
 
 def constraints_for(
@@ -104,12 +104,7 @@ def constraints_for(
     The projection is an `entry` of the loops. The `binding` of its Kernel is an address slot and
     constants.
     """
-    h, v, q, u = (
-        constraints.holonomic,
-        constraints.velocity,
-        constraints.coordinates,
-        constraints.speeds,
-    )
+    h, v, q, u = constraints.sizes
     rows_size, columns_size = max(h, v) * lanes, max(q, u) * lanes
     scratch = Projection(
         factor=np.zeros((u, u * lanes)),
