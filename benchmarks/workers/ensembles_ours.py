@@ -15,7 +15,7 @@ from harness.program import assembly_of
 from harness.serve import serve
 
 from pydy._backends.registry import compile_program
-from pydy._kernel import KernelCall
+from pydy._kernel import Inputs, KernelCall
 from pydy.ensemble.engine import Ensemble
 from pydy.ensemble.model import EnsembleModel
 from pydy.ensemble.samples import Samples
@@ -66,7 +66,7 @@ class Ours:
 
         def f(x: Any, t: Any, r: Any, p: Any) -> None: ...
 
-        f.native = lambda args: KernelCall(kernel, args[1], args[0])  # type: ignore[attr-defined]
+        f.native = lambda args: KernelCall(kernel, args[1], Inputs(args[0]))  # type: ignore[attr-defined]
         states = np.empty((count, len(TIMES), self.x.shape[1]))
         for k in range(2):
             solver(f, self.x[k], TIMES, args=(self.r[0], self.p[k]), rtol=tol, atol=tol)

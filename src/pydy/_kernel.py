@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from pydy._forks import cached_property
 from pydy._graph import TimeSwitches
 from pydy._program import Program, SwitchTimes
 
@@ -159,10 +158,17 @@ class Inputs:
                 r[k, columns] = function(x[k], float(instant))
         return r
 
+    def slopes(self, t: float) -> np.ndarray:
+        """Return the derivatives of the specifieds by time: of samples, and zero of numbers."""
+        slopes = np.zeros(len(self.values))
+        for columns, samples in self.sampled:
+            slopes[columns] = samples.slopes_at(t)
+        return slopes
+
 
 @dataclass(frozen=True, eq=False)
 class KernelCall:
-    """A right-hand side: a Kernel with its constants and specifieds.
+    """A right-hand side: a Kernel with its constants and inputs.
 
     Functions that stand for one have an attribute ``native``, which takes the solver's ``args``
     and returns this, or None where the function itself has to be called. A call stands for itself.
@@ -170,11 +176,7 @@ class KernelCall:
 
     kernel: Kernel
     p: np.ndarray  # (k,)
-    r: np.ndarray  # (s,): the specifieds that are numbers; zero elsewhere
-    # Sampled data, with their places in r.
-    sampled: tuple[tuple[np.ndarray, SampledInput], ...] = ()
-    # ``inputs(x, t)`` gives r where functions have to be called for it.
-    inputs: Callable[[np.ndarray, float], np.ndarray] | None = None
+    inputs: Inputs  # native loops compute numbers and samples themselves, and call functions
     names: Callable[[], tuple[str, ...]] = tuple  # returns the names of the states
     jacobian: Callable[[], Kernel] | None = None  # returns the Kernel of ∂f/∂x
     # (k, 3): when the Kernel switches by time alone, as `SwitchTimes.rows`; None: not known yet
@@ -184,40 +186,25 @@ class KernelCall:
         """Return itself, whatever the solver's `args`."""
         return self
 
+    def with_numbers(self, p: np.ndarray, r: np.ndarray) -> KernelCall:
+        """Return the call with other numbers; when it switches is not known yet."""
+        inputs = Inputs(r, self.inputs.sampled, self.inputs.functions)
+        return KernelCall(self.kernel, p, inputs, self.names, self.jacobian)
+
     def __call__(self, x: np.ndarray, t: float, *args: object) -> np.ndarray:
         """Return the derivatives; NaN where a linear solve is singular."""
         return self.evaluate(self.kernel, np.asarray(x), t)
 
     def switch_times(self, start: float, end: float) -> SwitchTimes | None:
         """Return when the Kernel switches by time alone within an interval; None: never."""
-        inputs = () if self.inputs is None else getattr(self.inputs, "functions", None)
-        varying = frozenset(range(len(self.r)))  # where functions are not known one by one
-        if inputs is not None:
-            varying = frozenset(k for c, *_ in (*self.sampled, *inputs) for k in c.tolist())
-        switches = self.kernel.time_switches(varying)
+        switches = self.kernel.time_switches(frozenset(self.inputs.changing))
         if switches is None:
             return None
         if self.kernel.negated is None:
-            return switches.times(self.p, self.r, start, end)
-        found = switches.times(self.p, self.r, -end, -start)  # as the motion in reversed time
+            return switches.times(self.p, self.inputs.values, start, end)
+        # As the motion in reversed time.
+        found = switches.times(self.p, self.inputs.values, -end, -start)
         return SwitchTimes(0.0 - found.rows[::-1][:, [0, 2, 1]], found.unresolved)
-
-    def inputs_at(self, x: np.ndarray, t: float) -> np.ndarray:
-        """Return r at a state and time."""
-        if self.inputs is not None:
-            return self.inputs(x, t)
-        return self._plain(x, t)
-
-    @cached_property
-    def _plain(self) -> Inputs:
-        return Inputs(self.r, self.sampled)
-
-    def slopes_at(self, t: float) -> np.ndarray:
-        """Return the derivatives of the specifieds by time: of samples, and zero of numbers."""
-        slopes = np.zeros(len(self.r))
-        for columns, samples in self.sampled:
-            slopes[columns] = samples.slopes_at(t)
-        return slopes
 
     def evaluate(self, kernel: Kernel, x: np.ndarray, t: float) -> np.ndarray:
         """Evaluate another Kernel of the same system at a state and time.
@@ -225,6 +212,6 @@ class KernelCall:
         It may have fewer states and specifieds than this one: those that come first.
         """
         signature = kernel.program.signature
-        x, r = x[: signature.num_states], self.inputs_at(x, t)[: signature.num_specifieds]
+        x, r = x[: signature.num_states], self.inputs(x, t)[: signature.num_specifieds]
         out: np.ndarray = kernel.evaluate(np.array([t]), x[None], r[None], self.p)[0][0]
         return out

@@ -315,7 +315,7 @@ def test_a_generated_function_is_not_called_through_python():
     f = generated()
     call = f.native((np.zeros(2), np.array([4.0, 0.3])))
     assert call.kernel.addresses is not None
-    assert call.inputs is None
+    assert call.inputs.constant
 
 
 def test_a_state_of_the_wrong_length_for_a_generated_function_is_a_value_error():

@@ -217,9 +217,10 @@ class AugmentedSystem:
         return KernelCall(
             self.kernel(),
             self.p,
-            np.concatenate([self.plan.inputs.values, np.zeros(self.columns.weights)]),
-            (*self.plan.inputs.sampled, *self.weights()),
-            None,
+            Inputs(
+                np.concatenate([self.plan.inputs.values, np.zeros(self.columns.weights)]),
+                (*self.plan.inputs.sampled, *self.weights()),
+            ),
             lambda: tuple(map(str, model.layout.states)),
             lambda: model.compiled_jacobian("rates", "x"),
         )
@@ -242,7 +243,7 @@ class AugmentedSystem:
         def f(x: ArrayLike, t: float, *args: object) -> np.ndarray:
             out = np.empty(self.columns.size)
             state = np.ascontiguousarray(x, dtype=float)
-            r = call.inputs_at(state, float(t))
+            r = call.inputs(state, float(t))
             if kernel.at(state, float(t), r, p, out):
                 raise singular_mass_matrix(model.layout, float(t), state[:n])
             return out
@@ -277,8 +278,7 @@ class AugmentedSystem:
 
     def rows(self, times: np.ndarray) -> np.ndarray:
         """Return r with its further inputs at some times, shape (m, s + w) or (1, s + w)."""
-        call = self.call()
-        return Inputs(call.r, call.sampled).rows(np.empty((len(times), 0)), times)
+        return self.call().inputs.rows(np.empty((len(times), 0)), times)
 
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""

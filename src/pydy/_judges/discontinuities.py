@@ -315,9 +315,9 @@ def jumps_by_time(f: Any, args: tuple[object, ...], times: np.ndarray) -> np.nda
         return None
     start, end = sorted((float(times[0]), float(times[-1])))
     switched = call.switch_times(start, end)
-    if switched is None and not call.sampled:
+    if switched is None and not call.inputs.sampled:
         return None
-    sampled = jumps_of(call.sampled)
+    sampled = jumps_of(call.inputs.sampled)
     return sampled if switched is None else merged_jumps([sampled, switched.rows])
 
 

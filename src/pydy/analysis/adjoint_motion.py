@@ -87,7 +87,7 @@ class Projections:
         self.times, self._x, self._wrt, self._model = times, states, wrt, model
         self._constraints = constraints
         constraint_call = call(constraints.kernel, 0)
-        self._r = Inputs(constraint_call.r, constraint_call.sampled).rows(states, times)
+        self._r = constraint_call.inputs.rows(states, times)
         self._p = constraint_call.p
         out = model.evaluate(constraints.kernel, times, states, self._r, self._p)
         self._parts = constraints.kernel.program.signature.by_block(out)
@@ -220,7 +220,8 @@ class Task:
             return self.call(kernel, further)
         call = self.call(kernel, further + 1)
         marker_index = np.array([len(self.sensitive.plan.inputs.values)])
-        return replace(call, sampled=(*call.sampled, (marker_index, self.marker)))
+        sampled = (*call.inputs.sampled, (marker_index, self.marker))
+        return replace(call, inputs=replace(call.inputs, sampled=sampled))
 
     def call(self, kernel: Kernel, further: int = 0) -> KernelCall:
         """Return the call of a Kernel, with `further` inputs after r."""
@@ -230,7 +231,7 @@ class Task:
         def names() -> tuple[str, ...]:
             return (*map(str, states), "the integral")
 
-        return KernelCall(kernel, self.sensitive.p, r, plan.inputs.sampled, None, names)
+        return KernelCall(kernel, self.sensitive.p, Inputs(r, plan.inputs.sampled), names)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -285,7 +286,8 @@ class Task:
             width, _OF_NO_INPUT, np.ones(1), full_state, False, _of_no_event,
             lambda: direction_kernel(with_constraints, direction, "holonomic", "velocity"),
         )  # fmt: skip
-        call = replace(call, r=np.concatenate([call.r, weights]))
+        r = np.concatenate([call.inputs.values, weights])
+        call = replace(call, inputs=replace(call.inputs, values=r))
         return call, np.append(full_state, column), compiled
 
     def rates_vjp(self) -> KernelCall:
@@ -444,12 +446,12 @@ class MotionSegment:
         call = self.task.objective()
         value_and_gradient = call.evaluate(call.kernel, self.last, t)
         self.value += float(value_and_gradient[0])
-        s = len(call.r)
+        s = len(call.inputs.values)
         by_state, by_time = value_and_gradient[1 : 1 + n], float(value_and_gradient[1 + n])
         by_input = value_and_gradient[2 + n : 2 + n + s]
         self._adjoint[:n] = by_state
         self._add(value_and_gradient[2 + n + s :], t)
-        self._slope = by_time + float(by_input @ call.slopes_at(t))
+        self._slope = by_time + float(by_input @ call.inputs.slopes(t))
 
     def _add(self, part: np.ndarray, t: float) -> None:
         """Add the derivatives by the parameters due to one instant."""
@@ -658,7 +660,7 @@ class MotionSegment:
         source, wrt = events.sources[record.index], self.task.wrt
         kernel, changed = compiled_event(self.task.sensitive.model, source, wrt)
         call = self.task.call(kernel)
-        r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
+        r = np.concatenate([call.inputs(x, t), call.inputs.slopes(t)])
         out = kernel.evaluate(np.array([t]), x[None, :n], r[None], call.p)[0][0]
         part = kernel.program.signature.by_block(out)
         time = np.zeros(len(part["crossing"]))

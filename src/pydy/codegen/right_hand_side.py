@@ -266,21 +266,20 @@ class RightHandSide:
         if self.time_first or self.num_outputs or len(args) != (2 if symbols else 1):
             return None
         p, inputs = self.constants(args[-1]), self._no_inputs
-        values = inputs.values
         if symbols:
             r = args[0]
             if isinstance(r, SampledInput):
                 r = {symbols: r}
             if isinstance(r, Mapping):
                 plan = SpecifiedsPlan(r, symbols, complete=True)
-                inputs, values = plan.inputs, plan.inputs.values
                 if plan.expressions:
                     return None
+                inputs = plan.inputs
             elif callable(r):
                 return None
             else:
-                values = self.specifieds(r, _NOTHING, 0.0)
-        return native_call(self.model, self.kernel, inputs, values, p)
+                inputs = Inputs(self.specifieds(r, _NOTHING, 0.0))
+        return native_call(self.model, self.kernel, inputs, p)
 
     @cached_property
     def _no_inputs(self) -> Inputs:
@@ -328,23 +327,19 @@ def rates_function(model: CompiledModel, inputs: Inputs) -> Any:
 
     def native(args: Arguments) -> KernelCall:
         r, p = args
-        values = _specifieds(model, r) if inputs.constant else inputs.values
-        return native_call(model, kernel, inputs, values, p)
+        numbers = Inputs(_specifieds(model, r)) if inputs.constant else inputs
+        return native_call(model, kernel, numbers, p)
 
     chosen.native = native
     return chosen
 
 
-def native_call(
-    model: CompiledModel, kernel: Kernel, inputs: Inputs, r: np.ndarray, p: object
-) -> KernelCall:
-    """Return how native solvers call a Kernel of the derivatives; r are the inputs' numbers."""
+def native_call(model: CompiledModel, kernel: Kernel, inputs: Inputs, p: object) -> KernelCall:
+    """Return how native solvers call a Kernel of the derivatives."""
     return KernelCall(
         kernel,
         _constants(model, p),
-        r,
-        inputs.sampled,
-        inputs if inputs.functions else None,
+        inputs,
         lambda: tuple(map(str, model.layout.states)),
         None if model.solver else lambda: model.compiled_jacobian("rates", "x"),
     )

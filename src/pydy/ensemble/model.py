@@ -326,16 +326,23 @@ class Batch:
         r = np.concatenate([self.r, np.zeros((len(self.r), sensitivities.further))], axis=1)
         return replace(self, model=model, r=r)
 
-    def inputs(self, k: int) -> Callable[[np.ndarray, float], np.ndarray]:
-        """Return the function ``g(x, t)`` that evaluates all specifieds of sample k."""
-        every = Inputs(self.r[k], self.model.sampled, self.model.functions)
+    def inputs(self, k: int) -> Inputs:
+        """Return the specifieds of sample k; functions raise KeyboardInterrupt if cancelled."""
+        return Inputs(np.ascontiguousarray(self.r[k]), self.model.sampled, self._functions)
 
-        def inputs(x: np.ndarray, t: float) -> np.ndarray:
+    @cached_property
+    def _functions(self) -> tuple[tuple[np.ndarray, Callable[..., object]], ...]:
+        """The specifieds that are functions, of which the first checks for a cancellation."""
+        if not self.model.functions:
+            return ()
+        (columns, function), *others = self.model.functions
+
+        def checked(x: np.ndarray, t: float) -> object:
             if self.stopped():
                 raise KeyboardInterrupt
-            return every(x, t)
+            return function(x, t)
 
-        return inputs
+        return ((columns, checked), *others)
 
     def run(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
         """Integrate, and write the states into the array `states` (n, m, times) unless None."""
@@ -465,18 +472,18 @@ class Batch:
 
         model, sensitivities, n = self.model, self.model.sensitivities, self.x.shape[1]
         options, jacobian = model.options, model.jacobian
-        x, r, p = (np.ascontiguousarray(part[k]) for part in (self.x, self.r, self.p))
+        x, p = (np.ascontiguousarray(part[k]) for part in (self.x, self.p))
+        inputs = self.inputs(k)
         call = KernelCall(
             _kernel(model.rates, 1),
             p,
-            r,
-            model.sampled,
-            self.inputs(k) if model.functions else None,
+            inputs,
             lambda: model.states,
             None if jacobian is None else lambda: _kernel(jacobian, 1),
         )
         if sensitivities is not None:
-            options = replace(options, sensitivities=sensitivities.compiled(x, r, p, _single))
+            compiled = sensitivities.compiled(x, inputs.values, p, _single)
+            options = replace(options, sensitivities=compiled)
         elif before is not None and before.reusable and before.rebind(call, times):
             return before
         return Integration(model.method, call, n, times, (), options, self.stopped)

@@ -89,13 +89,13 @@ class CompiledEvents:
         located at t.
         """
         jumps: dict[float, list[Any]] = {}
-        for columns, samples in call.sampled:
+        for columns, samples in call.inputs.sampled:
             time = float(samples.breaks[np.abs(samples.breaks - t).argmin()])
             near = abs(time - t) <= ROUNDINGS * ROUNDING * abs(t)
             if samples.interpolation == "previous" and near:
                 jumps[time] = [*jumps.get(time, ()), (columns, samples)]
         n, inputs, _ = self.values.program.signature.sizes
-        state, r = x[:n], call.inputs_at(x, t)
+        state, r = x[:n], call.inputs(x, t)
         state_twice = np.stack([state, state])
         for time, jumping in jumps.items():
             rows = np.stack([r, r])
@@ -109,7 +109,7 @@ class CompiledEvents:
         switched = () if call.switched is None else call.switched
         for _, earlier, later in (row for row in switched if abs(row[0] - t) <= reach):
             times = np.array([earlier, later])
-            rows = np.stack([call.inputs_at(x, time)[:inputs] for time in times])
+            rows = np.stack([call.inputs(x, time)[:inputs] for time in times])
             values = self.values.evaluate(times, state_twice, rows, call.p)[0][:, event]
             if values[0] * values[1] < 0.0:
                 return float(later)

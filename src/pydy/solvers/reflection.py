@@ -83,16 +83,12 @@ def _right_hand_side(
 def _call(call: KernelCall) -> KernelCall:
     """Return a call of the reflected derivatives, with reflected inputs."""
     jacobian, inputs = call.jacobian, call.inputs
-    sampled = tuple((columns, reflected_samples(samples)) for columns, samples in call.sampled)
-    if inputs is not None:
-        python: Any = inputs  # `Inputs`, or what has the same attribute
-        functions = tuple((columns, _at_reversed(f)) for columns, f, *_ in python.functions)
-        inputs = Inputs(call.r, sampled, functions)
+    sampled = tuple((columns, reflected_samples(samples)) for columns, samples in inputs.sampled)
+    functions = tuple((columns, _at_reversed(f)) for columns, f in inputs.functions)
     return replace(
         call,
         kernel=_kernel(call.kernel),
-        sampled=sampled,
-        inputs=inputs,
+        inputs=Inputs(inputs.values, sampled, functions),
         jacobian=None if jacobian is None else lambda: _kernel(jacobian()),
     )
 

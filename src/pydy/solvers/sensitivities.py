@@ -90,9 +90,9 @@ class CompiledSensitivities:
         it: its time is then that of the sample.
         """
         n, (kernel, changed), table = self.states, self.events(event), self.table(augmented)
-        r, program = call.inputs_at(augmented, t), kernel.program
+        r, program = call.inputs(augmented, t), kernel.program
         s = program.signature.num_specifieds // 2
-        inputs = np.concatenate([r[:s], call.slopes_at(t)[:s]])
+        inputs = np.concatenate([r[:s], call.inputs.slopes(t)[:s]])
         out = kernel.evaluate(np.array([t]), augmented[None, :n], inputs[None], call.p)[0][0]
         blocks = program.signature.by_block(out)
         rate, curvature = float(blocks["rate"][0]), float(blocks["curvature"][0])

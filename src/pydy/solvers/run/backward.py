@@ -89,11 +89,11 @@ class DiscreteAdjoint:
         n = self.n
         if not self._python:
             return problem_arrays(KernelBinding(call.kernel, call.p), n, call)
-        s = len(call.r) - n
+        s = len(call.inputs.values) - n
         problem: list[np.ndarray] = []
 
         def derivatives(x: np.ndarray, t: float) -> np.ndarray:
-            r = call.inputs_at(x, t)
+            r = call.inputs(x, t)
             r[s:] = problem[0][s : s + n]
             values: np.ndarray = call.kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
             return values

@@ -173,7 +173,7 @@ class Integration(Workspace):
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
         """Change times and numbers of the same call; return False if that is impossible."""
         call = self.call
-        return call is not None and self.rebind(replace(call, p=p, r=r, switched=None), times)
+        return call is not None and self.rebind(call.with_numbers(p, r), times)
 
     def begin(self, x0: np.ndarray) -> np.ndarray:
         """Project and check an initial state without integrating, and return it."""

@@ -181,7 +181,8 @@ def with_switch_times(call: KernelCall, times: np.ndarray, options: Options) -> 
 
 def jumps_of_call(call: KernelCall) -> np.ndarray:
     """Return the jumps of sampled inputs and the known switches of the Kernel."""
-    jumps = jumps_of(call.sampled) if call.sampled else NO_JUMPS
+    sampled = call.inputs.sampled
+    jumps = jumps_of(sampled) if sampled else NO_JUMPS
     return jumps if call.switched is None else merged_jumps([jumps, call.switched])
 
 
@@ -189,8 +190,9 @@ def problem_arrays(binding: KernelBinding | Callback, n: int, call: KernelCall |
     """Return the `Problem` of a native function, with the numeric inputs of its `call`."""
     sampled: Sequence[tuple[np.ndarray, SampledInput]] = ()
     r, jumps, switched = np.zeros(1), NO_JUMPS, 0
-    if call is not None and call.inputs is None:
-        r, sampled = np.array(call.r if len(call.r) else r, dtype=float), call.sampled
+    if call is not None and not call.inputs.functions:
+        values, sampled = call.inputs.values, call.inputs.sampled
+        r = np.array(values if len(values) else r, dtype=float)
     if call is not None:
         jumps, switched = jumps_of_call(call), 0 if call.switched is None else len(call.switched)
     words = np.array([binding.address_slot, n, block_count(n), n, block_count(n), switched, 0])

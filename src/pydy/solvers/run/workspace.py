@@ -240,12 +240,12 @@ class Workspace:
         Compiled code reads the arrays at the beginning of each run.
         """
         before = self.call
+        if before is None or call is None or call.kernel is not before.kernel:
+            return False
+        inputs, samples_before = call.inputs, before.inputs.sampled
         if (
-            before is None
-            or call is None
-            or call.kernel is not before.kernel
-            or ((call.sampled or before.sampled) and call.sampled is not before.sampled)
-            or call.inputs is not None
+            ((inputs.sampled or samples_before) and inputs.sampled is not samples_before)
+            or inputs.functions
             or len(times) != len(self.progress.times)
             or times.item(-1) < times.item(0)  # an integration backward is another one
             or self.callbacks
@@ -261,7 +261,7 @@ class Workspace:
             words[at.SWITCHED] = 0 if call.switched is None else len(call.switched)
         for bound in self._bound:
             bound.set_constants(call.p)
-        self.problem.r[: len(call.r)] = call.r
+        self.problem.r[: len(inputs.values)] = inputs.values
         self.progress.times[:] = times
         self.beginning.state[at.TIME] = times[0]
         self.call = call
@@ -317,7 +317,7 @@ class Workspace:
 
     def _bind(self, f: Callable[..., ArrayLike], args: tuple[object, ...]) -> Problem:
         call, n = self.call, self.n
-        if call is not None and call.inputs is None and call.kernel.addresses is not None:
+        if call is not None and not call.inputs.functions and call.kernel.addresses is not None:
             states = call.kernel.program.signature.num_states
             if states != n:
                 raise ValueError(f"`x0` must have {states} values, one for each state, got {n}.")
@@ -338,7 +338,7 @@ class Workspace:
         """Bind another Kernel of the system; return its address slot and constants."""
         call = self.call
         assert call is not None
-        if call.inputs is None and kernel.addresses is not None:
+        if not call.inputs.functions and kernel.addresses is not None:
             bound = self._bind_native(kernel, call.p)
             return bound.address_slot, bound.c
         signature = kernel.program.signature
@@ -473,7 +473,7 @@ class Workspace:
             width = bounding.states
         augmented = options.constraints is not None or options.sensitivities is not bounding
         augmented = augmented or options.recorded not in (None, width)  # such as an integral
-        if augmented or self.callbacks or call is None or call.sampled or resets is None:
+        if augmented or self.callbacks or call is None or call.inputs.sampled or resets is None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
         if call.switched is not None:
             return [0, 0, 0], np.zeros(1), np.zeros(1)
@@ -504,9 +504,9 @@ class WorkspaceCopy:
         self._call, self._times = original.call, original.progress.times[:1].copy()
         f = original._f
         if original.call is not None:
-            f = self._call = replace(
-                original.call, p=original.call.p.copy(), r=original.call.r.copy()
-            )
+            call = original.call
+            inputs = replace(call.inputs, values=call.inputs.values.copy())
+            f = self._call = replace(call, p=call.p.copy(), inputs=inputs)
         self._make = partial(
             Workspace, original.name, f, original.n, self._times, original._args, options
         )
