@@ -8,7 +8,8 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.solve.ldl import UnrolledLDL
-from pydy._mechanics.formulations import EquationGraph, forms
+from pydy._mechanics.equation_graph import EquationGraph
+from pydy._mechanics.formulations import forms
 from pydy._mechanics.multibody import Multibody
 from pydy._program.interpret import run
 from pydy._program.operations import OPERATIONS
@@ -144,5 +145,4 @@ def solves():
 
 def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> EquationGraph:
     """Return the equations of motion in one form."""
-    found = forms(body, in_bodies=in_bodies)
-    return found[-1] if articulated else found[0]
+    return forms(body, in_bodies=in_bodies).equations[-1 if articulated else 0]

@@ -116,7 +116,7 @@ def test_a_chain_of_loops_costs_no_more_than_its_length():
 
 def formed_nodes(definition):
     formed = equations_of_definition(definition).formed
-    return len(formed.graph.reachable(formed.accelerations))
+    return len(formed.graph.reachable(formed.dynamics.accelerations))
 
 
 def test_dense_and_sparse_matrices_are_solved_alike():

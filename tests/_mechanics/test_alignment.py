@@ -24,9 +24,10 @@ from zoo import inertial_frame
 
 def accelerations_at(formed, x, values):
     """u' in one form, with constants by name."""
-    graph, solved = formed.graph, formed.accelerations
+    graph, dynamics = formed.graph, formed.dynamics
+    solved = dynamics.accelerations
     if solved is None:
-        solved = graph.solve(formed.matrix, [formed.forcing], "ldl")[0]
+        solved = graph.solve(dynamics.matrix, [dynamics.forcing], "ldl")[0]
     sizes = (len(x), 0, len(formed.constants))
     program = lower(graph, sizes, [("accelerations", (len(solved),), solved)])
     p = np.array([values[s.name] for s in formed.constants])

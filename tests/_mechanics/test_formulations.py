@@ -32,10 +32,10 @@ del MODELS["added_mass"], MODELS["towed_sledge"]
 def rates(model, way, *states):
     """The states' derivatives, from the interpreter and without any simplification."""
     formed = form(multibody_of_kane(model.kane), **FORMS[way])
-    graph, n = formed.graph, len(formed.forcing)
-    accelerations = formed.accelerations
+    graph, dynamics = formed.graph, formed.dynamics
+    accelerations = dynamics.accelerations
     if accelerations is None:
-        accelerations = graph.solve(formed.matrix, [formed.forcing], "lu")[0]
+        accelerations = graph.solve(dynamics.matrix, [dynamics.forcing], "lu")[0]
     nodes = [*formed.rates, *accelerations]
     sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])
@@ -47,7 +47,7 @@ def rates(model, way, *states):
         out, failed = run(program, np.array([t]), x[None], np.array(r, dtype=float), p)
         assert not failed.any()
         found.append(out[0])
-    assert n == len(model.kane.u)
+    assert len(dynamics.forcing) == len(model.kane.u)
     return found
 
 
@@ -89,14 +89,14 @@ def test_accelerations_do_not_depend_on_what_is_known_of_them_beforehand(in_bodi
     kinematics = moving(body, in_bodies)
     matrix, forcing = composite(kinematics, *loads_and_inertias(kinematics))
     expected = at_random(kinematics.graph, kinematics.graph.solve(matrix, [forcing], "ldl")[0])
-    whole, eliminated = forms(body, in_bodies=in_bodies)
-    graph = whole.graph
+    composed, eliminated = forms(body, in_bodies=in_bodies).equations
+    graph, whole = composed.graph, composed.dynamics
     assert sum(n != graph.zero for n in whole.start) == 6
     beyond = graph.solve(whole.matrix, [whole.residual_forcing], "ldl")[0]
     for found in (
         [graph.add(*parts) for parts in zip(whole.start, beyond, strict=True)],
         graph.solve(whole.matrix, [whole.forcing], "ldl")[0],
-        eliminated.accelerations,
+        eliminated.dynamics.accelerations,
     ):
         np.testing.assert_allclose(at_random(graph, found), expected, rtol=1e-10, atol=1e-12)
 
@@ -123,8 +123,8 @@ def test_the_accelerations_are_those_of_sympys_equations(name, way):
 
 def test_a_velocity_that_is_not_the_rate_of_its_place_is_the_users():
     model = by_hand.wheel()
-    formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=False)
-    assert [p.name for p in formed.honoured] == ["C"]
+    formulations = forms(multibody_of_kane(model.kane), in_bodies=True)
+    assert [p.name for p in formulations.honoured] == ["C"]
 
 
 @pytest.mark.parametrize("in_bodies", [True, False])
@@ -151,21 +151,20 @@ def test_points_reached_from_one_whose_velocity_is_given_move_with_it(in_bodies)
         kinematic_equations=[a.diff() - b for a, b in zip(q, v, strict=True)],
         bodies=bodies,
     )
-    formed = form(model.multibody, in_bodies=in_bodies, articulated=False)
-    assert [p.name for p in formed.honoured] == ["held", "slipping"]
+    formulations = forms(model.multibody, in_bodies=in_bodies)
+    assert [p.name for p in formulations.honoured] == ["held", "slipping"]
 
 
 def test_a_velocity_that_is_the_rate_of_its_place_is_replaced_by_it():
     model = by_hand.tilted_plates()
-    formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=False)
-    assert formed.honoured == ()
+    assert forms(multibody_of_kane(model.kane), in_bodies=True).honoured == ()
 
 
 def test_a_wheels_spin_angle_does_not_occur_in_its_equations():
     model = by_hand.wheel()
     formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=True)
     angle = formed.graph.input("x", 2)
-    assert angle not in formed.graph.reachable(formed.accelerations)
+    assert angle not in formed.graph.reachable(formed.dynamics.accelerations)
 
 
 def test_a_frame_whose_angular_velocity_is_known_in_its_own_axes_needs_no_orientation():

@@ -46,10 +46,10 @@ def accelerations(body, seed, **way):
     rng = np.random.default_rng(seed)
     values = {s: rng.uniform(0.5, 1.5) for s in sorted(formed.constants, key=str)}
     p = np.array([values[s] for s in formed.constants])
-    n = 2 * len(formed.forcing)
-    graph, solved = formed.graph, formed.accelerations
+    graph, dynamics = formed.graph, formed.dynamics
+    n, solved = 2 * len(dynamics.forcing), dynamics.accelerations
     if solved is None:
-        solved = graph.solve(formed.matrix, [formed.forcing], "ldl")[0]
+        solved = graph.solve(dynamics.matrix, [dynamics.forcing], "ldl")[0]
     program = lower(graph, (n, 0, len(p)), [("accelerations", (n // 2,), solved)])
     found, failed = run(program, np.zeros(1), rng.normal(size=(1, n)), np.zeros((1, 0)), p)
     assert not failed.any()
@@ -108,7 +108,7 @@ def test_a_pivot_that_vanishes_is_seen_though_the_body_before_holds_the_mass():
     rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
     kane = me.KanesMethod(frame, q, u, kd_eqs=rates, bodies=bodies)
     formed = form(multibody_of_kane(kane), in_bodies=True, articulated=True)
-    program = lower(formed.graph, (4, 0, 2), [("u'", (2,), formed.accelerations)])
+    program = lower(formed.graph, (4, 0, 2), [("u'", (2,), formed.dynamics.accelerations)])
     for length, singular in ((0.3, False), (0.0, True)):
         values = {m: 1.0, r: length}
         p = np.array([values[s] for s in formed.constants])

@@ -70,9 +70,10 @@ def straight_arm(n):
 
 
 def operations(found):
-    graph, solved = found.graph, found.accelerations
+    graph, dynamics = found.graph, found.dynamics
+    solved = dynamics.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, found.matrix, found.forcing, "ldl")
+        solved = solve_accelerations(graph, dynamics.matrix, dynamics.forcing, "ldl")
     nodes = simplify(graph, [*found.rates, *solved])
     sizes = (len(nodes), len(found.specifieds), len(found.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])
@@ -119,12 +120,12 @@ def test_a_chain_costs_the_same_for_each_link():
 
 def test_a_chain_is_eliminated_from_its_end():
     found = chosen(multibody_of_kane(pendulum(10)))
-    assert found.accelerations is not None
+    assert found.dynamics.accelerations is not None
 
 
 def test_few_speeds_are_solved_for_together():
     found = chosen(multibody_of_kane(by_hand.tilted_plates().kane))
-    assert found.accelerations is None
+    assert found.dynamics.accelerations is None
 
 
 def test_the_chosen_form_is_the_one_that_is_compiled():

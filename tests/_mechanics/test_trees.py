@@ -29,10 +29,12 @@ def test_every_form_moves_as_the_oracle_says(seed):
     world = World(model.real, q, u)
     x = np.array([[*q, *u]])
     for in_bodies in (True, False):
-        for formed in forms(model.method.multibody, in_bodies=in_bodies):
-            graph, solved, n = formed.graph, formed.accelerations, len(formed.forcing)
+        for formed in forms(model.method.multibody, in_bodies=in_bodies).equations:
+            graph, solved = formed.graph, formed.dynamics.accelerations
+            matrix, forcing = formed.dynamics.matrix, formed.dynamics.forcing
+            n = len(forcing)
             if solved is None:
-                solved = graph.solve(formed.matrix, [formed.forcing], "ldl")[0]
+                solved = graph.solve(matrix, [forcing], "ldl")[0]
             program = lower(graph, (x.size, 0, 0), [("a", (n,), solved)])
             out, failed = run(program, np.array([time]), x, np.empty((1, 0)), np.empty(0))
             assert not failed.any()

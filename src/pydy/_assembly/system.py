@@ -196,8 +196,8 @@ def assemble_system(
         matrix = read.all(equations.matrices.mass_matrix)
         forcing = read.all(equations.matrices.forcing)
     else:
-        matrix = [node for row in formed.matrix for node in row]
-        forcing = formed.forcing
+        matrix = [node for row in formed.dynamics.matrix for node in row]
+        forcing = formed.dynamics.forcing
     matrix, forcing, moved = _collect_accelerations(
         graph, equations, matrix, forcing, accelerations
     )
@@ -207,16 +207,12 @@ def assemble_system(
     nonholonomic = read.all(equations.constraints.nonholonomic)
     n = len(u)
     sizes = (len(q) + n + len(auxiliaries), len(specifieds), len(constants))
-    if formed is not None and formed.accelerations is not None:
-        solved = formed.accelerations
-    else:
-        kind = "ldl" if equations.matrices.positive_definite and not moved else "lu"
+    kind = "ldl" if equations.matrices.positive_definite and not moved else "lu"
+    if formed is None or (moved and formed.dynamics.accelerations is None):
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        if formed is None or moved:
-            solved = solve_accelerations(graph, rows, forcing, kind)
-        else:
-            beyond = solve_accelerations(graph, rows, formed.residual_forcing, kind)
-            solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
+        solved = solve_accelerations(graph, rows, forcing, kind)
+    else:
+        solved = formed.dynamics.solution(graph, kind)
     read.what = "the outputs"
     integrated = auxiliary_groups(equations, groups)
 

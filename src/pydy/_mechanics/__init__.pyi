@@ -1,6 +1,7 @@
 from .acceleration_constraints import AccelerationConstraints as AccelerationConstraints
 from .components import dot as dot
 from .definition import Definition as Definition, EomMethod as EomMethod
+from .equation_graph import EquationGraph as EquationGraph
 from .equations import Equations as Equations, Mechanism as Mechanism
 from .equations_of_motion import (
     EquationsOfMotion as EquationsOfMotion,
@@ -11,7 +12,6 @@ from .extraction import (
     method_of as method_of,
     symbolic_matrices as symbolic_matrices,
 )
-from .formulations import EquationGraph as EquationGraph
 from .frame_tree import FrameTree as FrameTree
 from .frames import orthogonality_residuals as orthogonality_residuals
 from .generic import generic_values as generic_values

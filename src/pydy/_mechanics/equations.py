@@ -15,8 +15,8 @@ from sympy.physics.mechanics import Particle, ReferenceFrame
 
 from pydy._forks import cached_property
 from pydy._mechanics.constraints import ConstraintEquations, DependentStates
+from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.forces import ConstraintForces
-from pydy._mechanics.formulations import EquationGraph
 from pydy._mechanics.frame_tree import velocity_in
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols

@@ -19,7 +19,6 @@ from sympy.core.function import AppliedUndef
 from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
-    NodeExpression,
     SymPyReader,
     hessian,
     jacobian,
@@ -30,6 +29,7 @@ from pydy._graph import (
 from pydy._mechanics.alignment import align, choose_joint_points, in_a_plane
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.elimination import composite, eliminated
+from pydy._mechanics.equation_graph import DynamicEquations, EquationGraph
 from pydy._mechanics.implicit import check_forces
 from pydy._mechanics.inertia import Inertia, composite_contributions, loads_and_inertias, points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
@@ -42,133 +42,27 @@ from pydy._rank import ROUNDED
 if TYPE_CHECKING:
     from sympy.physics.mechanics import Point
 
-    from pydy._sympy_types import AnySymbol, TimeFunction
+    from pydy._sympy_types import TimeFunction
 
 # Meromorphic functions are equal everywhere if they are equal at random states; min, max and roots
 # are not meromorphic and count as inputs.
 _MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"))
 
 
-@dataclass(eq=False)
-class EquationGraph:
-    """Equations of motion ``M u' = F`` and kinematics ``q' = G`` as nodes."""
+@dataclass(frozen=True, eq=False)
+class Formulations:
+    """The equations of motion in each form, with vectors in the same axes."""
 
-    # Its inputs are 'x' (coordinates, then speeds), 't', 'a' (derivatives of the speeds, in
-    # loads that depend on them), 'p' and 'r' in the order of `constants` and `specifieds`.
-    graph: Graph
-    constants: list[sm.Symbol]
-    specifieds: list[TimeFunction]
-    rates: list[int]  # q'
-    # M; the rows of dependent speeds are those of the acceleration constraints.
-    matrix: list[list[int]]
-    forcing: list[int]
-    accelerations: list[int] | None  # u', if it is formed without the mass matrix of all speeds
-    # A part of u' that is known beforehand: it cancels angular accelerations at u' = 0.
-    start: list[int]
-    residual_forcing: list[int]  # F − M · start, so that u' = start + M⁻¹ · this
-    kinetic: int  # the kinetic energy
+    equations: tuple[EquationGraph, ...]  # composite bodies first, then articulated ones
     # Points with a velocity of the user that is not the derivative of their position.
-    honoured: tuple[Point, ...] = ()
+    honoured: tuple[Point, ...]
     # Whether no vector had to be expressed in another frame: the axes make no difference.
-    in_one_frame: bool = False
-    # Inertias and velocities that depend on speeds: their constants count as constants of the
-    # equations, even if this formulation does not contain them.
-    measures: tuple[int, ...] = ()
-    # The simplified q' and u', in a graph of their own, if formulations were compared by count.
-    simplified: tuple[Graph, list[int]] | None = None
-
-    def inputs(self) -> set[tuple[str, int]]:
-        """Return the inputs of q', M, F and u', and the constants of moving bodies."""
-        graph = self.graph
-        roots = [*self.rates, *(n for row in self.matrix for n in row), *self.forcing]
-        roots += self.accelerations or []
-        measured = [n for n in graph.inputs(self.measures) if graph.constant[n]]
-        return {graph.args[n] for n in (*graph.inputs(roots), *measured)}
-
-    def symbols(self, speed_rates: Sequence[sm.Derivative]) -> list[AnySymbol]:
-        """Return the constants, specifieds and derivatives of speeds that occur."""
-        groups = {"p": self.constants, "r": self.specifieds, "a": speed_rates}
-        return [groups[g][k] for g, k in sorted(self.inputs()) if g in groups]
-
-    def input_symbols(
-        self, time: sm.Symbol, states: Sequence[TimeFunction]
-    ) -> dict[int, AnySymbol]:
-        """Return the symbol of each input node, except derivatives of speeds."""
-        return self.graph.input_symbols(t=[time], x=states, p=self.constants, r=self.specifieds)
-
-    def energy(
-        self, time: sm.Symbol, coordinates: Sequence[TimeFunction], speeds: Sequence[TimeFunction]
-    ) -> sm.Expr:
-        """Return the kinetic energy as an expression."""
-        symbols = self.input_symbols(time, (*coordinates, *speeds))
-        return NodeExpression.of(self.graph, self.kinetic, symbols)
-
-    def renumbered(
-        self, constants: Sequence[sm.Symbol], specifieds: Sequence[AnySymbol]
-    ) -> EquationGraph:
-        """Return a copy whose inputs are numbered as in the arrays p and r."""
-        needed = self.inputs()
-        names: dict[tuple[str, int], tuple[str, int]] = {}
-        for group, present, order in (
-            ("p", self.constants, constants),
-            ("r", self.specifieds, specifieds),
-        ):
-            positions = {symbol: k for k, symbol in enumerate(order)}
-            for k, symbol in enumerate(present):
-                if symbol in positions:
-                    names[group, k] = group, positions[symbol]
-                elif (group, k) in needed:
-                    raise ValueError(
-                        f"`{symbol}` occurs in the bodies, loads or kinematics, but no argument "
-                        "provides it: it is not one of the coordinates, speeds, constants or "
-                        "specifieds. Add it to one of them."
-                    )
-                else:
-                    names[group, k] = f"idle {group}", k
-        simplified = self.simplified
-        if simplified is not None:
-            simplified = simplified[0].renamed(names), simplified[1]
-        return replace(self, graph=self.graph.renamed(names), simplified=simplified)
-
-    def ordered(self, coordinates: Sequence[int], speeds: Sequence[int]) -> EquationGraph:
-        """Return a copy with coordinates and speeds in another order, given by present positions.
-
-        The rows of M move with the speeds.
-        """
-        n, m = len(coordinates), len(speeds)
-        if [*coordinates, *speeds] == [*range(n), *range(m)]:
-            return self
-        states = [*coordinates, *(n + k for k in speeds)]
-        names = {("x", old): ("x", new) for new, old in enumerate(states)}
-        names |= {("a", old): ("a", new) for new, old in enumerate(speeds)}
-        simplified = self.simplified
-        if simplified is not None:
-            simplified = simplified[0].renamed(names), [simplified[1][k] for k in states]
-        solved = self.accelerations
-        return replace(
-            self,
-            graph=self.graph.renamed(names),
-            rates=[self.rates[k] for k in coordinates],
-            matrix=[[self.matrix[i][j] for j in speeds] for i in speeds],
-            forcing=[self.forcing[k] for k in speeds],
-            accelerations=None if solved is None else [solved[k] for k in speeds],
-            start=[self.start[k] for k in speeds],
-            residual_forcing=[self.residual_forcing[k] for k in speeds],
-            simplified=simplified,
-        )
-
-    def for_body(self, body: Multibody) -> EquationGraph:
-        """Return a copy in the order of the states; dependent speeds are last before."""
-        first = body.independent_first
-        return self.ordered(
-            [first.coordinates.index(q) for q in body.coordinates],
-            [first.speeds.index(u) for u in body.speeds],
-        )
+    in_one_frame: bool
 
 
 def forms(
     body: Multibody, *, in_bodies: bool, honoured: Collection[Point] | None = None
-) -> list[EquationGraph]:
+) -> Formulations:
     """Return the equations of motion, composite bodies first, then articulated ones.
 
     In the first form u' is left to a solve; in the second, the speeds are eliminated one by one,
@@ -188,22 +82,21 @@ def forms(
     start, moved = kinematics.start(), _depends_on_accelerations(kinematics, residual)
     if not moved:
         _check_masses(body, g, matrix, kinematics.read.specifieds)
-    formulations = [
-        replace(
-            _composed(kinematics, matrix, residual, start),
-            kinetic=kinetic,
-            honoured=tuple(sorted(kinematics.honoured, key=str)),
-            in_one_frame=kinematics.in_one_frame,
-            measures=tuple(_measures(kinematics, body_inertias)) if in_bodies else (),
-        )
-    ]
+    composed = replace(
+        _composed(kinematics, matrix, residual, start),
+        kinetic=kinetic,
+        measures=tuple(_measures(kinematics, body_inertias)) if in_bodies else (),
+    )
+    kinds = [composed]
     if not body.velocity and not moved:
         fast, sound = eliminated(kinematics, inertias, loads, body_inertias)
-        correction = g.guard(matrix, residual, sound, fast)
-        formulations.append(
-            replace(formulations[0], accelerations=kinematics.plus(start, correction))
-        )
-    return [_without_idle(formed) for formed in formulations] if body.auxiliary else formulations
+        accelerations = kinematics.plus(start, g.guard(matrix, residual, sound, fast))
+        dynamics = replace(composed.dynamics, accelerations=accelerations)
+        kinds.append(replace(composed, dynamics=dynamics))
+    if body.auxiliary:
+        kinds = [_without_idle(formed) for formed in kinds]
+    points = tuple(sorted(kinematics.honoured, key=str))
+    return Formulations(tuple(kinds), points, kinematics.in_one_frame)
 
 
 def _composed(
@@ -214,17 +107,10 @@ def _composed(
     if kinematics.body.velocity:
         moved = _depends_on_accelerations(kinematics, residual)
         matrix, residual, accelerations = reduced(kinematics, matrix, residual, moved)
+    forcing = kinematics.plus(residual, kinematics.product(matrix, start))
+    dynamics = DynamicEquations(matrix, forcing, start, residual, accelerations)
     return EquationGraph(
-        g,
-        read.constants,
-        read.specifieds,
-        kinematics.rates,
-        matrix,
-        kinematics.plus(residual, kinematics.product(matrix, start)),
-        accelerations,
-        start,
-        residual,
-        kinetic=g.zero,
+        g, read.constants, read.specifieds, kinematics.rates, dynamics, kinetic=g.zero
     )
 
 
@@ -234,15 +120,25 @@ def _depends_on_accelerations(kinematics: Kinematics, nodes: Vec) -> bool:
 
 def _without_idle(formed: EquationGraph) -> EquationGraph:
     """Remove specifieds that do no work: noncontributing forces."""
-    g = formed.graph
+    g, dynamics = formed.graph, formed.dynamics
     inputs = [g.input("r", k) for k in range(len(formed.specifieds))]
-    nothing = dict.fromkeys(idle_inputs(g, formed.residual_forcing, inputs), g.zero)
-    solved = formed.accelerations
-    return replace(
-        formed,
-        forcing=substitute(g, formed.forcing, nothing),
-        residual_forcing=substitute(g, formed.residual_forcing, nothing),
+    nothing = dict.fromkeys(idle_inputs(g, dynamics.residual_forcing, inputs), g.zero)
+    solved = dynamics.accelerations
+    effective = replace(
+        dynamics,
+        forcing=substitute(g, dynamics.forcing, nothing),
+        residual_forcing=substitute(g, dynamics.residual_forcing, nothing),
         accelerations=solved and substitute(g, solved, nothing),
+    )
+    return replace(formed, dynamics=effective)
+
+
+def in_order_of_states(formed: EquationGraph, body: Multibody) -> EquationGraph:
+    """Return a copy in the order of the body's states; dependent speeds are last before."""
+    first = body.independent_first
+    return formed.ordered(
+        [first.coordinates.index(q) for q in body.coordinates],
+        [first.speeds.index(u) for u in body.speeds],
     )
 
 
@@ -362,7 +258,7 @@ def form_lagrangian(body: Multibody) -> EquationGraph:
     kinematics = moving(body.independent_first, in_bodies=True)
     matrix, forcing = lagranges_equations(kinematics)
     nothing = [kinematics.graph.zero] * len(forcing)
-    return _composed(kinematics, matrix, forcing, nothing).for_body(body)
+    return in_order_of_states(_composed(kinematics, matrix, forcing, nothing), body)
 
 
 def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:

@@ -10,8 +10,9 @@ from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from pydy._checks import describe
 from pydy._mechanics.auxiliary import with_auxiliary
+from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.formulations import EquationGraph, without_idle
+from pydy._mechanics.formulations import without_idle
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.rates import divide_alike, solve_rates

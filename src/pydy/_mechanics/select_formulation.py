@@ -29,7 +29,6 @@ from pydy._graph import (
     operation_count,
     rounding_bounds,
     simplify,
-    solve_accelerations,
 )
 from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.constraints import (
@@ -38,6 +37,7 @@ from pydy._mechanics.constraints import (
     ImplicitResiduals,
     RedundantConstraints,
 )
+from pydy._mechanics.equation_graph import DynamicEquations, EquationGraph
 from pydy._mechanics.equations import (
     AuxiliaryEquations,
     Equations,
@@ -45,7 +45,7 @@ from pydy._mechanics.equations import (
     MassAndForcing,
     Mechanism,
 )
-from pydy._mechanics.formulations import EquationGraph, forms, useful_axes
+from pydy._mechanics.formulations import forms, in_order_of_states, useful_axes
 from pydy._mechanics.generic import (
     AROUND,
     Block,
@@ -114,7 +114,7 @@ def chosen(body: Multibody) -> EquationGraph:
     if rates of specifieds occur, which the kinematics may introduce. Dependent speeds are last
     while equations are formed, and in their original positions afterwards.
     """
-    return _fewest(body.independent_first).for_body(body)
+    return in_order_of_states(_fewest(body.independent_first), body)
 
 
 def _fewest(body: Multibody) -> EquationGraph:
@@ -123,10 +123,10 @@ def _fewest(body: Multibody) -> EquationGraph:
     is_large = len(body.speeds) > 12
     first, *other_axes = useful_axes(body)[-1:] if is_large else useful_axes(body)
     candidates = [forms(body, in_bodies=first)]
-    for in_bodies in other_axes if not candidates[0][0].in_one_frame else ():
-        candidates.append(forms(body, in_bodies=in_bodies, honoured=candidates[0][0].honoured))
+    for in_bodies in other_axes if not candidates[0].in_one_frame else ():
+        candidates.append(forms(body, in_bodies=in_bodies, honoured=candidates[0].honoured))
     kinds: list[EquationGraph] = [
-        min(same, key=_estimated) for same in zip(*candidates, strict=True)
+        min(same, key=_estimated) for same in zip(*(c.equations for c in candidates), strict=True)
     ]
     if is_large or len(kinds) == 1:
         best = min(kinds, key=_estimated)
@@ -142,24 +142,21 @@ def _without_cancelled(formed: EquationGraph) -> EquationGraph:
     The rate of a prescribed direction occurs in the acceleration of a particle that moves along it,
     but does no work.
     """
-    graph = formed.graph.copy()
-    parts = [formed.rates, *formed.matrix, formed.forcing, formed.start, formed.residual_forcing]
-    parts += [[*formed.measures], formed.accelerations or []]
+    graph, before = formed.graph.copy(), formed.dynamics
+    parts = [formed.rates, *before.matrix, before.forcing, before.start, before.residual_forcing]
+    parts += [[*formed.measures], before.accelerations or []]
     nodes = iter(simplify(graph, [node for part in parts for node in part]))
     rates, *rows, measures, solved = [[next(nodes) for _ in part] for part in parts]
     matrix, (forcing, start, residual) = rows[:-3], rows[-3:]
     kinetic = simplify(graph, [formed.kinetic])
+    accelerations = None if before.accelerations is None else solved
     reduced = replace(
         formed,
         graph=graph,
         rates=rates,
-        matrix=matrix,
-        forcing=forcing,
-        start=start,
-        residual_forcing=residual,
+        dynamics=DynamicEquations(matrix, forcing, start, residual, accelerations),
         kinetic=kinetic[0],
         measures=tuple(measures),
-        accelerations=solved if formed.accelerations is not None else None,
     )
     removed = formed.inputs() - reduced.inputs()
     inputs = {graph.args[k] for k in graph.inputs(kinetic)}
@@ -168,21 +165,21 @@ def _without_cancelled(formed: EquationGraph) -> EquationGraph:
 
 def _estimated(formed: EquationGraph) -> int:
     """Estimate the operations of q' and u' as they are before simplification."""
-    graph, n = formed.graph, len(formed.residual_forcing)
-    if formed.accelerations is not None:
-        roots, solving = list(formed.accelerations), 0
+    graph, dynamics = formed.graph, formed.dynamics
+    if dynamics.accelerations is not None:
+        roots, solving = list(dynamics.accelerations), 0
         guards = [k for k in graph.reachable(roots) if graph.ops[k] == "guard"]
         if guards:
             roots = list(graph.args[guards[0]][4])
     else:
-        system = formed.matrix, formed.residual_forcing
+        system, n = (dynamics.matrix, dynamics.residual_forcing), len(dynamics.matrix)
         matrix, column = difference_basis(graph, *system) or system
         lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
         filled = sum(node != graph.zero for node in lower) - n
         # The cost of LDLᵀ with so many entries; its structure saves half of it.
         solving = filled * (filled // n + 9) // 3
         roots = [*lower, *column]
-    return operation_count(graph, [*formed.rates, *formed.start, *roots]) + solving
+    return operation_count(graph, [*formed.rates, *dynamics.start, *roots]) + solving
 
 
 def _counted(formed: EquationGraph) -> int:
@@ -197,10 +194,7 @@ def _counted(formed: EquationGraph) -> int:
 def _simplified(formed: EquationGraph) -> tuple[Graph, list[int]]:
     """Simplify q' and u' in a graph of their own."""
     graph = formed.graph.copy()
-    solved = formed.accelerations
-    if solved is None:
-        correction = solve_accelerations(graph, formed.matrix, formed.residual_forcing, "ldl")
-        solved = [graph.add(*parts) for parts in zip(formed.start, correction, strict=True)]
+    solved = formed.dynamics.solution(graph, "ldl")
     return graph, simplify(graph, [*formed.rates, *solved])
 
 
@@ -251,7 +245,7 @@ def _agree(equations: Equations, formed: EquationGraph) -> bool:
     theirs = evaluator_of(states.graph, [block])(*inputs)["equations"]
     numbers = states.by_symbol(inputs)
     inputs_ = formed.input_symbols(equations.time, (*equations.coordinates, *equations.speeds))
-    nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
+    nodes = [*(e for row in formed.dynamics.matrix for e in row), *formed.dynamics.forcing]
     values_at = formed.graph.evaluator(nodes)
     ours = values_at({node: numbers[symbol] for node, symbol in inputs_.items()}, 2)
     finite = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1)

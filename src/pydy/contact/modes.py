@@ -116,20 +116,20 @@ class Mode:
         g = self.graph = formed.graph.copy()
         self._solve(g, enforced, active)
         accelerations = rows.rates(g, self.forces)
-        forcing = [dot(g, line, accelerations) for line in formed.matrix]
+        forcing = [dot(g, line, accelerations) for line in formed.dynamics.matrix]
         gaps = [
             c.unilateral.gap
             for c, n in zip(rows.contacts, rows.normal, strict=True)
             if c.unilateral is not None and n in enforced
         ]
-        mode_graph = replace(
-            formed,
-            graph=g,
+        dynamics = replace(
+            formed.dynamics,
             accelerations=accelerations,
             forcing=forcing,
             residual_forcing=forcing,
             start=[g.zero] * len(forcing),
         )
+        mode_graph = replace(formed, graph=g, dynamics=dynamics)
         constraints = base.constraints
         constraints = replace(
             constraints,

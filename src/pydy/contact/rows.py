@@ -25,7 +25,6 @@ from pydy._graph import (
     lower,
     rounding_bounds,
     sizes_of_terms,
-    solve_accelerations,
     substitute,
 )
 from pydy._kernel import Kernel
@@ -194,7 +193,8 @@ class ContactRows:
         for row, c in zip(self.jacobian, self._owners(), strict=True):
             if all(n == g.zero for n in row):
                 raise ValueError(f"The contact {c.name!r} moves with no speed of the system.")
-        self.free = self._free()
+        kind = "ldl" if e.matrices.positive_definite else "lu"
+        self.free = self.formed.dynamics.solution(g, kind)  # u' without contact forces
         self.response = self._speed_responses()
         rows = zip(*(map(read, c.coefficients.values()) for c in self.contacts), strict=True)
         self.restitution, self.mu, self.static, self.pressed = map(list, rows)
@@ -202,7 +202,7 @@ class ContactRows:
     @property
     def identity(self) -> tuple[object, ...]:
         """A cache key of the rows: their nodes in the order of reading."""
-        g, groups = self.graph, (self.jacobian, self.response, self.formed.matrix)
+        g, groups = self.graph, (self.jacobian, self.response, self.formed.dynamics.matrix)
         parts = (
             self.gaps,
             self.speeds,
@@ -231,22 +231,13 @@ class ContactRows:
             owners += [c] * (len(tangent) + (normal is not None))
         return owners
 
-    def _free(self) -> list[int]:
-        """Return u' without contact forces."""
-        formed, g = self.formed, self.graph
-        if formed.accelerations is not None:
-            return list(formed.accelerations)
-        kind = "ldl" if self.equations.matrices.positive_definite else "lu"
-        corrections = solve_accelerations(g, formed.matrix, formed.residual_forcing, kind)
-        return [g.add(*parts) for parts in zip(formed.start, corrections, strict=True)]
-
     def _speed_responses(self) -> list[list[int]]:
         """Return for each row the change of u' per unit of its force: the columns of W.
 
         With dependent speeds u_d = A u_i + …, where A follows from their rows of the matrix, the
         generalized force of a row is Jᵢ + Aᵀ J_d.
         """
-        g, e, matrix = self.graph, self.equations, self.formed.matrix
+        g, e, matrix = self.graph, self.equations, self.formed.dynamics.matrix
         dependent, independent = e.dependents.speed_columns, e.dependents.independent_columns
         columns = [list(row) for row in self.jacobian]
         if dependent:
@@ -272,12 +263,12 @@ class ContactRows:
         The terms may cancel: weight and centripetal acceleration do when a body leaves a curved
         surface. With M u' = F they are those of J M⁻¹ F + b.
         """
-        g, matrix = self.graph, self.formed.matrix
+        g, matrix = self.graph, self.formed.dynamics.matrix
         shares = self.response
         if self.equations.constraints.velocity:  # M is not symmetric
             transposed = [list(column) for column in zip(*matrix, strict=True)]
             shares = g.solve(transposed, [list(row) for row in self.jacobian], "lu")
-        forces = sizes_of_terms(g, self.formed.forcing)
+        forces = sizes_of_terms(g, self.formed.dynamics.forcing)
         return [
             g.add(dot(g, [g.call("abs", n) for n in share], forces), drift)
             for share, drift in zip(shares, sizes_of_terms(g, self.drift), strict=True)
