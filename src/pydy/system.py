@@ -536,7 +536,8 @@ class System:
         An output may be called like a state, constant or specified. Where names are labels, in
         trajectories, tables, plots and files, it is then called ``q_output``.
         """
-        return list(self._definition.outputs_given)
+        outputs = self._definition.outputs
+        return list(outputs.as_named_by_user(outputs.symbols))
 
     num_coordinates = property(lambda self: len(self.coordinates), doc="Number of coordinates.")
     num_speeds = property(lambda self: len(self.speeds), doc="Number of speeds.")

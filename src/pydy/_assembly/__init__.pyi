@@ -4,6 +4,7 @@ from .baumgarte import stabilised as stabilised
 from .definition import (
     Definition as Definition,
     Layout as Layout,
+    Outputs as Outputs,
     lower_derivatives as lower_derivatives,
 )
 from .linear_solver import (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,6 @@ from pydy._assembly.system import Group
 from pydy._checks import SymbolIndex
 from pydy._forks import cached_property
 from pydy._mechanics import Equations
-from pydy._names import name_of
 
 if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, TimeFunction
@@ -29,21 +29,42 @@ class Layout:
 
 
 @dataclass(frozen=True)
-class Definition:
-    """The symbolic side of a System. Equal ones need the same code."""
+class Outputs:
+    """All outputs: the user's, the constraint residuals, the noncontributing forces."""
 
-    equations: Equations
-    # All outputs: the user's, the constraint residuals, the noncontributing forces.
     groups: tuple[Group, ...]
-    # The states that integrate outputs which depend on the derivatives of the speeds.
-    auxiliaries: tuple[AnySymbol, ...]
-    constants: tuple[AnySymbol, ...]  # sorted
-    specifieds: tuple[AnySymbol, ...]  # sorted, or as the user ordered them
-    # The outputs that are residuals of constraints and noncontributing forces.
     residuals: tuple[AnySymbol, ...] = ()
     forces: tuple[AnySymbol, ...] = ()
     # Labels of outputs that are called like something else, with the names that the user gave.
     labels: tuple[tuple[AnySymbol, AnySymbol], ...] = ()
+
+    @cached_property
+    def symbols(self) -> tuple[AnySymbol, ...]:
+        """The symbols of all outputs, in order."""
+        return tuple(name for group in self.groups for name in group.names)
+
+    @cached_property
+    def defined_by_user(self) -> tuple[AnySymbol, ...]:
+        """The symbols of the user's outputs."""
+        generated = {*self.residuals, *self.forces}
+        return tuple(s for s in self.symbols if s not in generated)
+
+    def as_named_by_user(self, symbols: Iterable[AnySymbol]) -> tuple[AnySymbol, ...]:
+        """Return the user's names of some outputs in place of their labels."""
+        names = dict(self.labels)
+        return tuple(names.get(symbol, symbol) for symbol in symbols)
+
+
+@dataclass(frozen=True)
+class Definition:
+    """The symbolic side of a System. Equal ones need the same code."""
+
+    equations: Equations
+    outputs: Outputs
+    # The states that integrate outputs which depend on the derivatives of the speeds.
+    auxiliaries: tuple[AnySymbol, ...]
+    constants: tuple[AnySymbol, ...]  # sorted
+    specifieds: tuple[AnySymbol, ...]  # sorted, or as the user ordered them
 
     @cached_property
     def states(self) -> tuple[AnySymbol, ...]:
@@ -57,35 +78,23 @@ class Definition:
         return tuple(places.get(symbol.diff(self.equations.time)) for symbol in self.specifieds)
 
     @cached_property
-    def outputs_symbols(self) -> tuple[AnySymbol, ...]:
-        """The names of all outputs, in order."""
-        return tuple(name for group in self.groups for name in group.names)
-
-    @cached_property
-    def outputs_given(self) -> tuple[AnySymbol, ...]:
-        """The same, as the user called them."""
-        names = dict(self.labels)
-        return tuple(names.get(label, label) for label in self.outputs_symbols)
-
-    @cached_property
     def symbols_by_kind(self) -> dict[str, tuple[AnySymbol, ...]]:
         """All symbols but the constants, by kind, as a Trajectory takes them."""
-        equations = self.equations
-        known = {*self.residuals, *self.forces}
+        equations, outputs = self.equations, self.outputs
         return {
             "coordinate": equations.coordinates,
             "speed": equations.speeds,
             "auxiliary": self.auxiliaries,
-            "output": tuple(s for s in self.outputs_symbols if s not in known),
-            "constraint": self.residuals,
-            "force": self.forces,
+            "output": outputs.defined_by_user,
+            "constraint": outputs.residuals,
+            "force": outputs.forces,
             "specified": self.specifieds,
         }
 
     @cached_property
     def layout(self) -> Layout:
         """The orders of the arrays x, r and p, and of the outputs."""
-        return Layout(self.states, self.specifieds, self.constants, self.outputs_symbols)
+        return Layout(self.states, self.specifieds, self.constants, self.outputs.symbols)
 
     @cached_property
     def lower_derivatives(self) -> dict[sm.Derivative, tuple[TimeFunction, ...]]:
@@ -105,19 +114,6 @@ class Definition:
         return not self.assumptions.keys() <= {"constants"}
 
     @cached_property
-    def of_one_name(self) -> list[tuple[AnySymbol, ...]]:
-        """Groups of symbols that differ in their assumptions alone, time included."""
-        groups: dict[tuple[object, ...], list[AnySymbol]] = {}
-        known = (*self.states, *self.constants, *self.specifieds, *self.outputs_symbols)
-        for symbol in dict.fromkeys((self.equations.time, *known)):
-            if not isinstance(symbol, sm.Dummy):
-                order = getattr(symbol, "derivative_count", None)
-                function = symbol if order is None else symbol.expr
-                kind = function.is_Symbol, order
-                groups.setdefault((name_of(function), kind), []).append(symbol)
-        return [tuple(group) for group in groups.values() if len(group) > 1]
-
-    @cached_property
     def places(self) -> dict[str, SymbolIndex]:
         """Where states, specifieds and constants lie in x, r and p; and outputs among all."""
         return {
@@ -130,7 +126,7 @@ class Definition:
         if block == "rates":
             return [f"the derivative of {s}" for s in self.states]
         if block == "outputs":
-            return [getattr(s, "name", str(s)) for s in self.outputs_symbols]
+            return [getattr(s, "name", str(s)) for s in self.outputs.symbols]
         if block == "energy":
             return ["the kinetic energy", "the potential energy", "the total energy"]
         kinds = ("holonomic", "nonholonomic") if block == "constraints" else (block,)

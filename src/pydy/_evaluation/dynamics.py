@@ -182,7 +182,7 @@ class Quantity(NamedTuple):
         atoms.update(dict.fromkeys(equations.kinematics.speed_rates, g.zero))
         for k, column in enumerate(self.accelerations):
             atoms[equations.kinematics.speed_rates[column]] = g.input("x", n + k)
-        terms = self.expressions(BodyDynamics(atoms, definition.forces, silent))
+        terms = self.expressions(BodyDynamics(atoms, definition.outputs.forces, silent))
         if isinstance(terms, str):
             rates = [atoms[rate] for rate in equations.kinematics.speed_rates]
             nodes = _of_method(assembly, rates, terms)

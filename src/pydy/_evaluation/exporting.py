@@ -194,7 +194,7 @@ def exported_model(
         (definition.states, problem.x),
         ([definition.specifieds[k] for k in columns], r[[*columns]]),
         (definition.constants, problem.p),
-        (definition.outputs_symbols, np.zeros(len(definition.outputs_symbols))),
+        (definition.outputs.symbols, np.zeros(len(definition.outputs.symbols))),
     ]
     names = _names([symbol for symbols, _ in parts for symbol in symbols])
     values = np.concatenate([numbers for _, numbers in parts]).tolist()
@@ -254,7 +254,7 @@ def live_system(
         states=definition.states,
         inputs=tuple(definition.specifieds[k] for k in _input_columns(definition, plan, None)),
         constants=definition.constants,
-        outputs=definition.outputs_symbols,
+        outputs=definition.outputs.symbols,
         definitions=formulas,
         dependents=dependents,
         coordinates=len(equations.coordinates),

@@ -42,7 +42,7 @@ def summary(
         ("elsewhere", _values([*other_constants.values()], constants, "1.0")),
         ("specifieds", _values(definition.specifieds, _flat(values["specifieds"]), "0.0")),
         ("constraints", _counts(equations)),
-        ("outputs", some([name_of(s) for s in definition.outputs_symbols])),
+        ("outputs", some([name_of(s) for s in definition.outputs.symbols])),
         ("times", f"{t[0]:g} to {t[-1]:g}, {len(t)} of them" if len(t) else "none"),
         ("solver", str(getattr(solver, "name", getattr(solver, "__name__", solver)))),
     ]  # fmt: skip

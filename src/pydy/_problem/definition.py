@@ -14,6 +14,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from pydy._assembly import (
     Definition,
     Group,
+    Outputs,
     auxiliary_groups,
     check_accelerations,
     lower_derivatives,
@@ -150,13 +151,10 @@ class DefinitionBuilder:
         r = sort_symbols({*specifieds, *more[1]})
         return Definition(
             equations,
-            tuple(groups),
+            Outputs(tuple(groups), tuple(self.residuals), tuple(forces), tuple(labels.items())),
             auxiliaries,
             tuple(sort_symbols({*constants, *more[0]} - {*auxiliaries})),
             _ordered(r, given, {*results}, lambda: self.energies.motions),
-            tuple(self.residuals),
-            tuple(forces),
-            tuple(labels.items()),
         )
 
     def _labelled(
@@ -220,10 +218,10 @@ class DefinitionBuilder:
         events = events if isinstance(events, (list, tuple)) else [events]
         events = [event for event in events if isinstance(event, Event)]
         parts = [part for event in events for part in (event.expression, *event.reset.values())]
-        symbols = (*definition.states, *definition.specifieds, *definition.outputs_symbols)
+        outputs = definition.outputs
+        symbols = (*definition.states, *definition.specifieds, *outputs.symbols)
         taken = {*map(name_of, (definition.equations.time, *symbols))}
         every = find_symbols(part for part in parts if isinstance(part, sm.Basic))
-        forces = {*definition.forces}
         equations = definition.equations
         unnamed = {*find_symbols(equations.auxiliary.residuals)} - {*symbols, *equations.symbols}
         for s in every:
@@ -232,7 +230,7 @@ class DefinitionBuilder:
                     f"`events` hold `{s}`, a noncontributing force that is not computed. Name it "
                     "in `noncontributing_forces`."
                 )
-            if s in definition.outputs_symbols and s not in forces:
+            if s in outputs.symbols and s not in outputs.forces:
                 raise ValueError(
                     f"`events` hold `{s}`, the name of an output. Write the output's expression "
                     "instead."
@@ -269,7 +267,7 @@ class DefinitionBuilder:
         return result
 
     def _warn(self, definition: Definition) -> None:
-        for symbols in definition.of_one_name:
+        for symbols in _of_one_name(definition):
             if symbols not in self._warned_of:
                 self._warned_of.add(symbols)
                 warn_user(
@@ -278,6 +276,20 @@ class DefinitionBuilder:
                     "has a value of its own. If one was meant, create it once and use it "
                     "everywhere."
                 )
+
+
+def _of_one_name(definition: Definition) -> list[tuple[Any, ...]]:
+    """Return groups of symbols that differ in their assumptions alone, time included."""
+    groups: dict[tuple[object, ...], list[Any]] = {}
+    orders = definition.layout
+    known = (*orders.states, *orders.constants, *orders.specifieds, *orders.outputs)
+    for symbol in dict.fromkeys((definition.equations.time, *known)):
+        if not isinstance(symbol, sm.Dummy):
+            order = getattr(symbol, "derivative_count", None)
+            function = symbol if order is None else symbol.expr
+            kind = function.is_Symbol, order
+            groups.setdefault((name_of(function), kind), []).append(symbol)
+    return [tuple(group) for group in groups.values() if len(group) > 1]
 
 
 def _ordered(

@@ -81,6 +81,7 @@ def compile_definition(
     off = frozenset() if flag(options.get("cse", True), "`cse`") else rewriting()
     backend = make_backend(options.pop("generator", "llvm"), options)
     layout, external = definition.layout, solver is not None
-    symbols = definition.groups, definition.auxiliaries, layout.specifieds, layout.constants
+    groups, integrals = definition.outputs.groups, definition.auxiliaries
+    symbols = groups, integrals, layout.specifieds, layout.constants
     assembly = assemble_system(equations, *symbols, external=external, off=off)
     return CompiledModel(layout, assembly, backend, solver, definition)

@@ -44,7 +44,7 @@ class StateSamples:
 
     def outputs(self) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
-        if not self.definition.outputs_symbols:
+        if not self.definition.outputs.symbols:
             return np.empty((len(self.t), 0))
         return self.evaluate(self.model.compiled("outputs"))
 

@@ -272,7 +272,7 @@ class ForcesWithoutConstraints:
         if body is None:
             masses = assembly.mass_matrix[:: n + 1] or [g.one] * n
             return {"masses": masses, "forces": sizes_of_terms(g, assembly.forcing)}
-        dynamics = BodyDynamics(None, self.definition.forces, {})
+        dynamics = BodyDynamics(None, self.definition.outputs.forces, {})
         forces = assembly.read(
             dynamics.inverse_dynamics(body).expressions(), "the forces", sizes=True
         )

@@ -378,12 +378,12 @@ def _outputs(
     definition = problem.definition
     m, n, s = len(T), len(definition.states), len(definition.specifieds)
     symbols = definition.states if outputs is None else listed("outputs", outputs)
-    index = SymbolIndex([*definition.states, *definition.outputs_symbols], "states and outputs")
+    index = SymbolIndex([*definition.states, *definition.outputs.symbols], "states and outputs")
     rows = index.columns(symbols, "outputs").tolist()
     by_state = np.broadcast_to(np.eye(n), (m, n, n))
     by_input = np.zeros((m, n, s))
     if any(row >= n for row in rows):
-        width = len(definition.outputs_symbols)
+        width = len(definition.outputs.symbols)
         by_state = np.concatenate([by_state, point.slopes("outputs")], axis=1)
         inputs = np.zeros((m, width, 0))
         if s:
@@ -395,7 +395,7 @@ def _outputs(
         if unknowns_by_input.size:
             unknowns = definition.equations.constraints.residuals.columns
             D = D + by_state[:, rows][:, :, unknowns] @ unknowns_by_input
-    titles = unique_names([*definition.states, *definition.outputs_symbols])
+    titles = unique_names([*definition.states, *definition.outputs.symbols])
     return C, D, tuple(titles[row] for row in rows)
 
 

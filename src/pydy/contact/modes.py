@@ -401,9 +401,8 @@ class CompiledModes:
     @property
     def outputs(self) -> tuple[AnySymbol, ...]:
         """The symbols of a trajectory's outputs."""
-        definition = self.definition
-        users = definition.symbols_by_kind["output"]
-        return (*users, *self.contact_outputs, *definition.residuals)
+        outputs = self.definition.outputs
+        return (*outputs.defined_by_user, *self.contact_outputs, *outputs.residuals)
 
     @property
     def transitions(self) -> tuple[str, ...]:
@@ -430,12 +429,11 @@ class CompiledModes:
 
     def settings(self, mode: Mode) -> dict[str, Any]:
         """Return the arguments of a Model or a System of a Mode, besides the equations."""
-        definition = self.definition
-        generated, labels = {*definition.residuals, *definition.forces}, dict(definition.labels)
+        outputs = self.definition.outputs
         users: dict[AnySymbol | tuple[AnySymbol, ...], object] = {}
-        for group in definition.groups:
-            if generated.isdisjoint(group.names):
-                names = tuple(labels.get(name, name) for name in group.names)
+        for group in outputs.groups:
+            if {*group.names} <= {*outputs.defined_by_user}:
+                names = outputs.as_named_by_user(group.names)
                 several = len(names) > 1
                 users[names if several else names[0]] = (
                     group.expressions if several else group.expressions[0]
@@ -449,13 +447,13 @@ class CompiledModes:
 
     def _columns(self, mode: Mode, definition: Definition) -> list[int]:
         """Return the columns of the trajectory's outputs in a mode; store all indices."""
-        mode.output_index = {symbol: k for k, symbol in enumerate(definition.outputs_symbols)}
+        mode.output_index = {symbol: k for k, symbol in enumerate(definition.outputs.symbols)}
         base = self.definition
         constraints = base.equations.constraints
         h, n = len(constraints.holonomic), len(constraints.nonholonomic)
-        residuals = list(definition.residuals)
+        residuals = list(definition.outputs.residuals)
         residual_outputs = (
             [*residuals[:h], *residuals[len(residuals) - n :]] if n else residuals[:h]
         )
-        users = base.symbols_by_kind["output"]
+        users = base.outputs.defined_by_user
         return [mode.output_index[s] for s in (*users, *self.contact_outputs, *residual_outputs)]

@@ -197,7 +197,7 @@ def branching(definition: Definition) -> dict[AnySymbol, sm.Expr]:
     symbols = {*definition.states, *definition.specifieds, *definition.constants}
     kinds = (sm.Abs, sm.Max, sm.Min, *_JUMPING)
     branching_outputs = {}
-    for group in definition.groups:
+    for group in definition.outputs.groups:
         for name, expression in zip(group.names, group.expressions, strict=True):
             if isinstance(expression, sm.Expr) and expression.has(*kinds):
                 remainder = expression.xreplace(dict.fromkeys(symbols, sm.S.One))

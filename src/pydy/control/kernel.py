@@ -99,7 +99,7 @@ class ImplicitEquations:
         # Accelerations in an objective are the inputs u'; no linear system is solved for them.
         atoms = {
             **assembly.atoms,
-            **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
+            **dict(zip(definition.outputs.symbols, assembly.outputs, strict=True)),
             **dict(zip(equations.kinematics.speed_rates, slopes[nq:], strict=False)),
         }
         compiled = code.latest.setdefault("points", {})

@@ -321,7 +321,7 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         p, definition = self._as_written, self._snapshot.definition
         moving = {*self._controls, *self._free, self._symbol, *(i.symbol for i in p.instants)}
         moving |= {*definition.states, *definition.equations.kinematics.speed_rates}
-        moving |= {*definition.outputs_symbols}
+        moving |= {*definition.outputs.symbols}
 
         def varies(kink: sm.Expr) -> bool:
             return not kink.atoms(sm.Symbol, AppliedUndef, sm.Derivative).isdisjoint(moving)
@@ -710,7 +710,7 @@ def _extra_constants(
     """Return the free symbols that occur in the objective or the conditions only."""
     reserved = {*definition.states, *definition.specifieds, *definition.constants}
     reserved |= {duration} if isinstance(duration, sm.Symbol) else set()
-    reserved |= {*definition.outputs_symbols, definition.equations.time}
+    reserved |= {*definition.outputs.symbols, definition.equations.time}
     symbols = {s for e in expressions for s in getattr(e, "free_symbols", ()) if s.is_Symbol}
     return {s for s in symbols - reserved if s in free or s.name in free}
 

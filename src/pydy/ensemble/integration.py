@@ -129,7 +129,7 @@ def integrate_ensemble(
     source = motions or derivatives
     model = EnsembleModel(
         rates=ready.code.programs.of("rates"),
-        outputs=ready.code.programs.of("outputs") if definition.outputs_symbols else None,
+        outputs=ready.code.programs.of("outputs") if definition.outputs.symbols else None,
         states=names.states,
         output_names=names.outputs,
         method=solver.name,
@@ -267,7 +267,7 @@ def ensemble_sensitivities(
     return EnsembleSensitivities(
         columns=column_names({p.symbol: p.count for p in sensitive.parameters}),
         rates=sensitive.tangent(),
-        outputs=sensitive.written_out("outputs") if definition.outputs_symbols else None,
+        outputs=sensitive.written_out("outputs") if definition.outputs.symbols else None,
         start=sensitive.independent(),
         dependent=sensitive.dependent,
         gradients=tuple(model.programs.jacobian(block, "x") for block in tied),

@@ -30,7 +30,7 @@ class ResultNames:
         outputs: Iterable[AnySymbol] | None = None,
     ) -> None:
         equations, n = definition.equations, len(definition.states)
-        outputs = definition.outputs_symbols if outputs is None else outputs
+        outputs = definition.outputs.symbols if outputs is None else outputs
         variables = (*definition.states, *outputs)
         self._variables = SymbolIndex(variables, "states and outputs of the system")
         names = unique_names(variables)

@@ -56,7 +56,7 @@ class LayerFunctions:
 
     def _make(self, kind: str, parts: tuple[ArgumentPart, ...]) -> LayerFunction:
         problem = self.problem
-        if kind == "outputs" and not problem.definition.outputs_symbols:
+        if kind == "outputs" and not problem.definition.outputs.symbols:
             raise ValueError("The system has no outputs to evaluate. Set `system.outputs`.")
         if kind in _BLOCKS:
             return BlockFunction(problem, _BLOCKS[kind], parts)

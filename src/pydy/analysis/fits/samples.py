@@ -48,7 +48,7 @@ def checked_trial(
 ) -> TrialSamples:
     """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
     states = definition.places["states"]
-    measurable = SymbolIndex([*definition.states, *definition.outputs_symbols],
+    measurable = SymbolIndex([*definition.states, *definition.outputs.symbols],
                         "states and outputs of the system")  # fmt: skip
     label = f"trial {k}"
     if not isinstance(trial, Trial):
