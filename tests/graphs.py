@@ -5,6 +5,7 @@ import sympy as sm
 
 from pydy._assembly.assembly import Assembly
 from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.solve.ldl import UnrolledLDL
@@ -50,7 +51,7 @@ COMPARISONS = {name: OPERATIONS[name].numpy for name in ("lt", "le", "eq", "ne")
 def nodes_of(expressions, graph=None):
     """A graph and the nodes of expressions in X, P and T."""
     graph = Graph() if graph is None else graph
-    return graph, SymPyReader(graph, graph.input_nodes(t=[T], x=X, p=P)).all(expressions)
+    return graph, SymPyReader.of_inputs(graph, "the expressions", t=[T], x=X, p=P).all(expressions)
 
 
 def on_tape(graph, nodes, sizes=SIZES):
@@ -88,7 +89,7 @@ def solve_program(n, kind, columns=1, off=frozenset()):
     graph = Graph(off)
     matrix = [[graph.input("x", i * n + j) for j in range(n)] for i in range(n)]
     right = [[graph.input("x", (n + c) * n + i) for i in range(n)] for c in range(columns)]
-    nodes = [k for column in graph.solve(matrix, right, kind) for k in column]
+    nodes = [k for column in right for k in LinearSystem(graph, matrix, kind).solve(column)]
     return on_tape(graph, nodes, (n * (n + columns), 0, 0))
 
 

@@ -5,6 +5,7 @@ import pytest
 
 from graphs import on_tape
 from pydy._backends.llvm.native import LLVMBackend
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._program.interpret import run
 
@@ -21,7 +22,7 @@ def chain(n, kind):
         if k:
             rows[k][k - 1] = rows[k - 1][k] = graph.input("p", 1)
     right = [graph.input("x", n + k) for k in range(n)]
-    return on_tape(graph, graph.solve(rows, [right], kind)[0], (2 * n, 0, 2))
+    return on_tape(graph, LinearSystem(graph, rows, kind).solve(right), (2 * n, 0, 2))
 
 
 def dense(x, p, n):

@@ -8,6 +8,7 @@ import sympy as sm
 from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
 from pydy._graph.adjoint import adjoints
 from pydy._graph.derivative import jacobian
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._graph.products import KINDS, derivative_program
 
@@ -67,7 +68,7 @@ def test_backward_is_forward_through_a_linear_solve(kind):
     if kind == "lu":
         cells[1] = nodes_of([y - z], graph)[1][0]
     matrix = [cells[:2], cells[2:4]]
-    solution = graph.solve(matrix, [cells[4:]], kind)[0]
+    solution = LinearSystem(graph, matrix, kind).solve(cells[4:])
     nodes = [graph.mul(solution[0], graph.input("x", 0)), solution[1]]
     backward, forward = both(graph, nodes, states(graph), POINT)
     np.testing.assert_allclose(backward, forward, rtol=1e-13)
@@ -81,14 +82,16 @@ def test_backward_is_forward_through_a_guarded_solve():
         graph.div(graph.sub(graph.mul(c, f), graph.mul(b, a)), determinant),
         graph.div(graph.sub(graph.mul(a, a), graph.mul(b, f)), determinant),
     ]
-    nodes = graph.guard(matrix, column, graph.call("lt", graph.zero, determinant), fast)
+    nodes = LinearSystem(graph, matrix).guarded(
+        column, graph.call("lt", graph.zero, determinant), fast
+    )
     backward, forward = both(graph, nodes, states(graph), POINT)
     np.testing.assert_allclose(backward, forward, rtol=1e-13)
 
 
 def test_a_gradient_through_a_solve_is_that_of_60_digit_differences():
     graph, cells = nodes_of([4 + x, x * y, x * y, 5 + y * z, sm.sin(w), x + w])
-    solution = graph.solve([cells[:2], cells[2:4]], [cells[4:]], "ldl")[0]
+    solution = LinearSystem(graph, [cells[:2], cells[2:4]], "ldl").solve(cells[4:])
     backward = adjoints(graph, solution, [graph.const(2.0), graph.const(-3.0)], states(graph))
 
     def exact(*at):

@@ -9,6 +9,7 @@ from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._graph.adjoint import adjoints
 from pydy._graph.derivative import jacobian
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 
 LOOP = frozenset({"ldl", "lu"})
@@ -219,7 +220,7 @@ def solved(matrix, kind, columns):
     graph, nodes = nodes_of([*matrix, *columns])
     rows = [nodes[3 * i : 3 * i + 3] for i in range(3)]
     right = [nodes[9 + 3 * k : 12 + 3 * k] for k in range(len(columns) // 3)]
-    return graph, [n for column in graph.solve(rows, right, kind) for n in column]
+    return graph, [n for column in right for n in LinearSystem(graph, rows, kind).solve(column)]
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ import pytest
 
 from graphs import on_tape, solve_program
 from pydy._backends.llvm.native import LLVMBackend
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._program.interpret import run
 
@@ -291,7 +292,7 @@ def tridiagonal(n):
         if i:
             cell[i, i - 1] = cell[i - 1, i] = graph.input("x", n + i)
     rows = [[cell.get((i, j), graph.zero) for j in range(n)] for i in range(n)]
-    (x,) = graph.solve(rows, [[graph.input("x", 2 * n + i) for i in range(n)]], "ldl")
+    x = LinearSystem(graph, rows, "ldl").solve([graph.input("x", 2 * n + i) for i in range(n)])
     program = on_tape(graph, x, (3 * n, 0, 0))
     return program.operation_count["run"].total()
 
@@ -306,7 +307,7 @@ def test_a_diagonal_matrix_costs_one_division_and_one_product_a_row():
     graph = Graph()
     n = 5
     rows = [[graph.input("x", i) if i == j else graph.zero for j in range(n)] for i in range(n)]
-    (x,) = graph.solve(rows, [[graph.input("x", n + i) for i in range(n)]], "ldl")
+    x = LinearSystem(graph, rows, "ldl").solve([graph.input("x", n + i) for i in range(n)])
     count = on_tape(graph, x, (2 * n, 0, 0)).operation_count["run"]
     assert (count["div"], count["mul"], count["add"]) == (n, n, 0)
 
@@ -315,7 +316,7 @@ def test_a_definite_matrix_of_constants_is_factorised_once():
     graph = Graph()
     n = 4
     cell = [[graph.input("p", max(i, j) * n + min(i, j)) for j in range(n)] for i in range(n)]
-    (x,) = graph.solve(cell, [[graph.input("x", i) for i in range(n)]], "ldl")
+    x = LinearSystem(graph, cell, "ldl").solve([graph.input("x", i) for i in range(n)])
     program = on_tape(graph, x, (n, 0, n * n))
     assert program.operation_count["run"].get("div", 0) == 0
     assert program.operation_count["setup"]["div"] == n
@@ -332,7 +333,7 @@ def test_a_block_that_is_diagonal_and_constant_goes_first():
         return graph.input("x", i * n + j)
 
     rows = [[cell(max(i, j), min(i, j)) for j in range(n)] for i in range(n)]
-    (x,) = graph.solve(rows, [[graph.input("x", n * n + i) for i in range(n)]], "ldl")
+    x = LinearSystem(graph, rows, "ldl").solve([graph.input("x", n * n + i) for i in range(n)])
     program = on_tape(graph, x, (n * n + n, 0, n))
     count = program.operation_count["run"]
     assert count["div"] == last  # the others are divided by once per binding
@@ -358,7 +359,7 @@ def test_a_triangular_system_needs_no_check_of_its_residual(engine):
     zero = graph.zero
     # Triangular once rows and columns are ordered.
     matrix = [[b, c, zero], [d, e, f], [a, zero, zero]]
-    (solution,) = graph.solve(matrix, [right], "lu")
+    solution = LinearSystem(graph, matrix).solve(right)
     program = on_tape(graph, solution, (10, 0, 0))
     assert "le" not in program.operation_count["run"]
     x = np.random.default_rng(5).normal(size=(200, 10))

@@ -14,6 +14,7 @@ sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 
 from trees import definition, tree
 
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._mechanics.formulations import moving
 from pydy._program.interpret import run
@@ -27,7 +28,7 @@ def accelerations_at(formed, x, values):
     graph, dynamics = formed.graph, formed.dynamics
     solved = dynamics.accelerations
     if solved is None:
-        solved = graph.solve(dynamics.matrix, [dynamics.forcing], "ldl")[0]
+        solved = LinearSystem(graph, dynamics.matrix, "ldl").solve(dynamics.forcing)
     sizes = (len(x), 0, len(formed.constants))
     program = lower(graph, sizes, [("accelerations", (len(solved),), solved)])
     p = np.array([values[s.name] for s in formed.constants])

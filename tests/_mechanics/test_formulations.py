@@ -10,6 +10,7 @@ import zoo
 from by_hand import MECHANISMS, derived, state
 from graphs import form
 from oracle import oracle
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.formulations import forms, moving
@@ -35,7 +36,7 @@ def rates(model, way, *states):
     graph, dynamics = formed.graph, formed.dynamics
     accelerations = dynamics.accelerations
     if accelerations is None:
-        accelerations = graph.solve(dynamics.matrix, [dynamics.forcing], "lu")[0]
+        accelerations = LinearSystem(graph, dynamics.matrix).solve(dynamics.forcing)
     nodes = [*formed.rates, *accelerations]
     sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])
@@ -88,14 +89,16 @@ def test_accelerations_do_not_depend_on_what_is_known_of_them_beforehand(in_bodi
     body = spun_rods().multibody
     kinematics = moving(body, in_bodies)
     matrix, forcing = composite(kinematics, *loads_and_inertias(kinematics))
-    expected = at_random(kinematics.graph, kinematics.graph.solve(matrix, [forcing], "ldl")[0])
+    expected = at_random(
+        kinematics.graph, LinearSystem(kinematics.graph, matrix, "ldl").solve(forcing)
+    )
     composed, eliminated = forms(body, in_bodies=in_bodies).equations
     graph, whole = composed.graph, composed.dynamics
     assert sum(n != graph.zero for n in whole.start) == 6
-    beyond = graph.solve(whole.matrix, [whole.residual_forcing], "ldl")[0]
+    beyond = LinearSystem(graph, whole.matrix, "ldl").solve(whole.residual_forcing)
     for found in (
         [graph.add(*parts) for parts in zip(whole.start, beyond, strict=True)],
-        graph.solve(whole.matrix, [whole.forcing], "ldl")[0],
+        LinearSystem(graph, whole.matrix, "ldl").solve(whole.forcing),
         eliminated.dynamics.accelerations,
     ):
         np.testing.assert_allclose(at_random(graph, found), expected, rtol=1e-10, atol=1e-12)

@@ -24,7 +24,7 @@ def free():
 def same(one, other):
     """Compare expressions wherever they are defined."""
     graph = Graph()
-    read = SymPyReader(graph, graph.input_nodes(x=[X, Z, Y, V], p=[K]))
+    read = SymPyReader.of_inputs(graph, "the expressions", x=[X, Z, Y, V], p=[K])
     first, second = signatures(graph, read.all([one, other]))
     return first == second
 

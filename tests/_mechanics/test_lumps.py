@@ -6,6 +6,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from graphs import form
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.inertia import composite_contributions
@@ -49,7 +50,7 @@ def accelerations(body, seed, **way):
     graph, dynamics = formed.graph, formed.dynamics
     n, solved = 2 * len(dynamics.forcing), dynamics.accelerations
     if solved is None:
-        solved = graph.solve(dynamics.matrix, [dynamics.forcing], "ldl")[0]
+        solved = LinearSystem(graph, dynamics.matrix, "ldl").solve(dynamics.forcing)
     program = lower(graph, (n, 0, len(p)), [("accelerations", (n // 2,), solved)])
     found, failed = run(program, np.zeros(1), rng.normal(size=(1, n)), np.zeros((1, 0)), p)
     assert not failed.any()

@@ -19,7 +19,7 @@ Q = me.dynamicsymbols("q:3")
 
 def read(matrix):
     graph = Graph()
-    reader = SymPyReader(graph, graph.input_nodes(x=Q), "the matrix")
+    reader = SymPyReader.of_inputs(graph, "the matrix", x=Q)
     return graph, [[reader(matrix[i, j]) for j in range(3)] for i in range(3)]
 
 

@@ -19,9 +19,9 @@ from trees import HUMANOID, definition, rods, tree
 import by_hand
 import zoo
 from pydy._assembly import assembly
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._graph.simplification import simplify
-from pydy._graph.solve.choose import solve_accelerations
 from pydy._mechanics import select_formulation as formed
 from pydy._mechanics.formulations import useful_axes
 from pydy._mechanics.kane import multibody_of_kane
@@ -73,7 +73,8 @@ def operations(found):
     graph, dynamics = found.graph, found.dynamics
     solved = dynamics.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, dynamics.matrix, dynamics.forcing, "ldl")
+        system = LinearSystem(graph, dynamics.matrix, "ldl")
+        solved = system.solve_by_differences(dynamics.forcing)
     nodes = simplify(graph, [*found.rates, *solved])
     sizes = (len(nodes), len(found.specifieds), len(found.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])

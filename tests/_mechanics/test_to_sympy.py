@@ -15,9 +15,9 @@ A, B, C = sm.symbols("a b c")
 
 def read(expressions):
     graph = Graph()
-    atoms = graph.input_nodes(x=[A, B, C])
-    nodes = SymPyReader(graph, atoms, "the expressions").all(expressions)
-    return graph, nodes, {node: symbol for symbol, node in atoms.items()}
+    reader = SymPyReader.of_inputs(graph, "the expressions", x=[A, B, C])
+    nodes = reader.all(expressions)
+    return graph, nodes, {node: symbol for symbol, node in reader.atoms.items()}
 
 
 def name(op, expression):

@@ -6,6 +6,7 @@ import pytest
 from mechanisms.build import definition
 from mechanisms.generate import BODIES, draw, settle
 from mechanisms.oracle import World
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._mechanics.formulations import forms
 from pydy._program.interpret import run
@@ -34,7 +35,7 @@ def test_every_form_moves_as_the_oracle_says(seed):
             matrix, forcing = formed.dynamics.matrix, formed.dynamics.forcing
             n = len(forcing)
             if solved is None:
-                solved = graph.solve(matrix, [forcing], "ldl")[0]
+                solved = LinearSystem(graph, matrix, "ldl").solve(forcing)
             program = lower(graph, (x.size, 0, 0), [("a", (n,), solved)])
             out, failed = run(program, np.array([time]), x, np.empty((1, 0)), np.empty(0))
             assert not failed.any()

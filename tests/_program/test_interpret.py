@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes import rewriting
@@ -38,7 +39,7 @@ def test_sums_products_and_functions():
 def test_solutions_of_linear_systems(kind):
     g = Graph()
     a, b = g.input("x", 0), g.input("x", 1)
-    nodes = g.solve([[a, g.zero], [b, g.one]], [[g.one, b]], kind)[0]
+    nodes = LinearSystem(g, [[a, g.zero], [b, g.one]], kind).solve([g.one, b])
     x = np.array([[2.0, 0.5], [3.0, -0.7], [0.0, 0.5]])
     found, expected = both(g, nodes, x)
     np.testing.assert_allclose(found, expected, rtol=1e-14)
@@ -49,10 +50,10 @@ def test_guards_that_fall_back_at_some_samples():
     g = Graph()
     a, b = g.input("x", 0), g.input("x", 1)
     sound = g.call("lt", g.const(0.5), a)
-    plain = g.guard([[a]], [b], sound, [g.div(b, a)])
+    plain = LinearSystem(g, [[a]]).guarded([b], sound, [g.div(b, a)])
     row = g.sum([(a, 2.0**50)])  # in units of its rounding
     rows = [[g.one, g.neg(row)], [row, g.const(INDEPENDENT)]]
-    held = g.guard(rows, [b, g.const(2.0**50)], sound, [g.powi(a, -1), g.zero])[:1]
+    held = LinearSystem(g, rows).guarded([b, g.const(2.0**50)], sound, [g.powi(a, -1), g.zero])[:1]
     x = np.array([[2.0, 0.3], [0.1, 0.4]])
     found, expected = both(g, [*plain, *held], x)
     np.testing.assert_allclose(found, expected, rtol=1e-13)

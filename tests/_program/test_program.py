@@ -8,6 +8,7 @@ import sympy as sm
 
 import graphs
 from graphs import P, T, X, nodes_of, on_tape, program_of, solve_program, values
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._graph.passes import rewriting
 
@@ -207,7 +208,7 @@ def test_what_two_fallbacks_share_is_computed_by_each_and_by_no_call():
     shared, nodes = g.call("exp", g.input("x", 0)), []
     for k in (1, 2):
         pivot = g.input("x", k)
-        nodes += g.guard([[pivot]], [shared], g.call("lt", g.zero, pivot), [pivot])
+        nodes += LinearSystem(g, [[pivot]]).guarded([shared], g.call("lt", g.zero, pivot), [pivot])
     program = on_tape(g, nodes, (3, 0, 0))
     assert "exp" not in program.operation_count["run"]
     assert program.ops.count("exp") == 2

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._graph import directional, jacobian, solve_accelerations, substitute
+from pydy._graph import LinearSystem, directional, jacobian, substitute
 from pydy._mechanics import (
     AccelerationConstraints,
     generic_values,
@@ -62,7 +62,7 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
         rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
         for k, own in zip(_constraint_rows(assembly), pull, strict=True):
             forcing[k] = graph.sub(forcing[k], own)
-        after = solve_accelerations(graph, rows, forcing, "lu")
+        after = LinearSystem(graph, rows).solve(forcing, judged=True)
     pairs = zip(before, after, strict=True)
     mapping = {old: new for old, new in pairs if not graph.constant[old]}
     rates = substitute(graph, assembly.rates, mapping)

@@ -119,12 +119,16 @@ def _resolve(
 ) -> dict[int, int]:
     """Return the node that replaces each specified's input node."""
     layout, equations = definition.layout, definition.equations
-    atoms = graph.input_nodes(
-        p=layout.constants, t=[equations.time], r=layout.specifieds, x=layout.states
+    read = SymPyReader.of_inputs(
+        graph,
+        "the expressions",
+        p=layout.constants,
+        t=[equations.time],
+        r=layout.specifieds,
+        x=layout.states,
     )
-    inputs = {s: atoms[s] for s in layout.specifieds}
-    atoms.update((z, graph.zero) for z in equations.kinematics.zeros)
-    read = SymPyReader(graph, atoms)
+    inputs = {s: read.atoms[s] for s in layout.specifieds}
+    read.atoms.update((z, graph.zero) for z in equations.kinematics.zeros)
     for formula in formulas:
         if not formula.order:
             found = find_symbols([formula.source])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
 from pydy._collector import collector_paused
-from pydy._graph import Graph, SymPyReader, jacobian, solve_accelerations, substitute
+from pydy._graph import Graph, LinearSystem, SymPyReader, jacobian, substitute
 from pydy._mechanics import Equations, find_symbols
 
 if TYPE_CHECKING:
@@ -40,15 +40,17 @@ def assemble_form(
     """Assemble equations in one of the forms."""
     graph, time = Graph(off), form.time
     states = [*form.coordinates, *form.speeds]
-    atoms = graph.input_nodes(p=form.constants, t=[time], r=form.specifieds, x=states)
-    read = SymPyReader(graph, atoms, "the right-hand side")
+    what = "the right-hand side"
+    read = SymPyReader.of_inputs(
+        graph, what, p=form.constants, t=[time], r=form.specifieds, x=states
+    )
     first: list[int] = []
     if form.coordinate_derivatives is not None:
         read.what = "`coordinate_derivatives`"
         first = read.all(form.coordinate_derivatives)
         for symbol, node in zip(form.coordinates, first, strict=True):
             read.define(symbol.diff(time), node)
-        read.what = "the right-hand side"
+        read.what = what
     forcing = read.all(form.right_hand_side)
     matrix: list[int] = []
     sizes = (len(states), len(form.specifieds), len(form.constants))
@@ -59,7 +61,7 @@ def assemble_form(
         read.what = "`mass_matrix`"
         matrix = read.all(form.mass_matrix)
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        rates = [*first, *graph.solve(rows, [forcing], "lu", judged=True)[0]]
+        rates = [*first, *LinearSystem(graph, rows).solve(forcing, judged=True)]
         opened = [*first, *(graph.input("a", k) for k in range(n))]
     read.what = "`outputs`"
 
@@ -160,7 +162,7 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
         places = {next(iter(row)): i for i, row in enumerate(rows)}
         if len(places) == n:
             return [graph.div(right[places[k]], rows[places[k]][k]) for k in range(n)]
-    return graph.solve(rows.dense(), [right], "lu", judged=True)[0]
+    return LinearSystem(graph, rows.dense()).solve(right, judged=True)
 
 
 @collector_paused()
@@ -179,10 +181,11 @@ def assemble_system(
     graph = Graph() if formed is None else formed.graph
     graph.off = off
     q, u, t = equations.coordinates, equations.speeds, equations.time
-    atoms = graph.input_nodes(p=constants, t=[t], r=specifieds, x=[*q, *u, *auxiliaries])
+    states, what = [*q, *u, *auxiliaries], "the equations of motion"
+    read = SymPyReader.of_inputs(graph, what, p=constants, t=[t], r=specifieds, x=states)
+    speeds = [read.atoms[s] for s in u]
     accelerations = [graph.input("a", k) for k in range(len(u))]
-    atoms.update((z, graph.zero) for z in equations.kinematics.zeros)
-    read = SymPyReader(graph, atoms, "the equations of motion")
+    read.atoms.update((z, graph.zero) for z in equations.kinematics.zeros)
     if formed is None:
         kinematics = read.all(equations.kinematics.coordinate_derivatives)
     else:
@@ -210,7 +213,7 @@ def assemble_system(
     kind = "ldl" if equations.matrices.positive_definite and not moved else "lu"
     if formed is None or (moved and formed.dynamics.accelerations is None):
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        solved = solve_accelerations(graph, rows, forcing, kind)
+        solved = LinearSystem(graph, rows, kind).solve_by_differences(forcing)
     else:
         solved = formed.dynamics.solution(graph, kind)
     read.what = "the outputs"
@@ -254,7 +257,7 @@ def assemble_system(
         mass_matrix=matrix,
         forcing=forcing,
         atoms=known,
-        speeds=[atoms[s] for s in u],
+        speeds=speeds,
         equations=equations,
         open=depending(accelerations) if external else {},
     )

@@ -11,6 +11,7 @@ import numpy as np
 from pydy._assembly import CompiledModel
 from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
+from pydy._graph import inputs_of
 from pydy._judges import explain, warn_not_finite
 from pydy._kernel import Kernel
 from pydy._problem import (
@@ -157,4 +158,4 @@ class Evaluator:
             return False
         assembly = code.assembly.fork()
         rows = [row for part in assembly.with_left_out() for row in part]
-        return "r" in assembly.graph.inputs_of(rows)
+        return "r" in inputs_of(assembly.graph, rows).groups

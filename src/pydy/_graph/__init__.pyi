@@ -10,12 +10,10 @@ from .derivative import (
     hessian as hessian,
     jacobian as jacobian,
 )
-from .from_sympy import (
-    NodeExpression as NodeExpression,
-    SymPyReader as SymPyReader,
-    evaluated_derivative as evaluated_derivative,
-)
+from .from_sympy import NodeExpression as NodeExpression, SymPyReader as SymPyReader
 from .identities import signatures as signatures
+from .inputs import inputs_of as inputs_of
+from .linear_system import LinearSystem as LinearSystem
 from .lowering import lower as lower
 from .node import Graph as Graph
 from .passes import passes_are_shipped as passes_are_shipped, rewriting as rewriting
@@ -29,10 +27,7 @@ from .rounding import (
     sizes_of_terms as sizes_of_terms,
 )
 from .simplification import operation_count as operation_count, simplify as simplify
-from .solve.choose import (
-    difference_basis as difference_basis,
-    solve_accelerations as solve_accelerations,
-)
 from .solve.ldl import elimination_order as elimination_order
 from .tangent import jacobian_tangent as jacobian_tangent
+from .terms import linear_terms as linear_terms
 from .time_switches import TimeSwitches as TimeSwitches

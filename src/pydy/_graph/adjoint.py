@@ -17,6 +17,7 @@ from functools import reduce
 from operator import or_
 
 from pydy._graph.derivative import definite, times, undefined
+from pydy._graph.linear_system import LinearSystem, solve_factored
 from pydy._graph.node import Graph
 from pydy._graph.roots import is_steep, of_half_power, slope
 from pydy._program import OPERATIONS, symmetric
@@ -147,7 +148,7 @@ class _Sweep:
         kind, n, entries = g.args[factor]
         transposed = entries if kind == "ldl" else _transpose(n, entries)
         right = [bars.get(k, g.zero) for k in range(n)]
-        multipliers = g.solve_factored(g.make("factor", (kind, n, transposed)), right)
+        multipliers = solve_factored(g, g.make("factor", (kind, n, transposed)), right)
         for part, term, sign in self._system(node, g.args[factor], column, multipliers):
             self.add(part, term, sign)
 
@@ -180,7 +181,8 @@ class _Sweep:
         sweeps = [_Sweep(g, self.active, part, ends) for part in (seeds, seeds_of_fast)]
         reached = sorted(ends & {*sweeps[0].terms, *sweeps[1].terms})
         parts = [[sweep.adjoint_of(end) for end in reached] for sweep in sweeps]
-        for end, bar in zip(reached, g.guard([[g.one]], parts[0], sound, parts[1]), strict=True):
+        adjoints_of_ends = LinearSystem(g, [[g.one]]).guarded(parts[0], sound, parts[1])
+        for end, bar in zip(reached, adjoints_of_ends, strict=True):
             self.add(end, bar)
 
     def _system(

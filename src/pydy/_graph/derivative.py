@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from pydy._graph.linear_system import solve_factored
 from pydy._graph.node import Graph
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 from pydy._program import OPERATIONS, symmetric
@@ -295,7 +296,7 @@ def _solve_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
     x = [g.make("item", (node, k)) for k in range(len(column))]
     result: list[Row] = [{} for _ in column]
     for key, right in _system_slopes(g, g.args[factor], x, column, rows).items():
-        for i, d in enumerate(g.solve_factored(factor, right)):
+        for i, d in enumerate(solve_factored(g, factor, right)):
             if d != g.zero:
                 result[i][key] = d
     return result

@@ -20,6 +20,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.derivative import directional
+from pydy._graph.inputs import inputs_of
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, rebuild, substitute
 from pydy._program import OPERATIONS, ScipyOperation
@@ -178,10 +179,20 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
 
         It prints as its name, which may be an expression, or as a number.
         """
-        inputs = tuple(graph.inputs([node]))
+        inputs = tuple(inputs_of(graph, [node]))
         formula = Formula(graph, node, inputs, name)
         expression: NodeExpression = cls(formula, *(symbols[n] for n in inputs))
         return expression
+
+    @staticmethod
+    def of_derivative(expr: sm.Basic) -> NodeExpression | None:
+        """Return a derivative that SymPy left unevaluated, by the rules of the graph; else None.
+
+        At steps the derivatives of ``Mod``, ``floor`` and others are those of the branch that is
+        taken. An UnsupportedFunctionError tells that it is by something that an undefined function
+        depends on, or holds a function that cannot be translated.
+        """
+        return _differentiated(expr) if _is_unevaluated(expr) else None
 
     def _eval_derivative(self, symbol: AnySymbol) -> sm.Derivative:
         return sm.Derivative(self, symbol, evaluate=False)
@@ -263,6 +274,16 @@ class SymPyReader:
         self.what = what
         self._node_of: dict[int, int] = {}
         self._alive: list[sm.Basic] = []  # keeps ids unique while the table lives
+
+    @staticmethod
+    def of_inputs(graph: Graph, what: str, /, **groups: Iterable[AnySymbol]) -> SymPyReader:
+        """Return a reader of symbols that are inputs, made in the order of the arguments.
+
+        Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
+        groups belongs to the last.
+        """
+        indexed = ((g, k, s) for g, symbols in groups.items() for k, s in enumerate(symbols))
+        return SymPyReader(graph, {s: graph.input(g, k) for g, k, s in indexed}, what)
 
     def define(self, atom: AnySymbol, node: int) -> None:
         """Let `atom` stand for `node` from now on."""
@@ -359,7 +380,7 @@ class SymPyReader:
 
     def _written_out(self, expr: sm.Basic) -> sm.Basic:
         """Return the expression that a function stands for, as the curves of muscles do."""
-        if (derivative := evaluated_derivative(expr)) is not None:
+        if (derivative := NodeExpression.of_derivative(expr)) is not None:
             return derivative
         written = expr.doit(deep=False) if isinstance(expr, (sm.Function, sm.Product)) else expr
         if isinstance(written, type(expr)):
@@ -493,16 +514,6 @@ class _OpenReader(SymPyReader):
         if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)) and expr not in self.atoms:
             self.atoms[expr] = self.graph.input("x", len(self.atoms))
         return super()._leaf(expr)
-
-
-def evaluated_derivative(expr: sm.Basic) -> NodeExpression | None:
-    """Return a derivative that SymPy left unevaluated, by the rules of the graph; else None.
-
-    At steps the derivatives of ``Mod``, ``floor`` and others are those of the branch that is taken.
-    An UnsupportedFunctionError tells that it is by something that an undefined function depends on,
-    or holds a function that cannot be translated.
-    """
-    return _differentiated(expr) if _is_unevaluated(expr) else None
 
 
 @lru_cache(maxsize=512)

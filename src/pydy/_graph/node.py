@@ -18,8 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from itertools import filterfalse
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,9 +26,6 @@ from pydy._program import OPERATIONS, Nodes, Operation
 
 if TYPE_CHECKING:
     from pydy._program import Args
-
-# What an input stands for: a symbol, say.
-Key = TypeVar("Key")
 
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
@@ -40,7 +36,7 @@ class Graph(Nodes):
 
     Operands are other nodes, except for the kinds ``const`` (value,), ``bool`` (value,), ``input``
     (group, index), ``sum``, ``prod`` (see the module), ``factor`` (kind, n, entries), ``solve``
-    (factor, right-hand sides), ``guard`` (see `Graph.guard`) and ``item`` (solve or guard, index).
+    (factor, right-hand sides), ``guard`` (see `LinearSystem`) and ``item`` (solve or guard, index).
     """
 
     def __init__(self, off: frozenset[str] = frozenset()) -> None:
@@ -53,20 +49,18 @@ class Graph(Nodes):
     def __len__(self) -> int:
         return len(self.ops)
 
-    def copy(self) -> Graph:
-        """Return a graph with the same nodes, which grows on its own."""
+    def copy(self, names: Mapping[tuple[str, int], tuple[str, int]] | None = None) -> Graph:
+        """Return a graph with the same nodes, which grows on its own.
+
+        The inputs in `names` get other groups and indices, all at once.
+        """
         twin = Graph.__new__(Graph)
         twin.ops, twin.args = self.ops.copy(), self.args.copy()
         twin.constant, twin._node_of = self.constant.copy(), self._node_of.copy()
         twin._operands, twin._counted = self._operands.copy(), self._counted.copy()
         twin.zero, twin.one, twin.off = self.zero, self.one, self.off
-        return twin
-
-    def renamed(self, names: Mapping[tuple[str, int], tuple[str, int]]) -> Graph:
-        """Return a copy in which inputs have other groups and indices, all at once."""
-        twin = self.copy()
         nodes = {}
-        for old, new in names.items():
+        for old, new in (names or {}).items():
             node = twin._node_of.pop(("input", old), None)
             if node is not None:
                 nodes[node] = new
@@ -233,15 +227,6 @@ class Graph(Nodes):
         """Return ``a ** exponent`` for an integer exponent."""
         return self.product([(a, exponent)])
 
-    def linear(self, node: int) -> dict[int, float]:
-        """Return what a node is a sum of, with coefficients; a number is so many times one."""
-        op, args = self.ops[node], self.args[node]
-        if op == "const":
-            return {self.one: args[0]} if args[0] else {}
-        if op != "sum":
-            return {node: 1.0}
-        return {self.one: args[0], **dict(args[1])} if args[0] else dict(args[1])
-
     # -- functions ------------------------------------------------------------------------------
 
     def call(self, op: str, *nodes: int) -> int:
@@ -266,69 +251,6 @@ class Graph(Nodes):
         if row.truth:
             return self.boolean(row.numpy(*values))
         return self.const(_folded(row.numpy, *values))
-
-    # -- linear systems -------------------------------------------------------------------------
-
-    def solve(
-        self, matrix: list[list[int]], columns: list[list[int]], kind: str, *, judged: bool = False
-    ) -> list[list[int]]:
-        """Return the solutions of ``matrix · x = column`` for each column.
-
-        The kind 'ldl' promises a symmetric positive definite matrix: only the lower triangle is
-        used, and the solution falls back to LU where the promise does not hold. The other kind is
-        'lu'. Of a column of zeros the solution is zero, unless the matrix must be `judged`: where
-        it is singular, nothing determines the solution.
-        """
-        n = len(matrix)
-        factor = self.make("factor", (kind, n, tuple(e for row in matrix for e in row)))
-        return [self.solve_factored(factor, column, judged=judged) for column in columns]
-
-    def solve_factored(self, factor: int, column: list[int], *, judged: bool = False) -> list[int]:
-        """Return the solution for one more right-hand side of a ``factor`` node."""
-        if not judged and all(self.ops[e] == "const" and self.args[e][0] == 0.0 for e in column):
-            return [self.zero] * len(column)
-        vector = self.make("solve", (factor, tuple(column)))
-        return [self.make("item", (vector, k)) for k in range(len(column))]
-
-    def guard(
-        self, matrix: list[list[int]], column: list[int], sound: int, fast: list[int]
-    ) -> list[int]:
-        """Return solutions of a linear system, which are `fast` where this is `sound`.
-
-        That is found in another way and equals the solutions; else the system is solved. The
-        `column` holds right-hand sides, one after the other; a symmetric matrix must be positive
-        definite, and derivatives are those of `fast` then. With a matrix of one, solutions are what
-        is computed in one of two ways.
-        """
-        n = len(matrix)
-        entries = tuple(e for row in matrix for e in row)
-        node = self.make("guard", (n, entries, tuple(column), sound, tuple(fast)))
-        return [self.make("item", (node, k)) for k in range(len(column))]
-
-    # -- walking --------------------------------------------------------------------------------
-
-    def inputs(self, roots: Iterable[int], *, moving: bool = False) -> list[int]:
-        """Return the inputs that the roots depend on, or those of them that are no constants."""
-        inputs = [n for n in self.reachable(roots) if self.ops[n] == "input"]
-        return [*filterfalse(self.constant.__getitem__, inputs)] if moving else inputs
-
-    def inputs_of(self, roots: Iterable[int]) -> set[str]:
-        """Return the groups of the inputs that the roots depend on, such as 't', 'x' and 'p'."""
-        return {str(self.args[n][0]) for n in self.inputs(roots)}
-
-    # -- which input stands for each symbol -----------------------------------------------------
-
-    def input_nodes(self, **groups: Iterable[Key]) -> dict[Key, int]:
-        """Return the input node of each symbol; inputs are made in the order of the arguments.
-
-        Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
-        groups belongs to the last.
-        """
-        return {s: self.input(g, k) for g, symbols in groups.items() for k, s in enumerate(symbols)}
-
-    def input_symbols(self, **groups: Iterable[Key]) -> dict[int, Key]:
-        """Return the symbol of each input node; for the groups see `input_nodes`."""
-        return {self.input(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}
 
 
 def _is_counted(op: str, args: Args) -> bool:

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pydy._graph.derivative import jacobian
+from pydy._graph.inputs import inputs_of
 from pydy._graph.intervals import bounded, bounds
 from pydy._graph.node import Graph
 from pydy._graph.tuning import (
@@ -69,7 +70,7 @@ class TimeSwitches:
             return None
         time = graph.input("t", 0)
         slopes = [row.get(0, graph.zero) for row in jacobian(graph, nodes, [time])]
-        inputs = [n for n in graph.inputs([*nodes, *slopes]) if n != time]
+        inputs = [n for n in inputs_of(graph, [*nodes, *slopes]) if n != time]
         return cls(graph, tuple(nodes), tuple(slopes), tuple(inputs))
 
     def numbers(self, p: np.ndarray, r: np.ndarray) -> np.ndarray:
@@ -129,7 +130,7 @@ def _switches(program: Program, switching_operations: Sequence[int]) -> tuple[Gr
         built[k] = getattr(graph, op)(*nodes) if arithmetic else graph.call(op, *nodes)
         if k in switching and not graph.constant[switch := _switch(graph, op, nodes)]:
             core = graph.scaled(switch)[1]
-            if "t" in graph.inputs_of([core]):
+            if "t" in inputs_of(graph, [core]).groups:
                 zeros[min(core, graph.neg(core))] = None
     return graph, [*zeros]
 

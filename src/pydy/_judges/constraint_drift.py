@@ -16,7 +16,15 @@ import numpy as np
 from pydy import _forks
 from pydy._assembly import Assembly, CompiledModel, Definition, Layout
 from pydy._errors import IntegrationError, warn_user
-from pydy._graph import Graph, directional, jacobian, per_unit, rounding_bounds, substitute
+from pydy._graph import (
+    Graph,
+    directional,
+    inputs_of,
+    jacobian,
+    per_unit,
+    rounding_bounds,
+    substitute,
+)
 from pydy._interpolation import evenly
 from pydy._mechanics import Equations, find_symbols
 from pydy._motion import ConstraintNames, Motion, constraint_names
@@ -282,8 +290,8 @@ def rates_along(
 
 def known_rows(graph: Graph, rows: Sequence[int], inputs: Mapping[int, int | None]) -> list[int]:
     """Replace rows by zero if they contain an input whose rate is not known."""
-    inputs_by_node = {n: graph.args[n] for n in graph.inputs(rows)}
-    unknown = {n for n, (group, k) in inputs_by_node.items() if group == "r" and k not in inputs}
+    contained = inputs_of(graph, rows).items()
+    unknown = {n for n, (group, k) in contained if group == "r" and k not in inputs}
     return [n if unknown.isdisjoint(graph.reachable([n])) else graph.zero for n in rows]
 
 
@@ -644,7 +652,7 @@ class EnergyPart(_OfEnergies):
         kinetic, potential = assembly.read(energies, "the energy")
         holonomic, velocity = assembly.with_left_out()
         rate_rows = [*velocity, *assembly.rates[: graph.args[speeds[0]][1]]]
-        driven = graph.inputs_of([kinetic, potential, *holonomic, *rate_rows]) & {"t", "r"}
+        driven = inputs_of(graph, [kinetic, potential, *holonomic, *rate_rows]).groups & {"t", "r"}
         momenta = jacobian(graph, [kinetic], speeds).flat()
         residual_nodes = substitute(
             graph, [kinetic, *momenta, *rate_rows], dict.fromkeys(speeds, graph.zero)

@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._assembly import Assembly, Definition, Plan, differentiated
 from pydy._errors import warn_user
-from pydy._graph import Branches, jacobian, rounding_bounds, substitute
+from pydy._graph import Branches, inputs_of, jacobian, rounding_bounds, substitute
 from pydy._interpolation import in_order
 from pydy._judges.passages import MotionPath, Values, WatchedQuantities, jump_message, passages
 from pydy._kernel import KernelCall
@@ -46,7 +46,7 @@ def _switched(
     steps: list[int] = []
     for switch in Branches(graph, searched).switches(whole=True):
         above, below = Branches(graph, nodes).sides(switch, bends)
-        inputs_of_switch = graph.inputs_of([switch])
+        inputs_of_switch = inputs_of(graph, [switch]).groups
         relevant = inputs_of_switch & {*inputs} and inputs_of_switch <= {*inputs, *other_inputs}
         if above != below and relevant:
             switches.append(switch)

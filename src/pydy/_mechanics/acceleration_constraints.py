@@ -24,7 +24,14 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from pydy._graph import Graph, elimination_order, rounding_bounds, substitute
+from pydy._graph import (
+    Graph,
+    LinearSystem,
+    elimination_order,
+    inputs_of,
+    rounding_bounds,
+    substitute,
+)
 from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT
 from pydy._program import constraint_mark
@@ -63,7 +70,7 @@ class AccelerationConstraints:
                 mass = graph.call("select", massless, graph.one, graph.zero)
                 solvable[k][k] = graph.add(line[k], mass)
                 heavy = graph.call("and", heavy, graph.call("not", massless))
-            free, *moved = graph.solve(solvable, [forcing, *first], "ldl")
+            free, *moved = map(LinearSystem(graph, solvable, "ldl").solve, [forcing, *first])
         weights = _mobilities(graph, matrix)
         for row in self.rows:
             # A light speed tied to a heavy one would be a difference of large numbers.
@@ -145,7 +152,7 @@ class AccelerationConstraints:
         # change that is no larger may as well be left out.
         negligible = g.call("lt", g.powi(acceleration_change, 3), g.sum([(uncertain, 8.0)]))
         chosen = [g.call("select", negligible, b, a) for a, b in zip(exact, coarse, strict=True)]
-        return g.guard([[g.one]], chosen, sound, list(fast))
+        return LinearSystem(g, [[g.one]]).guarded(chosen, sound, list(fast))
 
 
 def _mobilities(graph: Graph, matrix: Sequence[list[int]]) -> list[int]:
@@ -210,7 +217,7 @@ def _constrained(
     pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in bias]
     sound = graph.boolean(False) if sound is None else sound
     fast = [*(fast or [zero] * n), *[zero] * d]
-    return graph.guard(system, [*forcing, *pull], sound, fast)[:n]
+    return LinearSystem(graph, system).guarded([*forcing, *pull], sound, fast)[:n]
 
 
 def multipliers_of(
@@ -331,7 +338,7 @@ def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
     Angles are of order one. Coordinates outside of trigonometric functions may have any unit: they
     are scaled by their Euclidean norm.
     """
-    moving = graph.inputs(nodes, moving=True)
+    moving = inputs_of(graph, nodes).moving
     lengths = _used_as_they_are(graph, nodes) & {n for n in moving if graph.args[n][0] != "t"}
     unit = graph.one
     if lengths:

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from sympy.physics.mechanics import Point
 
-from pydy._graph import Graph, signatures
+from pydy._graph import Graph, linear_terms, signatures
 from pydy._mechanics.components import axis_rotation, flat, identity, in_rows, product, transposed
 from pydy._mechanics.frame_tree import Axes
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
@@ -304,7 +304,7 @@ class _Alignment:
             axis = {body.root: turn.own_axis, body.before: turn.before}.get(frame)
             if axis is None:
                 return False
-            rows = [g.linear(n) for n in self.kinematics.read.all(part)]
+            rows = [linear_terms(g, n) for n in self.kinematics.read.all(part)]
             for node in dict.fromkeys(n for row in rows for n in row):
                 v = np.array([row.get(node, 0.0) for row in rows])
                 size = float(axis @ v)
@@ -496,7 +496,7 @@ def _turn(graph: Graph, matrix: Matrix) -> _PlaneRotation | None:
     angles = set()
     for i, row in enumerate(matrix):
         for j, entry in enumerate(row):
-            for node, c in graph.linear(entry).items():
+            for node, c in linear_terms(graph, entry).items():
                 op = graph.ops[node]
                 if op not in parts:
                     return None

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pydy._collector import collector_paused
-from pydy._graph import NodeExpression, jacobian, substitute
+from pydy._graph import LinearSystem, NodeExpression, jacobian, substitute
 from pydy._mechanics.closures import LoopShares, loop_points
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.equations import Equations
@@ -78,7 +78,7 @@ def _residuals(k: Kinematics, moved: list[Vec]) -> list[sm.Expr]:
             [row[j] for j in dependent] for row in jacobian(g, nodes, k.speeds).dense()
         ]
         columns = [[g.neg(row[a]) for row in moved] for a in range(len(residuals))]
-        shares = g.solve(dependent_part, columns, "lu")
+        shares = [*map(LinearSystem(g, dependent_part).solve, columns)]
         for a, share in enumerate(shares):
             terms = [(g.mul(s, forces[j]), 1.0) for s, j in zip(share, dependent, strict=True)]
             residuals[a] = g.sum([(residuals[a], 1.0), *terms])

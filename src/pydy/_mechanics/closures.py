@@ -32,7 +32,7 @@ import numpy as np
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point
 
-from pydy._graph import Graph, jacobian, substitute
+from pydy._graph import Graph, LinearSystem, inputs_of, jacobian, substitute
 from pydy._mechanics.components import dot, flat, identity, product
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frame_tree import FrameTree, breadth_first
@@ -153,7 +153,7 @@ class LoopShares:
         slopes = flat(jacobian(g, rates, [*k.speeds, *k.auxiliary]).dense())
         holonomic_slopes = flat(jacobian(g, k.dt(holonomic), k.speeds).dense())
         nodes = [*positions, *axes, *slopes, *flat(self._rows), *holonomic_slopes, *holonomic]
-        self._states = _generic(g, g.inputs(nodes))
+        self._states = _generic(g, [*inputs_of(g, nodes)])
         values = np.array([g.evaluator(nodes)(row, _STATES) for row in self._states])
         p, f, width = len(self._points), len(self._frames), n + len(k.auxiliary)
         shapes = [
@@ -281,7 +281,7 @@ class LoopShares:
         """Return the first set of numbers, with zeros for inputs that it does not have."""
         numbers = self._states[0]
         zeros = np.zeros(_STATES)
-        return {n: numbers.get(n, zeros) for n in self.k.graph.inputs(nodes)}
+        return {n: numbers.get(n, zeros) for n in inputs_of(self.k.graph, nodes)}
 
     def _factors(self, j: int, rates: Vec, columns: np.ndarray, weights: np.ndarray) -> Vec | None:
         """Return the coefficients of components: numbers, or expressions of constants."""
@@ -306,7 +306,7 @@ class LoopShares:
             *cells, cell = substitute(g, nodes, self._at(state))
             matrix.append(cells)
             right.append(cell)
-        for i, node in zip(used, g.solve(matrix, [right], "lu")[0], strict=True):
+        for i, node in zip(used, LinearSystem(g, matrix).solve(right), strict=True):
             factors[i] = node
         return factors
 
@@ -331,7 +331,7 @@ class LoopShares:
         numbers = states.by_symbol(inputs)
         nodes = flat(every)
         inputs_at = {node: numbers[s] for node, s in k.symbols().items() if s in numbers}
-        inputs_at |= {n: np.zeros(_STATES) for n in k.graph.inputs(nodes) if n not in inputs_at}
+        inputs_at |= {n: np.zeros(_STATES) for n in inputs_of(k.graph, nodes) if n not in inputs_at}
         values = k.graph.evaluator(nodes)(inputs_at, _STATES).reshape(_STATES, -1, width)
         finite = np.array(np.isfinite(values).all(axis=(1, 2)))
         values = values[states.closed(inputs, finite)]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._graph import Graph, jacobian
+from pydy._graph import Graph, inputs_of, jacobian, linear_terms
 from pydy._rank import ROUNDED
 
 _STATES = 3
@@ -55,7 +55,7 @@ def transposed(matrix: Sequence[Sequence[int]]) -> list[list[int]]:
 
 def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
     """Drop terms that are rounding errors of numeric rotations, relative to the vector."""
-    rows = [graph.linear(n) for n in nodes]
+    rows = [linear_terms(graph, n) for n in nodes]
     sizes: dict[int, float] = {}
     for row in rows:
         for n, c in row.items():
@@ -75,7 +75,7 @@ def numbers_of(
     All inputs of these rows may change: quaternions get unit length, random lengths close a loop.
     Inputs among `zeros` that do not occur in them are zero.
     """
-    inputs = graph.inputs([*flat, *zero_rows])
+    inputs = [*inputs_of(graph, [*flat, *zero_rows])]
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
     determined = {*graph.reachable(zero_rows)}
     x[:, [n in zeros and n not in determined for n in inputs]] = 0.0

@@ -24,7 +24,7 @@ from sympy.physics.mechanics import ReferenceFrame
 
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph import jacobian, rounding_bounds, signatures
+from pydy._graph import inputs_of, jacobian, rounding_bounds, signatures
 from pydy._mechanics.components import flat, identity, numbers_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formulations import moving
@@ -239,7 +239,7 @@ def _depends_alike(
     """Return whether all inputs of a velocity occur in its position and in q' too."""
     g, available = k.graph, {*k.coordinates, *k.speeds}
     available |= {*g.reachable([*position, *k.dt(position)])}
-    return available.issuperset(g.inputs(velocity))
+    return available.issuperset(inputs_of(g, velocity))
 
 
 def _values(k: Kinematics, nodes: list[int], zero_rows: list[int]) -> np.ndarray:

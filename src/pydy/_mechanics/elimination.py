@@ -18,7 +18,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
-from pydy._graph import Graph, signatures, substitute
+from pydy._graph import Graph, inputs_of, signatures, substitute
 from pydy._mechanics.components import dot, transposed
 from pydy._mechanics.inertia import Inertia, Load
 from pydy._mechanics.kinematics import Kinematics
@@ -441,7 +441,7 @@ def _mean_squares(push: _Push, home: dict[int, int]) -> list[dict[int, int]]:
 
 def _without_state(graph: Graph, nodes: list[int]) -> list[int]:
     """Replace nodes that do not depend on the state by constants."""
-    moving = graph.inputs(nodes, moving=True)
+    moving = inputs_of(graph, nodes).moving
     if not moving:
         return nodes
     fixed = substitute(graph, nodes, dict.fromkeys(moving, graph.zero))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from pydy._graph import Graph, NodeExpression, solve_accelerations
+from pydy._graph import Graph, LinearSystem, NodeExpression, inputs_of
 
 if TYPE_CHECKING:
     import sympy as sm
@@ -27,10 +27,11 @@ class DynamicEquations:
     accelerations: list[int] | None = None  # u', if formed without the mass matrix of all speeds
 
     def solution(self, graph: Graph, kind: str) -> list[int]:
-        """Return u', solved for if it is not known; M is of a kind that `Graph.solve` names."""
+        """Return u', solved for if it is not known; for the kind of M see `LinearSystem`."""
         if self.accelerations is not None:
             return self.accelerations
-        correction = solve_accelerations(graph, self.matrix, self.residual_forcing, kind)
+        system = LinearSystem(graph, self.matrix, kind)
+        correction = system.solve_by_differences(self.residual_forcing)
         return [graph.add(*parts) for parts in zip(self.start, correction, strict=True)]
 
     def ordered(self, speeds: Sequence[int]) -> DynamicEquations:
@@ -68,8 +69,9 @@ class EquationGraph:
         graph, dynamics = self.graph, self.dynamics
         roots = [*self.rates, *(n for row in dynamics.matrix for n in row), *dynamics.forcing]
         roots += dynamics.accelerations or []
-        measured = [n for n in graph.inputs(self.measures) if graph.constant[n]]
-        return {graph.args[n] for n in (*graph.inputs(roots), *measured)}
+        measured = inputs_of(graph, self.measures).items()
+        constants = {at for node, at in measured if graph.constant[node]}
+        return constants | {*inputs_of(graph, roots).values()}
 
     def symbols(self, speed_rates: Sequence[sm.Derivative]) -> list[AnySymbol]:
         """Return the constants, specifieds and derivatives of speeds that occur."""
@@ -80,7 +82,9 @@ class EquationGraph:
         self, time: sm.Symbol, states: Sequence[TimeFunction]
     ) -> dict[int, AnySymbol]:
         """Return the symbol of each input node, except derivatives of speeds."""
-        return self.graph.input_symbols(t=[time], x=states, p=self.constants, r=self.specifieds)
+        groups = {"t": [time], "x": states, "p": self.constants, "r": self.specifieds}
+        node = self.graph.input
+        return {node(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}
 
     def energy(
         self, time: sm.Symbol, coordinates: Sequence[TimeFunction], speeds: Sequence[TimeFunction]
@@ -113,8 +117,8 @@ class EquationGraph:
                     names[group, k] = f"idle {group}", k
         simplified = self.simplified
         if simplified is not None:
-            simplified = simplified[0].renamed(names), simplified[1]
-        return replace(self, graph=self.graph.renamed(names), simplified=simplified)
+            simplified = simplified[0].copy(names), simplified[1]
+        return replace(self, graph=self.graph.copy(names), simplified=simplified)
 
     def ordered(self, coordinates: Sequence[int], speeds: Sequence[int]) -> EquationGraph:
         """Return a copy with coordinates and speeds in another order, given by present positions.
@@ -129,10 +133,10 @@ class EquationGraph:
         names |= {("a", old): ("a", new) for new, old in enumerate(speeds)}
         simplified = self.simplified
         if simplified is not None:
-            simplified = simplified[0].renamed(names), [simplified[1][k] for k in states]
+            simplified = simplified[0].copy(names), [simplified[1][k] for k in states]
         return replace(
             self,
-            graph=self.graph.renamed(names),
+            graph=self.graph.copy(names),
             rates=[self.rates[k] for k in coordinates],
             dynamics=self.dynamics.ordered(speeds),
             simplified=simplified,

@@ -143,11 +143,10 @@ def equations_to_read(equations: Equations, forces: tuple[AnySymbol, ...]) -> Eq
     parts = [*matrix, *bias, *rates, *velocity]
     graph = Graph()
     order = (*q, *u, *(s for s in find_symbols(parts) if s not in moving))
-    atoms = graph.input_nodes(x=dict.fromkeys(order))
-    symbols = {node: symbol for symbol, node in atoms.items()}
-    atoms.update(dict.fromkeys(kinematics.zeros, graph.zero))
-    atoms.update(dict.fromkeys((s for s in kinematics.speed_rates if s not in atoms), graph.zero))
-    read = SymPyReader(graph, atoms, "the equations of motion")
+    read = SymPyReader.of_inputs(graph, "the equations of motion", x=dict.fromkeys(order))
+    symbols = {node: symbol for symbol, node in read.atoms.items()}
+    absent = [s for s in kinematics.speed_rates if s not in read.atoms]
+    read.atoms.update(dict.fromkeys((*kinematics.zeros, *absent), graph.zero))
     moved = read.all(rates)
     for rate, node in zip(kinematics.coordinate_rates, moved, strict=True):
         read.define(rate, node)

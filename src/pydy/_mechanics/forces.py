@@ -24,6 +24,7 @@ from sympy.physics.mechanics import Point, Vector
 from pydy._collector import collector_paused
 from pydy._forks import cached_property
 from pydy._graph import (
+    LinearSystem,
     NodeExpression,
     jacobian,
     rounding_bounds,
@@ -106,9 +107,8 @@ class ConstraintForces:
         if self.body.changing:
             multipliers = multipliers_of(g, columns, force, rank)
         elif len(columns) == len(dependent):
-            multipliers = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[
-                0
-            ]
+            transposed = [list(row) for row in zip(*columns, strict=True)]
+            multipliers = LinearSystem(g, transposed).solve(force)
         else:
             multipliers = self._shortest(columns, force)
         return multipliers
@@ -135,7 +135,7 @@ class ConstraintForces:
         square = [
             [g.sum([(g.mul(c[i], c[j]), 1.0) for c in columns]) for j in range(d)] for i in range(d)
         ]
-        share = g.solve(square, [force], "ldl")[0]
+        share = LinearSystem(g, square, "ldl").solve(force)
         return product(g, columns, share)
 
     def reaction(

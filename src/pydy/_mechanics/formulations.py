@@ -19,6 +19,7 @@ from sympy.core.function import AppliedUndef
 from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
+    LinearSystem,
     SymPyReader,
     hessian,
     jacobian,
@@ -90,7 +91,8 @@ def forms(
     kinds = [composed]
     if not body.velocity and not moved:
         fast, sound = eliminated(kinematics, inertias, loads, body_inertias)
-        accelerations = kinematics.plus(start, g.guard(matrix, residual, sound, fast))
+        correction = LinearSystem(g, matrix).guarded(residual, sound, fast)
+        accelerations = kinematics.plus(start, correction)
         dynamics = replace(composed.dynamics, accelerations=accelerations)
         kinds.append(replace(composed, dynamics=dynamics))
     if body.auxiliary:
@@ -423,10 +425,10 @@ def without_idle(
     if not forces:
         return tuple(forcing)
     graph = Graph()
-    atoms = graph.input_nodes(x=present)
-    nodes = SymPyReader(graph, atoms, "the equations of motion").all(forcing)
-    cancelling = set(idle_inputs(graph, nodes, [atoms[s] for s in forces]))
-    zeros = {s: sm.S.Zero for s in forces if atoms[s] in cancelling}
+    read = SymPyReader.of_inputs(graph, "the equations of motion", x=present)
+    nodes = read.all(forcing)
+    cancelling = set(idle_inputs(graph, nodes, [read.atoms[s] for s in forces]))
+    zeros = {s: sm.S.Zero for s in forces if read.atoms[s] in cancelling}
     return tuple(replace_symbols(e, zeros) for e in forcing) if zeros else tuple(forcing)
 
 

@@ -66,14 +66,14 @@ class GenericStates:
         symbols = find_symbols((*expressions, *constraint_expressions, *turns)).keys() - defined
         symbols |= {rate_of(s, t) for s in symbols if isinstance(s, AppliedUndef)}
         free_symbols = sort_symbols(symbols)
-        atoms = graph.input_nodes(x=states, r=free_symbols, t=[t])
+        self.read = SymPyReader.of_inputs(graph, what, x=states, r=free_symbols, t=[t])
+        atoms = self.read.atoms
         self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]
         self._free, time = [atoms[s] for s in free_symbols], atoms[t]
         self.inputs = [*self.coordinates, *self.speeds, *self._free, time]
         self._symbols = t, *states, *free_symbols
         self._sizes = (len(states), len(free_symbols), 0)
-        atoms |= dict.fromkeys((*kinematics.zeros, *accelerations), graph.zero)
-        self.read = SymPyReader(graph, atoms, what)
+        atoms.update(dict.fromkeys((*kinematics.zeros, *accelerations), graph.zero))
         rates = self.read.all(derivatives)
         # These unknowns are forces, which occur in no other constraint: they are held constant.
         of_speeds = [

@@ -18,7 +18,15 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import SymbolIndex, check_mapping, describe, number, shown
-from pydy._graph import Graph, NodeExpression, jacobian, signatures, substitute
+from pydy._graph import (
+    Graph,
+    LinearSystem,
+    NodeExpression,
+    inputs_of,
+    jacobian,
+    signatures,
+    substitute,
+)
 from pydy._mechanics.components import flat
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.multibody import Multibody
@@ -151,7 +159,7 @@ def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
     if not unknowns:
         return
     contained = find_symbols([*body.position_constraints, *body.velocity])
-    if "a" in graph.inputs_of([kinetic]) or not contained.keys().isdisjoint(unknowns):
+    if "a" in inputs_of(graph, [kinetic]).groups or not contained.keys().isdisjoint(unknowns):
         raise ValueError(
             f"A position, velocity or constraint holds {describe(unknowns)}, whose residuals hold "
             "speeds. What depends on speeds may stand in loads and outputs only."
@@ -191,7 +199,7 @@ def _rates(
         if len(rows) == 1:
             solved[columns[0]] = g.div(right[0], matrix[0][0])
         else:
-            solved |= zip(columns, g.solve(matrix, [right], "lu")[0], strict=True)
+            solved |= zip(columns, LinearSystem(g, matrix).solve(right), strict=True)
     symbols = kinematics.symbols()
     return [
         NodeExpression.of(g, solved[k], symbols, f"rate of {z}") for k, z in enumerate(unknowns)

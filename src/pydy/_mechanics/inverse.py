@@ -22,8 +22,10 @@ from sympy.physics.mechanics import Point
 from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
+    LinearSystem,
     NodeExpression,
     SymPyReader,
+    inputs_of,
     jacobian,
     operation_count,
     signatures,
@@ -118,7 +120,7 @@ class BodyDynamics:
             other_speeds = [k for k in range(n) if k not in at]
             matrix = [[row[k] for row in slopes] for k in other_speeds]
             shares = (
-                g.solve(matrix, [[forces[k] for k in other_speeds]], "lu")[0]
+                LinearSystem(g, matrix).solve([forces[k] for k in other_speeds])
                 if other_speeds
                 else []
             )
@@ -132,7 +134,7 @@ class BodyDynamics:
             residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
             matrix = jacobian(g, residuals, unknown).dense()
             drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
-            solved = g.solve(matrix, [[g.neg(node) for node in drift]], "lu")[0]
+            solved = LinearSystem(g, matrix).solve([g.neg(node) for node in drift])
             forces = substitute(g, forces, dict(zip(unknown, solved, strict=True)))
         return self.in_symbols(kinematics, forces)
 
@@ -302,7 +304,7 @@ def _refuse_varying_masses(kinematics: Kinematics) -> None:
     """Raise an error if a mass is not constant: forces contain m' v, which is not linear in m."""
     g = kinematics.graph
     for body in kinematics.body.bodies:
-        if any(not g.constant[n] for n in g.inputs([kinematics.read(body.mass)])):
+        if any(not g.constant[n] for n in inputs_of(g, [kinematics.read(body.mass)])):
             raise ValueError(
                 f"The mass of {body.name}, {body.mass}, may change with time: forces are not "
                 "linear in it then. Regressors and inertial parameters need masses that are "
@@ -329,8 +331,8 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
         mass = kinematics.read(body.mass)
         if mass == g.zero:
             continue
-        inputs = g.inputs([mass])
-        mass_symbols = [n for n in inputs if g.constant[n]] or inputs
+        inputs = inputs_of(g, [mass])
+        mass_symbols = [n for n in inputs if g.constant[n]] or [*inputs]
         masses.append((mass, mass_symbols))
         loads_here = [
             k
@@ -447,7 +449,7 @@ def _steady(kinematics: Kinematics, force: Vec) -> Vec:
     """
     g = kinematics.graph
     force_at_rest = substitute(g, force, dict.fromkeys(kinematics.speeds, g.zero))
-    moved = g.inputs(force_at_rest, moving=True)
+    moved = inputs_of(g, force_at_rest).moving
     at_origin = substitute(g, force_at_rest, dict.fromkeys(moved, g.zero))
     if not moved or not kinematics.equal(at_origin, force_at_rest):
         return force

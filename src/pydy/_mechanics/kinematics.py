@@ -62,8 +62,8 @@ class Kinematics:
         g = self.graph = Graph()
         self.inertial = body.frame
         states = [*body.coordinates, *body.speeds]
-        atoms = g.input_nodes(x=states, t=[body.time])
-        time = atoms[body.time]
+        atoms: dict[AnySymbol, int] = {s: g.input("x", k) for k, s in enumerate(states)}
+        atoms[body.time] = time = g.input("t", 0)
         coordinates = self.coordinates = [atoms[s] for s in body.coordinates]
         self.speeds = [atoms[s] for s in body.speeds]
         self.accelerations = [g.input("a", k) for k in range(len(self.speeds))]
@@ -135,9 +135,9 @@ class Kinematics:
         """Return the symbol of each input node, except auxiliary speeds."""
         body, read, g = self.body, self.read, self.graph
         states = (*body.coordinates, *body.speeds)
-        return g.input_symbols(
-            t=[body.time], x=states, a=body.speed_rates, p=read.constants, r=read.specifieds
-        )
+        groups = {"t": [body.time], "x": states, "a": body.speed_rates}
+        groups |= {"p": read.constants, "r": read.specifieds}
+        return {g.input(group, k): s for group, part in groups.items() for k, s in enumerate(part)}
 
     # -- vectors ----------------------------------------------------------------------------------
 

@@ -12,7 +12,7 @@ from collections.abc import Hashable, Sequence
 import sympy as sm
 
 from pydy._checks import describe
-from pydy._graph import Graph, NodeExpression, SymPyReader, signatures
+from pydy._graph import Graph, LinearSystem, NodeExpression, SymPyReader, signatures
 from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
 from pydy._modular import PRIME, inverse
@@ -73,8 +73,8 @@ def _solved(rows: list[sm.Expr], unknowns: list[sm.Derivative], argument: str) -
         )
     constants = [-replace_symbols(row, dict.fromkeys(unknowns, sm.S.Zero)) for row in rows]
     n, graph = len(unknowns), Graph()
-    atoms = graph.input_nodes(p=sort_symbols(find_symbols([*entries, *constants])))
-    read = SymPyReader(graph, atoms, f"`{argument}`")
+    symbols = sort_symbols(find_symbols([*entries, *constants]))
+    read = SymPyReader.of_inputs(graph, f"`{argument}`", p=symbols)
     nodes = read.all(entries)
     cells, values = (
         [cells_[k : k + n] for k in range(0, n * n, n)]
@@ -93,10 +93,10 @@ def _solved(rows: list[sm.Expr], unknowns: list[sm.Derivative], argument: str) -
         return [sm.Add(*map(sm.Mul, constants, column)) / sign for column in columns]
     if all(entry.is_number for entry in entries):
         return list(sm.Matrix(matrix).LUsolve(sm.Matrix(constants)))
-    symbols = {node: symbol for symbol, node in atoms.items()}
-    solution = graph.solve(cells, [read.all(constants)], "lu")[0]
+    symbol_of = {node: symbol for symbol, node in read.atoms.items()}
+    solution = LinearSystem(graph, cells).solve(read.all(constants))
     return [
-        NodeExpression.of(graph, node, symbols, rate)
+        NodeExpression.of(graph, node, symbol_of, rate)
         for node, rate in zip(solution, unknowns, strict=True)
     ]
 
@@ -123,7 +123,7 @@ def divide_alike(values: Sequence[sm.Expr], reference: Sequence[sm.Expr]) -> boo
         for part in (values, reference)
     ]
     graph, symbols = Graph(), sort_symbols(find_symbols([*divisors[0], *divisors[1]]))
-    read = SymPyReader(graph, graph.input_nodes(p=symbols), "`kd_eqs`")
+    read = SymPyReader.of_inputs(graph, "`kd_eqs`", p=symbols)
     mine, theirs = map(read.all, divisors)
     signature = signatures(graph, [*mine, *theirs, *map(graph.neg, theirs)])
     return set(signature[: len(mine)]) <= set(signature[len(mine) :])

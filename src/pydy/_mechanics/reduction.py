@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pydy._graph import Graph, jacobian, substitute
+from pydy._graph import Graph, LinearSystem, inputs_of, jacobian, substitute
 from pydy._mechanics.acceleration_constraints import (
     AccelerationConstraints,
     solved_soundly,
@@ -59,7 +59,7 @@ def reduced(
     dependent_part = [row[p:] for row in rows]
     columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in bias]]
     solved, determinants = solve_by_cofactors(g, dependent_part, columns) or (
-        g.solve(dependent_part, columns, "lu"),
+        [*map(LinearSystem(g, dependent_part).solve, columns)],
         [],
     )
     null_space = [[*unit, *column] for unit, column in zip(identity(g, p), solved[:p], strict=True)]
@@ -92,7 +92,7 @@ def reduced(
         shares, well = solved_soundly(g, basis.projected_mass_matrix, basis.right(forcing), sizes)
         sound = g.call("and", sound, well)
     else:
-        shares = g.solve(basis.projected_mass_matrix, [basis.right(forcing)], "ldl")[0]
+        shares = LinearSystem(g, basis.projected_mass_matrix, "ldl").solve(basis.right(forcing))
     for i in range(p):
         if matrix[i][i] != g.zero:
             limit = g.sum([(basis.sizes[i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
@@ -391,11 +391,11 @@ def _weak(square: np.ndarray, orthogonalised: Sequence[int]) -> float:
 
 def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
     """Return the values of nodes at random states; None if they have other inputs."""
-    inputs = graph.inputs(nodes)
-    if not {graph.args[n][0] for n in inputs} <= _RANGES.keys():
+    inputs = inputs_of(graph, nodes)
+    if not inputs.groups <= _RANGES.keys():
         return None
     rng = np.random.default_rng(0)
-    at = {n: rng.uniform(*_RANGES[graph.args[n][0]], 512) for n in inputs}
+    at = {n: rng.uniform(*_RANGES[group], 512) for n, (group, _) in inputs.items()}
     values = graph.evaluator(nodes)(at, 512)
     finite: np.ndarray = values[np.isfinite(values).all(axis=1)]
     return finite

@@ -23,7 +23,8 @@ import sympy as sm
 from pydy._collector import collector_paused
 from pydy._graph import (
     Graph,
-    difference_basis,
+    LinearSystem,
+    inputs_of,
     jacobian,
     lower,
     operation_count,
@@ -159,7 +160,7 @@ def _without_cancelled(formed: EquationGraph) -> EquationGraph:
         measures=tuple(measures),
     )
     removed = formed.inputs() - reduced.inputs()
-    inputs = {graph.args[k] for k in graph.inputs(kinetic)}
+    inputs = {*inputs_of(graph, kinetic).values()}
     return reduced if any(g == "r" and (g, k) not in inputs for g, k in removed) else formed
 
 
@@ -172,9 +173,10 @@ def _estimated(formed: EquationGraph) -> int:
         if guards:
             roots = list(graph.args[guards[0]][4])
     else:
-        system, n = (dynamics.matrix, dynamics.residual_forcing), len(dynamics.matrix)
-        matrix, column = difference_basis(graph, *system) or system
-        lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
+        system, column = LinearSystem(graph, dynamics.matrix, "ldl"), dynamics.residual_forcing
+        system, column = system.in_differences(column) or (system, column)
+        n = len(column)
+        lower = [system.matrix[i][j] for i in range(n) for j in range(i + 1)]
         filled = sum(node != graph.zero for node in lower) - n
         # The cost of LDLᵀ with so many entries; its structure saves half of it.
         solving = filled * (filled // n + 9) // 3

@@ -11,7 +11,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._graph import evaluated_derivative
+from pydy._graph import NodeExpression
 from pydy._names import written_out
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def find_symbols(expressions: Iterable[sm.Expr | sm.Matrix]) -> dict[AnySymbol, 
         if key in visited:
             continue
         visited[key] = expr
-        if (derivative := evaluated_derivative(expr)) is not None:
+        if (derivative := NodeExpression.of_derivative(expr)) is not None:
             stack.append(derivative)
         elif isinstance(expr, (AppliedUndef, sm.Derivative, sm.Symbol)):
             symbols[expr] = None
@@ -83,7 +83,7 @@ def replace_symbols(expression: sm.Expr, mapping: Mapping[AnySymbol, sm.Expr]) -
             continue
         if ready and key in derivatives:
             done[key] = done[id(derivatives[key])]
-        elif (derivative := evaluated_derivative(expr)) is not None:
+        elif (derivative := NodeExpression.of_derivative(expr)) is not None:
             derivatives[key] = derivative
             stack += [(expr, True), (derivative, False)]
         elif not expr.args or isinstance(expr, (AppliedUndef, sm.Derivative)):

@@ -19,7 +19,7 @@ import numpy as np
 from sympy.physics.mechanics import Force
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import Graph, signatures
+from pydy._graph import Graph, inputs_of, signatures
 from pydy._mechanics.components import dot, flat
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formulations import moving
@@ -93,7 +93,7 @@ def _is_negative(body: Multibody, loads: Sequence[Load]) -> bool:
     square = dot(g, forces[0], forces[0])
     power = g.add(*(dot(g, f, v) for f, v in zip(forces, motions, strict=True)))
     nodes = [*flat(forces), square, k.dt([square])[0], power]
-    inputs = g.inputs(nodes)
+    inputs = inputs_of(g, nodes)
     values = np.random.default_rng(0).uniform(0.5, 1.5, (len(inputs), _STATES))
     constant = [g.constant[n] for n in inputs]
     values[constant] = values[constant, :1]

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from pydy._assembly import Assembly, CompiledModel, Definition
 from pydy._checks import SymbolIndex, describe, typed
-from pydy._graph import Graph, NodeExpression, directional, jacobian, reach, rounding_bounds
+from pydy._graph import (
+    Graph,
+    LinearSystem,
+    NodeExpression,
+    directional,
+    inputs_of,
+    jacobian,
+    reach,
+    rounding_bounds,
+)
 from pydy._mechanics import Equations
 from pydy._program import OPERATIONS, Program
 from pydy.solvers import (
@@ -99,7 +108,7 @@ def compile_events(
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
-    groups = [graph.inputs_of([node]) for node in nodes]
+    groups = [inputs_of(graph, [node]).groups for node in nodes]
     slopes = _slopes(assembly, nodes)
 
     def resets() -> Program:
@@ -118,7 +127,7 @@ def compile_events(
             resets=bool(event.reset),
             turns=isinstance(event, Turn),
             constant=inputs <= {"p"},
-            linear="r" not in inputs and graph.inputs_of(row.values()) <= {"p"},
+            linear="r" not in inputs and inputs_of(graph, row.values()).groups <= {"p"},
             redirects=changes_rate,
             may_rest=_may_rest(graph, event, node, inputs),
         )
@@ -177,7 +186,7 @@ def _redirects(
     graph, redirects = assembly.graph, []
     for event, row in zip(events, slopes, strict=True):
         rates = [assembly.rates[i] for i in row if i < len(states)] if event.reset else []
-        inputs = {graph.args[node] for node in graph.inputs([*row.values(), *rates])}
+        inputs = {*inputs_of(graph, [*row.values(), *rates]).values()}
         changed = [k for k, state in enumerate(states) if state in event.reset]
         redirects.append(any(("x", k) in inputs for k in changed))
     return tuple(redirects)
@@ -231,7 +240,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     model, (closed, redundant) = with_all(model, definition), equations.constraints.redundant
     kernel = model.compiled_by(("projection",), lambda: projection_program(model.assembly))
     assembly = model.assembly
-    moved = assembly.graph.inputs_of([*assembly.holonomic, *assembly.velocity])
+    moved = inputs_of(assembly.graph, [*assembly.holonomic, *assembly.velocity]).groups
     return CompiledConstraints(
         kernel=kernel,
         sizes=ConstraintSizes(
@@ -339,7 +348,7 @@ def _separate(
         if i in rows or all(row[k] == zero for k in columns):
             continue
         transposed = [list(column) for column in zip(*block, strict=True)]
-        (share,) = graph.solve(transposed, [[row[k] for k in columns]], "lu")
+        share = LinearSystem(graph, transposed).solve([row[k] for k in columns])
         for k in range(len(row)):
             terms = [(graph.mul(a, gradient[g][k]), -1.0) for a, g in zip(share, rows, strict=True)]
             row[k] = zero if k in columns else graph.sum([(row[k], 1.0), *terms])

@@ -9,7 +9,7 @@ import numpy as np
 from pydy._assembly import Assembly
 from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph import Graph
+from pydy._graph import Graph, inputs_of
 from pydy._mechanics import written
 from pydy._names import numbers_of
 from pydy._problem.state_samples import StateSamples
@@ -27,11 +27,12 @@ def first_undefined(at: StateSamples, outputs: bool) -> str | None:
     assembly, layout = at.model.assembly, at.definition.layout
     graph = assembly.graph
     groups = {"x": at.x[0], "p": np.atleast_2d(at.p)[0], "r": at.r[0], "t": at.t[:1]}
-    names = {"x": layout.states, "p": layout.constants, "r": layout.specifieds}
-    symbols = graph.input_symbols(t=[at.definition.equations.time], **names)
+    names = {"t": [at.definition.equations.time], "x": layout.states}
+    names |= {"p": layout.constants, "r": layout.specifieds}
+    symbols = {graph.input(g, k): s for g, part in names.items() for k, s in enumerate(part)}
     for roots in (_unsolved(assembly), assembly.outputs if outputs else ()):
         nodes = [n for n in graph.reachable(roots, fallbacks=False) if graph.ops[n] in _SCALARS]
-        inputs = {n: graph.args[n] for n in graph.inputs(nodes)}
+        inputs = inputs_of(graph, nodes)
         if any(group not in groups for group, _ in inputs.values()):
             continue  # what holds accelerations
         known = {n: groups[group][k] for n, (group, k) in inputs.items()}
@@ -60,7 +61,7 @@ def _defined(graph: Graph, node: int, values: dict[int, float]) -> bool:
 def _described(
     graph: Graph, node: int, values: dict[int, float], symbols: dict[int, Any]
 ) -> str | None:
-    inputs = graph.inputs([node])
+    inputs = inputs_of(graph, [node])
     try:
         (expression,), _ = written(graph, [node], symbols)
     except (KeyError, UnsupportedFunctionError):

@@ -11,6 +11,7 @@ import numpy as np
 from pydy._assembly import Definition
 from pydy._checks import check_mapping, describe, listed, number, refuse_twice
 from pydy._errors import EquilibriumError, warn_user
+from pydy._graph import inputs_of
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import some, unique_names
 from pydy._problem import Problem
@@ -295,7 +296,7 @@ class EquilibriumResidual:
         """Warn once if z is not an equilibrium at other times."""
         graph, assembly, plan = self.model.assembly.graph, self.model.assembly, self.plan
         nodes = [node for block in self.blocks for node in getattr(assembly, block)]
-        if plan.inputs.constant and "t" not in graph.inputs_of(nodes):
+        if plan.inputs.constant and "t" not in inputs_of(graph, nodes).groups:
             return
         times = self.t + 2.0 ** np.array(sorted(range(-_TIMES // 2, _TIMES // 2), key=abs))
         if self.time_span > 0.0:

@@ -16,6 +16,7 @@ import numpy as np
 
 from pydy._checks import flag, listed, positive, shown
 from pydy._errors import PeriodicOrbitError, finished_before
+from pydy._graph import inputs_of
 from pydy._integration import SensitivityRequest, integrate, simulate
 from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion
@@ -633,7 +634,7 @@ def _depends_on_time(problem: Problem) -> bool:
     if problem.hybrid is not None and problem.hybrid.depends_on_time:
         return True
     assembly = problem.code.assembly
-    return "t" in assembly.graph.inputs_of(assembly.rates)
+    return "t" in inputs_of(assembly.graph, assembly.rates).groups
 
 
 def _initial_conditions(problem: Problem) -> dict[AnySymbol, float]:

@@ -11,6 +11,7 @@ import sympy as sm
 
 from pydy._checks import SymbolDict, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
+from pydy._graph import inputs_of
 from pydy._integration import AugmentedSystem, SensitivityRequest
 from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion, check_events, native_solver
@@ -160,7 +161,7 @@ class Contacts:
         """Whether gaps, sliding speeds or coefficients depend on time explicitly."""
         rows = self._problem()[1].rows
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
-        return "t" in rows.graph.inputs_of(nodes)
+        return "t" in inputs_of(rows.graph, nodes).groups
 
     def _problem(
         self, events: Event | Iterable[Event] | None = None

@@ -10,7 +10,7 @@ import sympy as sm
 
 from pydy import _forks
 from pydy._forks import cached_property
-from pydy._graph import Graph, NodeExpression, jacobian
+from pydy._graph import Graph, LinearSystem, NodeExpression, jacobian
 from pydy._mechanics import Equations, dot, extract
 from pydy._names import name_of
 from pydy._problem import Model, Problem
@@ -184,7 +184,7 @@ class Mode:
         if not enforced:
             solution = []
         elif len(enforced) == len(active):
-            solution = g.solve(matrix, [right], "lu")[0]
+            solution = LinearSystem(g, matrix).solve(right)
         else:
             nodes = {symbol: node for node, symbol in rows.symbols.items()}
             solution = self._nearest(g, matrix, right, [nodes[rows.biases[row]] for row in active])
@@ -201,7 +201,7 @@ class Mode:
             g.sub(value, dot(g, line, bias)) for value, line in zip(right, matrix, strict=True)
         ]
         square = [[dot(g, a, b) for b in matrix] for a in matrix]
-        shares = g.solve(square, [residuals], "lu")[0]
+        shares = LinearSystem(g, square).solve(residuals)
         lines = zip(*matrix, strict=True)
         return [dot(g, column, shares, (b, 1.0)) for column, b in zip(lines, bias, strict=True)]
 

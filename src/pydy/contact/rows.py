@@ -20,7 +20,9 @@ from pydy._checks import describe
 from pydy._forks import cached_property
 from pydy._graph import (
     Graph,
+    LinearSystem,
     SymPyReader,
+    inputs_of,
     jacobian,
     lower,
     rounding_bounds,
@@ -244,7 +246,7 @@ class ContactRows:
             below = [matrix[k] for k in dependent]
             block = [[row[j] for j in dependent] for row in below]
             right = [[g.neg(row[i]) for row in below] for i in independent]
-            shares = dict(zip(independent, g.solve(block, right, "lu"), strict=True))
+            shares = dict(zip(independent, map(LinearSystem(g, block).solve, right), strict=True))
             columns = [
                 [
                     dot(g, shares[i], [row[j] for j in dependent], (row[i], 1.0))
@@ -255,7 +257,7 @@ class ContactRows:
                 for row in columns
             ]
         kind = "ldl" if e.matrices.positive_definite and not dependent else "lu"
-        return g.solve([list(row) for row in matrix], columns, kind)
+        return [*map(LinearSystem(g, matrix, kind).solve, columns)]
 
     def _terms(self) -> list[int]:
         """Return the sums of the absolute terms of the rows' accelerations without contact forces.
@@ -267,7 +269,7 @@ class ContactRows:
         shares = self.response
         if self.equations.constraints.velocity:  # M is not symmetric
             transposed = [list(column) for column in zip(*matrix, strict=True)]
-            shares = g.solve(transposed, [list(row) for row in self.jacobian], "lu")
+            shares = [*map(LinearSystem(g, transposed).solve, self.jacobian)]
         forces = sizes_of_terms(g, self.formed.dynamics.forcing)
         return [
             g.add(dot(g, [g.call("abs", n) for n in share], forces), drift)
@@ -384,7 +386,9 @@ class ContactRows:
     def _checks_constants(self) -> bool:
         """Whether the checks at the start, except for gaps, depend on the constants alone."""
         g, coefficients = self.graph, [*self.mu, *self.static, *self.restitution]
-        input_groups = g.inputs_of(coefficients) | (g.inputs_of(self.gaps) - {"t", "x"})
+        input_groups = inputs_of(g, coefficients).groups | (
+            inputs_of(g, self.gaps).groups - {"t", "x"}
+        )
         return None not in self.normal and not input_groups - {"p"}
 
     def are_open(self, gaps: RowValues, p: np.ndarray) -> bool:

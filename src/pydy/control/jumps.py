@@ -21,7 +21,15 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 
 from pydy._errors import warn_user
-from pydy._graph import Branches, Graph, SymPyReader, jacobian, rounding_bounds, substitute
+from pydy._graph import (
+    Branches,
+    Graph,
+    SymPyReader,
+    inputs_of,
+    jacobian,
+    rounding_bounds,
+    substitute,
+)
 from pydy._rank import HALF, ROUNDING
 from pydy.control.transcription import TranscribedProblem
 from pydy.control.tuning import ON_SURFACE, SURFACE_POINTS, SURFACE_STEPS
@@ -136,7 +144,9 @@ def jumps_of(
 ) -> Iterator[Discontinuity]:
     """Yield the discontinuities of a node as inputs ``('x', k)`` vary within their ranges."""
     switches = [
-        s for s in Branches(graph, [node]).switches(whole=True) if "x" in graph.inputs_of([s])
+        s
+        for s in Branches(graph, [node]).switches(whole=True)
+        if "x" in inputs_of(graph, [s]).groups
     ]
     surfaces = _Surfaces(graph, ranges, fixed)
     for switch in switches:
@@ -175,7 +185,7 @@ def _describe_position(
     graph: Graph, switch: int, ranges: Sequence[Range], x: np.ndarray, sizes: np.ndarray
 ) -> str:
     """Return the unknowns that a switch depends on, with their values."""
-    inputs = set(graph.inputs([switch]))
+    inputs = set(inputs_of(graph, [switch]))
     texts = []
     for k, (name, *_) in enumerate(ranges):
         if graph.input("x", k) in inputs:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pydy._assembly import singular_mass_matrix
 from pydy._checks import describe
-from pydy._graph import derivative_program
+from pydy._graph import derivative_program, inputs_of
 from pydy._kernel import Kernel
 from pydy._problem import Problem
 from pydy._program import Program
@@ -63,7 +63,7 @@ class BlockFunction:
             return
         assembly, states = self._code.assembly, self.problem.definition.states
         g, rows = assembly.graph, [assembly.holonomic[k] for block, _ in blocks for k in block]
-        inputs = {g.args[n] for n in g.inputs(rows)}
+        inputs = {*inputs_of(g, rows).values()}
         if any((part.group, k) in inputs for part in self.parts for k in part.indices):
             unknowns = [states[k] for _, columns in blocks for k in columns]
             raise ValueError(

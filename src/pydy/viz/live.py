@@ -406,9 +406,8 @@ def _start(system: LiveSystem, user_sliders: Sequence[UserSlider]) -> tuple[Prog
     """Return the Program of the initial conditions that user-defined sliders set."""
     graph = Graph()
     constants = [*system.constants, *(symbol for symbol, _, _ in user_sliders)]
-    atoms = graph.input_nodes(p=constants, x=system.states)
     lookup = SymbolIndex(system.states, "states of the system")
-    reader = SymPyReader(graph, atoms, "`sets` of a slider")
+    reader = SymPyReader.of_inputs(graph, "`sets` of a slider", p=constants, x=system.states)
     nodes, targets = [], []
     for key, _, sets in user_sliders:
         for state, expression in sets.items():
@@ -436,8 +435,7 @@ def _sizes(
     The constants have these `numbers` at the start.
     """
     graph = Graph()
-    atoms = graph.input_nodes(p=system.constants)
-    reader = SymPyReader(graph, atoms, "the shapes")
+    reader = SymPyReader.of_inputs(graph, "the shapes", p=system.constants)
     nodes, size_targets = [], []
     for k, item in enumerate(items):
         shape = item.visual.shape
@@ -447,7 +445,9 @@ def _sizes(
             lengths = {attribute: getattr(shape, attribute) for attribute in shape.lengths}
         for attribute, expression in lengths.items():
             if isinstance(expression, sm.Expr) and expression.free_symbols:
-                values = {s: definitions[s] for s in expression.free_symbols if s not in atoms}
+                values = {
+                    s: definitions[s] for s in expression.free_symbols if s not in reader.atoms
+                }
                 nodes += reader.all([expression.xreplace(values)])
                 size_targets.append([k, attribute])
     counts = (len(system.states), len(system.inputs), len(system.constants))

@@ -114,12 +114,16 @@ class _Poses:
         self.geometry = geometry
         self.names = names
         self.graph = graph = Graph()
-        atoms = graph.input_nodes(
-            p=names.constants, r=names.specifieds, x=names.states, t=[names.time]
+        self.read = SymPyReader.of_inputs(
+            graph,
+            "the scene",
+            p=names.constants,
+            r=names.specifieds,
+            x=names.states,
+            t=[names.time],
         )
         # A trajectory from a file has names in the place of symbols.
-        self.by_name = {s: node for s, node in atoms.items() if isinstance(s, str)}
-        self.read = SymPyReader(graph, atoms, "the scene")
+        self.by_name = {s: node for s, node in self.read.atoms.items() if isinstance(s, str)}
         unit = [[graph.one if i == j else graph.zero for j in range(3)] for i in range(3)]
         self.rotations: dict[ReferenceFrame, Matrix3] = {geometry.reference: unit}
 

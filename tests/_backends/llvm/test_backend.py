@@ -25,6 +25,7 @@ from graphs import (
 from pydy._backends.llvm import ir, jit
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.text import kernel_text
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._program.interpret import run
 from pydy._program.program import Program, Tape
@@ -297,7 +298,7 @@ def test_the_native_function_returns_a_bit_for_each_failed_lane(name, bad):
 def test_a_failure_in_one_of_two_solves_is_kept():
     graph = Graph()
     x = [graph.input("x", k) for k in range(4)]
-    (one,), (two,) = (graph.solve([[x[k]]], [[x[k + 1]]], "ldl")[0] for k in (0, 2))
+    (one,), (two,) = (LinearSystem(graph, [[x[k]]], "ldl").solve([x[k + 1]]) for k in (0, 2))
     program = on_tape(graph, [one, two], (4, 0, 0))
     states = np.array([[2.0, 1, 4, 1], [0, 1, 4, 1], [2, 1, 0, 1], [0, 1, 0, 1]])
     for lanes in LANES:

@@ -12,6 +12,7 @@ from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.adjoint import adjoints
 from pydy._graph.derivative import jacobian
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._graph.simplification import operation_count, simplify
 from pydy._program.interpret import run
@@ -50,7 +51,7 @@ def by_hand(n):
     sound = g.call("and", sound, g.call("lt", g.mul(g.const(1e-12), rows[0][0]), pivot))
     first = g.div(force, pivot)
     rest = [g.div(g.sub(b[k], g.mul(edge[k], first)), rows[k][k]) for k in range(1, n)]
-    return g, g.guard(rows, column, sound, [first, *rest]), (3 * n, 0, 1)
+    return g, LinearSystem(g, rows).guarded(column, sound, [first, *rest]), (3 * n, 0, 1)
 
 
 def exact(x, p, n):
@@ -112,7 +113,7 @@ def scaled(n):
     scale = graph.call("exp", graph.input("p", 0))
     entries, column = ([graph.mul(scale, k) for k in part] for part in (entries, column))
     rows = [entries[k * n : k * n + n] for k in range(n)]
-    return on_tape(graph, graph.guard(rows, column, sound, fast), sizes)
+    return on_tape(graph, LinearSystem(graph, rows).guarded(column, sound, fast), sizes)
 
 
 def test_fallbacks_are_compiled_when_one_is_needed(compiled):
@@ -270,8 +271,8 @@ def test_constraints_are_solved_for_several_right_hand_sides(lanes):
     ]
     never, nothing = g.boolean(False), [g.zero] * 3
     each = [x[3:6], x[6:9]]
-    several = g.guard(rows, [n for part in each for n in part], never, nothing * 2)
-    single = [n for part in each for n in g.guard(rows, part, never, nothing)]
+    several = LinearSystem(g, rows).guarded([n for part in each for n in part], never, nothing * 2)
+    single = [n for part in each for n in LinearSystem(g, rows).guarded(part, never, nothing)]
     program = on_tape(g, [*several, *single], (9, 0, 0))
     values = np.random.default_rng(1).uniform(1.0, 2.0, (7, 9))
     values[:, 2] = 1e17

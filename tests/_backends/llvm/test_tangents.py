@@ -16,6 +16,7 @@ from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compile_program
 from pydy._graph.columns import SensitivityColumns
 from pydy._graph.derivative import jacobian
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._graph.tangent import jacobian_tangent
 from pydy._program.interpret import run
@@ -111,7 +112,7 @@ def chain(n, kind):
         if k:
             rows[k][k - 1] = rows[k - 1][k] = graph.input("p", 0)
     right = [graph.input("x", n + k) for k in range(n)]
-    solution = graph.solve(rows, [right], kind)[0]
+    solution = LinearSystem(graph, rows, kind).solve(right)
     places = [("x", k) for k in range(2 * n)]
     parts = [(0, n), (n, 2 * n)]
     return jacobian_tangent(graph, solution, places, (2 * n, 0, 1), parts)
@@ -144,7 +145,7 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     rows = [[*entries[k * n : k * n + n]] for k in range(n)]
     rows[0][1] = graph.call("kept", rows[0][1])  # not known to be symmetric, nor definite
     more = graph.call("atan", column[0])
-    nodes = graph.guard(rows, [more, *column[1:]], sound, [*fast])
+    nodes = LinearSystem(graph, rows).guarded([more, *column[1:]], sound, [*fast])
     places = [("x", k) for k in range(3 * n)]
     made = jacobian_tangent(graph, nodes, places, sizes, [(0, n), (n, 3 * n)])
     # No call computes what only the fallback needs, for itself or for the columns.

@@ -1,1 +1,1 @@
-"""Linear systems inside a Program: their unknowns, and how their matrices are factorised."""
+"""How linear systems inside a Program are solved: how their matrices are factorised."""
