@@ -481,26 +481,20 @@ def _with_events(
 # -- Continuation ---------------------------------------------------------------------------------
 
 
-class Leg(Protocol):
-    """The interface of a motion that can be continued."""
+class Continuation(NamedTuple):
+    """The end of a motion, and how it is continued."""
 
-    @property
-    def end(self) -> float:
-        """The time of the end, also at a terminal event."""
-
-    @property
-    def refusal(self) -> str:
-        """Why the motion cannot be continued, or ''."""
-
-    def continued(self, times: np.ndarray) -> Interpolated:
-        """Return the Trajectory of the continuation."""
+    end: float  # also at a terminal event
+    refusal: str  # why the motion cannot be continued, or ''
+    # Returns the Trajectory at further times, which begin at the end.
+    proceed: Callable[[np.ndarray], Interpolated] | None
 
 
 class Continued:
     """A motion that may be continued; the base of `pydy.trajectory.Trajectory`."""
 
     times: np.ndarray
-    _leg: Leg | None = None
+    _continuation: Continuation | None = None
     # Attributes that describe the full motion, such as modes of contacts: they are copied to
     # trajectories at other times, and to files (as JSON).
     _facts: Mapping[str, object] = {}
@@ -544,28 +538,28 @@ class Continued:
         >>> system.simulate().continue_to(1.0)['x0'].round(6)
         array([0.895595, 0.6597  ])
         """
-        leg = self._leg
-        if leg is None:
+        if self._continuation is None:
             raise ValueError(
                 "This trajectory does not know how to go on: it was loaded, pickled, or made at "
                 "other times. Continue what `simulate` returned, or set the initial conditions and "
                 "`system.times` and simulate again."
             )
-        if leg.refusal.startswith("`sensitivities`"):
-            raise NotImplementedError(leg.refusal)
-        if leg.refusal:
-            raise ValueError(leg.refusal)
+        end, refusal, proceed = self._continuation
+        if refusal.startswith("`sensitivities`"):
+            raise NotImplementedError(refusal)
+        if refusal or proceed is None:
+            raise ValueError(refusal)
         requested, sign = real_array(t, "`t`"), -1.0 if descends(self.times) else 1.0
         if requested.ndim == 0:
             last = number(t, "`t`")
-            if not (np.isfinite(last) and sign * (last - leg.end) > 0.0):
-                raise ValueError(f"`t` must be after the end of the motion, {leg.end!r}, got {t}.")
-            return leg.continued(np.linspace(leg.end, last, num=max(2, len(self.times))))
+            if not (np.isfinite(last) and sign * (last - end) > 0.0):
+                raise ValueError(f"`t` must be after the end of the motion, {end!r}, got {t}.")
+            return proceed(np.linspace(end, last, num=max(2, len(self.times))))
         times = monotonic(requested, "`t`")
-        ahead = sign * (times - leg.end)
+        ahead = sign * (times - end)
         if not len(times) or ahead[0] < 0.0 or ahead[-1] <= 0.0 or ahead[-1] < ahead[0]:
             raise ValueError(
-                f"`t` must have times after the end of the motion, {leg.end!r}, and none before, "
+                f"`t` must have times after the end of the motion, {end!r}, and none before, "
                 f"got {shown(times)}."
             )
-        return leg.continued(times if times[0] == leg.end else np.append(leg.end, times))
+        return proceed(times if times[0] == end else np.append(end, times))

@@ -717,7 +717,7 @@ class Trajectory(Continued):
 
     def __getstate__(self) -> dict[str, object]:
         self._keep_jumps()
-        return {**self.__dict__, "_leg": None}
+        return {**self.__dict__, "_continuation": None}
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.

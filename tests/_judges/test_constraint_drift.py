@@ -9,7 +9,7 @@ from scipy.integrate import ODEintWarning
 import loops
 from pydy import System
 from pydy._judges.constraint_drift import check_drift
-from pydy._motion.motion import Motion
+from pydy._motion.motion import Integrator, Motion
 from pydy.ensemble.model import Batch
 from pydy.errors import IntegrationError
 from pydy.inputs import SampledInput
@@ -42,8 +42,8 @@ def refused(system, code, **options):
 def motion_of(system, states, options, info, projected):
     """A Motion as if the System's solver had returned these states."""
     return Motion(
-        problem=system._now(), solver=system.ode_solver, options=options, times=system.times,
-        states=states, segments=(), statistics=info, projected=projected,
+        problem=system._now(), integrator=Integrator(system.ode_solver, projected),
+        options=options, times=system.times, states=states, segments=(), statistics=info,
     )  # fmt: skip
 
 

@@ -25,6 +25,7 @@ from pydy._judges import check_resets, explain, judge_motion, judge_start, jumps
 from pydy._motion import (
     MORE_STEPS,
     EvaluationRecorder,
+    Integrator,
     Motion,
     PreparedIntegration,
     Segment,
@@ -32,6 +33,7 @@ from pydy._motion import (
     call_odeint,
     came_to_the_end,
     is_odeint,
+    labelled,
     prepare,
 )
 from pydy._problem import AssumptionChecks, Problem
@@ -354,21 +356,15 @@ def motion_of(
         end = float(statistics["time"])
     return Motion(
         problem=problem,
-        solver=solver,
+        integrator=Integrator(solver, ready.enforced, errors_known, result.evaluated),
         options=options,
         times=times,
         states=states,
-        segments=(Segment(start, end, (), problem),),
+        segments=(Segment(start, end, (), problem, dense=dense, augmented=augmented),),
         events=events,
         statistics=statistics,
-        dense=dense,
         sensitivities=values,
-        augmented=augmented,
-        projected=ready.enforced,
-        errors_known=errors_known,
-        evaluated=result.evaluated,
-        refusal=refusal,
-        proceed=partial(_continued, user_options),
+        label=partial(labelled, proceed=partial(_continued, user_options), refusal=refusal),
     )
 
 
@@ -399,25 +395,24 @@ def motion_so_far(
     start = float(error.times[0]) if len(error.times) else error.time
     return Motion(
         problem=problem,
-        solver=solver,
+        integrator=Integrator(solver, ready.enforced),
         options=options,
         times=error.times,
         states=error.states,
         segments=(Segment(start, error.time, (), problem),),
         events=error.info.get("events", ()),
         statistics=error.info,
-        projected=ready.enforced,
-        refusal="The integration failed where this motion ends.",
+        label=partial(labelled, refusal="The integration failed where this motion ends."),
     )
 
 
 def _continued(user_options: dict[str, object], motion: Motion, times: np.ndarray) -> Trajectory:
     """Return the continuation of a motion at `times`, which begin at its end."""
     options: dict[str, Any] = dict(user_options)
-    sides = motion.statistics.get("sides")
-    if isinstance(motion.solver, Solver) and user_options.get("events"):
+    solver, sides = motion.integrator.solver, motion.statistics.get("sides")
+    if isinstance(solver, Solver) and user_options.get("events"):
         options["continuation"] = EventContinuation(None, sides)
-    return simulate(motion.last, times, solver=motion.solver, **options).trajectory
+    return simulate(motion.last, times, solver=solver, **options).trajectory
 
 
 # -- Failures --------------------------------------------------------------------------------------

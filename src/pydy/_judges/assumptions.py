@@ -39,11 +39,12 @@ def check_assumptions(motion: Motion) -> None:
     """
     times, states = motion.times, motion.states
     n = states.shape[1]
-    starts, step_samples = getattr(motion.dense, "starts", None), (times[:0], states[:0])
-    if motion.dense is not None and starts is not None:
-        step_samples = starts, motion.dense(starts)[:, :n]
-    elif motion.evaluated is not None and is_odeint(motion.solver) and motion.evaluated.times:
-        step_samples = _accepted(motion.evaluated, times, n)
+    dense, step_samples = motion.segments[0].dense, (times[:0], states[:0])
+    starts, evaluated = getattr(dense, "starts", None), motion.integrator.evaluated
+    if dense is not None and starts is not None:
+        step_samples = starts, dense(starts)[:, :n]
+    elif evaluated is not None and is_odeint(motion.integrator.solver) and evaluated.times:
+        step_samples = _accepted(evaluated, times, n)
     every = np.concatenate([times, step_samples[0]])
     order = np.argsort(every, kind="stable")
     rows = np.concatenate([states, step_samples[1]])[order]
@@ -53,7 +54,7 @@ def check_assumptions(motion: Motion) -> None:
 def _tolerances(motion: Motion) -> tuple[float | np.ndarray, float | np.ndarray]:
     """Return rtol and atol; without error control, the states may be wrong by their own size."""
     options = motion.options
-    if not motion.errors_known or "step" in options:
+    if not motion.integrator.errors_known or "step" in options:
         return 1.0, 0.0
     requested = (options.get("rtol"), options.get("atol"))
     rtol, atol = (

@@ -27,7 +27,7 @@ from pydy._graph import (
 )
 from pydy._interpolation import evenly
 from pydy._mechanics import Equations, find_symbols
-from pydy._motion import ConstraintNames, Motion, constraint_names
+from pydy._motion import ConstraintNames, Motion, SolveIvp, constraint_names, is_odeint
 from pydy._problem import TOGETHER, EnergyModel, Problem, StateSamples
 from pydy._program import Program
 from pydy._rank import DIGITS, OF_FEW, or_one, rank
@@ -494,7 +494,7 @@ def _drift_check(motion: Motion, projected: bool) -> DriftCheck:
     """Return the check of a motion at selected states, with the solver's tolerances and steps."""
     selected = DriftCheck.selected(motion.states, projected)
     steps, statistics = None, motion.statistics
-    if "step" not in motion.options and motion.errors_known:
+    if "step" not in motion.options and motion.integrator.errors_known:
         step_count = statistics.get("nst", statistics.get("steps"))
         steps = None if step_count is None else float(np.max(step_count))
     tolerances = [motion.options.get(name) for name in ("rtol", "atol")]
@@ -507,10 +507,20 @@ def _drift_check(motion: Motion, projected: bool) -> DriftCheck:
         rtol,
         atol,
         statistics["nearness"] if projected else None,
-        motion.projected,
+        motion.integrator.constraints_enforced,
         [(e.time, e.after) for e in motion.events if (e.after != e.before).any()],
         any(motion.problem.definition.equations.constraints.redundant),
     )
+
+
+def _method(motion: Motion) -> str:
+    """Return the name of the solver, for messages."""
+    integrator = motion.integrator
+    solver = integrator.solver
+    if isinstance(solver, SolveIvp) and not integrator.errors_known:
+        return solver.name
+    default = "odeint" if is_odeint(solver) else "ode_solver"
+    return str(motion.statistics.get("method", getattr(solver, "__name__", default)))
 
 
 def check_drift(motion: Motion) -> None:
@@ -533,13 +543,14 @@ def check_drift(motion: Motion) -> None:
             details = {**details, "row": names[details["row"]]}
         status = report.outcome.text.format(**details)
         text = f"{status} at t = {t!r}. {report.outcome.remedy}"
+    method = _method(motion)
     error = IntegrationError(
-        f"`{motion.method}` {text}",
+        f"`{method}` {text}",
         motion.times,
         motion.states,
         t,
         check.states[report.state_index],
-        {**statistics, "method": motion.method, "code": int(report.outcome), "status": status},
+        {**statistics, "method": method, "code": int(report.outcome), "status": status},
     )
     error.motion = motion
     raise error

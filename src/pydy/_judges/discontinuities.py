@@ -14,7 +14,7 @@ from pydy._graph import Branches, inputs_of, jacobian, rounding_bounds, substitu
 from pydy._interpolation import in_order
 from pydy._judges.passages import MotionPath, Values, WatchedQuantities, jump_message, passages
 from pydy._kernel import KernelCall
-from pydy._motion import Motion
+from pydy._motion import EvaluationRecorder, Motion
 from pydy._problem import Problem, StateSamples, evaluate_specifieds
 from pydy._rank import HALF, ROUNDING, is_zero
 from pydy.inputs import jumps_of, merged_jumps
@@ -321,17 +321,16 @@ def jumps_by_time(f: Any, args: tuple[object, ...], times: np.ndarray) -> np.nda
     return sampled if switched is None else merged_jumps([sampled, switched.rows])
 
 
-def warn_of_pulses(motion: Motion) -> None:
+def warn_of_pulses(motion: Motion, recorded: EvaluationRecorder) -> None:
     """Warn if a solver stepped from one jump in time over the next and missed a change of rates.
 
     Solvers without a list of jumps detect them by error control, only where they evaluate.
     """
-    assert motion.evaluated is not None
-    problem, evaluation_times = motion.problem, motion.evaluated.times
+    problem, evaluation_times = motion.problem, recorded.times
     times, states = motion.times, motion.states
     if times[-1] < times[0]:
         times, states = times[::-1], states[::-1]
-    jumps, (start, end) = motion.evaluated.jumps, times[[0, -1]]
+    jumps, (start, end) = recorded.jumps, times[[0, -1]]
     jumps = jumps[(jumps[:, 0] > start) & (jumps[:, 0] < end)]
     moments, before, after = jumps.T
     until, evaluated = np.append(moments[1:], np.inf), np.append(np.sort(evaluation_times), np.inf)

@@ -31,12 +31,12 @@ def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration)
 
 def judge_motion(motion: Motion) -> None:
     """Warn of a doubtful Motion, and raise if it left its constraints."""
-    problem = motion.problem
-    if motion.evaluated is not None and len(motion.evaluated.jumps):
-        warn_of_pulses(motion)
+    problem, integrator = motion.problem, motion.integrator
+    if integrator.evaluated is not None and len(integrator.evaluated.jumps):
+        warn_of_pulses(motion, integrator.evaluated)
     if AssumptionChecks(problem).judged() and len(motion.times):
         check_assumptions(motion)
     if problem.definition.equations.constraints.are_present and len(motion.times):
-        if isinstance(motion.solver, Solver) and not motion.projected:
+        if isinstance(integrator.solver, Solver) and not integrator.constraints_enforced:
             check_resets(motion.events, problem.at)
         check_drift(motion)

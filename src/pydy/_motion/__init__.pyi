@@ -11,7 +11,13 @@ from .events_and_constraints import (
     with_all as with_all,
     with_residuals_projected as with_residuals_projected,
 )
-from .motion import EvaluationRecorder as EvaluationRecorder, Motion as Motion, Segment as Segment
+from .motion import (
+    EvaluationRecorder as EvaluationRecorder,
+    Integrator as Integrator,
+    Motion as Motion,
+    Segment as Segment,
+    labelled as labelled,
+)
 from .preparation import PreparedIntegration as PreparedIntegration, prepare as prepare
 from .scipy_solvers import (
     MORE_STEPS as MORE_STEPS,

@@ -30,7 +30,7 @@ from pydy._integration import (
 )
 from pydy._judges import judge_motion, node_of
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy._motion import Motion, PreparedIntegration, Segment, with_all
+from pydy._motion import Integrator, Motion, PreparedIntegration, Segment, with_all
 from pydy._optional import progress_of
 from pydy._problem import Problem, TrajectoryModel
 from pydy._program import Program
@@ -471,18 +471,16 @@ class MotionSegment:
 
     def motion(self, problem: Problem, solver: Solver, ready: PreparedIntegration) -> Motion:
         """Return the integrated states as a Motion."""
-        reached = self.info["reached"]
+        reached, dense = self.info["reached"], self.info.get("dense_output")
         return Motion(
             problem=problem,
-            solver=solver,
+            integrator=Integrator(solver, ready.enforced),
             options=ready.options,
             times=self.times[:reached],
             states=self.states[:reached, : self.n],
-            segments=(Segment(float(self.times[0]), self.end, (), problem),),
+            segments=(Segment(float(self.times[0]), self.end, (), problem, dense=dense),),
             events=self.records,
             statistics=self.info,
-            dense=self.info.get("dense_output"),
-            projected=ready.enforced,
         )
 
     def passed(self, problem: Problem) -> Trajectory:

@@ -251,10 +251,11 @@ class _OrbitSearch:
     def _fixed_period(self, problem: Problem, length: float) -> PeriodMap:
         instant = self.t0 + length
         motion = self.integrated(problem, np.linspace(self.t0, instant, num=_SIZE_SAMPLES))
-        start, end, slopes = motion.states[0], motion.states[-1], motion.end_sensitivities
+        start, end, slopes = motion.states[0], motion.states[-1], motion.last_sensitivities
         advance = np.abs(end - start)[[self.rows[k] for k in self.advancing]]
         self.advance_effect[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
-        return self._period_map(motion, start, end, motion.rates(instant, end), slopes, instant)
+        rates = motion.segments[-1].rates(instant, end)
+        return self._period_map(motion, start, end, rates, slopes, instant)
 
     def _period_to_event(self, problem: Problem, until: Event, z: np.ndarray) -> PeriodMap:
         t0, guess = self.t0, self.guess
@@ -264,7 +265,7 @@ class _OrbitSearch:
             t0 + SKIPPED_START * guess, t0 + _LONGEST_WAIT * guess, num=_SIZE_SAMPLES
         )
         motion = self.integrated(first.last, times, events=ending)
-        event = motion.event(ending.name)
+        event = next((e for e in reversed(motion.events) if e.name == ending.name), None)
         if event is None:
             raise PeriodicOrbitError(
                 f"The event `{until.name}` does not happen within {_LONGEST_WAIT:g} times the "
@@ -273,11 +274,11 @@ class _OrbitSearch:
                 z,
                 np.full(len(z), np.nan),
             )
-        rates = motion.rates(event.time, event.after)
+        rates = motion.segments[-1].rates(event.time, event.after)
         assert event.sensitivity_after is not None
         assert event.time_sensitivity is not None
         after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
-        slopes = after @ first.end_sensitivities[self.rows]
+        slopes = after @ first.last_sensitivities[self.rows]
         return self._period_map(motion, first.states[0], event.after, rates, slopes, event.time)
 
     def _period_map(
@@ -310,7 +311,7 @@ class _OrbitSearch:
             rates = problem.at(np.array([problem.t]), problem.x[None]).rates()[0]
         else:
             motion = self.integrated(problem, [t0, t0 + SKIPPED_START * guess])
-            rates = motion.rates(t0, motion.states[0], segment=0)
+            rates = motion.segments[0].rates(t0, motion.states[0])
             self.problem = self.problem.replace(modes=motion.segments[0].modes)
         at_start = np.array([t0]), problem.x[None], problem.x
         slope: np.ndarray | None = None

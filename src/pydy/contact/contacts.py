@@ -489,7 +489,7 @@ class ContactMotions:
         code, motion = Outcome.FINISHED, None
         try:
             motion = run.motion()
-            end = motion.end
+            end = motion.segments[-1].end
             code = Outcome.FINISHED if run.reached.all() else Outcome.TERMINATED
         except StartError:
             code, end = Outcome.START_OFF_CONSTRAINTS, float(times[0])

@@ -82,12 +82,13 @@ def missed_transitions(
     before_end, sample_times = motion.times < end, motion.times[:0]
     last = motion.states[-1] if last is None else last[: run.n]  # before the event's reset
     rows = [motion.states[before_end], last[None]]
-    if motion.dense is not None:  # only as many steps as are stored
-        starts, sample_times = motion.dense.starts, np.linspace(motion.times[0], end, CHECKED)
+    dense = motion.segments[0].dense
+    if dense is not None:  # only as many steps as are stored
+        starts, sample_times = dense.starts, np.linspace(motion.times[0], end, CHECKED)
         if len(starts) > CHECKED:  # select evenly spaced steps
             sample_times = starts[evenly(len(starts), CHECKED)]
         sample_times = sample_times[sample_times < end]
-        rows.insert(1, motion.dense(sample_times)[:, : run.n])
+        rows.insert(1, dense(sample_times)[:, : run.n])
     sample_times, states = (
         np.concatenate([motion.times[before_end], sample_times, [end]]),
         np.concatenate(rows),

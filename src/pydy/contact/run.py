@@ -13,7 +13,7 @@ import numpy as np
 from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
 from pydy._forks import cached_property
 from pydy._integration import simulate
-from pydy._motion import Motion, Segment
+from pydy._motion import Integrator, Motion, Segment
 from pydy._names import numbers_of, some
 from pydy._problem import Problem, Settings, evaluate_specifieds, with_settings
 from pydy._rank import ROUNDED, ROUNDING
@@ -629,12 +629,10 @@ class ContactRun:
                 self.records.append(replace(record, index=user_index))
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = motion.states[1 : 1 + int(rows.sum())]
+        (segment,) = motion.segments
         self.segments.append(
-            Segment(
-                state.t, end, mode.modes, motion.problem, mode.columns, motion.dense,
-                motion.augmented,
-            )
-        )  # fmt: skip
+            replace(segment, start=state.t, end=end, modes=mode.modes, columns=mode.columns)
+        )
         if not stopped:
             state.t, state.x = end, motion.states[-1, : self.n].copy()
             return True, []
@@ -752,7 +750,7 @@ class ContactRun:
 
     # -- the result -------------------------------------------------------------------------------
 
-    def _go_on(self, motion: Motion, times: np.ndarray) -> Any:
+    def _go_on(self, times: np.ndarray) -> Any:
         """Return the trajectory that continues the motion from its end, at some times."""
         assert self.state is not None
         start = dict(zip(self.problem.definition.states, self.state.x.tolist(), strict=True))
@@ -771,20 +769,21 @@ class ContactRun:
         if not self.segments:
             return None
         self.reached = self.times <= self.segments[-1].end
-        return replace(self.result(), refusal="The simulation failed where this motion ends.")
+        return self.result(refusal="The simulation failed where this motion ends.")
 
-    def result(self) -> Motion:
-        """Return the segments as one motion."""
+    def result(self, refusal: str = "") -> Motion:
+        """Return the segments as one motion; a `refusal` says why it cannot be continued."""
         times, states = self.times[self.reached], self.states[self.reached]
         last, transitions = self.segments[-1].end, self.transitions
         names, columns = [c.name for c in self.contacts], self.compiled.trajectory_columns
-        refusal = (
-            "`sensitivities` of a motion that is continued are not known. Simulate over the "
-            "whole time at once, or without `sensitivities`."
-        )
+        if transitions is not None and not refusal:
+            refusal = (
+                "`sensitivities` of a motion that is continued are not known. Simulate over the "
+                "whole time at once, or without `sensitivities`."
+            )
         return Motion(
             problem=self.problem,
-            solver=self.solver,
+            integrator=Integrator(self.solver, constraints_enforced=True),
             options=self.options,
             times=times,
             states=states,
@@ -792,8 +791,7 @@ class ContactRun:
             events=sorted((r for r in self.records if r.time <= last), key=lambda r: r.time),
             statistics={"transitions": len(self.segments) - 1, **self.totals},
             sensitivities=None if transitions is None else transitions.results(self.reached),
-            projected=True,
-            refusal="" if transitions is None else refusal,
-            proceed=self._go_on,
-            label=partial(contact_trajectory, columns, names, self.impacts, transitions),
+            label=partial(
+                contact_trajectory, columns, names, self.impacts, transitions, self._go_on, refusal
+            ),
         )

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._interpolation import states_between
+from pydy._interpolation import Continuation, states_between
 from pydy._motion import Motion, Segment
 from pydy._problem import AssumptionChecks, TrajectoryModel
 from pydy.trajectory import Columns, Trajectory
@@ -193,12 +193,15 @@ def contact_trajectory(
     names: Sequence[str],
     impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
     sensitivities: Any,
+    proceed: Callable[[np.ndarray], Trajectory],
+    refusal: str,
     motion: Motion,
 ) -> ContactTrajectory:
-    """Return the Trajectory of a Motion, with modes; it can be continued.
+    """Return the Trajectory of a Motion, with modes.
 
     `columns` names the states and outputs, `names` the contacts. `sensitivities` are those passed
-    through the transitions, or None.
+    through the transitions, or None. `proceed` continues the motion at further times; a `refusal`
+    says why it cannot be continued.
     """
     problem, times, states = motion.problem, motion.times, motion.states
     if problem.definition.assumes_motions:
@@ -221,5 +224,5 @@ def contact_trajectory(
         impacts=impacts,
         **sensitivity_arguments,
     )
-    trajectory._leg = motion
+    trajectory._continuation = Continuation(motion.segments[-1].end, refusal, proceed)
     return trajectory
