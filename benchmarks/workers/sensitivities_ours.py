@@ -15,7 +15,9 @@ from harness.sensitive import joined, parameters
 from harness.solving import SolverPeer, serve_solver
 
 from pydy._integration.parameters import Parameter
-from pydy._integration.sensitivities import AugmentedSystem
+from pydy._integration.sensitivities import AugmentedSystem, columns_of
+from pydy._integration.sensitivity_request import augmented_rates_function
+from pydy._integration.step_control import compiled_sensitivities
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers import dop853, tsit5, vern9
 
@@ -35,9 +37,12 @@ class OurSensitivities(SolverPeer):
         states = (*model.coordinates, *model.speeds)
         definition: Any = SimpleNamespace(states=states, specifieds=symbols)
         wanted = tuple(Parameter(model.constants[k], "constants", k) for k in parameters(model))
-        self.sensitive = AugmentedSystem(definition, compiled, plan, wanted, self.values)
+        columns = columns_of(wanted, definition)
+        self.sensitive = AugmentedSystem(
+            definition, compiled, plan.inputs, self.values, wanted, columns
+        )
         self.sensitive.kernel().link()
-        self.function = self.sensitive.function()
+        self.function = augmented_rates_function(self.sensitive)
         self.plain = solver_function(model, self.scenario.inputs)
 
     def methods(self) -> list[str]:
@@ -54,11 +59,11 @@ class OurSensitivities(SolverPeer):
         sensitive = self.sensitive
         columns = sensitive.columns
         whole = columns.together(start, np.zeros((len(start), columns.count)))
-        options["sensitivities"] = sensitive.compiled(None, ())
+        options["sensitivities"] = compiled_sensitivities(sensitive, np.asarray(start), options)
         run = NATIVE[name].prepare(self.function, whole, times, (), **options)
 
         def solve() -> np.ndarray:
-            state, values = columns.apart(run(whole)[-1])
+            state, values = columns.split(run(whole)[-1])
             return joined(state, values[:, : columns.count])
 
         return solve

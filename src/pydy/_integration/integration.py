@@ -20,7 +20,7 @@ from pydy._errors import (
     SingularMatrixError,
     warn_user,
 )
-from pydy._integration.sensitivities import SensitivityRequest
+from pydy._integration.sensitivity_request import SensitivityRequest
 from pydy._judges import check_resets, explain, judge_motion, judge_start, jumps_by_time, stuck_at
 from pydy._motion import (
     MORE_STEPS,

@@ -127,6 +127,19 @@ def by_samples(parameter: Parameter) -> SampledInput:
     return SampledInput(samples.times, np.eye(parameter.count), samples.interpolation)
 
 
+def sample_weights(
+    parameters: Sequence[Parameter], definition: Definition
+) -> list[tuple[np.ndarray, SampledInput]]:
+    """Return the derivatives of sampled inputs by their samples, with their columns in r."""
+    result, start = [], len(definition.specifieds)
+    for parameter in parameters:
+        if parameter.samples is not None:
+            columns = np.arange(start, start + parameter.count)
+            result.append((columns, by_samples(parameter)))
+            start += parameter.count
+    return result
+
+
 def mean_spacing(parameters: Sequence[Parameter]) -> float | None:
     """Return the smallest mean sampling interval of the parameters, or None."""
     times = [p.samples.times for p in parameters if p.samples is not None and p.count > 1]

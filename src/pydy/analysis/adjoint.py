@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._integration import AugmentedSystem
+from pydy._integration import AugmentedSystem, InitialSensitivities
 from pydy._judges import judge_start, warn_of_jumps
 from pydy._motion import native_solver, prepare
 from pydy._names import column_names, name_of, some, text_of, unique_names
@@ -142,7 +142,8 @@ def motion_and_gradient(
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)
     sensitive = AugmentedSystem.for_parameters(problem, ready.code, problem.plan, wrt, "wrt")
-    beginning = sensitive.start(problem.x, float(times[0]))
+    initial = InitialSensitivities(sensitive, problem.dependent, "wrt")
+    beginning = initial.values(problem.x, float(times[0]))
     n = len(problem.definition.states)
     run = integrate_forward(problem, solver, ready, times, Task(sensitive, final, integral))
     run.finish(weights)

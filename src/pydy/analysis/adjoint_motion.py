@@ -22,11 +22,14 @@ from pydy._integration import (
     AugmentedSystem,
     Parameter,
     by_samples,
+    columns_of,
     compiled_event,
+    compiled_sensitivities,
     explain_failure,
     least_sizes,
     marker,
     motion_so_far,
+    with_step_limit,
 )
 from pydy._judges import judge_motion, node_of
 from pydy._kernel import Inputs, Kernel, KernelCall
@@ -219,19 +222,19 @@ class Task:
         if self.marker is None:
             return self.call(kernel, further)
         call = self.call(kernel, further + 1)
-        marker_index = np.array([len(self.sensitive.plan.inputs.values)])
+        marker_index = np.array([len(self.sensitive.inputs.values)])
         sampled = (*call.inputs.sampled, (marker_index, self.marker))
         return replace(call, inputs=replace(call.inputs, sampled=sampled))
 
     def call(self, kernel: Kernel, further: int = 0) -> KernelCall:
         """Return the call of a Kernel, with `further` inputs after r."""
-        plan, states = self.sensitive.plan, self.sensitive.definition.states
-        r = np.concatenate([plan.inputs.values, np.zeros(further)])
+        inputs, states = self.sensitive.inputs, self.sensitive.definition.states
+        r = np.concatenate([inputs.values, np.zeros(further)])
 
         def names() -> tuple[str, ...]:
             return (*map(str, states), "the integral")
 
-        return KernelCall(kernel, self.sensitive.p, Inputs(r, plan.inputs.sampled), names)
+        return KernelCall(kernel, self.sensitive.p, Inputs(r, inputs.sampled), names)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -249,9 +252,12 @@ class Task:
         moving = [k for k, p in enumerate([*states, *inputs]) if p in inputs or columns[:, k].any()]
         parameters = tuple([*states, *inputs][k] for k in moving)
         augmented = replace(
-            sensitive, model=self.full_model, parameters=parameters, width=len(full_state)
+            sensitive,
+            model=self.full_model,
+            parameters=parameters,
+            columns=columns_of(parameters, sensitive.definition, states=len(full_state)),
         )
-        compiled = augmented.compiled(full_state, options, controlled=True)
+        compiled = compiled_sensitivities(augmented, full_state, options, controlled=True)
         values = np.zeros((len(full_state), len(moving)))
         values[: len(states)] = columns[:, moving]
         call = self.call_full(augmented.kernel())
@@ -276,7 +282,7 @@ class Task:
         sized += [
             parameter.sized._replace(columns=1) for parameter in (*self._unsampled, *self.sampled)
         ]
-        sensitive, r = self.sensitive, self.sensitive.plan.inputs.values
+        sensitive, r = self.sensitive, self.sensitive.inputs.values
         sizes = ParameterSize.scales(sized, full_state, r, sensitive.p, len(sized))
         parts = sizes * generic_direction(len(sized))
         column, weights = parts[:width], parts[width:]
@@ -389,7 +395,7 @@ class MotionSegment:
             if np.size(options[name]) == n > 1 and num_extra:  # the integral: the strictest of them
                 tolerances = np.asarray(options[name], dtype=float)
                 options = {**options, name: np.append(tolerances, tolerances.min())}
-        options = task.sensitive.stepped(solver, options, x0, times, False)
+        options = with_step_limit(task.sensitive, solver, options, x0, times, False)
         full_state, call = np.append(x0, np.zeros(num_extra)), rates
         if guide is not None:
             call, full_state, sensitivities = task.with_sensitivities(full_state, guide, options)
@@ -604,7 +610,7 @@ class MotionSegment:
     def _projections(self, times: np.ndarray, states: np.ndarray) -> Projections:
         task, constraints = self.task, self.options.constraints
         return Projections(
-            task.sensitive.with_all_constraints.model,
+            with_all(task.sensitive.model, task.sensitive.definition),
             constraints,
             task.wrt,
             task.call,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._integration import AugmentedSystem
+from pydy._integration import AugmentedSystem, InitialSensitivities, columns_of
 from pydy._judges import judge_start
 from pydy._motion import Motion, Segment, prepare
 from pydy._problem import Problem, read_term
@@ -49,7 +49,8 @@ class RecordedTransitions(Transitions):
         sensitive = AugmentedSystem.for_parameters(
             problem, problem.model.code, problem.plan, wrt, "wrt"
         )
-        self.start = sensitive.start(problem.x, float(problem.settings.times[0]))
+        initial = InitialSensitivities(sensitive, problem.dependent, "wrt")
+        self.start = initial.values(problem.x, float(problem.settings.times[0]))
         self._parameters, self._terms = sensitive.parameters, terms
         self.together = False
         n, constants = len(problem.definition.states), problem.definition.constants
@@ -84,8 +85,9 @@ class RecordedTransitions(Transitions):
             replace(p, index=symbol_tables[p.kind].symbols.index(p.symbol))
             for p in self._parameters
         )
+        columns = columns_of(parameters, definition)
         sensitive = AugmentedSystem(
-            definition, ready.code, problem.plan, parameters, problem.p, "wrt"
+            definition, ready.code, problem.inputs, problem.p, parameters, columns
         )
         guide = start.copy() if mode.turns else None
         if guide is not None and STARTING in mode.modes:  # at the onset the sliding speed is zero

@@ -23,7 +23,12 @@ import numpy as np
 
 from pydy._forks import cached_property
 from pydy._graph import directional, inputs_of
-from pydy._integration import AugmentedSystem, SensitivityRequest, simulate
+from pydy._integration import (
+    AugmentedSystem,
+    InitialSensitivities,
+    SensitivityRequest,
+    simulate,
+)
 from pydy._motion import Motion, Segment
 from pydy._names import column_names
 from pydy._problem import Problem
@@ -281,9 +286,9 @@ class HybridSensitivities(Transitions):
         parameters = sensitive.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]
-        super().__init__(
-            rows, problem, constants, sensitive.start(problem.x, float(problem.settings.times[0]))
-        )
+        initial = InitialSensitivities(sensitive, problem.dependent)
+        start = initial.values(problem.x, float(problem.settings.times[0]))
+        super().__init__(rows, problem, constants, start)
         self._controlled = controlled
         self._counts = {p.symbol: p.count for p in parameters}
         self._before: np.ndarray | None = None  # S before the last event; None at the start

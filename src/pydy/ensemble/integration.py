@@ -11,7 +11,18 @@ import numpy as np
 from pydy._assembly import CompiledModel, Definition
 from pydy._checks import flag, integer, shown
 from pydy._dataset import SENSITIVITY
-from pydy._integration import AugmentedSystem, changed_by, program_of_event
+from pydy._integration import (
+    AugmentedSystem,
+    InitialSensitivities,
+    are_controlled,
+    changed_by,
+    parameter_sizes,
+    program_of_event,
+    sample_weights,
+    with_all_constraints,
+    with_step_limit,
+    written_out,
+)
 from pydy._judges import check_samples, drift_programs, watched
 from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_projected
 from pydy._names import column_names
@@ -114,10 +125,11 @@ def integrate_ensemble(
     compiled, derivatives = ready.options, None
     if sensitivities is not None and motions is None:
         augmented = AugmentedSystem.for_parameters(problem, ready.code, plan, sensitivities)
-        controlled = augmented.controlled(control)
-        compiled = augmented.stepped(solver, compiled, problem.x, times, controlled)
+        controlled = are_controlled(augmented.parameters, control)
+        compiled = with_step_limit(augmented, solver, compiled, problem.x, times, controlled)
+        initial = InitialSensitivities(augmented, problem.dependent)
         derivatives = ensemble_sensitivities(
-            at(times[:1], problem.x[None]), augmented, compiled, control
+            at(times[:1], problem.x[None]), initial, compiled, controlled
         )
         if "events" in compiled:  # without SymPy expressions, for the workers
             compiled = {**compiled, "events": replace(compiled["events"], sources=())}
@@ -254,32 +266,33 @@ def _attributes(model: EnsembleModel) -> dict[str, object]:
 
 
 def ensemble_sensitivities(
-    at: StateSamples, sensitive: AugmentedSystem, options: Mapping[str, Any], control: bool
+    at: StateSamples, initial: InitialSensitivities, options: Mapping[str, Any], controlled: bool
 ) -> EnsembleSensitivities:
     """Return the sensitivities of an ensemble as Programs and numbers."""
+    sensitive = initial.augmented
     watch = watched(at, sensitive)
     if watch is not None:
         assembly = at.model.assembly.fork()
         watch = replace(watch, nodes=assembly.lowered(watch.nodes(assembly), as_is=True))
     model, definition = sensitive.model, sensitive.definition
-    tied, inputs = sensitive.tied, sensitive.columns.wanted
+    blocks, inputs = initial.blocks, sensitive.columns.wanted
     events = options.get("events")
     return EnsembleSensitivities(
         columns=column_names({p.symbol: p.count for p in sensitive.parameters}),
         rates=sensitive.tangent(),
-        outputs=sensitive.written_out("outputs") if definition.outputs.symbols else None,
-        start=sensitive.independent(),
-        dependent=sensitive.dependent,
-        gradients=tuple(model.programs.jacobian(block, "x") for block in tied),
-        unknowns=tuple(sensitive.unknowns),
-        residuals=sensitive.tangent("holonomic", "velocity") if tied else None,
-        projected_residuals=sensitive.with_all_constraints.tangent("holonomic", "velocity")
-        if tied
+        outputs=written_out(sensitive, "outputs") if definition.outputs.symbols else None,
+        start=initial.independent(),
+        dependent=initial.dependent,
+        gradients=tuple(model.programs.jacobian(block, "x") for block in blocks),
+        unknowns=tuple(initial.unknowns),
+        residuals=sensitive.tangent("holonomic", "velocity") if blocks else None,
+        projected_residuals=with_all_constraints(sensitive).tangent("holonomic", "velocity")
+        if blocks
         else None,
-        unsolved=sensitive.unsolved(),
-        sampled=tuple(sensitive.weights()),
-        sized=sensitive.sized(options),
-        controlled=sensitive.controlled(control),
+        unsolved=initial.refusal,
+        sampled=tuple(sample_weights(sensitive.parameters, definition)),
+        sized=parameter_sizes(sensitive, options),
+        controlled=controlled,
         sources=sensitive.columns.sources,
         jumps=tuple(
             (program_of_event(model, event, inputs), changed_by(event, definition.states))
