@@ -458,9 +458,9 @@ REFUSED = {
         r"F\(t\).*`h\(q0\(t\)\)`.*not a function of time",
     ),
     "a function without code": (
-        {F: sm.zeta(Q0)},
+        {F: sm.stieltjes(Q0)},
         UnsupportedFunctionError,
-        r"F\(t\).*`zeta`.*Rewrite",
+        r"F\(t\).*`stieltjes`.*Rewrite",
     ),
     "the imaginary unit": ({F: sm.I * Q0}, ValueError, r"F\(t\).*`I`.*real"),
     "a truth value": ({F: Q0 > 0}, ValueError, r"F\(t\).*Piecewise"),

@@ -139,12 +139,12 @@ def construct():
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
     [
-        (construct, 659, 57),
-        (integrate, 32, 16),
+        (construct, 662, 62),
+        (integrate, 33, 17),
         (simulate, 110, 32),
         (with_contacts, 150, 39),
-        (ensemble, 97, 28),
-        (stiff_ensemble, 102, 28),
+        (ensemble, 97, 29),
+        (stiff_ensemble, 102, 29),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

@@ -32,8 +32,9 @@ def program_from_bytes(data: bytes) -> Program | Tangent:
 
 
 def _program(data: bytes) -> Program:
-    (*sizes, blocks), values = marshal.loads(data)
-    return Program(Signature(*sizes, tuple(Block(*block) for block in blocks)), *values)
+    (states, specifieds, constants, blocks), values = marshal.loads(data)
+    signature = Signature(states, specifieds, constants, tuple(Block(*block) for block in blocks))
+    return Program(signature, *values)
 
 
 def _tangent(data: bytes) -> Tangent:

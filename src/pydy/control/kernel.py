@@ -115,7 +115,7 @@ class ImplicitEquations:
                     "constraints needs the bodies and loads: give them to the method, and leave "
                     "out `equations='method'`."
                 )
-            forces = equations.constraint_forces.unbalanced(definition.forces)
+            forces = equations.constraint_forces.unbalanced(definition.outputs.forces)
             unbalanced = implicit.read(graph, forces, "the equations of motion")
         else:
             unbalanced = []

@@ -31,11 +31,6 @@ class Outcome(IntEnum):
         """The name in small letters, as in the `flag_meanings` of an ensemble's `status`."""
         return self.name.lower()
 
-    @property
-    def is_valid(self) -> bool:
-        """Whether the motion up to its end is valid: it finished, or events ended it."""
-        return self in (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE)
-
     NOT_COMPUTED = -1, "not run"
     FINISHED = 0, "finished"
     TOO_MANY_STEPS = (
@@ -171,3 +166,7 @@ class Outcome(IntEnum):
         "The time of such an event has no derivatives that are known. Pass an expression that "
         "passes through zero where that jumps, or simulate without `sensitivities`.",
     )
+
+
+VALID_OUTCOMES = (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE)
+"""Those after which the motion up to its end is valid: it finished, or events ended it."""

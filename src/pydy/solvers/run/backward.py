@@ -144,7 +144,7 @@ class DiscreteAdjoint:
         adjoints = aligned_zeros((count + 1) * length)
         adjoints[count * length : count * length + n] = adjoint
         back = Backward(
-            np.array([len(self.rates.r), self.further, self.stagewise, -1]),
+            np.array([len(self.rates.inputs.values), self.further, self.stagewise, -1]),
             *self._tableau_columns,
             np.ascontiguousarray(times),
             sizes,
