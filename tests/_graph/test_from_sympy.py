@@ -417,9 +417,8 @@ def test_a_function_that_stands_for_an_expression_is_read_as_that():
 
 def test_what_was_being_read_is_named():
     graph = Graph()
-    with pytest.raises(
-        UnsupportedFunctionError, match=r"^the outputs hold the function `stieltjes`"
-    ):
+    message = r"^the outputs hold the function `stieltjes`"
+    with pytest.raises(UnsupportedFunctionError, match=message):
         SymPyReader(graph, {x: graph.input("x", 0)}, "the outputs")(sm.stieltjes(x))
 
 
