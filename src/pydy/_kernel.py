@@ -186,11 +186,6 @@ class KernelCall:
         """Return itself, whatever the solver's `args`."""
         return self
 
-    def with_numbers(self, p: np.ndarray, r: np.ndarray) -> KernelCall:
-        """Return the call with other numbers; when it switches is not known yet."""
-        inputs = Inputs(r, self.inputs.sampled, self.inputs.functions)
-        return KernelCall(self.kernel, p, inputs, self.names, self.jacobian)
-
     def __call__(self, x: np.ndarray, t: float, *args: object) -> np.ndarray:
         """Return the derivatives; NaN where a linear solve is singular."""
         return self.evaluate(self.kernel, np.asarray(x), t)

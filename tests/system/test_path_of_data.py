@@ -140,11 +140,11 @@ def construct():
     ("make", "functions", "files"),
     [
         (construct, 662, 62),
-        (integrate, 33, 17),
+        (integrate, 32, 16),
         (simulate, 110, 32),
         (with_contacts, 150, 39),
-        (ensemble, 97, 29),
-        (stiff_ensemble, 102, 29),
+        (ensemble, 97, 28),
+        (stiff_ensemble, 102, 28),
     ],
     ids=lambda value: getattr(value, "__name__", ""),
 )

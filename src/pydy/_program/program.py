@@ -185,8 +185,8 @@ class Program:
         needed.update(k for k in outputs if setup[k])
         carried = tuple(k for k in sorted(needed) if ops[k] not in ("const", "bool"))
         signature = Signature.of(sizes, ((name, shape) for name, shape, _ in blocks))
-        lengths = [len(nodes) for _, _, nodes in blocks]
-        assert [b.stop - b.start for b in signature.blocks] == lengths, (signature, lengths)
+        for block, (_, _, nodes) in zip(signature.blocks, blocks, strict=True):
+            assert block.stop - block.start == len(nodes), (block, len(nodes))
         return cls(signature, ops, args, setup, carried, outputs)
 
     def __str__(self) -> str:

@@ -26,7 +26,7 @@ from pydy._errors import (
     warn_user,
 )
 from pydy._interrupts import Interrupts
-from pydy._kernel import Kernel, KernelCall
+from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._names import few, numbers_of
 from pydy._optional import bar_of
 from pydy.solvers import layout as at
@@ -172,8 +172,10 @@ class Integration(Workspace):
 
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
         """Change times and numbers of the same call; return False if that is impossible."""
-        call = self.call
-        return call is not None and self.rebind(call.with_numbers(p, r), times)
+        if (call := self.call) is None:
+            return False
+        inputs = Inputs(r, call.inputs.sampled, call.inputs.functions)
+        return self.rebind(KernelCall(call.kernel, p, inputs, call.names, call.jacobian), times)
 
     def begin(self, x0: np.ndarray) -> np.ndarray:
         """Project and check an initial state without integrating, and return it."""
@@ -319,8 +321,7 @@ class Integration(Workspace):
             self.projection_record[:] = 0.0
             self._warn_of_redundant(self.options.constraints)
             self._project(self.memory.x, self.options.constraints, Outcome.START_OFF_CONSTRAINTS)
-        if self.options.events is not None:
-            events = self.options.events
+        if (events := self.options.events) is not None:
             for event in events.traits:
                 if event.constant:
                     self._stop(Outcome.EVENT_CONSTANT, event=event.name)

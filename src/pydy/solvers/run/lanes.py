@@ -423,7 +423,8 @@ def _problem(
     switched: np.ndarray | None = None,
 ) -> LaneProblem:
     program, (address_slot, c, prepared) = kernel.program, _bound(kernel)
-    n, s, k = program.signature.sizes
+    signature = program.signature
+    n, s, k = signature.num_states, signature.num_specifieds, signature.num_constants
     tables, knots, cubics = sampled_input_tables(sampled)
     until = aligned_zeros(LANES)
     until[:] = np.inf
