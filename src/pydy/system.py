@@ -1006,7 +1006,7 @@ class System:
         if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, problem)
         if wanted is not None:
-            warn_of_jumps(problem, lambda: trajectory, wanted.sensitive)
+            warn_of_jumps(problem, lambda: trajectory, wanted.augmented)
         return trajectory
 
     # -- Values and exact derivatives --------------------------------------------------------------

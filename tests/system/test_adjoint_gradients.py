@@ -551,6 +551,16 @@ def test_arrays_of_tolerances_hold_for_the_integral_too():
     assert found["k0"] == pytest.approx(exact["k0"], rel=1e-8)
 
 
+def test_arrays_of_tolerances_hold_for_an_integral_beside_samples_too():
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    system.ode_solver, system.times = "dop853", [0.0, 2.0]
+    system.specifieds = {"f0": SampledInput([0.0, 1.0, 2.0], [0.0, 1.0, 0.5])}
+    arrays = {"rtol": [1e-10, 1e-11], "atol": [1e-10, 1e-12]}
+    found = system.adjoint_gradient("f0", integral="x0", **arrays)
+    exact = system.adjoint_gradient("f0", integral="x0", **TIGHT)
+    agree(found["f0"], exact["f0"], 1e-8)
+
+
 def test_ctrl_c_hands_over_the_motion(monkeypatch, capsys):
     system = oscillator()
     system.times = np.linspace(0.0, 1e4, 100_001)

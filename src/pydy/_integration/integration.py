@@ -321,7 +321,7 @@ def motion_of(
     states = np.array(
         real_array(states, "What the `ode_solver` returns, states or (states, info),")
     )
-    width = n if sensitivities is None else sensitivities.sensitive.columns.size
+    width = n if sensitivities is None else sensitivities.augmented.columns.size
     if states.shape != (len(times), width):
         raise ValueError(
             f"The `ode_solver` must return the shape {(len(times), n)}, one row "
@@ -333,7 +333,7 @@ def motion_of(
         times, states = times[:rows], states[:rows]
     values, augmented, refusal = None, None, ""
     if sensitivities is not None:
-        augmented = sensitivities.sensitive
+        augmented = sensitivities.augmented
         states, values = map(np.ascontiguousarray, augmented.columns.split(states))
         refusal = (
             "`sensitivities` of a motion that is continued are not known. Simulate over the "

@@ -40,7 +40,7 @@ class SensitivityRequest:
     controlled: bool = False
     initial: np.ndarray | None = None  # initial values, shape (n, k); by default they are computed
     untimed: frozenset[int] = frozenset()  # see `CompiledSensitivities`
-    sensitive: AugmentedSystem = field(init=False)  # from the call of `augment` on
+    augmented: AugmentedSystem = field(init=False)  # from the call of `augment` on
 
     def augment(
         self,
@@ -54,21 +54,21 @@ class SensitivityRequest:
 
         The `model` is that of the states alone.
         """
-        self.sensitive = sensitive = AugmentedSystem.for_parameters(
+        self.augmented = augmented = AugmentedSystem.for_parameters(
             problem, model, problem.plan, self.parameters
         )
         values = (
-            InitialSensitivities(sensitive, problem.dependent).values(problem.x, float(times[0]))
+            InitialSensitivities(augmented, problem.dependent).values(problem.x, float(times[0]))
             if self.initial is None
             else self.initial
         )
-        columns = sensitive.columns
+        columns = augmented.columns
         if isinstance(solver, Solver):
-            controlled = are_controlled(sensitive.parameters, self.controlled)
-            options = with_step_limit(sensitive, solver, options, problem.x, times, controlled)
+            controlled = are_controlled(augmented.parameters, self.controlled)
+            options = with_step_limit(augmented, solver, options, problem.x, times, controlled)
             sources = () if (events := options.get("events")) is None else events.sources
             compiled = compiled_sensitivities(
-                sensitive, problem.x, options, self.controlled, sources
+                augmented, problem.x, options, self.controlled, sources
             )
             compiled = replace(compiled, untimed=self.untimed)
             options = {**options, "sensitivities": compiled}
@@ -79,11 +79,11 @@ class SensitivityRequest:
                 if np.size(options[name]) == columns.states > 1:  # others as of their states
                     every = np.repeat(np.asarray(options[name]), columns.count)
                     options = {**options, name: np.concatenate([options[name], every])}
-        return augmented_rates_function(sensitive), columns.together(problem.x, values), options
+        return augmented_rates_function(augmented), columns.together(problem.x, values), options
 
     def cut(self, error: Any) -> None:
         """Remove the sensitivities from the states in an error."""
-        n = self.sensitive.columns.states
+        n = self.augmented.columns.states
         if getattr(error, "states", None) is not None:
             error.states = error.states[:, :n]
         explain_columns(error, error.state[n:])

@@ -158,7 +158,7 @@ def _switches(at: StateSamples, parts: Any) -> bool:
 
 
 def watched(
-    at: StateSamples, sensitive: Any = None, integral: int | sm.Expr | None = None
+    at: StateSamples, augmented: Any = None, integral: int | sm.Expr | None = None
 ) -> WatchedQuantities | None:
     """Return the quantities whose jumps must be detected, or None if nothing switches."""
     equations, states = at.definition.equations, at.definition.states
@@ -167,9 +167,9 @@ def watched(
         return None
     names = [f"the {'load on' if s in equations.speeds else 'rate of'} {s}" for s in states]
     n, parameter_columns = len(states), ()
-    if sensitive is not None:
+    if augmented is not None:
         first = {"specifieds": n, "constants": n + len(at.definition.specifieds)}
-        parameters = [p for p in sensitive.parameters if p.kind in first]
+        parameters = [p for p in augmented.parameters if p.kind in first]
         parameter_columns = tuple(first[p.kind] + p.index for p in parameters)
     return WatchedQuantities(parts, (*names, "what is integrated"), n, parameter_columns)
 
@@ -177,11 +177,11 @@ def watched(
 def warn_of_jumps(
     problem: Problem,
     motion_of: Callable[[], Trajectory],
-    sensitive: Any = None,
+    augmented: Any = None,
     integral: int | sm.Expr | None = None,
 ) -> None:
     """Warn if a motion passes a jump of the rates, which its derivatives ignore."""
-    quantities = watched(problem.at(np.array([problem.t]), problem.x[None]), sensitive, integral)
+    quantities = watched(problem.at(np.array([problem.t]), problem.x[None]), augmented, integral)
     if quantities is None:
         return
     motion, parts = in_order(motion_of()), quantities.nodes

@@ -4,11 +4,7 @@ from .adjoint import (
     explicit_solver as explicit_solver,
     motion_and_gradient as motion_and_gradient,
 )
-from .adjoint_motion import (
-    MotionSegment as MotionSegment,
-    Task as Task,
-    integrate_forward as integrate_forward,
-)
+from .adjoint_segment import AdjointSegment as AdjointSegment
 from .continuation import EquilibriumBranch as EquilibriumBranch, SpecialPoint as SpecialPoint
 from .equilibria import Equilibrium as Equilibrium
 from .equilibrium_residual import find_equilibrium as find_equilibrium

@@ -7,18 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._integration import AugmentedSystem, InitialSensitivities
+from pydy._integration import GradientEquations, integrate_recorded
 from pydy._judges import judge_start, warn_of_jumps
 from pydy._motion import native_solver, prepare
 from pydy._names import column_names, name_of, some, text_of, unique_names
-from pydy._problem import CallArguments, Problem, TrajectoryModel, read_term, refuse_descending
-from pydy.analysis.adjoint_motion import MotionSegment, Task, integrate_forward
+from pydy._problem import CallArguments, Problem, read_term, refuse_descending
+from pydy.analysis.adjoint_segment import AdjointSegment
 from pydy.solvers import Solver
 
 if TYPE_CHECKING:
@@ -105,21 +104,21 @@ def adjoint_gradient(
         None if term is None else read_term(problem.definition, term, name)
         for term, name in ((final, "final"), (integral, "integral"))
     )
-    run, sensitive, values, by_state = motion_and_gradient(
+    segment, values, by_state = motion_and_gradient(
         problem, times, wrt, final=final, integral=integral, solver=solver, options=options
     )
-    n, reached = len(problem.definition.states), run.info["reached"]
-    states = run.states[:reached, :n].copy()
-
-    def trajectory() -> Trajectory:
-        times = run.times[:reached].copy()
-        return TrajectoryModel(problem).label(
-            times, states, events=run.records, statistics=run.info
-        )
-
-    counts = {p.symbol: p.count for p in sensitive.parameters}
-    statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
-    return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, trajectory)
+    recorded = segment.recorded
+    counts = {p.symbol: p.count for p in recorded.equations.augmented.parameters}
+    info = recorded.motion.statistics
+    return AdjointGradient(
+        value=segment.value,
+        values=values,
+        counts=counts,
+        by_state=by_state,
+        time=recorded.steps.end,
+        statistics={k: v for k, v in info.items() if k not in ("events", "reached")},
+        _motion=recorded.at_times,
+    )
 
 
 def motion_and_gradient(
@@ -132,7 +131,7 @@ def motion_and_gradient(
     solver: Solver,
     options: dict[str, object],
     weights: np.ndarray | None = None,
-) -> tuple[MotionSegment, AugmentedSystem, np.ndarray, np.ndarray]:
+) -> tuple[AdjointSegment, np.ndarray, np.ndarray]:
     """Return a motion and the objective's derivatives by the parameters and by the first state.
 
     With `weights`, the objective is Σ weight · last state.
@@ -141,19 +140,17 @@ def motion_and_gradient(
     refuse_descending(times, "`adjoint_gradient` integrates forward, then back")
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)
-    sensitive = AugmentedSystem.for_parameters(problem, ready.code, problem.plan, wrt, "wrt")
-    initial = InitialSensitivities(sensitive, problem.dependent, "wrt")
-    beginning = initial.values(problem.x, float(times[0]))
-    n = len(problem.definition.states)
-    run = integrate_forward(problem, solver, ready, times, Task(sensitive, final, integral))
-    run.finish(weights)
-    warn_of_jumps(problem, partial(run.passed, problem), sensitive, integral)
+    equations = GradientEquations.for_parameters(problem, ready.code, wrt, final, integral)
+    initial = equations.initial(problem, float(times[0]))
+    recorded = integrate_recorded(problem, solver, ready, times, equations)
+    segment = AdjointSegment(recorded)
+    segment.finish(weights)
+    warn_of_jumps(problem, recorded.at_steps, equations.augmented, integral)
     try:
-        values, by_state = run.gradient(beginning)
+        values, by_state = segment.gradient(initial)
     except KeyboardInterrupt as stop:
-        reached = run.info["reached"]
-        raise run.interrupted(times[:reached], run.states[:reached, :n]) from stop
-    return run, sensitive, values, by_state
+        raise recorded.interrupted(recorded.motion.times, recorded.motion.states) from stop
+    return segment, values, by_state
 
 
 def explicit_solver(solver: object) -> Solver:

@@ -8,17 +8,22 @@ vectors of all states as columns before those of the parameters.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._integration import AugmentedSystem, InitialSensitivities, columns_of
+from pydy._integration import (
+    AugmentedSystem,
+    GradientEquations,
+    columns_of,
+    integrate_recorded,
+)
 from pydy._judges import judge_start
 from pydy._motion import Motion, Segment, prepare
 from pydy._problem import Problem, read_term
-from pydy.analysis import AdjointGradient, MotionSegment, Task, integrate_forward
+from pydy.analysis import AdjointGradient, AdjointSegment
 from pydy.contact.complementarity import STARTING
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, RowValues
@@ -27,7 +32,7 @@ from pydy.contact.sensitivities import HybridSensitivities, Transitions
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
-    from pydy._sympy_types import AnySymbol, ExpressionOrName
+    from pydy._sympy_types import AnySymbol, ExpressionOrName, SymbolOrName
     from pydy.solvers import Solver
 
 
@@ -41,27 +46,23 @@ class RecordedTransitions(Transitions):
 
     def __init__(
         self,
-        wrt: object,
+        wrt: SymbolOrName | Iterable[SymbolOrName],
         terms: Mapping[str, ExpressionOrName | None],
         rows: ContactRows,
         problem: Problem,
     ) -> None:
-        sensitive = AugmentedSystem.for_parameters(
-            problem, problem.model.code, problem.plan, wrt, "wrt"
-        )
-        initial = InitialSensitivities(sensitive, problem.dependent, "wrt")
-        self.start = initial.values(problem.x, float(problem.settings.times[0]))
-        self._parameters, self._terms = sensitive.parameters, terms
+        equations = GradientEquations.for_parameters(problem, problem.model.code, wrt)
+        self.start = equations.initial(problem, float(problem.settings.times[0]))
+        self._parameters, self._terms = equations.augmented.parameters, terms
         self.together = False
         n, constants = len(problem.definition.states), problem.definition.constants
-        requested = Task(sensitive, None, None).wrt
         constants_by_column = [
-            constants[index] if group == "p" else None for group, index in requested
+            constants[index] if group == "p" else None for group, index in equations.wrt
         ]
-        self._unit = np.eye(n, n + len(requested))
+        self._unit = np.eye(n, n + len(equations.wrt))
         super().__init__(rows, problem, [*[None] * n, *constants_by_column], self._unit)
         self.counts = {p.symbol: p.count for p in self._parameters}
-        self.adjoint_segments: list[tuple[MotionSegment, np.ndarray, np.ndarray]] = []
+        self.adjoint_segments: list[tuple[AdjointSegment, np.ndarray, np.ndarray]] = []
 
     def simulate(
         self,
@@ -86,21 +87,23 @@ class RecordedTransitions(Transitions):
             for p in self._parameters
         )
         columns = columns_of(parameters, definition)
-        sensitive = AugmentedSystem(
+        augmented = AugmentedSystem(
             definition, ready.code, problem.inputs, problem.p, parameters, columns
         )
-        guide = start.copy() if mode.turns else None
-        if guide is not None and STARTING in mode.modes:  # at the onset the sliding speed is zero
-            guide[:, self._first : len(guide)] = 0.0
-        recorded = integrate_forward(problem, solver, ready, times, Task(sensitive, *terms), guide)
-        compiled: Any = recorded.options.events
-        self._moments = {
-            r.index: recorded.moment(r, r.index in mode.untimed)[2]
-            for r in recorded.records
-            if recorded.stopped and r.time == recorded.end and compiled.traits[r.index].terminal
+        controlled = start.copy() if mode.turns else None
+        if controlled is not None and STARTING in mode.modes:
+            controlled[:, self._first : len(controlled)] = 0.0  # no sliding speed at the onset
+        equations = GradientEquations(augmented, *terms)
+        recorded = integrate_recorded(problem, solver, ready, times, equations, controlled)
+        steps, events = recorded.steps, recorded.options.events
+        self._event_times = {
+            r.index: recorded.event_derivatives(r, r.index in mode.untimed).time
+            for r in steps.events
+            if steps.stopped and r.time == steps.end and events and events.traits[r.index].terminal
         }
-        self._latest = recorded, start, np.where(self.doubtful, np.nan, self.time)
-        return recorded.motion(problem, solver, ready)
+        time = np.where(self.doubtful, np.nan, self.time)
+        self._latest = AdjointSegment(recorded), start, time
+        return recorded.motion
 
     def store_segment(self, motion: Motion, end: float, records: list[EventRecord]) -> None:
         """Store the latest segment."""
@@ -108,7 +111,7 @@ class RecordedTransitions(Transitions):
 
     def locate_end(self, record: EventRecord, rates: np.ndarray) -> None:
         """Begin the matrix of a transition at the event that ends a mode."""
-        self.end_mode(self._unit, self._moments[record.index], rates)
+        self.end_mode(self._unit, self._event_times[record.index], rates)
 
     def doubt(self, values: Mapping[AnySymbol, float], rows: Sequence[int]) -> None:
         """Treat the time of a stop in a plane as unknown: nearby motions do not stop there."""
@@ -135,14 +138,15 @@ def gradient(run: ContactRun) -> AdjointGradient:
     trajectory = run.motion().trajectory
     segments, n = recorded.adjoint_segments, run.n
     last = segments[-1][0]
-    if any(time == last.end for time, _, _ in run.impacts[-1:]) and len(last.starts):
+    steps = last.recorded.steps
+    if any(time == steps.end for time, _, _ in run.impacts[-1:]) and len(steps.starts):
         raise run.fail(
-            last.end, last.last[:n],
+            steps.end, steps.end_state[:n],
             "The motion ends at an impact: what is there has no derivatives. Change the last of "
             "the `times`.",
         )  # fmt: skip
     terminal = {event.name for event in run.user_events if event.terminal}
-    at_end = (r for r in last.records if last.stopped and r.time == last.end)
+    at_end = (r for r in steps.events if steps.stopped and r.time == steps.end)
     last.finish(end_varies=any(record.name in terminal for record in at_end))
     by_state = np.zeros(n)
     try:
@@ -152,7 +156,7 @@ def gradient(run: ContactRun) -> AdjointGradient:
                 matrix, time, segments[k - 1][0] if k else None
             )
     except KeyboardInterrupt as stop:
-        raise last.interrupted(trajectory.times, trajectory.states) from stop
+        raise last.recorded.interrupted(trajectory.times, trajectory.states) from stop
     values = segments[0][0].by_parameters(by_state @ recorded.start)
     if recorded.together:  # simultaneous transitions: check by forward sensitivities
         columns = HybridSensitivities([*recorded.counts], False, run.rows, run.problem)
@@ -163,5 +167,5 @@ def gradient(run: ContactRun) -> AdjointGradient:
     value = sum(segment.value for segment, _, _ in segments)
     statistics = dict(trajectory.statistics or {})
     return AdjointGradient(
-        value, values, recorded.counts, by_state, last.end, statistics, lambda: trajectory
+        value, values, recorded.counts, by_state, steps.end, statistics, lambda: trajectory
     )

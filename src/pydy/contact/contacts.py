@@ -195,7 +195,7 @@ class Contacts:
         if sensitivities is not None:
             parameters, controlled = sensitivities.parameters, sensitivities.controlled
             run.transitions = HybridSensitivities(parameters, controlled, run.rows, problem)
-            sensitivities.sensitive = run.transitions.sensitive
+            sensitivities.augmented = run.transitions.augmented
         run.start_modes = problem.modes
         return run.motion()
 
@@ -258,7 +258,7 @@ class Contacts:
         if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, problem)
         if request is not None:
-            warn_of_jumps(problem, lambda: trajectory, request.sensitive)
+            warn_of_jumps(problem, lambda: trajectory, request.augmented)
         return trajectory
 
     def in_modes(self, modes: Mapping[str, str]) -> System:

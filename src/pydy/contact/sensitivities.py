@@ -280,13 +280,13 @@ class HybridSensitivities(Transitions):
     def __init__(
         self, requested: object, controlled: bool, rows: ContactRows, problem: Problem
     ) -> None:
-        self.sensitive = sensitive = AugmentedSystem.for_parameters(
+        self.augmented = augmented = AugmentedSystem.for_parameters(
             problem, problem.model.code, problem.plan, requested
         )
-        parameters = sensitive.parameters
+        parameters = augmented.parameters
         every = [p for p in parameters for _ in range(p.count)]
         constants = [p.symbol if p.kind == "constants" else None for p in every]
-        initial = InitialSensitivities(sensitive, problem.dependent)
+        initial = InitialSensitivities(augmented, problem.dependent)
         start = initial.values(problem.x, float(problem.settings.times[0]))
         super().__init__(rows, problem, constants, start)
         self._controlled = controlled

@@ -269,31 +269,31 @@ def ensemble_sensitivities(
     at: StateSamples, initial: InitialSensitivities, options: Mapping[str, Any], controlled: bool
 ) -> EnsembleSensitivities:
     """Return the sensitivities of an ensemble as Programs and numbers."""
-    sensitive = initial.augmented
-    watch = watched(at, sensitive)
+    augmented = initial.augmented
+    watch = watched(at, augmented)
     if watch is not None:
         assembly = at.model.assembly.fork()
         watch = replace(watch, nodes=assembly.lowered(watch.nodes(assembly), as_is=True))
-    model, definition = sensitive.model, sensitive.definition
-    blocks, inputs = initial.blocks, sensitive.columns.wanted
+    model, definition = augmented.model, augmented.definition
+    blocks, inputs = initial.blocks, augmented.columns.wanted
     events = options.get("events")
     return EnsembleSensitivities(
-        columns=column_names({p.symbol: p.count for p in sensitive.parameters}),
-        rates=sensitive.tangent(),
-        outputs=written_out(sensitive, "outputs") if definition.outputs.symbols else None,
+        columns=column_names({p.symbol: p.count for p in augmented.parameters}),
+        rates=augmented.tangent(),
+        outputs=written_out(augmented, "outputs") if definition.outputs.symbols else None,
         start=initial.independent(),
         dependent=initial.dependent,
         gradients=tuple(model.programs.jacobian(block, "x") for block in blocks),
         unknowns=tuple(initial.unknowns),
-        residuals=sensitive.tangent("holonomic", "velocity") if blocks else None,
-        projected_residuals=with_all_constraints(sensitive).tangent("holonomic", "velocity")
+        residuals=augmented.tangent("holonomic", "velocity") if blocks else None,
+        projected_residuals=with_all_constraints(augmented).tangent("holonomic", "velocity")
         if blocks
         else None,
         unsolved=initial.refusal,
-        sampled=tuple(sample_weights(sensitive.parameters, definition)),
-        sized=parameter_sizes(sensitive, options),
+        sampled=tuple(sample_weights(augmented.parameters, definition)),
+        sized=parameter_sizes(augmented, options),
         controlled=controlled,
-        sources=sensitive.columns.sources,
+        sources=augmented.columns.sources,
         jumps=tuple(
             (program_of_event(model, event, inputs), changed_by(event, definition.states))
             for event in (() if events is None else events.sources)

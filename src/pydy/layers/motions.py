@@ -286,7 +286,7 @@ class MotionFunction:
         if not parameters:
             return np.zeros(0)
         problem = self._problem_of(row)
-        _, _, slopes, _ = motion_and_gradient(
+        _, slopes, _ = motion_and_gradient(
             problem,
             problem.settings.times,
             parameters,

@@ -25,6 +25,7 @@ from .run.backward import DiscreteAdjoint as DiscreteAdjoint
 from .run.integration import Integration as Integration
 from .run.lanes import LaneSolver as LaneSolver, LaneTasks as LaneTasks
 from .run.problem import sampled_input_tables as sampled_input_tables
+from .run.recorded_steps import RecordedSteps as RecordedSteps
 from .sensitivities import (
     CompiledSensitivities as CompiledSensitivities,
     ParameterSize as ParameterSize,

@@ -22,6 +22,7 @@ from pydy.solvers.run.problem import (
     block_count,
     problem_arrays,
 )
+from pydy.solvers.run.recorded_steps import RecordedSteps
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
@@ -106,32 +107,30 @@ class DiscreteAdjoint:
 
     def sweep_back(
         self,
-        times: np.ndarray,
-        ends: np.ndarray,
-        states: np.ndarray,
+        steps: RecordedSteps,
+        span: slice,
         adjoint: np.ndarray,
         on_steps: Callable[[int], None],
     ) -> AdjointSweep:
-        """Reverse steps, given their initial times and states and their `ends`.
+        """Reverse the steps in a span of their indices.
 
         The adjoint is that of the state at the end. The number of finished steps is passed to
         `on_steps` now and then.
         """
+        times, ends, states = steps.starts[span], steps.ends[span], steps.states[span]
         totals = np.zeros(self.further)
         instants: list[np.ndarray] = []
         stagewise: list[np.ndarray] = []
         # Between two calls of `on_steps`: a million numbers of stages.
         most, last = max(1, 2**20 // (len(self.nodes) * self.length)), len(times)
         while last:
-            steps = slice(max(0, last - most), last)
-            part = self._sweep_steps(
-                times[steps], ends[steps] - times[steps], states[steps], adjoint
-            )
+            rows = slice(max(0, last - most), last)
+            part = self._sweep_steps(times[rows], ends[rows] - times[rows], states[rows], adjoint)
             adjoint, totals = part.adjoint, totals + part.totals
             instants.append(part.times)
             stagewise.append(part.stagewise)
-            on_steps(last - steps.start)
-            last = steps.start
+            on_steps(last - rows.start)
+            last = rows.start
         none = np.zeros((0, self.stagewise))
         return AdjointSweep(
             adjoint, totals, np.concatenate([[], *instants]), np.concatenate([none, *stagewise])

@@ -706,7 +706,7 @@ class Integration(Workspace):
         return float(record[at.NEARNESS]) if record.size and record[at.RANK] else 1.0
 
     def _extension(self) -> DenseOutput | None:
-        rows = self.recorded_steps()
+        rows = self.step_rows()
         if self.code not in VALID_OUTCOMES:
             return None
         if rows is None or not len(rows):

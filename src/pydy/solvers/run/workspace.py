@@ -298,7 +298,7 @@ class Workspace:
         if self.options.recorded is None and len(self._stored_steps) * rows.nbytes > STEPS_MEMORY:
             self._stored_steps, words[at.ROOM] = [], 0
 
-    def recorded_steps(self) -> np.ndarray | None:
+    def step_rows(self) -> np.ndarray | None:
         """Return the rows of all steps, and the state at the end, after an event there."""
         words, rows = self.steps
         if words[at.ROOM] == 0:
