@@ -44,7 +44,7 @@ from pydy.solvers.run.departure import (
     is_stationary,
     on_surface,
 )
-from pydy.solvers.run.extension import DenseOutput
+from pydy.solvers.run.dense_output import DenseOutput
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace, WorkspaceCopy
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
@@ -697,7 +697,7 @@ class Integration(Workspace):
             "reached": int(count[at.NEXT]),
             "events": list(self.records),
             "sides": tuple(self.watch.sides.tolist()),
-            **({"dense_output": self._extension()} if self.options.dense_output else {}),
+            **({"dense_output": self._dense_output()} if self.options.dense_output else {}),
         }
 
     def _nearness(self) -> float:
@@ -705,7 +705,7 @@ class Integration(Workspace):
         record = self.projection_record
         return float(record[at.NEARNESS]) if record.size and record[at.RANK] else 1.0
 
-    def _extension(self) -> DenseOutput | None:
+    def _dense_output(self) -> DenseOutput | None:
         rows = self.step_rows()
         if self.code not in VALID_OUTCOMES:
             return None

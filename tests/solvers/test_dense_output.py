@@ -95,7 +95,7 @@ def test_an_event_has_a_left_and_a_right_value(solver):
     assert many.events[0].time == event.time
 
 
-def test_a_terminal_event_ends_the_extension():
+def test_a_terminal_event_ends_the_dense_output():
     q, v = me.dynamicsymbols("q v")
     stop = Event(q, terminal=True, reset={v: 0})
     trajectory = oscillator("dop853", FEW).simulate(events=[stop], **tight("dop853"))
@@ -123,7 +123,7 @@ def test_sensitivities_are_extended_with_the_states(solver):
     np.testing.assert_allclose(few.at(MANY).sensitivity["q", "q"], np.cos(MANY), atol=1e-6)
 
 
-def test_later_changes_of_the_system_do_not_reach_the_extension():
+def test_later_changes_of_the_system_do_not_reach_the_dense_output():
     system = oscillator("dop853", FEW)
     trajectory = system.simulate(**tight("dop853"))
     before = trajectory.at(MANY).states
@@ -143,7 +143,7 @@ def test_long_runs_are_kept_in_pieces(solver, monkeypatch):
     np.testing.assert_array_equal(piecewise.at(MANY).states, whole.at(MANY).states)
 
 
-def test_without_an_extension_cubics_lie_between_the_times(monkeypatch):
+def test_without_dense_output_cubics_lie_between_the_times(monkeypatch):
     cubic = oscillator("vern9", FEW).simulate(dense_output=False, **tight("vern9"))
     assert 1e-6 < abs(cubic.at(MANY)["q"] - np.cos(MANY)).max() < 1e-3
     kept = oscillator("vern9", FEW).simulate(**tight("vern9"))
@@ -163,7 +163,7 @@ def test_a_solver_called_by_itself_gives_its_dense_output():
     np.testing.assert_allclose(info["dense_output"](MANY)[:, 0], np.cos(MANY), atol=1e-10)
 
 
-def test_threads_share_an_extension():
+def test_threads_share_a_dense_output():
     trajectory = oscillator("vern9", FEW).simulate(**tight("vern9"))
     expected = trajectory.at(MANY).states
     with ThreadPoolExecutor(4) as pool:

@@ -1,4 +1,4 @@
-"""The continuous extension of a run: states between its steps, of the method's own order."""
+"""Dense output: states between the steps of a run, by the method's own continuous extension."""
 
 from __future__ import annotations
 
@@ -26,9 +26,10 @@ class DenseOutput:
         self, workspaces: WorkspaceCopy, rows: np.ndarray, n: int, backward: bool = False
     ) -> None:
         self._workspaces, self._rows, self._n, self._backward = workspaces, rows, n, backward
-        # Without the ends of steps that an event ended early.
-        self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
-        self._starts = rows[self._steps, 0]
+        # Rows of size 0 before the last are the ends of steps that an event cut short; the last row
+        # is the end of the run, after its event.
+        self._step_rows = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
+        self._starts = rows[self._step_rows, 0]
 
     @property
     def starts(self) -> np.ndarray:
@@ -46,11 +47,12 @@ class DenseOutput:
 
     def _evaluate(self, times: np.ndarray) -> np.ndarray:
         n, m = self._n, len(times)
+        # The step that begins at or before each time: at an event, that after it.
         steps = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
         if np.array_equal(self._starts[steps], times):
-            return self._rows[self._steps[steps], 2 : 2 + n]
+            return self._rows[self._step_rows[steps], 2 : 2 + n]
         work, out = self._workspaces.acquire(), np.full(m * n + BLOCK, np.nan)
-        requests = Wanted(self._rows, np.array(times, dtype=float), self._steps[steps], out)
+        requests = Wanted(self._rows, np.array(times, dtype=float), self._step_rows[steps], out)
         table = table_of(rows_of(requests))
         function_of("extend", bool(work.callbacks))(work.table_address, address(table))
         self._workspaces.release(work)
