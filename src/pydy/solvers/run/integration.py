@@ -36,6 +36,7 @@ from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import VALID_OUTCOMES, Outcome
 from pydy.solvers.reflection import reflected, reversed_times
+from pydy.solvers.run.dense_output import DenseOutput
 from pydy.solvers.run.departure import (
     acts_at_start,
     departure,
@@ -44,7 +45,6 @@ from pydy.solvers.run.departure import (
     is_stationary,
     on_surface,
 )
-from pydy.solvers.run.dense_output import DenseOutput
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace, WorkspaceCopy
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
