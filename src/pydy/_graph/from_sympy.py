@@ -282,8 +282,12 @@ class SymPyReader:
         Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
         groups belongs to the last.
         """
-        indexed = ((g, k, s) for g, symbols in groups.items() for k, s in enumerate(symbols))
-        return SymPyReader(graph, {s: graph.input(g, k) for g, k, s in indexed}, what)
+        atoms = {
+            symbol: graph.input(group, k)
+            for group, symbols in groups.items()
+            for k, symbol in enumerate(symbols)
+        }
+        return SymPyReader(graph, atoms, what)
 
     def define(self, atom: AnySymbol, node: int) -> None:
         """Let `atom` stand for `node` from now on."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from pydy._forks import cached_property
 from pydy._graph.node import Graph
@@ -25,7 +25,7 @@ class LinearSystem:
 
     @cached_property
     def _entries(self) -> tuple[int, ...]:
-        return tuple(entry for row in self.matrix for entry in row)
+        return tuple(chain.from_iterable(self.matrix))
 
     @cached_property
     def _factor(self) -> int:
