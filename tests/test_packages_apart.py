@@ -28,6 +28,7 @@ def pytest_sessionfinish():
     [
         ("robots", ["test_tendons.py"]),
         ("contact", ["test_laws.py", "test_modes.py"]),
+        ("vehicles", ["test_magic_formula.py"]),
     ],
 )
 def test_a_room_works_as_a_package_of_its_own(room, files, tmp_path):

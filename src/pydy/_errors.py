@@ -275,3 +275,7 @@ class EquilibriumError(_SearchError):
 
 class RobotFileError(ValueError):
     """A file does not describe a robot; the message names the file and the line or element."""
+
+
+class TireFileError(ValueError):
+    """A file is no tire property file; the message names the file and the line or unit."""

@@ -18,6 +18,7 @@ from pydy._errors import (
     PyDyUserWarning,
     RobotFileError,
     SingularMatrixError,
+    TireFileError,
     UnsupportedFunctionError,
 )
 
@@ -36,5 +37,6 @@ __all__ = [
     "PyDyUserWarning",
     "RobotFileError",
     "SingularMatrixError",
+    "TireFileError",
     "UnsupportedFunctionError",
 ]

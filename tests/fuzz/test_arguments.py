@@ -17,7 +17,7 @@ import pytest
 from fuzz.table import FAMILIES
 from parts import FURTHER_PARTS, PART, RECORDING, WHOLE
 
-# Of 28,000 inputs.
+# Of 33,000 inputs.
 PARTS = 1 if WHOLE and not RECORDING else 32 if FURTHER_PARTS else 192
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="inputs are tried in forks")

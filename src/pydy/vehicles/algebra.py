@@ -1,0 +1,181 @@
+"""One set of functions for numbers, NumPy arrays and SymPy expressions.
+
+Equations of tires are written once with these. For expressions, nothing is simplified by SymPy
+that takes long on large expressions: the graph of expressions does that later.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from pydy._checks import number, real_array, shown
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import Expression
+
+# What the equations take and return: a number, an array, or an expression.
+Quantity: TypeAlias = "float | np.ndarray | Expression"
+
+
+class Zero(int):
+    """The number 0 among expressions: sums and products with it are made without SymPy.
+
+    SymPy would first ask whether each factor is finite, which takes long for large expressions.
+    """
+
+    _op_priority = 100.0  # SymPy leaves operations to whatever has such an attribute
+
+    def __mul__(self, other: Any) -> Any:
+        return self
+
+    __rmul__ = __truediv__ = __mul__
+
+    def __neg__(self) -> Zero:
+        return self
+
+    def __add__(self, other: Any) -> Any:
+        return other
+
+    __radd__ = __rsub__ = __add__
+
+    def __sub__(self, other: Any) -> Any:
+        return -other
+
+    def __pow__(self, exponent: Any) -> Any:  # type: ignore[override]
+        return self
+
+
+class NumericAlgebra:
+    """Functions of numbers and arrays."""
+
+    symbolic = False
+    sin = staticmethod(np.sin)
+    cos = staticmethod(np.cos)
+    tan = staticmethod(np.tan)
+    atan = staticmethod(np.arctan)
+    exp = staticmethod(np.exp)
+    sqrt = staticmethod(np.sqrt)
+    abs = staticmethod(np.abs)
+    sign = staticmethod(np.sign)
+    minimum = staticmethod(np.minimum)
+    maximum = staticmethod(np.maximum)
+
+    @staticmethod
+    def where_negative(x: Any, yes: Any, no: Any) -> Any:
+        """Return `yes` where x < 0, otherwise `no`."""
+        return np.where(np.less(x, 0.0), yes, no)
+
+    @staticmethod
+    def constant(value: Any) -> Any:
+        """Return a coefficient as it enters the equations."""
+        return float(value)
+
+
+class SymbolicAlgebra:
+    """The same functions of SymPy expressions."""
+
+    symbolic = True
+
+    def __init__(self) -> None:
+        import sympy
+
+        self.sympy = sympy
+        self.sqrt = sympy.sqrt
+
+    def sin(self, x: Any) -> Any:
+        """Return the sine."""
+        return self._of_angle(self.sympy.sin, x)
+
+    def cos(self, x: Any) -> Any:
+        """Return the cosine."""
+        return self._of_angle(self.sympy.cos, x)
+
+    def tan(self, x: Any) -> Any:
+        """Return the tangent."""
+        return self._of_angle(self.sympy.tan, x)
+
+    def atan(self, x: Any) -> Any:
+        """Return the arctangent."""
+        return self._unevaluated(self.sympy.atan, x)
+
+    def exp(self, x: Any) -> Any:
+        """Return the exponential function."""
+        return self._unevaluated(self.sympy.exp, x)
+
+    def abs(self, x: Any) -> Any:
+        """Return the absolute value."""
+        return self._unevaluated(self.sympy.Abs, x)
+
+    def sign(self, x: Any) -> Any:
+        """Return the sign."""
+        return self._unevaluated(self.sympy.sign, x)
+
+    def minimum(self, x: Any, y: Any) -> Any:
+        """Return the smaller value."""
+        return self._unevaluated(self.sympy.Min, x, y)
+
+    def maximum(self, x: Any, y: Any) -> Any:
+        """Return the larger value."""
+        return self._unevaluated(self.sympy.Max, x, y)
+
+    def where_negative(self, x: Any, yes: Any, no: Any) -> Any:
+        """Return `yes` where x < 0, otherwise `no`."""
+        condition = self.sympy.StrictLessThan(x, 0, evaluate=not is_symbolic(x))
+        if condition in (True, False):
+            return yes if condition else no
+        return self.sympy.Piecewise((yes, condition), (no, True), evaluate=False)
+
+    @staticmethod
+    def constant(value: Any) -> Any:
+        """Return a coefficient as it enters the equations: terms with 0 and factors 1 vanish."""
+        if is_symbolic(value):
+            return value
+        value = float(value)
+        if value == 0.0:
+            return Zero()
+        return int(value) if value in (-1.0, 1.0, 2.0) else value
+
+    def _of_angle(self, function: Any, x: Any) -> Any:
+        # An angle that is an arctangent, such as a slip angle, needs no function.
+        inverse = isinstance(x, (self.sympy.atan, self.sympy.asin, self.sympy.acos))
+        return function(x) if inverse else self._unevaluated(function, x)
+
+    def _unevaluated(self, function: Any, *arguments: Any) -> Any:
+        # SymPy would ask for the sign of each part of an expression.
+        sympify = self.sympy.sympify
+        if any(map(is_symbolic, arguments)):
+            return function(*map(sympify, arguments), evaluate=False)
+        return self.constant(function(*map(sympify, arguments)))
+
+
+Algebra: TypeAlias = NumericAlgebra | SymbolicAlgebra
+
+
+def algebra_of(*values: object) -> Algebra:
+    """Return the algebra that some quantities need."""
+    return SymbolicAlgebra() if any(map(is_symbolic, values)) else NumericAlgebra()
+
+
+def is_symbolic(value: Any) -> bool:
+    """Return whether a value is a SymPy expression and no number."""
+    return hasattr(value, "free_symbols") and not getattr(value, "is_number", False)
+
+
+def checked_quantity(value: Any, label: str, *, arrays: bool = True) -> Any:
+    """Return a number or an array as floats, an expression as it is; refuse all else."""
+    if is_symbolic(value):
+        import sympy as sm
+
+        if not isinstance(value, sm.Expr):
+            raise TypeError(f"{label} must be a number or an expression, got {shown(value)}.")
+        if value.has(sm.nan, sm.zoo, sm.I, sm.oo, sm.MatrixSymbol):
+            raise ValueError(f"{label} must have real values, got {shown(value)}.")
+        return value
+    if not arrays or isinstance(value, (float, int)):
+        return number(value, label, finite=True)
+    array = real_array(value, label)
+    if not np.isfinite(array).all():
+        raise ValueError(f"{label} must be finite, got {shown(value)}.")
+    return array if array.ndim else float(array)

@@ -1,0 +1,149 @@
+"""What all tires share: the state of the contact that forces depend on, and the forces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple, Protocol, Self
+
+import numpy as np
+
+from pydy._checks import shown
+from pydy._names import nearest
+from pydy.vehicles.algebra import (
+    Algebra,
+    Quantity,
+    SymbolicAlgebra,
+    algebra_of,
+    checked_quantity,
+    is_symbolic,
+)
+
+
+class TireForces(NamedTuple):
+    """Forces and moments of the road on a tire, at the contact point C, in ISO axes.
+
+    x points forward in the plane of the wheel and along the road, z up, normal to the road, and
+    y to the left. The normal force Fz is an input of a tire and not among them.
+
+    Attributes
+    ----------
+    Fx, Fy : float, ndarray or expression
+        Longitudinal and lateral force (N).
+    Mx, My, Mz : float, ndarray or expression
+        Overturning moment, rolling resistance moment and aligning moment (N m).
+    """
+
+    Fx: Quantity
+    Fy: Quantity
+    Mx: Quantity
+    My: Quantity
+    Mz: Quantity
+
+
+@dataclass(frozen=True)
+class ContactState:
+    """The inputs of a tire: numbers, arrays of one shape, or expressions."""
+
+    Fz: Any
+    kappa: Any
+    alpha: Any
+    gamma: Any
+    speed: Any
+    pressure: Any
+
+
+class Tire(Protocol):
+    """What fits and plots need of a tire."""
+
+    @property
+    def parameters(self) -> Mapping[str, Any]:
+        """The parameters by name."""
+
+    def replace(self, **parameters: Any) -> Self:
+        """Return a tire with some other parameters."""
+
+    def forces(
+        self,
+        Fz: Any,
+        kappa: Any,
+        alpha: Any,
+        gamma: Any = 0.0,
+        *,
+        speed: Any = None,
+        pressure: Any = None,
+    ) -> TireForces:
+        """Return the forces at the road."""
+
+
+_OPTIONAL = ("speed", "pressure")
+Equations = Callable[[Algebra, ContactState], tuple[Any, ...]]
+
+
+def evaluate(equations: Equations, parameters: Mapping[str, Any], **inputs: Any) -> tuple[Any, ...]:
+    """Return what equations give for inputs that users passed, which are checked here.
+
+    Numbers give numbers, arrays give arrays of their common shape, expressions give expressions.
+    """
+    read = {
+        name: None if value is None and name in _OPTIONAL else checked_quantity(value, f"`{name}`")
+        for name, value in inputs.items()
+    }
+    algebra = algebra_of(*read.values(), *parameters.values())
+    arrays = {name: v for name, v in read.items() if isinstance(v, np.ndarray)}
+    if algebra.symbolic and arrays:
+        name, value = next(iter(arrays.items()))
+        raise TypeError(
+            f"`{name}` must be a number or an expression, because another input or a parameter of "
+            f"the tire is an expression; got {shown(value)}."
+        )
+    try:
+        shape = np.broadcast_shapes(*(v.shape for v in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"`{name}` {v.shape}" for name, v in arrays.items())
+        raise ValueError(f"The inputs must have shapes that match, got {shapes}.") from None
+    if algebra.symbolic:
+        read = {k: v if v is None else algebra.constant(v) for k, v in read.items()}
+    with np.errstate(over="ignore", invalid="ignore"):  # of loads that no tire carries
+        results = equations(algebra, ContactState(**read))
+    if isinstance(algebra, SymbolicAlgebra):
+        return tuple(map(algebra.sympy.sympify, results))
+    if not arrays:
+        return tuple(map(float, results))
+    return tuple(np.array(np.broadcast_to(r, shape), dtype=float) for r in results)
+
+
+def fields_of(tire: Any) -> dict[str, Any]:
+    """Return the fields of a tire that is a dataclass, by name."""
+    return {field.name: getattr(tire, field.name) for field in fields(tire)}
+
+
+def checked_parameters(
+    parameters: Mapping[str, Any],
+    *,
+    positive: tuple[str, ...] = (),
+    not_negative: tuple[str, ...] = (),
+) -> dict[str, Any]:
+    """Return parameters of a tire, numbers or expressions, or raise an error that names one."""
+    checked = {}
+    for name, value in parameters.items():
+        result = checked_quantity(value, f"`{name}`", arrays=False)
+        if not is_symbolic(result):
+            if name in positive and not result > 0.0:
+                raise ValueError(f"`{name}` must be positive, got {result!r}.")
+            if name in not_negative and not result >= 0.0:
+                raise ValueError(f"`{name}` must not be negative, got {result!r}.")
+        checked[name] = result
+    return checked
+
+
+def unknown_parameter(name: str, known: Mapping[str, Any]) -> ValueError:
+    """Return an error that names a parameter that a tire does not have."""
+    return ValueError(f"{name!r} is no parameter of the tire. {nearest(name, list(known))}")
+
+
+def check_known(parameters: Mapping[str, Any], tire: Tire) -> None:
+    """Refuse names that are no parameters of a tire."""
+    for name in parameters:
+        if name not in tire.parameters:
+            raise unknown_parameter(name, tire.parameters)

@@ -1,0 +1,111 @@
+"""What the coefficients and options of a Magic Formula tire must be."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from pydy._checks import choice, number
+from pydy._errors import warn_user
+from pydy._names import some
+from pydy.vehicles.algebra import checked_quantity, is_symbolic
+from pydy.vehicles.coefficients import DEFAULTS, VERSIONS
+from pydy.vehicles.equations import Form
+from pydy.vehicles.tir import TireFile
+
+# What each use mode computes: longitudinal, lateral, combined.
+MODES = {0: (), 1: ("x",), 2: ("y",), 3: ("x", "y"), 4: ("x", "y", "combined")}
+ESSENTIAL = {
+    "x": ("longitudinal force",),
+    "y": ("lateral force", "aligning moment"),
+    "combined": ("combined longitudinal force", "combined lateral force"),
+}
+
+
+def checked_values(
+    values: Mapping[str, Any], missing: Collection[str], form: Form
+) -> dict[str, Any]:
+    """Return all coefficients, numbers or expressions, or raise an error that names one."""
+    checked = {
+        name: checked_quantity(value, f"`{name}`", arrays=False) for name, value in values.items()
+    }
+    for name in ("FNOMIN", "UNLOADED_RADIUS", "LFZO", "LONGVL", "VXLOW"):
+        value = checked[name]
+        if is_symbolic(value) or value > 0.0:
+            continue
+        if name != "VXLOW":
+            problem = "is missing" if name in missing else f"must be positive, got {value}"
+            raise ValueError(f"The coefficient {name} {problem}.")
+        checked[name] = DEFAULTS[name]
+    if form.pressure and checked["NOMPRES"] == 0.0:
+        acting = [n for n, v in checked.items() if n.startswith("PP") and (is_symbolic(v) or v)]
+        if acting:
+            raise ValueError(
+                f"The coefficient NOMPRES is missing, the pressure that {some(acting)} refer to."
+            )
+    return checked
+
+
+def checked_combination(
+    combined: str | None, file: TireFile | None, use_mode: int, absent: Collection[str]
+) -> str:
+    """Return how combined slip is computed; without coefficients the user must say so."""
+    if combined is not None:
+        combined = choice(combined, ("coefficients", "ellipse", "none"), "`combined`")
+    elif file and str(file.sections.get("MODEL", {}).get("FE_METHOD", "")).upper() == "YES":
+        combined = "ellipse"
+    both = not {ESSENTIAL["x"][0], ESSENTIAL["y"][0]} & {*absent}
+    lacking = [group for group in ESSENTIAL["combined"] if group in absent]
+    if combined in (None, "coefficients") and use_mode % 10 == 4 and both and lacking:
+        raise ValueError(
+            f"The tire has no coefficients of the {' and the '.join(lacking)} (RBX1, RCX1, RBY1, "
+            "RCY1 …). Choose `combined='ellipse'` for friction ellipses, `combined='none'` for "
+            "forces that do not reduce each other, or a `use_mode` of pure slip."
+        )
+    return combined or "coefficients"
+
+
+def warn_of_absent_groups(use_mode: int, absent: Collection[str]) -> None:
+    """Warn of a force or an aligning moment that is zero, because it has no coefficients."""
+    parts = [part for part in MODES[use_mode % 10] if part != "combined"]
+    lacking = [group for part in parts for group in ESSENTIAL[part] if group in absent]
+    if lacking:
+        warn_user(
+            f"The tire has no coefficients of the {' and the '.join(lacking)}: "
+            f"{'it is' if len(lacking) == 1 else 'they are'} zero. `MagicFormula.missing` lists "
+            "all that are missing."
+        )
+
+
+def version_of(version: str | None, file: TireFile | None) -> str:
+    """Return the version of the Magic Formula: the user's, or that of the file."""
+    if version is not None:
+        return choice(version, VERSIONS, "`version`")
+    if file is None:
+        return "6.1"
+    if file.version is None:
+        raise ValueError(
+            f"{file.path} is for another tire model than the Magic Formula of these versions: "
+            f"{', '.join(VERSIONS)}. Say which one its coefficients belong to: `version=`."
+        )
+    return file.version
+
+
+def use_mode_of(use_mode: int | None, file: TireFile | None) -> int:
+    """Return a use mode; turn slip (5) is not among what can be computed, and is left away."""
+    if use_mode is None:
+        mode = file.use_mode if file and file.use_mode is not None else 4
+        if mode % 10 == 5:
+            mode -= 1
+        if mode < 0 or mode % 10 not in MODES:
+            raise ValueError(
+                f"{file.path if file else 'The file'} has the unknown use mode {mode}. Choose a "
+                "`use_mode` of 0 to 4."
+            )
+        return mode
+    value = number(use_mode, "`use_mode`")
+    if isinstance(use_mode, bool) or value not in range(1000) or value % 10 not in MODES:
+        raise ValueError(
+            f"`use_mode` must be 0 to 4, with further digits for transients, got {use_mode!r}."
+        )
+    return int(value)
