@@ -192,3 +192,9 @@ def test_turn_slip_of_a_use_mode_is_left_away(written):
     file = read_tir(written(text.replace("USE_MODE = 4", "USE_MODE = 8")))
     with pytest.raises(ValueError, match="unknown use mode 8"):
         MagicFormula(file)
+
+
+def test_coefficients_of_another_version_are_listed(written):
+    text = (files("pydy.examples") / "passenger_car.tir").read_text()
+    old = MagicFormula(read_tir(written(text)), "5.2")
+    assert set(old.unused) == {"PKY4", "PKY5", "PKY6", "PKY7", "RBX3", "RBY4"}

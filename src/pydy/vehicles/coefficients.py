@@ -129,6 +129,9 @@ def names_of(version: str) -> tuple[str, ...]:
     return tuple(name for names in groups(version).values() for name in names)
 
 
+ALL_NAMES = frozenset(name for version in VERSIONS for name in names_of(version))
+
+
 def default(name: str) -> float:
     """Return the value of a coefficient that is missing."""
     scaling = name in _SCALING or any(name in names for names in _SCALING_OF.values())

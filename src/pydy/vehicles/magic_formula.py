@@ -11,7 +11,7 @@ from typing import Any, Self
 from pydy._checks import check_mapping, choice, number, positive
 from pydy._names import some
 from pydy.vehicles.algebra import Algebra, Quantity, is_symbolic
-from pydy.vehicles.coefficients import ALIASES, absent_groups, default, names_of
+from pydy.vehicles.coefficients import ALIASES, ALL_NAMES, absent_groups, default, names_of
 from pydy.vehicles.equations import (
     FORMS,
     Condition,
@@ -104,7 +104,8 @@ class MagicFormula:
     missing : tuple of str
         Coefficients of this version that were not given, and have the values above.
     unused : tuple of str
-        Names that were given and that this version does not read.
+        Names that were given and that this version does not read; of a file, those that are
+        coefficients of another version.
 
     Raises
     ------
@@ -192,7 +193,9 @@ class MagicFormula:
         names = names_of(self.version)
         spelled = {ALIASES.get(str(name), str(name)): value for name, value in given.items()}
         self.missing = tuple(name for name in names if name not in spelled)
-        self.unused = tuple(name for name in spelled if name not in names)
+        # A file has other numbers, too: of vertical stiffness, of ranges.
+        known = ALL_NAMES if file else spelled
+        self.unused = tuple(name for name in spelled if name in known and name not in names)
         defaults = {name: default(name) for name in names}
         self._values = checked_values(
             {**defaults, **{n: v for n, v in spelled.items() if n in names}}, self.missing, form
