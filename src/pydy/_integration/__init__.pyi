@@ -2,17 +2,14 @@ from .event_derivatives import (
     changed_by as changed_by,
     program_of_event as program_of_event,
 )
-from .gradient_equations import (
-    GradientEquations as GradientEquations,
-    ParameterDerivatives as ParameterDerivatives,
-)
+from .gradient_equations import GradientEquations as GradientEquations
 from .initial_sensitivities import InitialSensitivities as InitialSensitivities
 from .integration import (
     integrate as integrate,
     integrate_states as integrate_states,
     simulate as simulate,
 )
-from .parameters import sample_weights as sample_weights
+from .parameters import by_samples as by_samples, sample_weights as sample_weights
 from .recorded_motion import (
     RecordedMotion as RecordedMotion,
     integrate_recorded as integrate_recorded,

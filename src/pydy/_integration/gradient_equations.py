@@ -13,7 +13,7 @@ from pydy._assembly import Assembly, CompiledModel
 from pydy._forks import cached_property
 from pydy._graph import derivative_program, simplify
 from pydy._integration.initial_sensitivities import InitialSensitivities
-from pydy._integration.parameters import Parameter, by_samples, marker
+from pydy._integration.parameters import Parameter, marker
 from pydy._integration.sensitivities import AugmentedSystem
 from pydy._judges import node_of
 from pydy._kernel import Inputs, Kernel, KernelCall
@@ -136,45 +136,6 @@ class GradientEquations:
         """Return the sensitivities (n, k) of a Problem's state by all parameters, at a time."""
         initial = InitialSensitivities(self.augmented, problem.dependent, "wrt")
         return initial.values(problem.x, t)
-
-
-class ParameterDerivatives:
-    """The derivatives of an objective by all parameters, added up while its adjoint goes back."""
-
-    def __init__(self, equations: GradientEquations) -> None:
-        self._equations = equations
-        self._totals = np.zeros(len(equations.wrt))
-        # Times (m,) and derivatives (m, j) by the sampled inputs at these times.
-        self._by_time: list[tuple[np.ndarray, np.ndarray]] = []
-
-    def add(self, totals: np.ndarray, times: np.ndarray, by_time: np.ndarray) -> None:
-        """Add derivatives by the inputs `wrt`: their totals, and those at each time.
-
-        The last columns of `by_time`, shape (m, …), are those of the sampled inputs.
-        """
-        self._totals += totals
-        if sampled := len(self._equations.sampled):
-            self._by_time.append((times, by_time[:, by_time.shape[1] - sampled :]))
-
-    def values(self, initial: np.ndarray) -> np.ndarray:
-        """Return the sums, shape (k,), with the contributions of the initial state added."""
-        equations = self._equations
-        index_of = {slot: k for k, slot in enumerate(equations.wrt)}
-        sampled = {p.symbol: k for k, p in enumerate(equations.sampled)}
-        derivatives: list[float] = []
-        for parameter in equations.augmented.parameters:
-            if parameter.kind == "states":
-                derivatives.append(0.0)
-            elif parameter.samples is None:
-                group = "p" if parameter.kind == "constants" else "r"
-                derivatives.append(float(self._totals[index_of[group, parameter.index]]))
-            else:
-                weights, total = by_samples(parameter), np.zeros(parameter.count)
-                for times, slopes in self._by_time:
-                    total += slopes[:, sampled[parameter.symbol]] @ weights.rows(times)
-                derivatives += total.tolist()
-        values: np.ndarray = initial + np.array(derivatives)
-        return values
 
 
 def with_integral_and_marker(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pydy._errors import warn_user
-from pydy._integration import ParameterDerivatives, RecordedMotion
+from pydy._integration import GradientEquations, RecordedMotion, by_samples
 from pydy._optional import progress_of
 from pydy._rank import HALF
 from pydy.trajectory import EventRecord
@@ -194,3 +194,42 @@ class AdjointSegment:
         `initial` contains the contributions of the initial state.
         """
         return self._by_inputs.values(initial)
+
+
+class ParameterDerivatives:
+    """The derivatives of an objective by all parameters, added up while its adjoint goes back."""
+
+    def __init__(self, equations: GradientEquations) -> None:
+        self._equations = equations
+        self._totals = np.zeros(len(equations.wrt))
+        # Times (m,) and derivatives (m, j) by the sampled inputs at these times.
+        self._by_time: list[tuple[np.ndarray, np.ndarray]] = []
+
+    def add(self, totals: np.ndarray, times: np.ndarray, by_time: np.ndarray) -> None:
+        """Add derivatives by the inputs `wrt`: their totals, and those at each time.
+
+        The last columns of `by_time`, shape (m, …), are those of the sampled inputs.
+        """
+        self._totals += totals
+        if sampled := len(self._equations.sampled):
+            self._by_time.append((times, by_time[:, by_time.shape[1] - sampled :]))
+
+    def values(self, initial: np.ndarray) -> np.ndarray:
+        """Return the sums, shape (k,), with the contributions of the initial state added."""
+        equations = self._equations
+        index_of = {slot: k for k, slot in enumerate(equations.wrt)}
+        sampled = {p.symbol: k for k, p in enumerate(equations.sampled)}
+        derivatives: list[float] = []
+        for parameter in equations.augmented.parameters:
+            if parameter.kind == "states":
+                derivatives.append(0.0)
+            elif parameter.samples is None:
+                group = "p" if parameter.kind == "constants" else "r"
+                derivatives.append(float(self._totals[index_of[group, parameter.index]]))
+            else:
+                weights, total = by_samples(parameter), np.zeros(parameter.count)
+                for times, slopes in self._by_time:
+                    total += slopes[:, sampled[parameter.symbol]] @ weights.rows(times)
+                derivatives += total.tolist()
+        values: np.ndarray = initial + np.array(derivatives)
+        return values
