@@ -38,7 +38,7 @@ from pydy._motion import (
 )
 from pydy._problem import AssumptionChecks, Problem
 from pydy.codegen import rates_function
-from pydy.solvers import MANY_STEPS, EventContinuation, Outcome, Prepared, Solver
+from pydy.solvers import EventContinuation, Outcome, Prepared, Solver
 from pydy.trajectory import Trajectory
 
 SolverFunction = Callable[..., Any]
@@ -447,8 +447,8 @@ def _stuck_at(problem: Problem, ready: PreparedIntegration, t: float, x: np.ndar
     return stuck_at(at, ready.span)
 
 
-def _warn_of_many_steps(ready: PreparedIntegration, t: float, x: np.ndarray) -> None:
+def _warn_of_many_steps(ready: PreparedIntegration, steps: int, t: float, x: np.ndarray) -> None:
     problem = ready.problem
     stuck = None if problem is None else _stuck_at(problem, ready, t, x)
     if stuck is not None:
-        warn_user(f"The solver has taken more than {MANY_STEPS} steps by t = {t:.4g}. {stuck}")
+        warn_user(f"The solver has taken more than {steps} steps by t = {t:.4g}. {stuck}")

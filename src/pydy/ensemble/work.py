@@ -495,7 +495,7 @@ def invalidate_drifted(batch: Batch, results: Results, times: np.ndarray) -> Non
     assert checks is not None
     projected = model.options.constraints is not None
     statistics = results.statistics
-    valid = np.isin(statistics["status"], DriftCheck.OUTCOMES)
+    valid = np.isin(statistics["status"], [outcome for outcome in Outcome if outcome.is_valid])
     if projected:
         valid &= checks.every | (statistics["nearness"] < DriftCheck.NEAR_SINGULAR)
     suspects = np.flatnonzero(valid)

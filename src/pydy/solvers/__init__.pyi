@@ -41,4 +41,4 @@ from .solver import (
     vern9 as vern9,
 )
 from .tableaus import Tableau as Tableau, method_arrays as method_arrays, tableau_of as tableau_of
-from .tuning import MANY_STEPS as MANY_STEPS, NO_LATER as NO_LATER
+from .tuning import NO_LATER as NO_LATER

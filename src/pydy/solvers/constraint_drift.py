@@ -30,7 +30,7 @@ from pydy._errors import warn_user
 from pydy._interpolation import evenly
 from pydy._names import few
 from pydy._rank import DIGITS, least_step, or_one, roundings
-from pydy.solvers.outcome import VALID_OUTCOMES, Outcome
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.tuning import ENERGY_ROUNDING, EXCESS, NEAR_SINGULAR
 
 if TYPE_CHECKING:
@@ -157,7 +157,6 @@ class ConstraintResiduals(NamedTuple):
 class DriftCheck:
     """Selected states of a motion, with the solver's tolerances and steps, to check for drift."""
 
-    OUTCOMES: ClassVar[tuple[Outcome, ...]] = VALID_OUTCOMES  # after these a motion is checked
     NEAR_SINGULAR: ClassVar[float] = NEAR_SINGULAR
     MOST_STATES: ClassVar[int] = 64
     """States along a motion, or samples of an ensemble, whose constraints are checked.

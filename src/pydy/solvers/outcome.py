@@ -31,6 +31,11 @@ class Outcome(IntEnum):
         """The name in small letters, as in the `flag_meanings` of an ensemble's `status`."""
         return self.name.lower()
 
+    @property
+    def is_valid(self) -> bool:
+        """Whether the motion up to its end is valid."""
+        return self in VALID_OUTCOMES
+
     NOT_COMPUTED = -1, "not run"
     FINISHED = 0, "finished"
     TOO_MANY_STEPS = (
@@ -169,4 +174,4 @@ class Outcome(IntEnum):
 
 
 VALID_OUTCOMES = (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE)
-"""Those after which the motion up to its end is valid: it finished, or events ended it."""
+"""After these the motion up to its end is valid: it finished, or events ended it."""

@@ -295,7 +295,7 @@ class Prepared:
     renumber : callable
         ``renumber(p, r, times)`` changes the numbers, or returns False if that is impossible.
     on_many_steps : callable, optional
-        ``on_many_steps(t, x)`` is called once in a run that takes very many steps.
+        ``on_many_steps(steps, t, x)`` is called once in a run that takes more steps than that.
     """
 
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
@@ -357,12 +357,12 @@ class Prepared:
         return _prepared, self.arguments
 
     @property
-    def on_many_steps(self) -> Callable[[float, np.ndarray], None] | None:
+    def on_many_steps(self) -> Callable[[int, float, np.ndarray], None] | None:
         """A function that is called once in a run that takes very many steps."""
         return self._integration.on_many_steps
 
     @on_many_steps.setter
-    def on_many_steps(self, call: Callable[[float, np.ndarray], None] | None) -> None:
+    def on_many_steps(self, call: Callable[[int, float, np.ndarray], None] | None) -> None:
         self._integration.on_many_steps = call
 
     @property

@@ -130,7 +130,7 @@ class Integration(Workspace):
         self.departures_from_zero: dict[tuple[int, int], str] = {}
         self.continuation = options.continuation
         self.inactive_at_start: list[int] = []  # events on whose surface it starts, without acting
-        self.on_many_steps: Callable[[float, np.ndarray], None] | None = None
+        self.on_many_steps: Callable[[int, float, np.ndarray], None] | None = None
         self.reusable = not (self.callbacks or self.call is None or self.backward)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
         self._choose_attention()
@@ -250,7 +250,7 @@ class Integration(Workspace):
         """Integrate to the end, given the code of the first slice."""
         state, count = self.progress.state, self.progress.counts
         budget, step_count, elapsed = self._budget, 0, 0.0
-        bar, ask = None, self.on_many_steps
+        bar, warn = None, self.on_many_steps
         if self.options.progress:
             bar = progress_bar(self.name, self.span, float(state[at.TIME]))
         try:
@@ -274,10 +274,10 @@ class Integration(Workspace):
                     self.store_steps()
                 elif code != at.PAUSED:
                     self._fail(code)
-                if ask is not None and count[at.STEPS] + count[at.REJECTED] >= MANY_STEPS:
+                if warn is not None and count[at.STEPS] + count[at.REJECTED] >= MANY_STEPS:
                     t, x = self._reported(float(state[at.TIME])), self.memory.x[: self.states]
-                    ask(t, x.copy())
-                    ask = None
+                    warn(MANY_STEPS, t, x.copy())
+                    warn = None
                 if code == at.PAUSED and elapsed > 0.0:
                     step_count = count[at.STEPS] + count[at.REJECTED] - step_count
                     budget = int(min(max(1.0, step_count * SLICE / elapsed), 4.0 * budget))
