@@ -19,6 +19,7 @@ from harness.program import assembly_of, compiled_jacobian
 from harness.report import table
 
 from pydy import System
+from pydy._assembly.programs import block_program
 from pydy._backends.llvm.native import LLVMBackend
 from pydy.analysis import Trial
 from pydy.examples import whipple_bicycle
@@ -51,7 +52,7 @@ def jacobians() -> list[list[str]]:
         times = [time.process_time()]
         kernels = []
         for make in (
-            lambda made=assembly: LLVMBackend().compile(made.program("rates")),
+            lambda made=assembly: LLVMBackend().compile(block_program(made, "rates")),
             lambda made=assembly: compiled_jacobian(made, "rates", "x"),
         ):
             kernels.append(make())

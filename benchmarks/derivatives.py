@@ -21,6 +21,7 @@ from harness.sensitive import COLUMNS
 from harness.serve import Repeated
 from trees import HUMANOID, definition, tree
 
+from pydy._assembly.programs import jacobian_program
 from pydy._backends.llvm.native import LLVMBackend
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
@@ -299,7 +300,7 @@ def _jacobians(made: dict[str, Any]) -> dict[str, Any]:
     assembly = System(definition(made)).model.assembly
     kernels = {
         "one by one": compiled_jacobian(assembly, "rates", "x"),
-        "in lanes": LLVMBackend(lanes=8).compile(assembly.jacobian_program("rates", "x")),
+        "in lanes": LLVMBackend(lanes=8).compile(jacobian_program(assembly, "rates", "x")),
     }
     state = np.array([*made["q"], *made["v"]])
     n = len(state)

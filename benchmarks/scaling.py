@@ -25,6 +25,7 @@ from harness.report import save, seconds, table
 from harness.samples import samples
 from harness.serve import in_child, time_of
 
+from pydy._assembly.programs import block_program
 from pydy._backends.llvm.native import LLVMBackend
 
 MASSES = (10, 30, 100, 300)
@@ -72,13 +73,13 @@ def main() -> None:
 
 def _warm_up() -> None:
     """Load LLVM and the routines that all models share."""
-    program = assembly_of(frozen.read("pendulum-1")).program("rates")
+    program = block_program(assembly_of(frozen.read("pendulum-1")), "rates")
     LLVMBackend().compile(program).link()
 
 
 def _spring(n: int, absolute: bool, rounds: int) -> dict[str, Any]:
     model = spring_chain(n, absolute=absolute)
-    program = assembly_of(model).program("rates")
+    program = block_program(assembly_of(model), "rates")
     result = {
         "model": model.name,
         "masses": n,
@@ -111,7 +112,7 @@ def _times_of_builds(model: Model, rounds: int) -> list[float]:
     equations = equations_of(model)
 
     def build() -> None:
-        kernel = LLVMBackend().compile(assembly_of(model, equations).program("rates"))
+        kernel = LLVMBackend().compile(block_program(assembly_of(model, equations), "rates"))
         kernel.link()
 
     return [in_child(lambda: time_of(build)) for _ in range(rounds)]
@@ -139,7 +140,7 @@ def _build_with_cache(name: str) -> float:
 
     def build() -> None:
         assembly = assembly_of(model, equations)
-        program = stored_program(assembly, "rates", lambda: assembly.program("rates"))
+        program = stored_program(assembly, "rates", lambda: block_program(assembly, "rates"))
         LLVMBackend().compile(program).link()
 
     return time_of(build)

@@ -3,7 +3,8 @@
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.assembly import Assembly, EquationBlocks
+from pydy._assembly.programs import block_program
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
@@ -62,8 +63,8 @@ def on_tape(graph, nodes, sizes=SIZES):
 def program_of(expressions, off=frozenset()):
     """The Program of expressions in X, P and T, on the way that a system's equations take."""
     graph, nodes = nodes_of(expressions, Graph(off))
-    assembly = Assembly(graph, SIZES, [], [], list(nodes))
-    return assembly.program("outputs")
+    assembly = Assembly(graph, SIZES, EquationBlocks([], [], list(nodes)))
+    return block_program(assembly, "outputs")
 
 
 def values(program, x=(), p=(), t=0.0, kernel=None):

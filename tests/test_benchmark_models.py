@@ -16,6 +16,7 @@ from harness.program import assembly_of
 from harness.samples import samples
 from harness.written_down import arm_written_down, pendulum_written_down, rods_written_down
 
+from pydy._assembly.programs import block_program
 from pydy._program.interpret import run
 from pydy.system import System
 
@@ -24,7 +25,7 @@ from pydy.system import System
 def test_the_pendulum_written_down_gives_the_very_program_of_the_derived_one(n):
     derived, written = frozen.read(f"pendulum-{n}"), pendulum_written_down(n)
     blocks = ("rates", "mass_matrix", "forcing")
-    programs = [assembly_of(model).program(*blocks) for model in (derived, written)]
+    programs = [block_program(assembly_of(model), *blocks) for model in (derived, written)]
     assert programs[0].digest == programs[1].digest
 
 
@@ -35,7 +36,7 @@ def test_the_rods_written_down_move_as_the_derived_ones_do(universal):
     assert derived.constants == written.constants
     x, r, p = samples(derived, 20)
     found, expected = (
-        run(assembly_of(m).program("rates", "mass_matrix"), np.zeros(20), x, r, p * 1.1)[0]
+        run(block_program(assembly_of(m), "rates", "mass_matrix"), np.zeros(20), x, r, p * 1.1)[0]
         for m in (written, derived)
     )
     np.testing.assert_allclose(found, expected, rtol=1e-11, atol=1e-11 * abs(expected).max())
@@ -60,5 +61,5 @@ def test_the_arm_written_down_moves_as_the_one_made_of_bodies_does(monkeypatch):
     monkeypatch.setattr(trees, "GRAVITY", (0.0, 0.0, -values["g"]))
     made = {"links": links, "q": x[0, :4], "v": x[0, 4:], "torques": r[0].tolist()}
     expected = System(trees.definition(made)).evaluate_ode(x[0])
-    found = run(assembly_of(model).program("rates"), np.zeros(1), x, r, p)[0]
+    found = run(block_program(assembly_of(model), "rates"), np.zeros(1), x, r, p)[0]
     np.testing.assert_allclose(found.ravel(), expected, rtol=1e-10)

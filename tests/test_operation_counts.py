@@ -19,6 +19,7 @@ from harness.models import spring_chain
 from harness.program import assembly_of
 
 import zoo
+from pydy._assembly.programs import block_program, jacobian_in_parts, jacobian_program
 from pydy._graph.passes import names, rewriting
 from pydy._graph.tuning import COLUMNS_TOGETHER
 from pydy._program.program import Program
@@ -49,10 +50,10 @@ def operations(program):
 def test_no_model_costs_more_operations_than_it_did(name):
     matrices, whole, cse = LIMITS[name]
     assembly = assembly_of(frozen.read(name))
-    found = operations(assembly.program("mass_matrix", "forcing"))
+    found = operations(block_program(assembly, "mass_matrix", "forcing"))
     assert found <= matrices
     assert found <= cse
-    assert operations(assembly.program("rates")) <= whole
+    assert operations(block_program(assembly, "rates")) <= whole
 
 
 # Operations at every call of the right-hand sides that are formed from the bodies of the zoo.
@@ -95,7 +96,7 @@ JACOBIANS = {
 
 @pytest.mark.parametrize("name", sorted(JACOBIANS))
 def test_no_jacobian_costs_more_operations_than_it_did(name):
-    program = assembly_of(frozen.read(name)).jacobian_program("rates", "x")
+    program = jacobian_program(assembly_of(frozen.read(name)), "rates", "x")
     assert operations(program) <= JACOBIANS[name]
 
 
@@ -110,7 +111,7 @@ IN_PARTS = {
 
 @pytest.mark.parametrize("name", sorted(IN_PARTS))
 def test_no_jacobian_in_parts_costs_more_operations_than_it_did(name):
-    made = assembly_of(frozen.read(name)).jacobian_in_parts("rates", "x")
+    made = jacobian_in_parts(assembly_of(frozen.read(name)), "rates", "x")
     code, run = (operations(made.shared),) * 2
     for part in made.parts:
         own = operations(part.program)
@@ -120,7 +121,7 @@ def test_no_jacobian_in_parts_costs_more_operations_than_it_did(name):
 
 
 def test_a_jacobian_that_gains_nothing_in_parts_is_one_program():
-    made = assembly_of(frozen.read("bicycle")).jacobian_in_parts("rates", "x")
+    made = jacobian_in_parts(assembly_of(frozen.read("bicycle")), "rates", "x")
     assert isinstance(made, Program)
 
 
@@ -131,9 +132,9 @@ def test_function_and_jacobian_are_simplified_once(monkeypatch):
     calls = []
     real = module.simplify
     monkeypatch.setattr(module, "simplify", lambda *args: calls.append(1) or real(*args))
-    assembly.program("rates")
-    assembly.jacobian_program("rates", "x")
-    assembly.jacobian_program("rates", "p")
+    block_program(assembly, "rates")
+    jacobian_program(assembly, "rates", "x")
+    jacobian_program(assembly, "rates", "p")
     assert len(calls) == 1
 
 
@@ -170,8 +171,8 @@ def test_every_pass_and_strategy_is_measured_below():
 def test_each_pass_and_strategy_is_worth_its_lines_and_really_off_without(switch):
     name, times = WORTH[switch]
     model = spring_chain(20, absolute=False) if "springs-20" in name else frozen.read(name)
-    without = assembly_of(model, off=frozenset({switch})).program("rates")
-    assert operations(without) >= times * operations(assembly_of(model).program("rates"))
+    without = block_program(assembly_of(model, off=frozenset({switch})), "rates")
+    assert operations(without) >= times * operations(block_program(assembly_of(model), "rates"))
 
 
 def test_pendulums_on_one_cart_are_eliminated_before_it():
@@ -198,14 +199,14 @@ def test_pendulums_on_one_cart_are_eliminated_before_it():
 
 def test_the_matrix_is_solved_as_given_where_no_unknowns_are_changed():
     model = frozen.read("springs-100-stretch")
-    assert assembly_of(model).mass_matrix not in solved_matrices(assembly_of(model))
+    assert assembly_of(model).blocks.mass_matrix not in solved_matrices(assembly_of(model))
     for off in (frozenset({"differences"}), rewriting()):
         assembly = assembly_of(model, off=off)
-        assert assembly.mass_matrix in solved_matrices(assembly)
+        assert assembly.blocks.mass_matrix in solved_matrices(assembly)
 
 
 def solved_matrices(assembly):
     """The entries of all matrices that are factored, each as a list."""
     graph = assembly.graph
-    nodes = graph.reachable(assembly.rates)
+    nodes = graph.reachable(assembly.blocks.rates)
     return [list(graph.args[n][2]) for n in nodes if graph.ops[n] == "factor"]

@@ -14,6 +14,7 @@ from harness.pendulums import TIMES, samples
 from harness.program import assembly_of
 from harness.serve import serve
 
+from pydy._assembly.programs import block_program
 from pydy._backends.registry import compile_program
 from pydy._kernel import Inputs, KernelCall
 from pydy.ensemble.engine import Ensemble
@@ -32,7 +33,7 @@ from loops import bricard
 class Ours:
     def load(self, links: int, count: int) -> None:
         model = read(f"pendulum-{links}")
-        self.program = assembly_of(model).program("rates")
+        self.program = block_program(assembly_of(model), "rates")
         self.x, self.p = samples(links, count)
         self.r = np.zeros((1, self.program.signature.num_specifieds))
 

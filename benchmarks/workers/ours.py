@@ -17,6 +17,7 @@ from harness.program import assembly_of, equations_of
 from harness.serve import time_of
 from sympy.physics.mechanics import dynamicsymbols
 
+from pydy._assembly.programs import block_program
 from pydy._backends.llvm.jit import memory
 from pydy._backends.llvm.native import LLVMBackend
 
@@ -26,7 +27,7 @@ WIDTH = int(sys.argv[1]) if len(sys.argv) > 1 else None
 class Ours(Peer):
     def warm_up(self) -> None:
         for definite in (True, False):
-            program = assembly_of(_small(definite)).program("rates")
+            program = block_program(assembly_of(_small(definite)), "rates")
             for lanes in (1, 8):
                 LLVMBackend(lanes=lanes).compile(program)
 
@@ -36,7 +37,7 @@ class Ours(Peer):
         return sizes
 
     def build(self, lanes: int = 1) -> Any:
-        program = assembly_of(self.model, self.equations).program("rates")
+        program = block_program(assembly_of(self.model, self.equations), "rates")
         kernel = LLVMBackend(lanes=lanes, width=WIDTH if lanes > 1 else None).compile(program)
         kernel.link()
         return kernel

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from graphs import everything, solves
+from pydy._assembly.programs import block_program
 from pydy._backends.c.source import C
 from pydy._backends.writer import Writer, stages
 from pydy._program.interpret import run
@@ -51,7 +52,7 @@ def test_the_whole_program_in_numpy(program):
 
 
 def test_each_stage_is_written_by_itself_and_reads_what_the_other_has_computed():
-    program = n_link_pendulum_on_cart(2).model.assembly.program("rates")
+    program = block_program(n_link_pendulum_on_cart(2).model.assembly, "rates")
     setup, running = stages(program)
     assert setup
     assert not {program.setup[n] for n in running} & {True}
@@ -76,7 +77,7 @@ def test_literals_are_exact(value):
 
 def test_casadis_module_has_the_same_values():
     casadi = pytest.importorskip("casadi")
-    pendulum = n_link_pendulum_on_cart(3).model.assembly.program("rates")
+    pendulum = block_program(n_link_pendulum_on_cart(3).model.assembly, "rates")
     for program in (everything(), solves(), pendulum):
         parts = {
             "HEAD": "",

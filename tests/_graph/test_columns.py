@@ -5,6 +5,7 @@ import pytest
 
 import zoo
 from cases import system_of
+from pydy._assembly.programs import block_program, jacobian_program
 from pydy._graph.columns import SensitivityColumns
 from pydy._program.interpret import run
 from pydy.models import n_link_pendulum_on_cart
@@ -27,7 +28,10 @@ def by_jacobians(assembly, columns, t, x, r, p):
     """The same from whole Jacobians: f, then S' = (∂f/∂x) S + (∂f/∂p) dp."""
     states, values = columns.split(x)
     n = columns.states
-    blocks = [assembly.program("rates"), *(assembly.jacobian_program("rates", k) for k in "xp")]
+    blocks = [
+        block_program(assembly, "rates"),
+        *(jacobian_program(assembly, "rates", k) for k in "xp"),
+    ]
     f, by_state, by_constant = (run(block, t, states, r, p)[0] for block in blocks)
     dp = np.array([[float(d == ("p", k)) for d in columns.directions] for k in range(len(p))])
     moved = by_state.reshape(-1, n, n) @ values + by_constant.reshape(-1, n, len(p)) @ dp
@@ -68,7 +72,7 @@ def test_the_number_of_columns_is_part_of_the_digest(direction):
 def test_a_column_takes_little_more_than_the_states():
     assembly = assembly_of(n_link_pendulum_on_cart(5))
     _, made = made_of(assembly, (("p", 0), ("p", 1), *[None] * 6))
-    plain = assembly.program("rates").operation_count["run"].total()
+    plain = block_program(assembly, "rates").operation_count["run"].total()
     code = [made.shared, *(part.program for part in made.parts)]
     both = sum(program.operation_count["run"].total() for program in code)
     assert plain == 229

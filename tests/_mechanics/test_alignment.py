@@ -14,6 +14,7 @@ sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 
 from trees import definition, tree
 
+from pydy._assembly.programs import block_program
 from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._mechanics.formulations import moving
@@ -172,7 +173,7 @@ def test_hinges_along_axes_leave_the_users_frames_alone():
 
 def test_an_arm_about_any_axes_costs_no_more_operations_than_it_did():
     source = definition(tree(list(range(-1, 6)), np.random.default_rng(3)))
-    program = System(source).model.assembly.program("rates")
+    program = block_program(System(source).model.assembly, "rates")
     assert sum(program.operation_count["run"].values()) <= 2296
 
 

@@ -9,6 +9,7 @@ import pytest
 
 import departures
 from exported_models import ball, hostile, pendulum
+from pydy._assembly.programs import block_program
 from pydy._program.operations import SHIPPED
 from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
 
@@ -63,7 +64,7 @@ def test_literals_cannot_end_a_script():
 def test_very_long_programs_are_divided(monkeypatch):
     system = pendulum()
     system.generate_ode_function()
-    program = system.model.assembly.program("rates")
+    program = block_program(system.model.assembly, "rates")
     whole = javascript_of(program, "rates")
     monkeypatch.setattr("pydy.export.javascript.LONGEST", 50)
     parts = javascript_of(program, "rates")

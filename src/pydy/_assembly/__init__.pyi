@@ -1,4 +1,4 @@
-from .assembly import Assembly as Assembly, every_input as every_input
+from .assembly import Assembly as Assembly
 from .assumptions import Assumptions as Assumptions, errors_of as errors_of
 from .baumgarte import stabilised as stabilised
 from .definition import (
@@ -11,11 +11,20 @@ from .linear_solver import (
     resolve_solver as resolve_solver,
     solve_symbolically as solve_symbolically,
 )
+from .mechanical_blocks import (
+    constraints_with_redundant as constraints_with_redundant,
+    kinetic_hessian as kinetic_hessian,
+)
 from .model import (
     CompiledModel as CompiledModel,
     singular_mass_matrix as singular_mass_matrix,
 )
 from .program_cache import stored as stored, stored_program as stored_program
+from .programs import (
+    every_input as every_input,
+    expression_program as expression_program,
+    lower_nodes as lower_nodes,
+)
 from .specifieds import (
     Plan as Plan,
     check_expressions as check_expressions,

@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.mechanical_blocks import constraints_with_redundant, kinetic_hessian
 from pydy._graph import LinearSystem, directional, jacobian, substitute
 from pydy._mechanics import (
     AccelerationConstraints,
@@ -23,10 +24,10 @@ from pydy._rank import DEPENDENT, HALF, ROUNDED
 
 def stabilised(assembly: Assembly, gain: float) -> Assembly:
     """Return the system whose constraint residuals c obey c'' + 2 g c' + g² c = 0."""
-    graph, speeds = assembly.graph, assembly.speeds
-    n, count = len(speeds), len(assembly.velocity)
+    graph, speeds, blocks = assembly.graph, assembly.speeds, assembly.blocks
+    n, count = len(speeds), len(blocks.velocity)
     body = None if assembly.equations is None else assembly.equations.multibody
-    holonomic, velocity = assembly.with_left_out()
+    holonomic, velocity = constraints_with_redundant(assembly)
     pull = [
         graph.sum(
             [(v, 2.0 * gain)]
@@ -35,14 +36,14 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
         for v, shares in zip(velocity, _shares(assembly, holonomic, velocity), strict=True)
     ]
     first = graph.args[speeds[0]][1]
-    before = assembly.rates[first : first + n]
-    cells = assembly.kinetic_hessian if body is not None and body.changing else []
+    before = blocks.rates[first : first + n]
+    cells = kinetic_hessian(assembly) if body is not None and body.changing else []
     matrix = [cells[i * n : (i + 1) * n] for i in range(n if cells else 0)]
-    forcing = list(assembly.forcing)
+    forcing = list(blocks.forcing)
     massive = matrix and all(matrix[k][k] != graph.zero for k in range(n))
     if massive or (matrix and len(velocity) > count):
         rows = jacobian(graph, velocity, speeds).dense()
-        motion = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
+        motion = {graph.input("x", k): {0: rate} for k, rate in enumerate(blocks.rates[:first])}
         motion[graph.input("t", 0)] = {0: graph.one}
 
         def dt(nodes: list[int]) -> list[int]:
@@ -59,46 +60,48 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
             pulled = constraints.accelerations_at_any_rank(graph, matrix, no_force)
         after = [graph.add(a, b) for a, b in zip(before, pulled, strict=True)]
     else:
-        rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
+        rows = [blocks.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
         for k, own in zip(_constraint_rows(assembly), pull, strict=True):
             forcing[k] = graph.sub(forcing[k], own)
         after = LinearSystem(graph, rows).solve(forcing, judged=True)
     pairs = zip(before, after, strict=True)
     mapping = {old: new for old, new in pairs if not graph.constant[old]}
-    rates = substitute(graph, assembly.rates, mapping)
+    rates = substitute(graph, blocks.rates, mapping)
     rates[first : first + n] = after
-    return replace(
-        assembly,
+    changed = replace(
+        blocks,
         forcing=forcing,
         rates=rates,
-        outputs=substitute(graph, assembly.outputs, mapping),
-        ordinary=substitute(graph, assembly.ordinary, mapping),
+        outputs=substitute(graph, blocks.outputs, mapping),
+        ordinary=substitute(graph, blocks.ordinary, mapping),
     )
+    return replace(assembly, blocks=changed)
 
 
 def _constraint_rows(assembly: Assembly) -> Sequence[int]:
     """Return which rows of the mass matrix are the acceleration constraints, in their order."""
     n, equations = len(assembly.speeds), assembly.equations
-    last = range(n - len(assembly.velocity), n)
+    last = range(n - len(assembly.blocks.velocity), n)
     return last if equations is None else equations.dependents.speed_columns
 
 
 def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np.ndarray:
     """Return of which holonomic constraints each velocity constraint is the rate, and how much."""
     graph, speeds = assembly.graph, assembly.speeds
-    n, count = len(speeds), len(assembly.velocity)
+    n, count = len(speeds), len(assembly.blocks.velocity)
     first = graph.args[speeds[0]][1]
     coordinates = [graph.input("x", k) for k in range(first)]
     names = {
         "motion": (velocity, speeds),
         "gradient": (holonomic, coordinates),
-        "kinematics": (assembly.rates[:first], speeds),
+        "kinematics": (assembly.blocks.rates[:first], speeds),
     }
     blocks = []
     for name, (nodes, by) in names.items():
         cells = jacobian(graph, nodes, by).flat()
         blocks.append((name, (len(nodes), len(by)), cells))
-    below = [assembly.mass_matrix[k * n + j] for k in _constraint_rows(assembly) for j in range(n)]
+    matrix = assembly.blocks.mass_matrix
+    below = [matrix[k * n + j] for k in _constraint_rows(assembly) for j in range(n)]
     blocks.append(("rows", (count, n), below))
     parts = generic_values(graph, blocks, assembly.sizes, 3 + len(holonomic))
     if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=HALF, atol=ROUNDED):

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.assembly import Assembly, every_input
+from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.linear_solver import LinearSolver, with_external_solver
-from pydy._assembly.programs import Programs
+from pydy._assembly.programs import Programs, every_input, expression_program, lower_nodes
 from pydy._backends import compile_program, compiled_by
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
@@ -67,7 +67,7 @@ class CompiledModel:
             ("specifieds", _listed(layout.specifieds)),
             ("constants", _listed(layout.constants)),
             ("outputs", _listed(layout.outputs)),
-            ("blocks", self.assembly.summary()),
+            ("blocks", self.assembly.blocks.summary()),
             ("back end", type(self.backend).__name__),
             ("compiled", "; ".join(compiled) or "nothing so far"),
         ]
@@ -76,7 +76,7 @@ class CompiledModel:
     @property
     def function_blocks(self) -> tuple[str, ...]:
         """The blocks that a generated function returns."""
-        return ("rates", "ordinary") if self.assembly.ordinary else ("rates",)
+        return ("rates", "ordinary") if self.assembly.blocks.ordinary else ("rates",)
 
     @cached_property
     def programs(self) -> Programs:
@@ -108,7 +108,7 @@ class CompiledModel:
         return kernel
 
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
-        """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
+        """Return the Kernel of a Jacobian; see `programs.jacobian_program`."""
         in_parts, sizes = getattr(self.backend, "tangents", False), self.assembly.sizes
         for group, size in () if isinstance(by, str) else zip("xrp", sizes, strict=True):
             by = group if by == every_input(group, size) else by
@@ -118,10 +118,10 @@ class CompiledModel:
     def compiled_expressions(
         self, name: str, shape: tuple[int, ...], expressions: tuple[Any, ...]
     ) -> Kernel:
-        """Return the Kernel of further expressions; see `Assembly.expression_program`."""
+        """Return the Kernel of further expressions; see `programs.expression_program`."""
         return self.compiled_by(
             (name, shape, *expressions),
-            lambda: self.assembly.expression_program(name, shape, expressions),
+            lambda: expression_program(self.assembly, name, shape, expressions),
         )
 
     def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program | Tangent]) -> Kernel:
@@ -140,7 +140,7 @@ class CompiledModel:
         found = self._evaluated.get(parts)
         if found is None:
             own = self.assembly.fork()
-            found = self._evaluated[parts] = Evaluated(own.lowered(parts(own), as_is=True))
+            found = self._evaluated[parts] = Evaluated(lower_nodes(own, parts(own), as_is=True))
         return found(*at)
 
     # -- other equations -------------------------------------------------------------------------

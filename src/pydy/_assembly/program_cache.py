@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import marshal
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -58,9 +59,19 @@ def stored(
     return made
 
 
+def fingerprint(assembly: Assembly) -> bytes:
+    """Return a digest of all that Programs are made from."""
+    graph, ready = assembly.graph, assembly.ready
+    blocks = [assembly.sizes, *vars(assembly.blocks).values(), *assembly.open.values()]
+    simplified = ready and (ready[0], ready[1].ops, ready[1].args, ready[2])
+    content = (graph.ops, graph.args, blocks, simplified, sorted(graph.off))
+    # Version 2 of the format writes every object in full: equal content gives equal bytes.
+    return hashlib.sha256(marshal.dumps(content, 2)).digest()
+
+
 def stored_program(assembly: Assembly, what: str, make: Callable[[], _T]) -> _T:
     """Return a Program or Tangent from the cache, or make it and put it there."""
     if len(assembly.graph) < _WORTH_STORING:
         return make()
-    parts = (assembly.fingerprint(), what.encode())
+    parts = (fingerprint(assembly), what.encode())
     return stored(parts, make, program_to_bytes, lambda data: cast("_T", program_from_bytes(data)))

@@ -50,7 +50,7 @@ def with_compiled_inputs(
     formulas = _formulas(definition, plan)
 
     def change(assembly: Assembly) -> Assembly:
-        kinematics = assembly.rates[: len(definition.equations.coordinates)]
+        kinematics = assembly.blocks.rates[: len(definition.equations.coordinates)]
         return assembly.substituted(
             _resolve(assembly.graph, definition, formulas, kinematics, perturbed)
         )
@@ -72,7 +72,7 @@ def differentiated(
     derivatives beyond it.
     """
     formulas, graph = _formulas(definition, plan), assembly.graph
-    kinematics = assembly.rates[: len(definition.equations.coordinates)]
+    kinematics = assembly.blocks.rates[: len(definition.equations.coordinates)]
     given = _resolve(graph, definition, formulas, kinematics, False)
     found: dict[int, tuple[Any, list[int]]] = {}
     places = {symbol: k for k, symbol in enumerate(definition.layout.specifieds)}

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.assembly import Assembly, EquationBlocks
 from pydy._checks import describe
 from pydy._collector import collector_paused
 from pydy._graph import Graph, LinearSystem, SymPyReader, jacobian, substitute
@@ -75,9 +75,7 @@ def assemble_form(
     return Assembly(
         graph,
         sizes,
-        **depending(rates),
-        mass_matrix=matrix,
-        forcing=forcing,
+        EquationBlocks(**depending(rates), mass_matrix=matrix, forcing=forcing),
         open=depending(opened) if external else {},
     )
 
@@ -249,17 +247,19 @@ def assemble_system(
     return Assembly(
         graph,
         sizes,
-        **blocks,
-        ready=ready,
-        holonomic=holonomic,
-        velocity=velocity,
-        nonholonomic=nonholonomic,
-        mass_matrix=matrix,
-        forcing=forcing,
+        EquationBlocks(
+            **blocks,
+            holonomic=holonomic,
+            velocity=velocity,
+            nonholonomic=nonholonomic,
+            mass_matrix=matrix,
+            forcing=forcing,
+        ),
         atoms=known,
         speeds=speeds,
         equations=equations,
         open=depending(accelerations) if external else {},
+        ready=ready,
     )
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 
-from pydy._assembly import Assembly, CompiledModel, Definition
+from pydy._assembly import Assembly, CompiledModel, Definition, lower_nodes
 from pydy._checks import SymbolIndex, describe, merged, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError, warn_user
 from pydy._evaluation.evaluation import variables
@@ -191,7 +191,7 @@ class Quantity(NamedTuple):
             nodes = substitute(g, terms.read(read), assembly.given)
         sizes = n + count, s, c
         if not wrt:
-            return assembly.lowered({self.name: nodes}, sizes=sizes)
+            return lower_nodes(assembly, {self.name: nodes}, sizes=sizes)
         nodes = simplify(g, nodes)
         return derivative_program(g, nodes, wrt, "jacobian", sizes)
 
@@ -217,12 +217,12 @@ def _warn_of_defaults(
 def _of_method(assembly: Assembly, rates: Sequence[int], kind: str) -> list[int]:
     """Return M, or M u' − F, of equations that a method derived, without constraints."""
     if kind == "matrix":
-        return assembly.mass_matrix
+        return assembly.blocks.mass_matrix
     g, n = assembly.graph, len(rates)
-    rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
+    rows = [assembly.blocks.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
     return [
         g.sum([*((g.mul(m, a), 1.0) for m, a in zip(row, rates, strict=True)), (f, -1.0)])
-        for row, f in zip(rows, assembly.forcing, strict=True)
+        for row, f in zip(rows, assembly.blocks.forcing, strict=True)
     ]
 
 

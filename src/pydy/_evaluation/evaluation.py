@@ -38,7 +38,7 @@ class DerivativeTarget:
             return assembly.simplified(self.block)
         fork = assembly.fork()
         nodes = [
-            fork.outputs[entry] if isinstance(entry, int) else fork.read([entry], "`of`")[0]
+            fork.blocks.outputs[entry] if isinstance(entry, int) else fork.read([entry], "`of`")[0]
             for entry in self.chosen
         ]
         return fork.graph, simplify(fork.graph, nodes)

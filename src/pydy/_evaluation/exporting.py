@@ -7,14 +7,20 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import islice
-from operator import methodcaller
 from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sm
 
-from pydy._assembly import Assembly, Definition, followed, stored_program
+from pydy._assembly import (
+    Assembly,
+    Definition,
+    expression_program,
+    followed,
+    stored_program,
+)
 from pydy._checks import choice, describe
+from pydy._graph import derivative_program
 from pydy._judges import warn_of_missing_derivatives
 from pydy._mechanics import find_symbols
 from pydy._motion import (
@@ -112,14 +118,14 @@ def _names(symbols: Sequence[AnySymbol]) -> list[str]:
 def _projection_sizes(problem: Problem) -> dict[str, int | tuple[int, ...]]:
     """Return the sizes of the arrays in the projection."""
     equations, assembly = problem.definition.equations, problem.code.assembly
-    if not (assembly.holonomic or assembly.velocity):
+    if not (assembly.blocks.holonomic or assembly.blocks.velocity):
         raise ValueError("`constraints='project'` holds constraints, but the system has none.")
     every = with_all(problem.code, problem.definition).assembly
     return {
-        "holonomic": len(every.holonomic),
-        "velocity": len(every.velocity),
-        "positions": len(assembly.holonomic),
-        "motions": len(assembly.velocity),
+        "holonomic": len(every.blocks.holonomic),
+        "velocity": len(every.blocks.velocity),
+        "positions": len(assembly.blocks.holonomic),
+        "motions": len(assembly.blocks.velocity),
         "coordinates": len(equations.coordinates),
         "speeds": len(equations.speeds),
         "weighted": int(equations.mechanism is not None and bool(equations.mechanism.bodies)),
@@ -133,7 +139,7 @@ def _builders(
     """Return the functions that build a model's Programs; the inputs are columns of r."""
     from pydy.export import PARTS, with_inputs
 
-    assembly = problem.code.assembly
+    assembly, programs = problem.code.assembly, problem.code.programs
     n, builders = len(problem.definition.states), dict[str, Callable[[], Program]]()
 
     def store(
@@ -142,24 +148,30 @@ def _builders(
         program = partial(stored_program, assembly, key, lambda: make(assembly))
         builders[part] = lambda: with_inputs(program(), columns)
 
+    def store_block(part: str) -> None:
+        builders[part] = lambda: with_inputs(programs.of(part), columns)
+
     def jacobian(assembly: Assembly) -> Program:
         variables = [*(("x", k) for k in range(n)), *(("r", k) for k in columns)]
-        with_outputs = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
-        return with_outputs.jacobian_program("rates", variables)
+        rates = [*assembly.blocks.rates, *assembly.blocks.outputs]
+        with_outputs = replace(assembly, blocks=replace(assembly.blocks, rates=rates))
+        graph, nodes = with_outputs.simplified("rates")
+        return derivative_program(graph, nodes, variables, "jacobian", assembly.sizes)
 
     for part in ("rates", "outputs"):
-        store(part, part, methodcaller("program", part))
+        store_block(part)
     store("jacobian", f"exported jacobian {columns}", jacobian)
-    for part in (part for part in PARTS if getattr(assembly, part)):
-        store(part, f"exported {part}", methodcaller("program", part))
+    for part in (part for part in PARTS if getattr(assembly.blocks, part)):
+        store_block(part)
     if projected:
-        key = f"projection {assembly.following}" if any(assembly.following) else "projection"
+        residuals = problem.definition.equations.constraints.residuals
+        key = f"projection {residuals.rows, residuals.columns}" if residuals.rows else "projection"
         every = with_all(problem.code, problem.definition).assembly
         store("projection", key, projection_program, every)
     if events:
         expressions = tuple(event.expression for event in events)
         resets = [e.reset.get(s, s) for e in events for s in problem.definition.states]
-        count, formulas = len(events), assembly.expression_program
+        count, formulas = len(events), partial(expression_program, assembly)
         for part, make in {
             "events": partial(formulas, "the events", (count,), expressions),
             "resets": partial(formulas, "the resets of the events", (count, n), resets),

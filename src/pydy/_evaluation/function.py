@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pydy._assembly import CompiledModel
+from pydy._assembly import CompiledModel, constraints_with_redundant
 from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
 from pydy._graph import inputs_of
@@ -157,5 +157,5 @@ class Evaluator:
         if self.check is None:
             return False
         assembly = code.assembly.fork()
-        rows = [row for part in assembly.with_left_out() for row in part]
+        rows = [row for part in constraints_with_redundant(assembly) for row in part]
         return "r" in inputs_of(assembly.graph, rows).groups

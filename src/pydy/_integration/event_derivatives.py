@@ -40,7 +40,7 @@ def program_of_event(
     graph, (n, s, c) = fork.graph, fork.sizes
     after = [event.reset.get(state, state) for state in symbols]
     read = fork.read([event.expression, *after], f"the event `{event.name}`")
-    crossing, *nodes = simplify(graph, [*read, *fork.rates])
+    crossing, *nodes = simplify(graph, [*read, *fork.blocks.rates])
     after, rates = nodes[:n], nodes[n:]
     states = [graph.input("x", i) for i in range(n)]
     tangents = {graph.input("t", 0): {0: graph.one}}

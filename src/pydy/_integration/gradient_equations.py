@@ -146,6 +146,5 @@ def with_integral_and_marker(
     extra_rates = [] if term is None else [node_of(assembly, term, "`integral`")]
     if marked:
         extra_rates.append(assembly.graph.input("r", s))
-    return replace(
-        assembly, sizes=(n + len(extra_rates), s + marked, c), rates=[*assembly.rates, *extra_rates]
-    )
+    blocks = replace(assembly.blocks, rates=[*assembly.blocks.rates, *extra_rates])
+    return replace(assembly, sizes=(n + len(extra_rates), s + marked, c), blocks=blocks)

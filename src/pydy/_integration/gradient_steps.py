@@ -110,7 +110,7 @@ def direction_kernel(model: CompiledModel, direction: SensitivityDirection, *blo
     def make() -> Program:
         if blocks:
             graph = assembly.graph.copy()
-            nodes = [node for name in blocks for node in getattr(assembly, name)]
+            nodes = [node for name in blocks for node in getattr(assembly.blocks, name)]
             return direction.program(graph, simplify(graph, nodes), assembly.sizes)
         graph, rates = assembly.simplified("rates")
         return direction.program(graph, rates, assembly.sizes, "rates")

@@ -43,7 +43,7 @@ class ProjectionAdjoint:
         self._parts = constraints.kernel.program.signature.by_block(out)
         (h, v, q, _), n = constraints.sizes, states.shape[1]
         self._gradient = self._parts["gradient"].reshape(len(times), h, q)
-        if any(model.assembly.following):  # their corrections are not along the gradient
+        if constraints.following:  # their corrections are not along the gradient
             by_state = model.compiled_jacobian("holonomic", "x")
             jacobian = model.evaluate(by_state, times, states, self._r, self._p)
             self._gradient = jacobian.reshape(len(times), h, n)
@@ -91,7 +91,7 @@ class ProjectionAdjoint:
 
         def make() -> Program:
             fork = assembly.fork()
-            nodes = simplify(fork.graph, [*fork.holonomic, *fork.velocity])
+            nodes = simplify(fork.graph, [*fork.blocks.holonomic, *fork.blocks.velocity])
             return derivative_program(fork.graph, nodes, wrt, "vector-jacobian", fork.sizes)
 
         kernel = model.compiled_by(("adjoint of the constraints", wrt), make)

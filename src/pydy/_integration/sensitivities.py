@@ -68,7 +68,7 @@ class AugmentedSystem:
         def make() -> Tangent:
             if blocks:
                 graph = assembly.graph.copy()
-                nodes = [node for name in blocks for node in getattr(assembly, name)]
+                nodes = [node for name in blocks for node in getattr(assembly.blocks, name)]
                 return columns.tangent(graph, simplify(graph, nodes), sizes)
             graph, rates = assembly.simplified("rates")
             return columns.tangent(graph, rates, sizes, "rates")

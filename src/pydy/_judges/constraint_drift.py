@@ -14,7 +14,14 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from pydy import _forks
-from pydy._assembly import Assembly, CompiledModel, Definition, Layout
+from pydy._assembly import (
+    Assembly,
+    CompiledModel,
+    Definition,
+    Layout,
+    constraints_with_redundant,
+    lower_nodes,
+)
 from pydy._errors import IntegrationError, warn_user
 from pydy._graph import (
     Graph,
@@ -281,7 +288,8 @@ def rates_along(
     """
     graph = assembly.graph
     first = graph.args[assembly.speeds[0]][1]
-    derivatives = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
+    rates = assembly.blocks.rates[:first]
+    derivatives = {graph.input("x", k): {0: rate} for k, rate in enumerate(rates)}
     derivatives[graph.input("t", 0)] = {0: graph.one}
     for k, rate in inputs.items():
         derivatives[graph.input("r", k)] = {} if rate is None else {0: graph.input("r", rate)}
@@ -319,13 +327,13 @@ def rates(assembly: Assembly) -> dict[str, list[int]]:
     graph, equations = assembly.graph, assembly.equations
     assert equations is not None
     unenforced = equations.constraints.unenforced_holonomic
-    rows = rates_along(assembly, [assembly.holonomic[k] for k in unenforced])
+    rows = rates_along(assembly, [assembly.blocks.holonomic[k] for k in unenforced])
     return {
         "rates": rows,
         "sizes": rounding_bounds(graph, rows, True),
         "slopes": jacobian(graph, rows, assembly.speeds).flat(),
-        "left": assembly.velocity,
-        "rows": jacobian(graph, assembly.velocity, assembly.speeds).flat(),
+        "left": assembly.blocks.velocity,
+        "rows": jacobian(graph, assembly.blocks.velocity, assembly.speeds).flat(),
     }
 
 
@@ -417,13 +425,14 @@ def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, l
 def _velocity_slopes(assembly: Assembly) -> dict[str, list[int]]:
     """Return the derivatives of all velocity constraints by the states."""
     states = [assembly.graph.input("x", k) for k in range(assembly.sizes[0])]
-    return {"slopes": jacobian(assembly.graph, assembly.with_left_out()[1], states).flat()}
+    _, velocity = constraints_with_redundant(assembly)
+    return {"slopes": jacobian(assembly.graph, velocity, states).flat()}
 
 
 def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
     """Return 'rows' of `DriftQuantities`: all constraints, and the terms of their last sums."""
-    holonomic, velocity = assembly.with_left_out()
-    parts = (holonomic, len(assembly.holonomic)), (velocity, len(assembly.velocity))
+    holonomic, velocity = constraints_with_redundant(assembly)
+    parts = (holonomic, len(assembly.blocks.holonomic)), (velocity, len(assembly.blocks.velocity))
     sizes = [
         n for rows, enforced in parts for n in _sizes(assembly.graph, rows, enforced, inherited)
     ]
@@ -433,7 +442,8 @@ def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
 def bounded(assembly: Assembly) -> dict[str, list[int]]:
     """Return 'bounds' of `DriftQuantities`: the same with bounds on rounding errors."""
     blocks = sized(assembly, inherited=True)
-    return {**blocks, **measured(assembly, blocks["rows"], len(assembly.with_left_out()[0]))}
+    holonomic, _ = constraints_with_redundant(assembly)
+    return {**blocks, **measured(assembly, blocks["rows"], len(holonomic))}
 
 
 def _sizes(graph: Graph, rows: list[int], enforced: int, inherited: bool) -> list[int]:
@@ -588,10 +598,10 @@ class DriftPrograms:
     def _program(self, name: str) -> Program | None:
         assembly = self._model.assembly.fork()
         if name == "screen":
-            return assembly.lowered({**sized(assembly), **products(assembly)})
+            return lower_nodes(assembly, {**sized(assembly), **products(assembly)})
         part = part_of(self._problem, self._slopes, name)
         parts = part(assembly) if part else {}
-        return assembly.lowered(parts, as_is=True) if parts else None
+        return lower_nodes(assembly, parts, as_is=True) if parts else None
 
     def __reduce__(
         self,
@@ -606,7 +616,7 @@ class DriftPrograms:
 def products(assembly: Assembly) -> dict[str, list[int]]:
     """Return the Gram matrix J Jᵀ of the velocity constraints' derivatives J by the speeds."""
     graph = assembly.graph
-    rows = jacobian(graph, assembly.velocity, assembly.speeds)
+    rows = jacobian(graph, assembly.blocks.velocity, assembly.speeds)
 
     def product(a: dict[int, int], b: dict[int, int]) -> int:
         return graph.sum([(graph.mul(a[k], b[k]), 1.0) for k in a.keys() & b.keys()])
@@ -627,7 +637,7 @@ class Slopes:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, inputs = assembly.graph, dict(self.inputs)
-        holonomic, velocity = assembly.with_left_out()
+        holonomic, velocity = constraints_with_redundant(assembly)
         rows = known_rows(graph, [*holonomic, *velocity], inputs)
         rates = rates_along(assembly, rows[: len(holonomic)], inputs) + [graph.zero] * len(velocity)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
@@ -661,8 +671,8 @@ class EnergyPart(_OfEnergies):
             return {}
         graph, speeds = assembly.graph, assembly.speeds
         kinetic, potential = assembly.read(energies, "the energy")
-        holonomic, velocity = assembly.with_left_out()
-        rate_rows = [*velocity, *assembly.rates[: graph.args[speeds[0]][1]]]
+        holonomic, velocity = constraints_with_redundant(assembly)
+        rate_rows = [*velocity, *assembly.blocks.rates[: graph.args[speeds[0]][1]]]
         driven = inputs_of(graph, [kinetic, potential, *holonomic, *rate_rows]).groups & {"t", "r"}
         momenta = jacobian(graph, [kinetic], speeds).flat()
         residual_nodes = substitute(
@@ -691,4 +701,4 @@ class Moving(_OfEnergies):
         for k in range(n):
             start = (first + k) * states + first
             hessian[start : start + n] = rows[k * n : (k + 1) * n]
-        return {"kinetic": nodes, "hessian": hessian, "rates": assembly.rates[:states]}
+        return {"kinetic": nodes, "hessian": hessian, "rates": assembly.blocks.rates[:states]}

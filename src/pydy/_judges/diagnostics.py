@@ -200,7 +200,7 @@ def _weightless(cells: np.ndarray) -> np.ndarray:
 
 def _speeds_without_mass(assembly: Assembly, speeds: Sequence[TimeFunction]) -> list[TimeFunction]:
     """Return the speeds whose rows of the mass matrix are structurally zero."""
-    n, cells = len(speeds), assembly.mass_matrix
+    n, cells = len(speeds), assembly.blocks.mass_matrix
     if len(cells) != n * n:
         return []
     zero = assembly.graph.zero
@@ -212,15 +212,15 @@ def _parts(assembly: Assembly) -> dict[str, list[int]]:
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     return {
-        "kinematics": jacobian(graph, assembly.rates[:first], speeds).flat(),
-        "slopes": jacobian(graph, assembly.velocity, speeds).flat(),
-        "matrix": assembly.mass_matrix,
+        "kinematics": jacobian(graph, assembly.blocks.rates[:first], speeds).flat(),
+        "slopes": jacobian(graph, assembly.blocks.velocity, speeds).flat(),
+        "matrix": assembly.blocks.mass_matrix,
     }
 
 
 def _rates(assembly: Assembly) -> dict[str, list[int]]:
     """Return the derivatives of the states, as nodes."""
-    return {"rates": [*assembly.rates]}
+    return {"rates": [*assembly.blocks.rates]}
 
 
 def _wild(kinematics: np.ndarray, elsewhere: np.ndarray) -> np.ndarray:

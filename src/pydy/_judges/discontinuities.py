@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._assembly import Assembly, Definition, Plan, differentiated
+from pydy._assembly import Assembly, Definition, Plan, differentiated, kinetic_hessian
 from pydy._errors import warn_user
 from pydy._graph import Branches, inputs_of, jacobian, rounding_bounds, substitute
 from pydy._interpolation import in_order
@@ -56,19 +56,20 @@ def _switched(
 
 def _loads_and_rates(assembly: Assembly, coordinates: int) -> tuple[list[int], list[int]]:
     """Return the rates, with loads for u' where these suffice, and the nodes to search."""
-    graph, nodes = assembly.graph, [*assembly.rates]
-    if len(assembly.forcing) != len(assembly.speeds):
+    graph, blocks = assembly.graph, assembly.blocks
+    nodes = [*blocks.rates]
+    if len(blocks.forcing) != len(assembly.speeds):
         return nodes, nodes
     # The pivots by which constraints reduce the mass matrix contain switches; exclude them.
-    matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
+    matrix = (blocks.velocity and kinetic_hessian(assembly)) or blocks.mass_matrix
     if Branches(graph, matrix).switches(whole=True):
         return nodes, nodes
     speed_rows = slice(coordinates, coordinates + len(assembly.speeds))
     # Other rates may contain u', such as those of implicit speeds: search them with u' replaced by
     # the loads.
-    pairs = zip(nodes[speed_rows], assembly.forcing, strict=True)
+    pairs = zip(nodes[speed_rows], blocks.forcing, strict=True)
     loads = {u: load for u, load in pairs if graph.operands(u)}
-    nodes[speed_rows] = assembly.forcing
+    nodes[speed_rows] = blocks.forcing
     return nodes, substitute(graph, nodes, loads)
 
 
@@ -121,7 +122,9 @@ class DerivativeDiscontinuities:
 
 def node_of(assembly: Assembly, term: int | sm.Expr, argument: str) -> int:
     """Return the node of an output or an expression; new nodes may be added to the graph."""
-    return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
+    if isinstance(term, int):
+        return assembly.blocks.outputs[term]
+    return assembly.read([term], argument)[0]
 
 
 @dataclass(frozen=True)
@@ -143,7 +146,8 @@ class ImpulsiveInputs:
             prefix = "a derivative of " if source in sources else ""
             names[node] = f"{prefix}`specifieds[{source}]`"
             sources.add(source)
-        for kind, rows in (("holonomic", assembly.holonomic), ("velocity", assembly.velocity)):
+        blocks = assembly.blocks
+        for kind, rows in (("holonomic", blocks.holonomic), ("velocity", blocks.velocity)):
             for k, node in enumerate(rows):
                 names.setdefault(node, f"the {kind} constraint {k}")
         return names
@@ -284,7 +288,7 @@ class _InputSlopes:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         inputs = [assembly.graph.input("r", k) for k in self.columns]
-        slopes = jacobian(assembly.graph, assembly.rates, inputs).flat()
+        slopes = jacobian(assembly.graph, assembly.blocks.rates, inputs).flat()
         return {"slopes": slopes, "bounds": rounding_bounds(assembly.graph, slopes)}
 
 

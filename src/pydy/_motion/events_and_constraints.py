@@ -6,7 +6,14 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from pydy._assembly import Assembly, CompiledModel, Definition
+from pydy._assembly import (
+    Assembly,
+    CompiledModel,
+    Definition,
+    constraints_with_redundant,
+    kinetic_hessian,
+    lower_nodes,
+)
 from pydy._checks import SymbolIndex, describe, typed
 from pydy._graph import (
     Graph,
@@ -116,7 +123,7 @@ def compile_events(
         for event in events:
             state_after = [event.reset.get(s, s) for s in states]
             after += fork.read(state_after, f"`reset` of the event `{event.name}`")
-        return fork.lowered({"resets": after}, {"resets": (len(events), len(states))})
+        return lower_nodes(fork, {"resets": after}, {"resets": (len(events), len(states))})
 
     redirects = _redirects(assembly, slopes, events, states)
     traits = tuple(
@@ -185,7 +192,7 @@ def _redirects(
 ) -> tuple[bool, ...]:
     graph, redirects = assembly.graph, []
     for event, row in zip(events, slopes, strict=True):
-        rates = [assembly.rates[i] for i in row if i < len(states)] if event.reset else []
+        rates = [assembly.blocks.rates[i] for i in row if i < len(states)] if event.reset else []
         inputs = {*inputs_of(graph, [*row.values(), *rates]).values()}
         changed = [k for k, state in enumerate(states) if state in event.reset]
         redirects.append(any(("x", k) in inputs for k in changed))
@@ -199,12 +206,12 @@ def event_rates_program(
     fork = assembly.fork()
     graph = fork.graph
     nodes = fork.read(expressions, "the events")
-    tangents = {graph.input("x", k): {0: rate} for k, rate in enumerate(fork.rates)}
+    tangents = {graph.input("x", k): {0: rate} for k, rate in enumerate(fork.blocks.rates)}
     rows = directional(graph, nodes, {**tangents, graph.input("t", 0): {0: graph.one}})
     totals = [row.get(0, graph.zero) for row in rows]
     if not bounds:
-        return fork.lowered({"rates": totals})
-    return fork.lowered({"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
+        return lower_nodes(fork, {"rates": totals})
+    return lower_nodes(fork, {"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
 
 
 def event_reach(assembly: Assembly, nodes: Sequence[int]) -> Callable[[], Program] | None:
@@ -220,7 +227,7 @@ def event_reach(assembly: Assembly, nodes: Sequence[int]) -> Callable[[], Progra
     if len(finite_bounds) < len(bounds):
         return None
     parts, sizes = {"values": nodes, "reach": finite_bounds}, (n, s + n + 1, k)
-    return lambda: assembly.lowered(parts, sizes=sizes, as_is=True)
+    return lambda: lower_nodes(assembly, parts, sizes=sizes, as_is=True)
 
 
 def event_bounds_program(
@@ -229,7 +236,7 @@ def event_bounds_program(
     """Return the Program of bounds on the roundings of the events' expressions."""
     fork = assembly.fork()
     nodes = fork.read(expressions, "the events")
-    return fork.lowered({"bounds": rounding_bounds(fork.graph, nodes)})
+    return lower_nodes(fork, {"bounds": rounding_bounds(fork.graph, nodes)})
 
 
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:
@@ -239,13 +246,13 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     weighted = mechanism is not None and bool(mechanism.bodies)
     model, (closed, redundant) = with_all(model, definition), equations.constraints.redundant
     kernel = model.compiled_by(("projection",), lambda: projection_program(model.assembly))
-    assembly = model.assembly
-    moved = inputs_of(assembly.graph, [*assembly.holonomic, *assembly.velocity]).groups
+    blocks = model.assembly.blocks
+    moved = inputs_of(model.assembly.graph, [*blocks.holonomic, *blocks.velocity]).groups
     return CompiledConstraints(
         kernel=kernel,
         sizes=ConstraintSizes(
-            holonomic=len(assembly.holonomic),
-            velocity=len(assembly.velocity),
+            holonomic=len(blocks.holonomic),
+            velocity=len(blocks.velocity),
             coordinates=len(equations.coordinates),
             speeds=len(equations.speeds),
         ),
@@ -299,8 +306,9 @@ def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
     """Return the equations with all constraints, the redundant ones last."""
 
     def change(original: Assembly) -> Assembly:
-        holonomic, velocity = original.with_left_out()
-        return replace(original, holonomic=holonomic, velocity=velocity)
+        holonomic, velocity = constraints_with_redundant(original)
+        blocks = replace(original.blocks, holonomic=holonomic, velocity=velocity)
+        return replace(original, blocks=blocks)
 
     unchanged = not any(definition.equations.constraints.redundant)
     return model if unchanged else model.variant("all constraints", change)
@@ -309,37 +317,36 @@ def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
 def projection_program(assembly: Assembly) -> Program:
     """Return the Program of `CompiledConstraints`."""
     assembly = assembly.fork()
+    assert assembly.equations is not None
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     coordinates = [graph.input("x", k) for k in range(first)]
-    gradient = jacobian(graph, assembly.holonomic, coordinates).dense()
-    rates = assembly.rates[:first]
-    for k in _separate(graph, gradient, assembly.following):
+    gradient = jacobian(graph, assembly.blocks.holonomic, coordinates).dense()
+    rates = assembly.blocks.rates[:first]
+    residuals = assembly.equations.constraints.residuals
+    for k in _separate(graph, gradient, residuals.rows, residuals.columns):
         rates[k] = graph.zero
     kinematics = jacobian(graph, rates, speeds).dense()
     parts = {
-        "holonomic": assembly.holonomic,
-        "velocity": assembly.velocity,
+        "holonomic": assembly.blocks.holonomic,
+        "velocity": assembly.blocks.velocity,
         "gradient": [cell for row in gradient for cell in row],
         "kinematics": [cell for row in kinematics for cell in row],
-        "velocity_gradient": jacobian(graph, assembly.velocity, speeds).flat(),
-        "kinetic_hessian": assembly.kinetic_hessian,
+        "velocity_gradient": jacobian(graph, assembly.blocks.velocity, speeds).flat(),
+        "kinetic_hessian": kinetic_hessian(assembly),
     }
-    return assembly.lowered(parts, bounded="holonomic")
+    return lower_nodes(assembly, parts, bounded="holonomic")
 
 
 def _separate(
-    graph: Graph,
-    gradient: list[list[int]],
-    following: tuple[tuple[int, ...], tuple[int, ...]],
-) -> tuple[int, ...]:
+    graph: Graph, gradient: list[list[int]], rows: Sequence[int], columns: Sequence[int]
+) -> Sequence[int]:
     """Let residuals g correct only the coordinates z that they determine; return their columns.
 
     The gradient of g becomes ∂g/∂z, without a part for speeds. In the gradients of other
     constraints h, z is eliminated: h_q − h_z g_z⁻¹ g_q. Projection onto g then changes no other
     coordinate.
     """
-    rows, columns = following
     if len(rows) != len(columns):
         return ()
     zero = graph.zero

@@ -27,7 +27,7 @@ class _Residuals:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph = assembly.graph
-        rows = [assembly.holonomic[k] for k in self.rows]
+        rows = [assembly.blocks.holonomic[k] for k in self.rows]
         unknowns = [graph.input("x", k) for k in self.unknowns]
         return {
             "residuals": rows,

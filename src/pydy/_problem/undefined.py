@@ -30,7 +30,7 @@ def first_undefined(at: StateSamples, outputs: bool) -> str | None:
     names = {"t": [at.definition.equations.time], "x": layout.states}
     names |= {"p": layout.constants, "r": layout.specifieds}
     symbols = {graph.input(g, k): s for g, part in names.items() for k, s in enumerate(part)}
-    for roots in (_unsolved(assembly), assembly.outputs if outputs else ()):
+    for roots in (_unsolved(assembly), assembly.blocks.outputs if outputs else ()):
         nodes = [n for n in graph.reachable(roots, fallbacks=False) if graph.ops[n] in _SCALARS]
         inputs = inputs_of(graph, nodes)
         if any(group not in groups for group, _ in inputs.values()):
@@ -46,11 +46,11 @@ def first_undefined(at: StateSamples, outputs: bool) -> str | None:
 
 def _unsolved(assembly: Assembly) -> list[int]:
     """Return what the equations are made of, or the rates where there is nothing to solve."""
-    speeds = assembly.speeds
-    if not speeds or len(assembly.forcing) != len(speeds):
-        return assembly.rates
+    speeds, blocks = assembly.speeds, assembly.blocks
+    if not speeds or len(blocks.forcing) != len(speeds):
+        return blocks.rates
     first = assembly.graph.args[speeds[0]][1]
-    return [*assembly.rates[:first], *assembly.forcing, *assembly.mass_matrix, *assembly.velocity]
+    return [*blocks.rates[:first], *blocks.forcing, *blocks.mass_matrix, *blocks.velocity]
 
 
 def _defined(graph: Graph, node: int, values: dict[int, float]) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
-from pydy._assembly import Assembly, Definition
+from pydy._assembly import Assembly, Definition, kinetic_hessian
 from pydy._checks import SymbolIndex
 from pydy._forks import cached_property
 from pydy._graph import jacobian, sizes_of_terms
@@ -251,12 +251,12 @@ def _kinematics(assembly: Assembly) -> dict[str, list[int]]:
     """Return the derivatives of the coordinates' rates by the speeds."""
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1] if speeds else 0
-    return {"kinematics": jacobian(graph, assembly.rates[:first], speeds).flat()}
+    return {"kinematics": jacobian(graph, assembly.blocks.rates[:first], speeds).flat()}
 
 
 def _masses(assembly: Assembly) -> dict[str, list[int]]:
     """Return the diagonal of the mass matrix of all speeds, or nothing if there is none yet."""
-    return {"masses": assembly.kinetic_hessian[:: len(assembly.speeds) + 1]}
+    return {"masses": kinetic_hessian(assembly)[:: len(assembly.speeds) + 1]}
 
 
 @dataclass(frozen=True)
@@ -270,8 +270,8 @@ class ForcesWithoutConstraints:
         g, n = assembly.graph, len(assembly.speeds)
         body = self.definition.equations.multibody
         if body is None:
-            masses = assembly.mass_matrix[:: n + 1] or [g.one] * n
-            return {"masses": masses, "forces": sizes_of_terms(g, assembly.forcing)}
+            masses = assembly.blocks.mass_matrix[:: n + 1] or [g.one] * n
+            return {"masses": masses, "forces": sizes_of_terms(g, assembly.blocks.forcing)}
         dynamics = BodyDynamics(None, self.definition.outputs.forces, {})
         forces = assembly.read(
             dynamics.inverse_dynamics(body).expressions(), "the forces", sizes=True
@@ -283,8 +283,8 @@ class ForcesWithoutConstraints:
 
 def _arguments(assembly: Assembly) -> dict[str, list[int]]:
     """Return the derivatives of the arguments of functions like the sine by all inputs."""
-    g = assembly.graph
-    reached = g.reachable([*assembly.rates, *assembly.holonomic, *assembly.velocity])
+    g, blocks = assembly.graph, assembly.blocks
+    reached = g.reachable([*blocks.rates, *blocks.holonomic, *blocks.velocity])
     inner = sorted({g.operands(n)[0] for n in reached if g.ops[n] in _OF_NUMBERS})
     inputs = [
         g.input(kind, k)

@@ -176,7 +176,7 @@ class EquilibriumResidual:
         by_state, at_state = self.unknowns.of_kind("states")
         parts = []
         for block in self.blocks:
-            part = np.zeros((m, len(getattr(model.assembly, block)), z.shape[1]))
+            part = np.zeros((m, len(getattr(model.assembly.blocks, block)), z.shape[1]))
             if input_by_state.any():
                 by_input = point.tried(model.compiled_jacobian(block, "r"))
                 through_inputs = by_input.reshape(m, part.shape[1], -1) @ input_by_state
@@ -226,7 +226,7 @@ class EquilibriumResidual:
         arrays = point.t, point.x, point.r, numbers["p"]
         parts = []
         for block in self.blocks:
-            part = np.zeros(len(getattr(self.model.assembly, block)))
+            part = np.zeros(len(getattr(self.model.assembly.blocks, block)))
             for group, values in numbers.items():
                 if len(values):
                     program = self.model.programs.jacobian(block, group)
@@ -295,7 +295,7 @@ class EquilibriumResidual:
     def _warn_of_time(self, z: np.ndarray, rates: np.ndarray) -> None:
         """Warn once if z is not an equilibrium at other times."""
         graph, assembly, plan = self.model.assembly.graph, self.model.assembly, self.plan
-        nodes = [node for block in self.blocks for node in getattr(assembly, block)]
+        nodes = [node for block in self.blocks for node in getattr(assembly.blocks, block)]
         if plan.inputs.constant and "t" not in inputs_of(graph, nodes).groups:
             return
         times = self.t + 2.0 ** np.array(sorted(range(-_TIMES // 2, _TIMES // 2), key=abs))

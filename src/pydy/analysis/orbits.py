@@ -635,7 +635,7 @@ def _depends_on_time(problem: Problem) -> bool:
     if problem.hybrid is not None and problem.hybrid.depends_on_time:
         return True
     assembly = problem.code.assembly
-    return "t" in inputs_of(assembly.graph, assembly.rates).groups
+    return "t" in inputs_of(assembly.graph, assembly.blocks.rates).groups
 
 
 def _initial_conditions(problem: Problem) -> dict[AnySymbol, float]:

@@ -170,7 +170,7 @@ class RightHandSide:
         self.model = model
         self.layout = model.layout
         self.time_first = time_first
-        self.num_outputs = len(model.assembly.ordinary)
+        self.num_outputs = len(model.assembly.blocks.ordinary)
         self.constants = ConstantsArgument(model.layout.constants, constants_arg_type)
         self.specifieds = SpecifiedsArgument(
             model.layout.specifieds, specifieds_arg_type, time_first

@@ -93,21 +93,21 @@ class ImplicitEquations:
         if disturbed:
             code = snapshot.model.with_compiled_inputs(snapshot.plan, perturbed=True)
         assembly, equations = code.assembly.fork(), definition.equations
-        graph, rates = assembly.graph, assembly.rates
+        graph, rates = assembly.graph, assembly.blocks.rates
         nq, nu = len(equations.coordinates), len(equations.speeds)
         slopes = [graph.input("d", k) for k in range(len(rates))]
         # Accelerations in an objective are the inputs u'; no linear system is solved for them.
         atoms = {
             **assembly.atoms,
-            **dict(zip(definition.outputs.symbols, assembly.outputs, strict=True)),
+            **dict(zip(definition.outputs.symbols, assembly.blocks.outputs, strict=True)),
             **dict(zip(equations.kinematics.speed_rates, slopes[nq:], strict=False)),
         }
         compiled = code.latest.setdefault("points", {})
         implicit = cls(graph, [], [], [], atoms, assembly.given, compiled)
         x = [graph.input("x", k) for k in range(nq + nu)]
         constraints = equations.constraints
-        holonomic = [assembly.holonomic[k] for k in constraints.enforced_holonomic]
-        motion = assembly.velocity
+        holonomic = [assembly.blocks.holonomic[k] for k in constraints.enforced_holonomic]
+        motion = assembly.blocks.velocity
         if motion:
             if equations.constraint_forces is None:
                 raise NotImplementedError(
@@ -120,9 +120,9 @@ class ImplicitEquations:
         else:
             unbalanced = []
             for i in range(nu):
-                row = assembly.mass_matrix[i * nu : (i + 1) * nu]
+                row = assembly.blocks.mass_matrix[i * nu : (i + 1) * nu]
                 parts = [(graph.mul(m, slopes[nq + j]), -1.0) for j, m in enumerate(row)]
-                unbalanced.append(graph.sum([*parts, (assembly.forcing[i], 1.0)]))
+                unbalanced.append(graph.sum([*parts, (assembly.blocks.forcing[i], 1.0)]))
         terms = [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq)]
         terms += [[(node, -1.0)] for node in unbalanced]
         terms += [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq + nu, len(rates))]
@@ -144,9 +144,9 @@ class ImplicitEquations:
         constraint_nodes = [*holonomic, *motion]
         residuals = [*(graph.sum(parts) for parts in terms), *constraint_nodes]
         for i in equations.dependents.speed_columns:  # these rows of M u' = F are the constraints
-            row = assembly.mass_matrix[i * nu : (i + 1) * nu]
+            row = assembly.blocks.mass_matrix[i * nu : (i + 1) * nu]
             parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
-            start_rows.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))
+            start_rows.append(graph.sum([*parts, (assembly.blocks.forcing[i], -1.0)]))
         return replace(
             implicit, residuals=residuals, constraints=constraint_nodes, rates=start_rows
         )
@@ -199,7 +199,7 @@ def violated(at: StateSamples) -> dict[int, float]:
 
 
 def _holonomic(assembly: Assembly) -> dict[str, list[int]]:
-    rows = assembly.holonomic
+    rows = assembly.blocks.holonomic
     return {"rows": rows, "bounds": rounding_bounds(assembly.graph, rows)}
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._assembly import CompiledModel, Definition
+from pydy._assembly import CompiledModel, Definition, lower_nodes
 from pydy._checks import flag, integer, shown
 from pydy._dataset import SENSITIVITY
 from pydy._integration import (
@@ -273,7 +273,7 @@ def ensemble_sensitivities(
     watch = watched(at, augmented)
     if watch is not None:
         assembly = at.model.assembly.fork()
-        watch = replace(watch, nodes=assembly.lowered(watch.nodes(assembly), as_is=True))
+        watch = replace(watch, nodes=lower_nodes(assembly, watch.nodes(assembly), as_is=True))
     model, definition = augmented.model, augmented.definition
     blocks, inputs = initial.blocks, augmented.columns.wanted
     events = options.get("events")

@@ -62,7 +62,8 @@ class BlockFunction:
         if not blocks or ("x" in self._part_of and self._part_of["x"].is_full):
             return
         assembly, states = self._code.assembly, self.problem.definition.states
-        g, rows = assembly.graph, [assembly.holonomic[k] for block, _ in blocks for k in block]
+        g, holonomic = assembly.graph, assembly.blocks.holonomic
+        rows = [holonomic[k] for block, _ in blocks for k in block]
         inputs = {*inputs_of(g, rows).values()}
         if any((part.group, k) in inputs for part in self.parts for k in part.indices):
             unknowns = [states[k] for _, columns in blocks for k in columns]

@@ -15,6 +15,7 @@ import pytest
 
 import zoo
 from graphs import on_tape
+from pydy._assembly.programs import jacobian_program
 from pydy._backends.llvm import functions, jit, sources
 from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.functions import CompleteCode
@@ -330,6 +331,6 @@ def test_a_pendulum_does_not_repeat_itself(nothing_cached):
 
 def test_many_results_are_written_out_one_by_one():
     # LLVM's search for what repeats takes the square of their number.
-    program = multi_mass_spring_damper(45).model.assembly.jacobian_program("rates", "x")
+    program = jacobian_program(multi_mass_spring_damper(45).model.assembly, "rates", "x")
     assert program.operation_count["run"].total() > LARGE
     assert not _repeats(program)

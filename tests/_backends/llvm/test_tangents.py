@@ -12,6 +12,7 @@ import zoo
 from _backends.llvm.test_guards import by_hand, states
 from cases import system_of
 from graphs import on_tape
+from pydy._assembly.programs import jacobian_program
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compile_program
 from pydy._graph.columns import SensitivityColumns
@@ -63,7 +64,7 @@ def test_columns_side_by_side_are_those_of_the_whole(name, widths):
     cuts = [0, *(w for w in widths if w <= n - 2), n]
     parts = [*pairwise(cuts)]
     arguments = sample(assembly, 3)
-    program = assembly.jacobian_program("rates", "x")
+    program = jacobian_program(assembly, "rates", "x")
     expected, _ = LLVMBackend().compile(program).evaluate(*arguments)
     found, failed = LLVMBackend().compile(in_parts(assembly, parts)).evaluate(*arguments)
     assert not failed.any()

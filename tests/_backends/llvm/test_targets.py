@@ -15,6 +15,7 @@ from harness import frozen
 from harness.program import assembly_of
 
 from graphs import solve_program
+from pydy._assembly.programs import block_program
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.sources import width_of
 from pydy._backends.llvm.targets import TABLE, chosen, registers_for, target
@@ -79,7 +80,7 @@ def test_registers_hold_a_dozen_values_of_the_widest_code():
 @pytest.fixture(scope="module")
 def bicycle():
     """A Program that is long, has angles, constants, inputs and a solve with a guard."""
-    return assembly_of(frozen.read("bicycle")).program("rates")
+    return block_program(assembly_of(frozen.read("bicycle")), "rates")
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
@@ -133,6 +134,7 @@ from registry import SOLVER_NAMES, step_options
 from cases import system_of
 from harness import frozen
 from harness.program import assembly_of
+from pydy._assembly.programs import block_program
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.sources import width_of
 
@@ -140,7 +142,7 @@ def say(what, values):
     print(what, hashlib.sha256(np.ascontiguousarray(values).tobytes()).hexdigest())
 
 for name in ("bicycle", "pendulum-1", "rods-3"):
-    program = assembly_of(frozen.read(name)).program("rates")
+    program = block_program(assembly_of(frozen.read(name)), "rates")
     rng = np.random.default_rng(1)
     x, t = rng.uniform(0.2, 0.9, (19, program.signature.num_states)), rng.uniform(0.3, 2.0, 19)
     r = rng.uniform(-1.0, 1.0, (19, program.signature.num_specifieds))
@@ -214,7 +216,7 @@ def test_where_little_is_done_for_each_result_all_lanes_go_at_once(
 ):
     host = chosen("native", X86, "some", features)
     monkeypatch.setattr("pydy._backends.llvm.sources.target", lambda: host)
-    program = assembly_of(frozen.read(name)).program("rates")
+    program = block_program(assembly_of(frozen.read(name)), "rates")
     assert width_of(program, 8) == width
 
 
