@@ -15,7 +15,8 @@ from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.system import assemble_system
 from pydy._kernel import Kernel
-from pydy._mechanics.equations import Equations, KinematicEquations, MassAndForcing
+from pydy._mechanics.equations import Equations, MassAndForcing
+from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import make_backend, rates_function
 

@@ -89,10 +89,10 @@ def bead(**options):
 def test_what_depends_is_preferably_what_a_constraint_is_linear_in():
     # By x the surface could not be solved where it is level, nor when the cosine vanishes.
     made = bead(holonomic_constraints=[y - x**2 * sm.cos(sm.Symbol("w") * T)])
-    assert made.multibody.dependent_coordinates == (y,)
+    assert made.multibody.dependents.coordinates == (y,)
     made = bead(holonomic_constraints=[x - y**2 * sm.cos(sm.Symbol("w") * T)])
-    assert made.multibody.dependent_coordinates == (x,)
-    assert made.multibody.dependent_speeds == (vx,)
+    assert made.multibody.dependents.coordinates == (x,)
+    assert made.multibody.dependents.speeds == (vx,)
     assert System(made).states == [x, y, vx, vy]  # which stay where the user put them
 
 
@@ -146,9 +146,10 @@ def test_a_row_of_roundings_constrains_nothing(configuration):
 def test_a_row_of_roundings_that_has_a_root_locks_nothing(metre):
     noise = 1e-17 * metre * (sm.cos(x) - sm.Float(0.9))
     made = bead(holonomic_constraints=[noise, y - metre * sm.sin(x)])
-    assert len(made.multibody.holonomic) == len(made.multibody.velocity) == 1
+    constraints = made.multibody.constraints
+    assert len(constraints.holonomic) == len(constraints.velocity) == 1
     alone = bead(holonomic_constraints=[1e-17 * (sm.cos(x) - sm.Float(0.9))])
-    assert len(alone.multibody.holonomic) == 1
+    assert len(alone.multibody.constraints.holonomic) == 1
 
 
 def across(angle, other):
@@ -166,21 +167,22 @@ def test_a_row_of_terms_that_cancel_constrains_nothing(metre):
     assert {x, y} <= row.atoms(sm.Function)
     for rows in ([row, y - metre * sm.sin(x)], [metre * row, y - sm.sin(x), 3 * row]):
         made = bead(holonomic_constraints=rows)
-        assert len(made.multibody.holonomic) == len(made.multibody.velocity) == 1
-        assert not made.multibody.redundant
+        constraints = made.multibody.constraints
+        assert len(constraints.holonomic) == len(constraints.velocity) == 1
+        assert not constraints.redundant.velocity
     alone = bead(holonomic_constraints=[row])
-    assert not alone.multibody.holonomic
+    assert not alone.multibody.constraints.holonomic
 
 
 def test_a_row_of_large_terms_is_kept():
     far = sm.Float(1e15)
     made = bead(holonomic_constraints=[sm.sqrt((far + y) ** 2 + x**2) - far])
-    assert len(made.multibody.holonomic) == 1
+    assert len(made.multibody.constraints.holonomic) == 1
 
 
 def test_speeds_keep_constraints_of_different_units():
     rows = {"holonomic_constraints": [1e-17 * (y - x**2)], "nonholonomic_constraints": [vx - 1]}
-    assert len(bead(**rows).multibody.velocity) == 2
+    assert len(bead(**rows).multibody.constraints.velocity) == 2
 
 
 def test_constraints_of_different_units_are_stabilised_alike():

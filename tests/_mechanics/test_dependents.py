@@ -29,9 +29,9 @@ def carriage(metre):
 @pytest.mark.parametrize("metre", UNITS)
 def test_no_unit_makes_a_constraint_redundant(metre):
     body = carriage(metre).multibody
-    assert [str(q) for q in body.dependent_coordinates] == ["x(t)", "a(t)"]
-    assert not body.closed
-    assert not body.redundant
+    assert [str(q) for q in body.dependents.coordinates] == ["x(t)", "a(t)"]
+    assert not body.constraints.redundant.holonomic
+    assert not body.constraints.redundant.velocity
 
 
 def yoke(metre):
@@ -56,7 +56,7 @@ def test_a_yoke_moves_alike_in_all_units(metre):
     # Of sin b = sin a / 2 come db/da and its derivative: a'' (2 + (db/da)²) + … = 5.
     (x, y, a, b), definition = yoke(metre)
     system = System(definition)
-    assert len(definition.multibody.holonomic) == 3
+    assert len(definition.multibody.constraints.holonomic) == 3
     angle, turn = 0.4, 1.3
     other = np.arcsin(np.sin(angle) / 2)
     slope = np.cos(angle) / (2 * np.cos(other))
@@ -104,7 +104,7 @@ def test_a_four_bar_moves_alike_at_any_length(symbols):
     found = []
     for metre in (1.0, 1e-60, 1e15):
         made, constants = four_bar(metre, symbols=symbols)
-        assert len(made.multibody.holonomic) == 2
+        assert len(made.multibody.constraints.holonomic) == 2
         start = dict(zip("abc", (angle, coupler, rocker), strict=True))
         system = System(made, constants=constants, initial_conditions=start)
         found.append(system.evaluate_ode()[3:])
@@ -146,7 +146,7 @@ def platform(metre, *, given):
 def test_a_plate_on_legs_of_given_lengths_stands_in_all_units(metre, given):
     # Were the legs of order one where the search begins, offsets of 1e-9 would vanish beside them.
     made, start, lengths, forces = platform(metre, given=given)
-    assert len(made.multibody.holonomic) == 3
+    assert len(made.multibody.constraints.holonomic) == 3
     system = System(made, initial_conditions=start, specifieds=lengths)
     system.outputs = {f"leg {k}": e for k, e in enumerate(system.constraint_forces.values())}
     rates = dict(zip(system.states, system.evaluate_ode(), strict=True))
@@ -199,7 +199,7 @@ def test_consistent_states_are_found_in_any_units(metre, part):
     ]
     rows = [part * metre * (2 + sm.sin(a)) - x * (1 + sm.cos(a) ** 2)]
     made = Definition(frame, [x, a], [u, w], bodies=bodies, holonomic_constraints=rows)
-    assert len(made.multibody.holonomic) == 1
+    assert len(made.multibody.constraints.holonomic) == 1
 
 
 @pytest.mark.parametrize("metre", UNITS)
@@ -262,8 +262,8 @@ def cranks(metre, gear):
 )
 def test_a_row_of_numbers_and_one_of_squares_are_not_compared(metre, gear):
     body = cranks(metre, gear).multibody
-    assert len(body.holonomic) == len(body.velocity) == 2
-    assert not body.closed
+    assert len(body.constraints.holonomic) == len(body.constraints.velocity) == 2
+    assert not body.constraints.redundant.holonomic
 
 
 @pytest.mark.parametrize("metre", [1e-8, 1.0, 1e8])
@@ -282,9 +282,9 @@ def test_what_sympy_leaves_of_axes_that_are_parallel_is_told_by_its_digits(metre
     bodies = [me.Particle("p", place, 1.0)]
     rows += [metre * (sm.sin(q[0]) - 0.5 * sm.sin(q[1])), metre * q[2] - metre * sm.cos(q[0])]
     body = Definition(frame, q, bodies=bodies, holonomic_constraints=rows).multibody
-    assert list(body.holonomic) == rows[2:]
-    assert not body.closed
-    assert not body.redundant
+    assert list(body.constraints.holonomic) == rows[2:]
+    assert not body.constraints.redundant.holonomic
+    assert not body.constraints.redundant.velocity
 
 
 def test_of_rows_that_contradict_each_other_the_unit_does_not_tell_which_are_named():
@@ -315,14 +315,14 @@ def test_what_else_hangs_on_the_origin_does_not_matter(other, ground):
         inertia = me.inertia(frame, 1, 1, 1), origin
         bodies.append(me.RigidBody("ground", origin, frame, 1, inertia))
     made = Definition(frame, [x, y], bodies=bodies, holonomic_constraints=[x**2 + y**2 - 1])
-    assert len(made.multibody.dependent_coordinates) == 1
+    assert len(made.multibody.dependents.coordinates) == 1
 
 
 def test_a_chain_of_loops_is_not_closed_by_links_that_vanish():
     # From angles of order one the search shortens all links; around the circle it finds others.
     body = defined_windows(15).multibody
-    assert len(body.holonomic) == 30 == len(body.dependent_coordinates)
-    assert not body.redundant
+    assert len(body.constraints.holonomic) == 30 == len(body.dependents.coordinates)
+    assert not body.constraints.redundant.velocity
 
 
 def test_a_constraint_that_holds_for_positive_values_only_is_not_lost():

@@ -65,13 +65,13 @@ def test_unknowns_are_the_dependent_coordinates():
     assert system.coordinates == [X, Z]
     assert system.speeds == [V]
     body = free().multibody_with(Implicit({Z: Z**3 + Z - X}))
-    assert body.dependent_coordinates == (Z,)
-    assert same(body.coordinate_derivatives[1], V / (3 * Z**2 + 1))
+    assert body.dependents.coordinates == (Z,)
+    assert same(body.kinematics.coordinate_derivatives[1], V / (3 * Z**2 + 1))
 
 
 def test_what_follows_one_by_one_is_solved_in_that_order():
     residuals = {Z: Z + Y + K * Y**2 - X, Y: Y + Y**3 - X}
-    z, y = free().multibody_with(Implicit(residuals)).coordinate_derivatives[1:]
+    z, y = free().multibody_with(Implicit(residuals)).kinematics.coordinate_derivatives[1:]
     assert same(y, V / (3 * Y**2 + 1))
     assert same(z, V - y * (1 + 2 * K * Y))
 

@@ -113,8 +113,8 @@ def test_schatz_linkage_turns_all_the_way_round(unit, last, options):
     system, angles = schatz(unit, last=last)
     period, after = turn_of(angles, 1.0)
     system.times = np.linspace(0.0, period, 101)
-    body = system.eom_method.multibody
-    assert (len(body.velocity), len(body.redundant)) == (5, 1)
+    rows = system.eom_method.multibody.constraints
+    assert (len(rows.velocity), len(rows.redundant.velocity)) == (5, 1)
     run = system.simulate(rtol=1e-11, atol=1e-11, **options)
     energy = system.evaluate_energy(run.states, run.times)
     assert np.abs(energy.total - energy.total[0]).max() < 1e-7 * np.ptp(energy.kinetic)
@@ -200,7 +200,7 @@ def test_loops_move_alike_in_any_units(name):
             ode_solver="dop853",
         )
         system.set_dependent_initial_conditions()
-        assert any(system.eom_method.multibody.redundant)
+        assert any(system.eom_method.multibody.constraints.redundant.velocity)
         run = system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
         q, u = in_order(system, run.states)
         rows = sm.lambdify([definition.coordinates], definition.holonomic_constraints)

@@ -30,8 +30,8 @@ def loop(name, **shape):
 @pytest.mark.parametrize("name", RANKS)
 def test_rows_of_full_rank_are_found(name):
     system = loop(name)
-    body = system.eom_method.multibody
-    assert (len(body.velocity), len(body.redundant)) == RANKS[name]
+    rows = system.eom_method.multibody.constraints
+    assert (len(rows.velocity), len(rows.redundant.velocity)) == RANKS[name]
     assert system.num_constraints == RANKS[name][0]
     close(system.evaluate_holonomic_constraints(), np.zeros(RANKS[name][0]), 1e-12)
 
@@ -60,8 +60,8 @@ SHAPES = [
 @pytest.mark.parametrize(("name", "shape"), SHAPES)
 def test_loops_of_other_sizes_keep_their_energy_too(name, shape):
     system = loop(name, **shape)
-    body = system.eom_method.multibody
-    assert (len(body.velocity), len(body.redundant)) == RANKS[name]
+    rows = system.eom_method.multibody.constraints
+    assert (len(rows.velocity), len(rows.redundant.velocity)) == RANKS[name]
     run = system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
     energy = system.evaluate_energy(run.states, run.times)
     assert np.ptp(energy.kinetic) > 5.0
@@ -164,8 +164,10 @@ def test_multipliers_of_all_rows_balance_every_speed(name):
         Definition(body.frame, body.coordinates, body.speeds, bodies=body.bodies, loads=body.loads),
         system.constants,
     )
-    rates = dict(zip(body.coordinate_rates, body.coordinate_derivatives, strict=True))
-    rows = [sm.sympify(row).doit().subs(rates) for row in (*body.velocity, *body.redundant)]
+    kinematics, constraints = body.kinematics, body.constraints
+    pairs = zip(kinematics.coordinate_rates, kinematics.coordinate_derivatives, strict=True)
+    rates, velocity = dict(pairs), (*constraints.velocity, *constraints.redundant.velocity)
+    rows = [sm.sympify(row).doit().subs(rates) for row in velocity]
     slopes = [row.diff(u) for row in rows for u in body.speeds]
     forces = system.constraint_forces
     assert len(forces) == len(rows)

@@ -139,7 +139,7 @@ def construct():
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
     [
-        (construct, 662, 62),
+        (construct, 662, 63),
         (integrate, 32, 16),
         (simulate, 110, 32),
         (with_contacts, 150, 39),

@@ -30,7 +30,7 @@ def lift(stages, **options):
 def test_a_lift_of_crossed_bars_has_one_degree_of_freedom(stages, configuration):
     system = lift(stages, configuration=configuration)
     body = system.eom_method.multibody
-    assert len(body.velocity) == len(body.holonomic) == 2 * stages
+    assert len(body.constraints.velocity) == len(body.constraints.holonomic) == 2 * stages
     x = system.integrate(constraints="project", rtol=1e-10, atol=1e-10)
     places = [system.states.index(q) for q in system.eom_method.coordinates]
     rows = sm.lambdify([system.eom_method.coordinates], system.eom_method.holonomic_constraints)
@@ -46,7 +46,7 @@ def test_a_lift_of_crossed_bars_has_one_degree_of_freedom(stages, configuration)
 def test_a_lift_that_was_taken_for_bars_on_each_other_is_refused_with_the_remedy(monkeypatch):
     monkeypatch.setattr(dependents, "AROUND", 1)
     system = lift(3)
-    assert len(system.eom_method.multibody.velocity) == 4
+    assert len(system.eom_method.multibody.constraints.velocity) == 4
     with pytest.raises(ValueError, match=r"there are 6 .* only 4 were kept.*`pydy.mechanics.Def"):
         system.integrate(constraints="project")
     with pytest.raises(ValueError, match="6 independent"):
@@ -152,7 +152,7 @@ def test_long_rows_hold_up_to_their_rounding():
         return q - p - 1e18
 
     system = pair({"holonomic_constraints": [row]})
-    assert len(system.eom_method.multibody.holonomic) == 1
+    assert len(system.eom_method.multibody.constraints.holonomic) == 1
 
 
 @pytest.mark.parametrize(

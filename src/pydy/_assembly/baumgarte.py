@@ -37,7 +37,7 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
     ]
     first = graph.args[speeds[0]][1]
     before = blocks.rates[first : first + n]
-    cells = kinetic_hessian(assembly) if body is not None and body.changing else []
+    cells = kinetic_hessian(assembly) if body is not None and body.dependents.changing else []
     matrix = [cells[i * n : (i + 1) * n] for i in range(n if cells else 0)]
     forcing = list(blocks.forcing)
     massive = matrix and all(matrix[k][k] != graph.zero for k in range(n))

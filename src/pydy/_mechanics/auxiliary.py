@@ -28,12 +28,12 @@ def with_auxiliary(equations: Equations) -> Equations:
     if body is None or not body.auxiliary:
         return equations
     k = moving(body, in_bodies=True, auxiliary=True, driven=True)
-    moved = jacobian(k.graph, k.read.all(body.velocity), k.auxiliary).dense()
+    moved = jacobian(k.graph, k.read.all(body.constraints.velocity), k.auxiliary).dense()
     loops = _leaving_out(k, equations, moved)
     if loops:
         points = loop_points(body)
         k = moving(body, in_bodies=True, auxiliary=True, driven=True, further_points=points)
-        rows = k.read.all(body.velocity)
+        rows = k.read.all(body.constraints.velocity)
         moved = jacobian(k.graph, rows, k.auxiliary).dense()
         shares = LoopShares(k, points, [rows[j] for j in loops]).derivatives(equations)
         # If the user included auxiliary speeds in one row, they are complete in all rows.
@@ -42,7 +42,7 @@ def with_auxiliary(equations: Equations) -> Equations:
             if share is not None:
                 moved[j] = share
             elif not has_auxiliary:
-                loop = body.velocity[j]
+                loop = body.constraints.velocity[j]
                 unresolved = replace(equations.auxiliary, residuals=(), unresolved_loop=loop)
                 return replace(equations, auxiliary=unresolved)
         loops = [j for j in loops if any(n != k.graph.zero for n in moved[j])]
@@ -71,9 +71,9 @@ def _residuals(k: Kinematics, moved: list[Vec]) -> list[sm.Expr]:
     g, n, body = k.graph, len(k.speeds), k.body
     _, forces = composite(k, [], loads_and_inertias(k)[1])
     residuals = forces[n:]
-    if body.velocity:
-        nodes = k.read.all(body.velocity)
-        dependent = body.dependent_columns
+    if body.constraints.velocity:
+        nodes = k.read.all(body.constraints.velocity)
+        dependent = body.dependents.speed_columns
         dependent_part = [
             [row[j] for j in dependent] for row in jacobian(g, nodes, k.speeds).dense()
         ]

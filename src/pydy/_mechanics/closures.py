@@ -61,7 +61,8 @@ def loop_points(body: Multibody) -> dict[Point, Point | None]:
     Points of other mechanisms with the same origin depend on other functions of time.
     """
     tree = FrameTree(body.frame)
-    written = find_symbols((*body.holonomic, *body.velocity, *body.coordinate_derivatives))
+    constraints, derivatives = body.constraints, body.kinematics.coordinate_derivatives
+    written = find_symbols((*constraints.holonomic, *constraints.velocity, *derivatives))
     functions_of_motion = {s for s in written if isinstance(s, AppliedUndef)} | {*body.coordinates}
 
     def connected(point: Point) -> list[Point]:
@@ -139,7 +140,7 @@ class LoopShares:
         self._motion |= {w: k.expressed(v, f, k.inertial) for w, (f, v) in self._moving(frames)}
         self._points, self._frames = list(points), frames
         self._rows = jacobian(g, rows, k.speeds).dense()
-        self._number(k.read.all(k.body.holonomic))
+        self._number(k.read.all(k.body.constraints.holonomic))
 
     def _moving(self, items: Iterable[Location]) -> Iterator[tuple[Location, tuple[AnyFrame, Vec]]]:
         return ((item, self.k.velocity_of(item)) for item in items)

@@ -60,7 +60,7 @@ def check_velocities(equations: Equations) -> None:
     if not functions:
         return
     rows = equations.constraints
-    written = *body.coordinate_derivatives, *rows.holonomic, *rows.velocity
+    written = *body.kinematics.coordinate_derivatives, *rows.holonomic, *rows.velocity
     prescribed = find_symbols((*written, *rows.redundant.holonomic, *rows.redundant.velocity))
     functions = [s for s in functions if s not in prescribed]
     if not functions:
@@ -98,7 +98,7 @@ def _unmoved(
     """
     g = k.graph
     moved = {j for row in jacobian(g, velocity, k.speeds) for j in row}
-    if k.body.velocity and moved:
+    if k.body.constraints.velocity and moved:
         return None
     slopes = jacobian(g, position, k.coordinates).flat()
     sizes = np.abs(_values(k, [*slopes, *rounding_bounds(g, slopes)], zero_rows))
@@ -131,7 +131,7 @@ def warn_of_kinematics(equations: Equations) -> None:
     Groups of velocities that share no coordinates are checked separately.
     """
     body, mechanism = equations.multibody, equations.mechanism
-    if body is None or mechanism is None or not mechanism.bodies or body.velocity:
+    if body is None or mechanism is None or not mechanism.bodies or body.constraints.velocity:
         return
     try:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)

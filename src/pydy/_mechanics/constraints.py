@@ -4,23 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from pydy._forks import cached_property
 from pydy._mechanics.implicit import Implicit, blocks_of
+from pydy._mechanics.kinematic_constraints import RedundantConstraints
 from pydy._mechanics.symbols import find_symbols
 
 if TYPE_CHECKING:
     import sympy as sm
 
     from pydy._sympy_types import TimeFunction
-
-
-class RedundantConstraints(NamedTuple):
-    """Constraints that follow from the others at generic states, in terms of the states."""
-
-    holonomic: tuple[sm.Expr, ...] = ()
-    velocity: tuple[sm.Expr, ...] = ()
 
 
 class ImplicitResiduals:
@@ -79,7 +73,7 @@ class ConstraintEquations:
     velocity: tuple[sm.Expr, ...] = ()  # differentiated holonomic constraints included
     # Those of `holonomic` that give unknowns.
     residuals: ImplicitResiduals = field(default_factory=ImplicitResiduals)
-    # In addition to these.
+    # In addition to these, in terms of the states.
     redundant: RedundantConstraints = field(default_factory=RedundantConstraints)
     # Those of `velocity` that no holonomic constraint implies.
     nonholonomic: tuple[sm.Expr, ...] = ()
@@ -117,22 +111,3 @@ class ConstraintEquations:
     def has_unprojected_rows(self) -> bool:
         """Whether there are more constraints to satisfy than projection enforces."""
         return any(self.redundant) or bool(self.unenforced_holonomic)
-
-
-class DependentStates:
-    """The dependent coordinates and speeds, anywhere among the states.
-
-    The speeds are in the order of the velocity constraints.
-    """
-
-    def __init__(
-        self,
-        coordinates: tuple[TimeFunction, ...] = (),
-        speeds: tuple[TimeFunction, ...] = (),
-        all_speeds: Sequence[TimeFunction] = (),
-    ) -> None:
-        self.coordinates, self.speeds = coordinates, speeds
-        self.speed_columns = tuple(all_speeds.index(u) for u in speeds)
-        self.independent_columns = tuple(
-            k for k in range(len(all_speeds)) if k not in self.speed_columns
-        )

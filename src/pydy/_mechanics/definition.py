@@ -24,6 +24,8 @@ from pydy._forks import cached_property
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.implicit import Implicit
+from pydy._mechanics.kinematic_constraints import DependentStates
+from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import activation_states, check_bodies, read_loads
@@ -281,21 +283,24 @@ class Definition:
             equations = [e for e in self.kinematic_equations if e != 0]
             solution = solve_rates(equations, unknown_rates, "kinematic_equations")
             solved = dict(zip(unknown_rates, solution, strict=True))
+        time, derivatives = dynamicsymbols._t, [solved.get(rate, rate) for rate in rates]
         body = Multibody(
             frame=self.frame,
             bodies=self.bodies,
             loads=self.loads,
-            time=dynamicsymbols._t,
+            time=time,
             coordinates=self.coordinates,
             speeds=self.speeds,
-            coordinate_rates=rates,
-            coordinate_derivatives=tuple(solved.get(rate, rate) for rate in rates),
+            kinematics=KinematicEquations.of(
+                time, self.speeds, rates, derivatives, self.auxiliary_speeds
+            ),
+            dependents=DependentStates(all_speeds=self.speeds),
             auxiliary=self.auxiliary_speeds,
             activations=self._activations,
         )
         if implicit is not None:
             body = implicit.added_to(body)
-        if not body.holonomic and not self.holonomic_constraints and not self._motion:
+        if not body.constraints.holonomic and not self.holonomic_constraints and not self._motion:
             for argument in ("dependent_coordinates", "dependent_speeds"):
                 if getattr(self, argument):
                     raise ValueError(f"`{argument}` are given, but there are no constraints.")
@@ -305,9 +310,9 @@ class Definition:
             near = implicit.start | near
         return constrained(
             body,
-            (*self.holonomic_constraints, *body.holonomic),
+            (*self.holonomic_constraints, *body.constraints.holonomic),
             self._motion,
-            None if chosen is None else (*chosen, *body.dependent_coordinates),
+            None if chosen is None else (*chosen, *body.dependents.coordinates),
             self.dependent_speeds,
             near,
         )

@@ -18,6 +18,7 @@ from pydy._checks import describe
 from pydy._graph import Graph, jacobian, rounding_bounds, signatures
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import AROUND, Block, GenericStates, closed, openness, units_of
+from pydy._mechanics.kinematic_constraints import RedundantConstraints
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.select_formulation import kinematics_of
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT
@@ -122,25 +123,30 @@ def constrained(
     which the mechanism is assembled.
     """
     velocity = _moving_rows(kinematics_of(body), velocity)
-    body = replace(body, holonomic=tuple(holonomic), velocity=tuple(velocity))
+    constraints = replace(body.constraints, holonomic=tuple(holonomic), velocity=tuple(velocity))
+    body = replace(body, constraints=constraints)
     choices = _choose(kinematics_of(body), coordinates, speeds, near)
     (of_positions, q_dep), (of_velocities, u_dep), rounded = choices
-    return replace(
-        body,
-        holonomic=tuple(body.holonomic[k] for k in of_positions.rows),
-        velocity=tuple(body.velocity[k] for k in of_velocities.rows),
-        dependent_coordinates=q_dep,
-        dependent_speeds=u_dep,
+    constraints = replace(
+        constraints,
+        holonomic=tuple(constraints.holonomic[k] for k in of_positions.rows),
+        velocity=tuple(constraints.velocity[k] for k in of_velocities.rows),
+        redundant=RedundantConstraints(
+            _omitted(holonomic, of_positions.rows, rounded),
+            _omitted(velocity, of_velocities.rows, [k - len(holonomic) for k in rounded]),
+        ),
+    )
+    dependents = replace(
+        body.dependents,
+        coordinates=q_dep,
+        speeds=u_dep,
         chosen=(
-            *(() if coordinates else (q for q in q_dep if q not in body.dependent_coordinates)),
+            *(() if coordinates else (q for q in q_dep if q not in body.dependents.coordinates)),
             *(() if speeds else u_dep),
         ),
-        redundant=_omitted(
-            body.velocity, of_velocities.rows, [k - len(holonomic) for k in rounded]
-        ),
-        closed=_omitted(body.holonomic, of_positions.rows, rounded),
         changing=speeds is None,
     )
+    return replace(body, constraints=constraints, dependents=dependents)
 
 
 def _omitted(

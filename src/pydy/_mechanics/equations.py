@@ -14,12 +14,14 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, ReferenceFrame
 
 from pydy._forks import cached_property
-from pydy._mechanics.constraints import ConstraintEquations, DependentStates
+from pydy._mechanics.constraints import ConstraintEquations
 from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.frame_tree import velocity_in
+from pydy._mechanics.kinematic_constraints import DependentStates
+from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
-from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of
 
 if TYPE_CHECKING:
@@ -131,25 +133,6 @@ class Mechanism:
 def _sum_of_products(a: Iterable[sm.Expr], b: Iterable[sm.Expr]) -> sm.Expr:
     """Return the scalar product of two vectors, faster than by SymPy's matrices."""
     return sm.Add(*(x * y for x, y in zip(a, b, strict=True) if x != 0 and y != 0))
-
-
-@dataclass(frozen=True, eq=False)
-class KinematicEquations:
-    """The kinematic differential equations q' = G(q, u, t) and the symbols of all rates."""
-
-    coordinate_rates: tuple[sm.Derivative, ...]  # the symbols q'
-    speed_rates: tuple[sm.Derivative, ...]  # the symbols u'
-    coordinate_derivatives: tuple[sm.Expr, ...]  # q' in terms of q, u and t
-    # Symbols that are zero in motion: auxiliary speeds, their rates.
-    zeros: tuple[TimeFunction, ...] = ()
-
-    def in_states(self, expression: sm.Expr) -> sm.Expr:
-        """Return an expression in terms of the states, without auxiliary speeds.
-
-        Each distinct sub-expression is rewritten once.
-        """
-        rates = zip(self.coordinate_rates, self.coordinate_derivatives, strict=True)
-        return replace_symbols(expression, {**dict(rates), **dict.fromkeys(self.zeros, sm.S.Zero)})
 
 
 @dataclass(frozen=True, eq=False)

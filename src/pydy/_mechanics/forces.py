@@ -91,7 +91,7 @@ class ConstraintForces:
     @cached_property
     def _multipliers(self) -> Vec:
         kinematics = self._kinematics
-        g, dependent = kinematics.graph, self.body.dependent_columns
+        g, dependent = kinematics.graph, self.body.dependents.speed_columns
         unbalanced = self._unbalanced()
         rows = [
             *kinematics.dt(kinematics.read.all(self.holonomic.values())),
@@ -99,12 +99,12 @@ class ConstraintForces:
             *kinematics.read.all(self.redundant.values()),
         ]
         rank = len(dependent)
-        if self.body.changing:  # no speed is dependent in all configurations
+        if self.body.dependents.changing:  # no speed is dependent in all configurations
             dependent = tuple(range(len(kinematics.speeds)))
         bound = jacobian(g, rows, [kinematics.speeds[k] for k in dependent])
         columns = bound.dense()  # Jᵀ, by columns
         force = [g.neg(unbalanced[k]) for k in dependent]
-        if self.body.changing:
+        if self.body.dependents.changing:
             multipliers = multipliers_of(g, columns, force, rank)
         elif len(columns) == len(dependent):
             transposed = [list(row) for row in zip(*columns, strict=True)]

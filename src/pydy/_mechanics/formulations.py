@@ -34,7 +34,7 @@ from pydy._mechanics.equation_graph import DynamicEquations, EquationGraph
 from pydy._mechanics.implicit import check_forces
 from pydy._mechanics.inertia import Inertia, composite_contributions, loads_and_inertias, points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.multibody import Multibody, independent_first
 from pydy._mechanics.reduction import reduced
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import SAME_DIRECTION
@@ -72,12 +72,12 @@ def forms(
     """
     # With dependent speeds the constraints contain `start` as well: a rider's bicycle would take
     # 4,359 operations instead of 4,211.
-    free = not body.velocity
+    free = not body.constraints.velocity
     kinematics = moving(body, in_bodies, falling=in_bodies, fixed_honoured=honoured, referred=free)
     g = kinematics.graph
     inertias, loads, body_inertias = composite_contributions(kinematics)
     kinetic = _kinetic(kinematics, body_inertias)
-    if body.implicit is not None:
+    if body.constraints.implicit is not None:
         check_forces(body, g, kinetic)
     matrix, residual = composite(kinematics, inertias, loads)
     start, moved = kinematics.start(), _depends_on_accelerations(kinematics, residual)
@@ -89,7 +89,7 @@ def forms(
         measures=tuple(_measures(kinematics, body_inertias)) if in_bodies else (),
     )
     kinds = [composed]
-    if not body.velocity and not moved:
+    if not body.constraints.velocity and not moved:
         fast, sound = eliminated(kinematics, inertias, loads, body_inertias)
         correction = LinearSystem(g, matrix).guarded(residual, sound, fast)
         accelerations = kinematics.plus(start, correction)
@@ -106,7 +106,7 @@ def _composed(
 ) -> EquationGraph:
     """Return the equations M (u' − start) = residual, reduced to independent speeds."""
     g, read, accelerations = kinematics.graph, kinematics.read, None
-    if kinematics.body.velocity:
+    if kinematics.body.constraints.velocity:
         moved = _depends_on_accelerations(kinematics, residual)
         matrix, residual, accelerations = reduced(kinematics, matrix, residual, moved)
     forcing = kinematics.plus(residual, kinematics.product(matrix, start))
@@ -137,7 +137,7 @@ def _without_idle(formed: EquationGraph) -> EquationGraph:
 
 def in_order_of_states(formed: EquationGraph, body: Multibody) -> EquationGraph:
     """Return a copy in the order of the body's states; dependent speeds are last before."""
-    first = body.independent_first
+    first = independent_first(body)
     return formed.ordered(
         [first.coordinates.index(q) for q in body.coordinates],
         [first.speeds.index(u) for u in body.speeds],
@@ -165,7 +165,7 @@ def _check_masses(
 ) -> None:
     """Refuse an independent speed that moves no mass: no equation determines its derivative."""
     n = len(body.speeds)
-    free = n - len(body.velocity)
+    free = n - len(body.constraints.velocity)
     bound = any(matrix[k][k] != graph.zero for k in range(free, n))
     for k, speed in enumerate(body.speeds[:free]):
         if matrix[k][k] == graph.zero and not bound:
@@ -257,7 +257,7 @@ def form_lagrangian(body: Multibody) -> EquationGraph:
     With constraints, q'' follows from multipliers, in every configuration and for any choice of
     dependent speeds. M and F are reduced as in Kane's equations.
     """
-    kinematics = moving(body.independent_first, in_bodies=True)
+    kinematics = moving(independent_first(body), in_bodies=True)
     matrix, forcing = lagranges_equations(kinematics)
     nothing = [kinematics.graph.zero] * len(forcing)
     return in_order_of_states(_composed(kinematics, matrix, forcing, nothing), body)
@@ -277,7 +277,7 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
         )
     momenta, matrix = hessian(g, node, speeds)
     # Coordinates in the order of the speeds, which are their derivatives.
-    order = {rate: k for k, rate in enumerate(body.coordinate_rates)}
+    order = {rate: k for k, rate in enumerate(body.kinematics.coordinate_rates)}
     coordinates = [g.input("x", order[u]) for u in body.speeds]
     (by_coordinate,) = jacobian(g, [node], coordinates)
     forcing = [

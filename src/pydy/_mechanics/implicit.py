@@ -123,12 +123,15 @@ class Implicit:
                 f"`implicit` gives {describe(duplicates)}, which the system has as a coordinate or "
                 "speed already. Leave it out of the one or the other."
             )
-        mapping = dict(zip(body.coordinate_rates, body.coordinate_derivatives, strict=True))
+        kinematics, constraints = body.kinematics, body.constraints
+        known = zip(kinematics.coordinate_rates, kinematics.coordinate_derivatives, strict=True)
+        mapping = dict(known)
         residuals = [
             e if mapping.keys().isdisjoint(find_symbols([e])) else replace_symbols(e, mapping)
             for e in self.residuals.values()
         ]
-        moving = {*body.speed_rates, *body.auxiliary, *(rate_of(z, time) for z in unknowns)}
+        rates = tuple(rate_of(z, time) for z in unknowns)
+        moving = {*kinematics.speed_rates, *body.auxiliary, *rates}
         for z, residual in zip(unknowns, residuals, strict=True):
             if refused := [s for s in find_symbols([residual]) if s in moving]:
                 raise ValueError(
@@ -136,29 +139,34 @@ class Implicit:
                     "coordinates and speeds, but no derivatives of speeds or unknowns. Write what "
                     "depends on accelerations as an output."
                 )
-        rates = tuple(rate_of(z, time) for z in unknowns)
+        derivatives = *kinematics.coordinate_derivatives, *_rates(body, unknowns, residuals)
         return replace(
             body,
             coordinates=(*body.coordinates, *unknowns),
-            coordinate_rates=(*body.coordinate_rates, *rates),
-            coordinate_derivatives=(
-                *body.coordinate_derivatives,
-                *_rates(body, unknowns, residuals),
+            kinematics=replace(
+                kinematics,
+                coordinate_rates=(*kinematics.coordinate_rates, *rates),
+                coordinate_derivatives=derivatives,
             ),
-            holonomic=(*body.holonomic, *residuals),
-            dependent_coordinates=(*body.dependent_coordinates, *unknowns),
-            implicit=Implicit(dict(zip(unknowns, residuals, strict=True)), self.start),
+            dependents=replace(
+                body.dependents, coordinates=(*body.dependents.coordinates, *unknowns)
+            ),
+            constraints=replace(
+                constraints,
+                holonomic=(*constraints.holonomic, *residuals),
+                implicit=Implicit(dict(zip(unknowns, residuals, strict=True)), self.start),
+            ),
         )
 
 
 def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
     """Refuse positions and constraints that contain unknowns of residuals with speeds."""
-    rates = zip(body.coordinates, body.coordinate_derivatives, strict=True)
-    moved = {*body.speed_rates}
+    rates = zip(body.coordinates, body.kinematics.coordinate_derivatives, strict=True)
+    moved = {*body.kinematics.speed_rates}
     unknowns = [z for z, rate in rates if not moved.isdisjoint(find_symbols([rate]))]
     if not unknowns:
         return
-    contained = find_symbols([*body.position_constraints, *body.velocity])
+    contained = find_symbols([*body.constraints.of_positions, *body.constraints.velocity])
     if "a" in inputs_of(graph, [kinetic]).groups or not contained.keys().isdisjoint(unknowns):
         raise ValueError(
             f"A position, velocity or constraint holds {describe(unknowns)}, whose residuals hold "

@@ -114,7 +114,7 @@ class BodyDynamics:
         """
         kinematics, forces = _required(body)
         g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
-        rows = kinematics.read.all(body.velocity) if bound or at is not None else []
+        rows = kinematics.read.all(body.constraints.velocity) if bound or at is not None else []
         slopes = jacobian(g, rows, kinematics.speeds).dense()
         if at is not None:
             other_speeds = [k for k in range(n) if k not in at]
@@ -131,7 +131,7 @@ class BodyDynamics:
             forces = chosen_forces
         if bound:
             unknown = [rates[k] for k in bound]
-            residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
+            residuals = kinematics.read.all(body.constraints.acceleration) or kinematics.dt(rows)
             matrix = jacobian(g, residuals, unknown).dense()
             drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
             solved = LinearSystem(g, matrix).solve([g.neg(node) for node in drift])

@@ -14,6 +14,8 @@ from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.formulations import without_idle
 from pydy._mechanics.implicit import Implicit
+from pydy._mechanics.kinematic_constraints import DependentStates, KinematicConstraints
+from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.rates import divide_alike, solve_rates
 from pydy._mechanics.reader import activation_states, check_bodies, read_loads
@@ -28,7 +30,7 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
 
     ``kanes_equations()`` need not have been called.
     """
-    rates = _rates(kane)
+    rates, time = _rates(kane), dynamicsymbols._t
     velocity: tuple[sm.Expr, ...] = ()
     acceleration: tuple[sm.Expr, ...] = ()
     if kane._k_nh:
@@ -40,17 +42,15 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
         frame=kane._inertial,
         bodies=check_bodies(kane.bodies or ()),
         loads=read_loads(kane.loads or ()),
-        time=dynamicsymbols._t,
+        time=time,
         coordinates=tuple(kane.q),
         speeds=tuple(kane.u),
-        coordinate_rates=tuple(kane._qdot),
-        coordinate_derivatives=tuple(rates[rate] for rate in kane._qdot),
-        holonomic=tuple(kane._f_h),
-        velocity=velocity,
-        acceleration=acceleration,
+        kinematics=KinematicEquations.of(
+            time, kane.u, kane._qdot, [rates[rate] for rate in kane._qdot], kane._uaux
+        ),
+        dependents=DependentStates(tuple(kane._qdep), tuple(kane._udep), tuple(kane.u)),
+        constraints=KinematicConstraints(tuple(kane._f_h), velocity, acceleration),
         auxiliary=tuple(kane._uaux),
-        dependent_coordinates=tuple(kane._qdep),
-        dependent_speeds=tuple(kane._udep),
         activations=tuple(activation_states(kane.loads or (), tuple(kane.q))),
     )
 

@@ -67,15 +67,15 @@ class Kinematics:
         coordinates = self.coordinates = [atoms[s] for s in body.coordinates]
         self.speeds = [atoms[s] for s in body.speeds]
         self.accelerations = [g.input("a", k) for k in range(len(self.speeds))]
-        atoms.update(zip(body.speed_rates, self.accelerations, strict=True))
+        atoms.update(zip(body.kinematics.speed_rates, self.accelerations, strict=True))
         self.auxiliary = [g.input("aux", k) for k in range(len(body.auxiliary) if auxiliary else 0)]
         for k, s in enumerate(body.auxiliary):
             atoms[s] = self.auxiliary[k] if auxiliary else g.zero
             atoms[s.diff(body.time)] = g.zero
         self.read = InputReader(g, atoms, states)
         self.read.second = self._second
-        self.rates = self.read.all(body.coordinate_derivatives)
-        for symbol, node in zip(body.coordinate_rates, self.rates, strict=True):
+        self.rates = self.read.all(body.kinematics.coordinate_derivatives)
+        for symbol, node in zip(body.kinematics.coordinate_rates, self.rates, strict=True):
             self.read.define(symbol, node)
         self._dots = DerivativeRows(
             g,
@@ -135,7 +135,7 @@ class Kinematics:
         """Return the symbol of each input node, except auxiliary speeds."""
         body, read, g = self.body, self.read, self.graph
         states = (*body.coordinates, *body.speeds)
-        groups = {"t": [body.time], "x": states, "a": body.speed_rates}
+        groups = {"t": [body.time], "x": states, "a": body.kinematics.speed_rates}
         groups |= {"p": read.constants, "r": read.specifieds}
         return {g.input(group, k): s for group, part in groups.items() for k, s in enumerate(part)}
 
@@ -355,7 +355,7 @@ class Kinematics:
     def _accelerating(self, vector: Vector, home: AnyFrame) -> Vec:
         """Return an acceleration that the user wrote, at the u' of `start`."""
         read = self.read
-        symbols = dict(zip(self.body.speed_rates, self.accelerations, strict=True))
+        symbols = dict(zip(self.body.kinematics.speed_rates, self.accelerations, strict=True))
         for symbol, node in zip(symbols, self.start(), strict=True):
             read.define(symbol, node)
         self._at_rest = True

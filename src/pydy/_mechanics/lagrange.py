@@ -12,6 +12,8 @@ from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.formulations import form_lagrangian
 from pydy._mechanics.implicit import Implicit
+from pydy._mechanics.kinematic_constraints import DependentStates
+from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import activation_states, check_bodies, is_rigid, read_loads
 from pydy._mechanics.select_formulation import classify, kinematics_of
@@ -38,18 +40,18 @@ def equations_of_lagrange(
             "`eom_method` has a `forcelist` but no `frame`: give LagrangesMethod the inertial "
             "frame in which velocities are taken."
         )
-    coordinates, rates = tuple(method.q), tuple(method._qdots)
+    coordinates, rates, time = tuple(method.q), tuple(method._qdots), dynamicsymbols._t
     holonomic = tuple(_named(method, "holonomic_constraints", "_hol_coneqs"))
     velocity = tuple(_named(method, "velocity_constraints", "coneqs"))
     body = Multibody(
         frame=method.inertial or ReferenceFrame("inertial"),
         bodies=(),
         loads=read_loads(method.loads or ()),
-        time=dynamicsymbols._t,
+        time=time,
         coordinates=coordinates,
         speeds=rates,
-        coordinate_rates=rates,
-        coordinate_derivatives=rates,
+        kinematics=KinematicEquations.of(time, rates, rates, rates),
+        dependents=DependentStates(all_speeds=rates),
         lagrangian=method._L[0],
         activations=tuple(activation_states(method.loads or (), coordinates)),
     )

@@ -1,15 +1,15 @@
-"""Bodies, loads and kinematics: what equations of motion are formed from."""
+"""Bodies, loads, kinematics and constraints: what equations of motion are formed from."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from pydy._forks import cached_property
 from pydy._mechanics.frame_tree import FrameTree
+from pydy._mechanics.kinematic_constraints import DependentStates, KinematicConstraints
+from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.reader import is_rigid
-from pydy._mechanics.symbols import rate_of
 
 if TYPE_CHECKING:
     import sympy as sm
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Multibody:
-    """Bodies, loads and kinematics, from which equations of motion are formed."""
+    """Bodies, loads, kinematics and constraints, from which equations of motion are formed."""
 
     frame: ReferenceFrame  # the inertial frame
     bodies: tuple[Body, ...]
@@ -28,27 +28,12 @@ class Multibody:
     time: sm.Symbol
     coordinates: tuple[TimeFunction, ...]  # in the order of the states, like the speeds
     speeds: tuple[TimeFunction, ...]
-    coordinate_rates: tuple[sm.Derivative, ...]
-    coordinate_derivatives: tuple[sm.Expr, ...]  # q' in q, u and t
-    holonomic: tuple[sm.Expr, ...] = ()  # configuration constraints, zero when satisfied
-    velocity: tuple[sm.Expr, ...] = ()  # velocity constraints, one for each dependent speed
-    # Their derivatives, in u' and the states; empty where they are just that.
-    acceleration: tuple[sm.Expr, ...] = ()
+    kinematics: KinematicEquations
+    dependents: DependentStates
+    constraints: KinematicConstraints = field(default_factory=KinematicConstraints)
     auxiliary: tuple[TimeFunction, ...] = ()  # auxiliary speeds
-    # Of the coordinates and speeds; the speeds in the order of the velocity constraints.
-    dependent_coordinates: tuple[TimeFunction, ...] = ()
-    dependent_speeds: tuple[TimeFunction, ...] = ()
-    chosen: tuple[TimeFunction, ...] = ()  # the dependent ones that the user did not choose
     # In place of bodies; the speeds are then the derivatives of the coordinates.
     lagrangian: sm.Expr | None = None
-    # More velocity constraints, which follow from the others at generic states.
-    redundant: tuple[sm.Expr, ...] = ()
-    # More holonomic constraints, which follow from the others wherever their speeds do.
-    closed: tuple[sm.Expr, ...] = ()
-    # Whether the choice of dependent speeds may become invalid: the rank of the constraints, or
-    # the speeds for which they can be solved, may change as the system moves.
-    changing: bool = False
-    implicit: Any = None  # the `Implicit` that gave some coordinates and holonomic constraints
     activations: tuple[TimeFunction, ...] = ()  # states of musculotendons that are specifieds here
     # The properties of the bodies when they were read: SymPy lets users change them.
     snapshots: tuple[tuple[Body, tuple[Any, ...]], ...] = ()
@@ -57,12 +42,6 @@ class Multibody:
         if not self.snapshots:
             snapshots = tuple((body, _snapshot(body)) for body in self.bodies)
             object.__setattr__(self, "snapshots", snapshots)
-
-    @property
-    def position_constraints(self) -> list[sm.Expr]:
-        """The holonomic constraints, except the residuals of an `Implicit`."""
-        residuals = set() if self.implicit is None else {*self.implicit.residuals.values()}
-        return [e for e in (*self.holonomic, *self.closed) if e not in residuals]
 
     def check_unchanged(self) -> None:
         """Refuse bodies that changed since they were read: their equations would be outdated."""
@@ -79,31 +58,28 @@ class Multibody:
                         "new System, or undo the change. For values that vary, use constants."
                     )
 
-    @cached_property
-    def speed_rates(self) -> tuple[sm.Derivative, ...]:
-        """The derivatives of the speeds."""
-        return tuple(rate_of(u, self.time) for u in self.speeds)
 
-    @cached_property
-    def dependent_columns(self) -> tuple[int, ...]:
-        """The positions of the dependent speeds among the speeds, in their own order."""
-        return tuple(self.speeds.index(u) for u in self.dependent_speeds)
-
-    @property
-    def independent_first(self) -> Multibody:
-        """A copy with the dependent coordinates and speeds last, as equations are formed."""
-        coordinates = _last(self.coordinates, self.dependent_coordinates)
-        speeds = _last(self.speeds, self.dependent_speeds)
-        if (coordinates, speeds) == (self.coordinates, self.speeds):
-            return self
-        order = [self.coordinates.index(q) for q in coordinates]
-        return replace(
-            self,
-            coordinates=coordinates,
-            speeds=speeds,
-            coordinate_rates=tuple(self.coordinate_rates[k] for k in order),
-            coordinate_derivatives=tuple(self.coordinate_derivatives[k] for k in order),
-        )
+def independent_first(body: Multibody) -> Multibody:
+    """Return a copy with the dependent coordinates and speeds last, as equations are formed."""
+    coordinates = _last(body.coordinates, body.dependents.coordinates)
+    speeds = _last(body.speeds, body.dependents.speeds)
+    if (coordinates, speeds) == (body.coordinates, body.speeds):
+        return body
+    kinematics = body.kinematics
+    order = [body.coordinates.index(q) for q in coordinates]
+    order_of_speeds = [body.speeds.index(u) for u in speeds]
+    return replace(
+        body,
+        coordinates=coordinates,
+        speeds=speeds,
+        kinematics=replace(
+            kinematics,
+            coordinate_rates=tuple(kinematics.coordinate_rates[k] for k in order),
+            speed_rates=tuple(kinematics.speed_rates[k] for k in order_of_speeds),
+            coordinate_derivatives=tuple(kinematics.coordinate_derivatives[k] for k in order),
+        ),
+        dependents=replace(body.dependents, all_speeds=speeds),
+    )
 
 
 def _last(

@@ -53,9 +53,9 @@ def reduced(
     [1; A]ᵀ M [1; A] u_i' = [1; A]ᵀ (F − M [0; b]).
     """
     g, n = kinematics.graph, len(forcing)
-    d = len(kinematics.body.velocity)
+    d = len(kinematics.body.constraints.velocity)
     p = n - d
-    rows, bias = _constraints(kinematics, kinematics.body.velocity)
+    rows, bias = _constraints(kinematics, kinematics.body.constraints.velocity)
     dependent_part = [row[p:] for row in rows]
     columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in bias]]
     solved, determinants = solve_by_cofactors(g, dependent_part, columns) or (
@@ -74,7 +74,7 @@ def reduced(
     if user_rows or moved:
         return *system, None
     bound = _all_constraints(kinematics, rows, bias)
-    if kinematics.body.changing and definite(g, matrix):
+    if kinematics.body.dependents.changing and definite(g, matrix):
         return *system, bound.accelerations(g, matrix, forcing)
     base = [g.zero] * p + solved[p]
     basis = _Basis(g, null_space, upper_rows, base, _nearly_parallel(g, matrix, rows))
@@ -178,18 +178,19 @@ def _all_constraints(
 ) -> AccelerationConstraints:
     """Return the constraints, redundant ones included, and their residuals."""
     body, read, dt = kinematics.body, kinematics.read, kinematics.dt
-    velocity = body.velocity
-    if body.changing:
-        redundant_rows, redundant_bias = _constraints(kinematics, body.redundant)
+    constraints = body.constraints
+    velocity = constraints.velocity
+    if body.dependents.changing:
+        redundant_rows, redundant_bias = _constraints(kinematics, constraints.redundant.velocity)
         velocity, rows, bias = (
-            (*velocity, *body.redundant),
+            (*velocity, *constraints.redundant.velocity),
             [*rows, *redundant_rows],
             [*bias, *redundant_bias],
         )
     rates = [dt(row) for row in rows]
-    residuals = read.all(body.position_constraints)
+    residuals = read.all(constraints.of_positions)
     residual_rows = jacobian(kinematics.graph, dt(residuals), kinematics.speeds).dense()
-    d = len(body.velocity)
+    d = len(constraints.velocity)
     pairs = list(zip(residuals, residual_rows, strict=True))
     return AccelerationConstraints(rows, bias, d, rates, read.all(velocity), pairs)
 
@@ -207,9 +208,9 @@ def _given_accelerations(
 ) -> tuple[list[list[int]], list[int]] | None:
     """Return K and b of the user's acceleration constraints, unless they equal those of `rows`."""
     g, body = kinematics.graph, kinematics.body
-    if not body.acceleration:
+    if not body.constraints.acceleration:
         return None
-    nodes = kinematics.read.all(body.acceleration)
+    nodes = kinematics.read.all(body.constraints.acceleration)
     table = jacobian(g, nodes, kinematics.accelerations).dense()
     bias = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
     flat = [n for row in (*table, bias) for n in row]

@@ -34,15 +34,12 @@ from pydy._graph import (
 from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.constraints import (
     ConstraintEquations,
-    DependentStates,
     ImplicitResiduals,
-    RedundantConstraints,
 )
 from pydy._mechanics.equation_graph import DynamicEquations, EquationGraph
 from pydy._mechanics.equations import (
     AuxiliaryEquations,
     Equations,
-    KinematicEquations,
     MassAndForcing,
     Mechanism,
 )
@@ -55,8 +52,8 @@ from pydy._mechanics.generic import (
     evaluator_of,
     row_units,
 )
-from pydy._mechanics.multibody import Multibody
-from pydy._mechanics.symbols import rate_of
+from pydy._mechanics.kinematic_constraints import RedundantConstraints
+from pydy._mechanics.multibody import Multibody, independent_first
 from pydy._mechanics.tuning import CANCELLED, NEARLY_DEPENDENT
 from pydy._rank import HALF, is_zero
 
@@ -65,30 +62,23 @@ _LOG = logging.getLogger("pydy")
 
 def kinematics_of(body: Multibody) -> Equations:
     """Return the kinematics and constraints alone, without equations of motion."""
-    auxiliary = body.auxiliary
-    kinematics = KinematicEquations(
-        body.coordinate_rates,
-        body.speed_rates,
-        body.coordinate_derivatives,
-        # In motion the auxiliary speeds are zero at all times.
-        zeros=(*auxiliary, *(rate_of(u, body.time) for u in auxiliary)),
-    )
+    own = body.constraints
     multibody = body if body.bodies or body.lagrangian is not None else None
-    residuals = ImplicitResiduals(body.implicit, body.holonomic, body.coordinates, body.speeds)
-    constraints = ConstraintEquations(body.holonomic, body.velocity, residuals)
+    residuals = ImplicitResiduals(own.implicit, own.holonomic, body.coordinates, body.speeds)
+    constraints = ConstraintEquations(own.holonomic, own.velocity, residuals)
     if multibody is not None:
-        velocity = tuple(map(kinematics.in_states, body.redundant))
-        redundant = RedundantConstraints(body.closed, velocity)
+        velocity = tuple(map(body.kinematics.in_states, own.redundant.velocity))
+        redundant = RedundantConstraints(own.redundant.holonomic, velocity)
         constraints = replace(constraints, redundant=redundant)
     return Equations(
         time=body.time,
         coordinates=body.coordinates,
         speeds=body.speeds,
-        kinematics=kinematics,
-        matrices=MassAndForcing(positive_definite=not body.dependent_speeds),
+        kinematics=body.kinematics,
+        matrices=MassAndForcing(positive_definite=not body.dependents.speeds),
         constraints=constraints,
-        dependents=DependentStates(body.dependent_coordinates, body.dependent_speeds, body.speeds),
-        auxiliary=AuxiliaryEquations(auxiliary),
+        dependents=body.dependents,
+        auxiliary=AuxiliaryEquations(body.auxiliary),
         multibody=multibody,
     )
 
@@ -115,7 +105,7 @@ def chosen(body: Multibody) -> EquationGraph:
     if rates of specifieds occur, which the kinematics may introduce. Dependent speeds are last
     while equations are formed, and in their original positions afterwards.
     """
-    return in_order_of_states(_fewest(body.independent_first), body)
+    return in_order_of_states(_fewest(independent_first(body)), body)
 
 
 def _fewest(body: Multibody) -> EquationGraph:

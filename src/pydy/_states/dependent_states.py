@@ -111,9 +111,8 @@ def _motions(problem: Problem, x: np.ndarray) -> np.ndarray:
 
 def _guessed(definition: Definition) -> set[AnySymbol]:
     """Return the dependent coordinates that the user chose."""
-    equations = definition.equations
-    body = equations.multibody
-    return set(equations.dependents.coordinates) - set(() if body is None else body.chosen)
+    dependents = definition.equations.dependents
+    return {*dependents.coordinates} - {*dependents.chosen}
 
 
 def _warn_of_changes(

@@ -38,7 +38,7 @@ def _pendulum() -> SimpleNamespace:
 
 def _defined(**changes: Any) -> str:
     definition = Definition(**{**_pendulum().given, **changes})
-    return repr((definition, definition.multibody.coordinate_derivatives))
+    return repr((definition, definition.multibody.kinematics.coordinate_derivatives))
 
 
 def _numbers_by_key(value: Any) -> bool:
