@@ -2,8 +2,8 @@
 
 `read_tir` reads a tire property file, `MagicFormula` makes a tire of it; `LinearTire`, `BrushTire`
 and `TMeasy` need a few parameters only. A tire is asked for its forces with numbers, arrays, or
-SymPy expressions, which go into loads, outputs and specifieds. `fit_tire` fits its parameters to
-measurements.
+SymPy expressions, which go into loads, outputs and specifieds. `WheelContact` makes loads of a tire
+for a wheel that moves freely. `fit_tire` fits the parameters of a tire to measurements.
 """
 
 import lazy_loader
@@ -17,6 +17,7 @@ __all__ = [
     "TireFile",
     "TireFit",
     "TireForces",
+    "WheelContact",
     "fit_tire",
     "plot_tire",
     "plot_tire_carpet",

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
+from sympy.physics.mechanics import ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
 from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
 from fuzz.table import expression, mapping, one_of, plotted, target
@@ -15,12 +16,14 @@ from pydy.vehicles import (
     LinearTire,
     MagicFormula,
     TMeasy,
+    WheelContact,
     fit_tire,
     plot_tire,
     plot_tire_carpet,
     read_tir,
 )
 from tires import TABLE_A31
+from zoo import inertial_frame
 
 
 def _parameter(value: Any) -> Any:
@@ -228,6 +231,64 @@ def _(v):
 @target("fit_tire.bounds", mapping)
 def _(v):
     return _fit(bounds=v)
+
+
+@cache
+def _wheel() -> Any:
+    N, O = inertial_frame()
+    x, z, q, vx, vz, w = dynamicsymbols("x z q vx vz w")
+    W = ReferenceFrame("W")
+    W.orient_axis(N, N.y, q)
+    W.set_ang_vel(N, w * N.y)
+    G = O.locatenew("G", x * N.x + z * N.z)
+    G.set_vel(N, vx * N.x + vz * N.z)
+    body = RigidBody("wheel", G, W, 10, (inertia(W, 0, 1, 0), G))
+    return {
+        "body": body, "axis": N.y, "radius": 0.3, "plane": O, "normal": N.z, "frame": N,
+        "force": lambda gap, rate: -1e5 * gap,
+    }  # fmt: skip
+
+
+def _law(value: Any) -> Any:
+    try:
+        found = value(sm.Symbol("a"), sm.Symbol("b"))
+    except Exception as error:
+        raise RefusedError from error
+    return _parameter(found)
+
+
+_WHEEL: dict[str, Kind] = {
+    **dict.fromkeys(("body", "axis", "plane", "normal", "frame"), nothing("texts", "symbols")),
+    "radius": _positive,
+    "force": Kind(_law, ("common", "functions"), compare=False),
+    "crown_radius": _amount(least=0.0, below=0.3),
+    "low_speed": _positive,
+    "name": nothing("texts", allowed=lambda v: isinstance(v, str)),
+}
+
+for _name, _kind in _WHEEL.items():
+
+    @target(f"WheelContact.{_name}", _kind)
+    def _(v, name=_name):
+        return str(WheelContact(**{**_wheel(), name: v}).kappa)
+
+
+@target("WheelContact.forces.tire", nothing("texts", "symbols"))
+def _(v):
+    return str(WheelContact(**_wheel()).forces(v))
+
+
+@target("WheelContact.loads.tire", nothing("texts", "symbols"))
+def _(v):
+    return str(WheelContact(**_wheel()).loads(v))
+
+
+for _method in ("forces", "loads"):
+
+    @target(f"WheelContact.{_method}.pressure", _any.or_none())
+    def _(v, method=_method):
+        tire = LinearTire(4000, 1e5)
+        return str(getattr(WheelContact(**_wheel()), method)(tire, v))
 
 
 _brush = BrushTire(4000.0, 1e5, 1.0, 0.05)

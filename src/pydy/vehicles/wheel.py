@@ -1,0 +1,230 @@
+"""A wheel on a plane: where it touches, how it slips, and the loads of its tire."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeAlias
+
+import sympy as sm
+from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
+
+from pydy._checks import instance, shown
+from pydy._rank import ROUNDED
+from pydy.solvers import Event
+from pydy.vehicles.algebra import checked_quantity, is_symbolic
+from pydy.vehicles.forces import Tire, TireForces, checked_parameters
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import Expression, Load
+
+# A law of the normal force: a function of the gap and its rate.
+Law: TypeAlias = "Callable[[Expression, Expression], Expression | float]"
+
+
+class WheelContact:
+    """A wheel, a thin disc or a torus, that touches a plane.
+
+    The contact point C lies on the plane, in the vertical plane through the wheel's axle. Axes at C
+    are those of `MagicFormula`: forward along the intersection of the wheel plane with the ground,
+    left, and up along the normal. With the deflection ρ, the velocity of the wheel's centre V and
+    the sliding velocity V_s, that of the wheel's material at C, ::
+
+        κ = −V_sx/|V_x|    tan α = V_sy/|V_x|    sin γ = axis · normal
+
+    Below `low_speed` that speed replaces the size of V_x: at rest a tire acts as a damper, and a
+    wheel on a slope creeps.
+
+    Parameters
+    ----------
+    body : RigidBody
+        The wheel. Its mass centre is its centre, with a velocity in `frame`.
+    axis : Vector
+        Unit vector along the axle, to the left: a positive rotation about it rolls forward.
+    radius : number or expression
+        Largest radius of the wheel without load (m).
+    plane : Point
+        A point of the plane, at rest in `frame`.
+    normal : Vector
+        Unit normal of the plane, towards the wheel, constant in `frame`.
+    frame : ReferenceFrame
+        The inertial frame.
+    force : callable
+        ``force(gap, rate)`` returns the normal force (N), such as a law of `pydy.contact`. The gap
+        is the distance to the plane (m), negative where the tire is deflected.
+    crown_radius : number or expression, optional
+        Radius of the cross section (m): that of a torus, 0 for a thin disc.
+    low_speed : number or expression, optional
+        Smallest speed that slips are relative to (m/s).
+    name : str, optional
+        Name of the event.
+
+    Attributes
+    ----------
+    gap, rate : expression
+        Distance of the undeformed wheel to the plane (m) and its time derivative.
+    normal_force : expression
+        Load F_z (N).
+    loaded_radius : expression
+        Distance from the centre to the plane within the wheel plane (m).
+    contact : Vector
+        From the centre to C.
+    forward, left : Vector
+        Unit vectors.
+    speed : expression
+        V_x (m/s).
+    kappa, alpha, gamma : expression
+        Slips and camber, as a tire reads them.
+    events : list of Event
+        Where the wheel lifts off and touches.
+
+    Notes
+    -----
+    A wheel that lies on its side has no forward direction: the expressions are singular there.
+
+    References
+    ----------
+    H. B. Pacejka, Tire and Vehicle Dynamics, 3rd ed., Butterworth-Heinemann, 2012, sections 2.2,
+    9.3 and 11.2.
+
+    Examples
+    --------
+    A wheel is set on the road at 10 m/s without spin, and ends at two thirds of that speed:
+
+    >>> import numpy as np
+    >>> import sympy as sm
+    >>> import sympy.physics.mechanics as me
+    >>> from pydy import System
+    >>> from pydy.contact import kelvin_voigt
+    >>> from pydy.mechanics import Definition
+    >>> from pydy.vehicles import BrushTire, WheelContact
+    >>> x, z, q, vx, vz, w = me.dynamicsymbols('x z q v_x v_z omega')
+    >>> N, W, O = me.ReferenceFrame('N'), me.ReferenceFrame('W'), me.Point('O')
+    >>> W.orient_axis(N, N.y, q)
+    >>> W.set_ang_vel(N, w*N.y)
+    >>> O.set_vel(N, 0)
+    >>> G = O.locatenew('G', x*N.x + z*N.z)
+    >>> G.set_vel(N, vx*N.x + vz*N.z)
+    >>> m, r, g = 10, 0.3, 9.81
+    >>> disc = me.RigidBody('disc', G, W, m, (me.inertia(W, 0, m*r**2/2, 0), G))
+    >>> contact = WheelContact(disc, N.y, r, O, N.z, N,
+    ...                        lambda gap, rate: kelvin_voigt(gap, rate, 1e8, 1e4))
+    >>> loads = contact.loads(BrushTire(100, stiffness=1000, friction=0.8))
+    >>> system = System(Definition(N, [x, z, q], [vx, vz, w], bodies=[disc],
+    ...                            loads=[(G, -m*g*N.z), *loads]), ode_solver='radau',
+    ...                 initial_conditions={vx: 10, z: r}, times=np.linspace(0, 2, 21))
+    >>> round(float(system.simulate()['v_x'][-1]), 2)
+    6.67
+    """
+
+    def __init__(
+        self,
+        body: RigidBody,
+        axis: Vector,
+        radius: Expression | float,
+        plane: Point,
+        normal: Vector,
+        frame: ReferenceFrame,
+        force: Law,
+        *,
+        crown_radius: Expression | float = 0.0,
+        low_speed: Expression | float = 0.1,
+        name: str = "touch",
+    ) -> None:
+        instance(body, RigidBody, "`body`")
+        instance(plane, Point, "`plane`")
+        instance(frame, ReferenceFrame, "`frame`")
+        for label, vector in (("axis", axis), ("normal", normal)):
+            _check_unit(label, vector)
+        if not callable(force):
+            raise TypeError(f"`force` must be a function, got {shown(force)}.")
+        sizes = checked_parameters(
+            {"radius": radius, "crown_radius": crown_radius, "low_speed": low_speed},
+            positive=("radius", "low_speed"),
+            not_negative=("crown_radius",),
+        )
+        r, crown = sizes["radius"], sizes["crown_radius"]
+        if not (is_symbolic(r) or is_symbolic(crown) or crown < r):
+            raise ValueError(
+                f"`crown_radius` must be smaller than `radius`, got {crown!r} and {r!r}."
+            )
+        self.body, self.normal = body, normal
+        centre = body.masscenter
+        lean = axis.dot(normal)
+        upright = sm.sqrt(1 - lean**2)  # cos γ
+        self.forward = axis.cross(normal) / upright
+        self.left = normal.cross(self.forward)
+        down = axis.cross(self.forward)
+        height = centre.pos_from(plane).dot(normal)
+        self.gap = height - (r - crown) * upright - crown
+        lowest = (r - crown) * down - crown * normal
+        velocity, rotation = centre.vel(frame), body.frame.ang_vel_in(frame)
+        self.rate = (velocity + rotation.cross(lowest)).dot(normal)
+        self.normal_force = _of_law(force, self.gap, self.rate)
+        self.loaded_radius = height / upright
+        # The deflection is along the wheel plane: C lies on the ground at any camber.
+        self.contact = lowest + self.gap / upright * down
+        sliding = velocity + rotation.cross(self.contact)
+        self.speed = velocity.dot(self.forward)
+        size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
+        self.kappa = -sliding.dot(self.forward) / size
+        self.alpha = sm.atan(sliding.dot(self.left) / size)
+        self.gamma = sm.asin(lean)
+        self.events = [Event(self.gap, name=name)]
+
+    def forces(self, tire: Tire, pressure: Expression | float | None = None) -> TireForces:
+        """Return the forces and moments of a tire on this wheel, for outputs.
+
+        Parameters
+        ----------
+        tire : tire
+            Such as a `MagicFormula`.
+        pressure : number or expression, optional
+            As for `MagicFormula.forces`.
+
+        Returns
+        -------
+        TireForces
+        """
+        if not hasattr(tire, "forces") or isinstance(tire, type):
+            raise TypeError(f"`tire` must be a tire, such as MagicFormula, got {shown(tire)}.")
+        inputs = (self.normal_force, self.kappa, self.alpha, self.gamma)
+        return tire.forces(*inputs, speed=self.speed, pressure=pressure)
+
+    def loads(self, tire: Tire, pressure: Expression | float | None = None) -> list[Load]:
+        """Return the force at the wheel's centre and the torque, with what acts at C moved there.
+
+        Parameters
+        ----------
+        tire, pressure
+            As for `forces`.
+
+        Returns
+        -------
+        list of two
+            Pairs for `pydy.mechanics.Definition`, or a method of SymPy: of the centre and the
+            force, with the normal force, and of the wheel's frame and the torque.
+        """
+        found = self.forces(tire, pressure)
+        force = found.Fx * self.forward + found.Fy * self.left + self.normal_force * self.normal
+        moment = found.Mx * self.forward + found.My * self.left + found.Mz * self.normal
+        torque = moment + self.contact.cross(force)
+        return [(self.body.masscenter, force), (self.body.frame, torque)]
+
+
+def _of_law(law: Law, gap: Expression, rate: Expression) -> Expression:
+    """Return the normal force that a user's law gives."""
+    try:
+        result = law(gap, rate)
+    except Exception as error:
+        error.add_note("This was raised by `force(gap, rate)`, called with expressions.")
+        raise
+    return sm.sympify(checked_quantity(result, "`force(gap, rate)`", arrays=False))
+
+
+def _check_unit(label: str, vector: object) -> None:
+    instance(vector, Vector, f"`{label}`")
+    length = sm.simplify(vector.dot(vector))  # type: ignore[attr-defined]
+    if length.is_number and not abs(length - 1) <= ROUNDED:
+        raise ValueError(
+            f"`{label}` must be of unit length, got {vector}. Divide it by its length."
+        )

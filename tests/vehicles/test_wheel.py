@@ -1,0 +1,177 @@
+"""Wheels on a plane: contact point, slips and loads, against geometry and closed forms."""
+
+from functools import cache
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy.contact import kelvin_voigt
+from pydy.mechanics import Definition
+from pydy.system import System
+from pydy.vehicles import BrushTire, LinearTire, MagicFormula, WheelContact
+from tires import TABLE_A31
+from zoo import inertial_frame
+
+R, CROWN = 0.3, 0.06
+STATE = {"x": 0.1, "y": -0.2, "z": 0.27, "yaw": 0.4, "lean": 0.3, "spin": 1.2}
+RATES = {"vx": 8.0, "vy": 1.0, "vz": -0.3, "w1": 0.5, "w2": 20.0, "w3": -0.4}
+
+
+@cache
+def wheel(crown):
+    """A free wheel: yaw, lean to the right, spin; its angular velocity in the leaning axes."""
+    names = me.dynamicsymbols("x y z yaw lean spin")
+    rates = me.dynamicsymbols("vx vy vz w1 w2 w3")
+    x, y, z, yaw, lean, spin = names
+    N, O = inertial_frame()
+    A = N.orientnew("A", "Axis", (yaw, N.z))
+    B = A.orientnew("B", "Axis", (lean, A.x))
+    W = me.ReferenceFrame("W")
+    W.orient_axis(B, B.y, spin)
+    kinematics = W.ang_vel_in(N)
+    W.set_ang_vel(N, sum(w * v for w, v in zip(rates[3:], B, strict=True)))
+    G = O.locatenew("G", x * N.x + y * N.y + z * N.z)
+    G.set_vel(N, sum(v * e for v, e in zip(rates[:3], N, strict=True)))
+    body = me.RigidBody("wheel", G, W, 10, (me.inertia(B, 0.3, 0.5, 0.3), G))
+    contact = WheelContact(
+        body, B.y, R, O, N.z, N, lambda gap, rate: -2e5 * gap, crown_radius=crown
+    )
+    return SimpleNamespace(**locals())
+
+
+def values(w, expression):
+    """Return an expression, or the components of a vector in N, at the state above."""
+    given = {**STATE, **RATES}
+    symbols = [me.dynamicsymbols(name) for name in given]
+    if isinstance(expression, me.Vector):
+        expression = expression.to_matrix(w.N)
+    found = sm.lambdify(symbols, expression, cse=True)(*given.values())
+    return np.ravel(found) if isinstance(expression, sm.MatrixBase) else float(found)
+
+
+@pytest.mark.parametrize("crown", [0.0, CROWN])
+def test_the_gap_is_the_distance_of_the_lowest_point(crown):
+    w = wheel(crown)
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 721), np.linspace(-np.pi / 2, np.pi / 2, 361))
+    local = (R - crown + crown * np.cos(v)) * np.array([np.cos(u), 0 * u, np.sin(u)])
+    local[1] = crown * np.sin(v)
+    axes = np.array([values(w, axis) for axis in w.W])
+    heights = STATE["z"] + np.tensordot(axes[:, 2], local, 1)
+    assert values(w, w.contact.gap) == pytest.approx(heights.min(), abs=2e-5)
+
+
+@pytest.mark.parametrize("crown", [0.0, CROWN])
+def test_the_contact_point_lies_on_the_plane_below_the_axle(crown):
+    w = wheel(crown)
+    offset, axle = values(w, w.contact.contact), values(w, w.B.y)
+    assert STATE["z"] + offset[2] == pytest.approx(0.0, abs=1e-15)
+    forward = values(w, w.contact.forward)
+    assert forward @ offset == pytest.approx(0.0, abs=1e-15)
+    assert (forward @ axle, forward[2]) == pytest.approx((0.0, 0.0), abs=1e-15)
+    if not crown:
+        assert axle @ offset == pytest.approx(0.0, abs=1e-15)
+        assert np.linalg.norm(offset) == pytest.approx(values(w, w.contact.loaded_radius))
+    assert values(w, w.contact.gamma) == pytest.approx(STATE["lean"])
+
+
+def test_the_rate_is_the_derivative_of_the_gap():
+    w = wheel(CROWN)
+    t = me.dynamicsymbols._t
+    rate = w.contact.gap.diff(t)
+    # The derivatives of the coordinates that belong to the speeds.
+    unknown = [q.diff(t) for q in w.names[3:]]
+    spins = [(w.kinematics - w.W.ang_vel_in(w.N)).dot(e) for e in w.B]
+    solved = sm.solve(spins, unknown)
+    moves = {q.diff(t): u for q, u in zip(w.names[:3], w.rates[:3], strict=True)}
+    assert values(w, w.contact.rate) == pytest.approx(values(w, rate.subs({**solved, **moves})))
+
+
+def test_slips_are_those_of_the_material_at_the_contact_point():
+    w = wheel(0.0)
+    velocity = np.array([RATES["vx"], RATES["vy"], RATES["vz"]])
+    axes = np.array([values(w, axis) for axis in w.B])
+    rotation = np.array([RATES["w1"], RATES["w2"], RATES["w3"]]) @ axes
+    sliding = velocity + np.cross(rotation, values(w, w.contact.contact))
+    forward, left = values(w, w.contact.forward), values(w, w.contact.left)
+    speed = velocity @ forward
+    assert values(w, w.contact.speed) == pytest.approx(speed)
+    assert values(w, w.contact.kappa) == pytest.approx(-sliding @ forward / speed)
+    assert np.tan(values(w, w.contact.alpha)) == pytest.approx(sliding @ left / speed)
+
+
+def test_loads_have_the_moment_of_the_contact_point_once():
+    w = wheel(CROWN)
+    tire = MagicFormula(TABLE_A31)
+    (point, force), (frame, torque) = w.contact.loads(tire)
+    assert (point, frame) == (w.G, w.W)
+    found = [values(w, f) for f in w.contact.forces(tire)]
+    assert found == pytest.approx(
+        tire.forces(
+            *(
+                values(w, getattr(w.contact, n))
+                for n in ("normal_force", "kappa", "alpha", "gamma")
+            ),
+            speed=values(w, w.contact.speed),
+        )
+    )
+    axes = np.array([values(w, v) for v in (w.contact.forward, w.contact.left, w.N.z)])
+    load = values(w, w.contact.normal_force)
+    expected = np.array([found[0], found[1], load]) @ axes
+    np.testing.assert_allclose(values(w, force), expected)
+    moment = np.array(found[2:]) @ axes + np.cross(values(w, w.contact.contact), expected)
+    np.testing.assert_allclose(values(w, torque), moment)
+
+
+def test_a_wheel_in_the_air_has_no_loads():
+    w = wheel(0.0)
+    tire = LinearTire(4000, 1e5, 1e5)
+    contact = WheelContact(
+        w.body, w.B.y, R, w.O, w.N.z, w.N, lambda gap, rate: kelvin_voigt(gap, rate, 1e5, 10.0)
+    )
+    high = {me.dynamicsymbols(k): v for k, v in {**STATE, **RATES, "z": 0.4}.items()}
+    for _, vector in contact.loads(tire):
+        assert not any(map(float, vector.to_matrix(w.N).subs(high)))
+
+
+def test_a_sliding_wheel_comes_to_roll_with_its_angular_momentum():
+    w = wheel(0.0)
+    N, O = w.N, w.O
+    x, z, q, vx, vz, spin = me.dynamicsymbols("x z q vx vz w")
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.y, q)
+    W.set_ang_vel(N, spin * N.y)
+    G = O.locatenew("G", x * N.x + z * N.z)
+    G.set_vel(N, vx * N.x + vz * N.z)
+    m, inertia, g, k = 10.0, 0.4, 9.81, 1e5
+    rim = me.RigidBody("rim", G, W, m, (me.inertia(W, 0, inertia, 0), G))
+    contact = WheelContact(rim, N.y, R, O, N.z, N, lambda gap, rate: -k * gap - 2e3 * rate)
+    loads = contact.loads(BrushTire(m * g, stiffness=1000, friction=0.8))
+    definition = Definition(
+        N, [x, z, q], [vx, vz, spin], bodies=[rim], loads=[(G, -m * g * N.z), *loads]
+    )
+    height = R - m * g / k
+    system = System(
+        definition,
+        ode_solver="dop853",
+        initial_conditions={z: height, vx: 10.0},
+        times=np.linspace(0.0, 3.0, 7),
+    )
+    end = system.simulate(rtol=1e-9, atol=1e-9).states[-1]
+    speed = 10.0 / (1 + inertia / (m * height**2))
+    assert end[[1, 3, 5]] == pytest.approx([height, speed, speed / height], rel=1e-6)
+
+
+def test_arguments_are_checked():
+    w = wheel(0.0)
+    usual = (w.body, w.B.y, R, w.O, w.N.z, w.N, lambda gap, rate: -gap)
+    with pytest.raises(ValueError, match="`axis` must be of unit length"):
+        WheelContact(w.body, 2 * w.B.y, *usual[2:])
+    with pytest.raises(ValueError, match="`crown_radius` must be smaller than `radius`"):
+        WheelContact(*usual, crown_radius=0.4)
+    with pytest.raises(TypeError, match="`force` must be a function"):
+        WheelContact(*usual[:-1], 5.0)
+    with pytest.raises(TypeError, match="`tire` must be a tire"):
+        w.contact.loads(1e5)
