@@ -12,7 +12,7 @@ from typing import Any
 
 from pydy.vehicles.algebra import Algebra, is_symbolic
 from pydy.vehicles.coefficients import Coefficients
-from pydy.vehicles.forces import ContactState
+from pydy.vehicles.forces import ContactState, direction
 from pydy.vehicles.tuning import SMALLEST_LOAD, SMALLEST_SLIP
 
 
@@ -189,7 +189,7 @@ def condition(m: Algebra, form: Form, values: dict[str, Any], state: ContactStat
     load = m.maximum(state.Fz, SMALLEST_LOAD * Fz0)
     alpha, gamma = state.alpha, state.gamma
     tangent = m.tan(alpha)
-    direction, fade, ratio = _rolling(m, c, state.speed)
+    sign, fade, ratio = _rolling(m, c, state.speed)
     slow = 1
     if is_symbolic(c.LMUV) or c.LMUV:
         sliding = m.sqrt(state.kappa**2 + tangent**2 + SMALLEST_SLIP**2)
@@ -211,7 +211,7 @@ def condition(m: Algebra, form: Form, values: dict[str, Any], state: ContactStat
         angle=alpha,
         gamma=gamma,
         cos_alpha=m.cos(alpha),
-        direction=direction,
+        direction=sign,
         fade=fade,
         speed_ratio=ratio,
         mux=mux,
@@ -224,12 +224,12 @@ def condition(m: Algebra, form: Form, values: dict[str, Any], state: ContactStat
 def _rolling(m: Algebra, c: Any, speed: Any) -> tuple[Any, Any, Any]:
     """Return the direction of rolling, the factor of shifts, and the speed relative to LONGVL.
 
-    Both factors are exact from VXLOW on, and polynomials with continuous derivatives below.
+    Below VXLOW both factors are polynomials with continuous derivatives.
     """
     if speed is None:
         return 1, 1, 1
-    u = m.maximum(m.minimum(speed / c.VXLOW, 1), -1)
-    return u * (3 - u**2) / 2, u**2 * (3 - 2 * m.abs(u)), speed / c.LONGVL
+    size = m.minimum(m.abs(speed / c.VXLOW), 1)
+    return direction(m, speed / c.VXLOW), size**2 * (3 - 2 * size), speed / c.LONGVL
 
 
 def _pressure_change(c: Any, form: Form, pressure: Any) -> Any:

@@ -113,6 +113,12 @@ def evaluate(equations: Equations, parameters: Mapping[str, Any], **inputs: Any)
     return tuple(np.array(np.broadcast_to(r, shape), dtype=float) for r in results)
 
 
+def direction(m: Algebra, x: Any) -> Any:
+    """Return the sign of x, by a polynomial with continuous derivatives between −1 and 1."""
+    x = m.maximum(m.minimum(x, 1), -1)
+    return x * (3 - x**2) / 2
+
+
 def fields_of(tire: Any) -> dict[str, Any]:
     """Return the fields of a tire that is a dataclass, by name."""
     return {field.name: getattr(tire, field.name) for field in fields(tire)}

@@ -12,6 +12,7 @@ from pydy.vehicles.forces import (
     TireForces,
     check_known,
     checked_parameters,
+    direction,
     evaluate,
     fields_of,
 )
@@ -103,8 +104,8 @@ class LinearTire:
         Parameters
         ----------
         Fz, kappa, alpha, gamma, speed, pressure : number, array or expression
-            As for `MagicFormula.forces`. The sign of the speed alone has an effect, that of M_y;
-            the pressure has none.
+            As for `MagicFormula.forces`. The speed gives M_y its sign, and reduces it below 1 m/s;
+            the pressure has no effect.
 
         Returns
         -------
@@ -120,11 +121,11 @@ class LinearTire:
         n = Fz / m.constant(self.nominal_load)
         side = n * m.constant(self.cornering_stiffness) * state.alpha
         Fy = -side - n * m.constant(self.camber_stiffness) * state.gamma
-        direction = 1 if state.speed is None else m.sign(state.speed)
+        sign = 1 if state.speed is None else direction(m, state.speed)
         return (
             n * m.constant(self.slip_stiffness) * state.kappa,
             Fy,
             0 * Fz,
-            -m.constant(self.rolling_resistance) * Fz * direction,
+            -m.constant(self.rolling_resistance) * Fz * sign,
             m.constant(self.trail) * side,
         )
