@@ -21,10 +21,12 @@ def test_the_usual_layout_is_recognised():
     assert _array_layout.fits()
 
 
-@pytest.mark.parametrize("name", ["KIND", "DATA", "NDIM", "SHAPE", "DESCR", "FLAGS", "FLOAT"])
+@pytest.mark.parametrize(
+    "name", [*("KIND", "DATA", "NDIM", "SHAPE", "STRIDES", "DESCR", "FLAGS", "FLOAT")]
+)
 def test_each_offset_is_compared(name, monkeypatch):
     # Seven other words of the same objects: a float ends after its value.
-    other = {"FLOAT": 8, "SHAPE": 40}.get(name, 0)
+    other = {"FLOAT": 8, "SHAPE": 40, "STRIDES": 32}.get(name, 0)
     monkeypatch.setattr(_array_layout, name, other)
     assert not _array_layout.fits()
 

@@ -14,11 +14,11 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["DATA", "DESCR", "FLAGS", "FLOAT", "KIND", "NDIM", "SHAPE", "address", "fits"]
+__all__ = ["DATA", "DESCR", "FLAGS", "FLOAT", "KIND", "NDIM", "SHAPE", "STRIDES", "address", "fits"]
 
-KIND, DATA, NDIM, SHAPE, DESCR, FLAGS = 8, 16, 24, 32, 56, 64
-"""Offsets of the type, the address of the data, the number of dimensions, the address of the shape,
-the data type and the flags."""
+KIND, DATA, NDIM, SHAPE, STRIDES, DESCR, FLAGS = 8, 16, 24, 32, 40, 56, 64
+"""Offsets of the type, the address of the data, the number of dimensions, the addresses of the
+shape and the strides, the data type and the flags."""
 FLOAT = 16
 """Offset of a Python float's value."""
 
@@ -50,10 +50,11 @@ def fits() -> bool:
     for array in (plane, plane[1], plane.T, plane[::2, 1:4], np.zeros(7), np.zeros(2, np.int64)):
         if _probed_fields(array) != _reported_fields(array):
             return False
-        # The address of the shape is dereferenced only after all other fields were verified.
-        shape = (ctypes.c_ssize_t * array.ndim).from_address(_field(array, SHAPE, ctypes.c_size_t))
-        if tuple(shape) != array.shape:
-            return False
+        # These addresses are dereferenced only after all other fields were verified.
+        for offset, reported in ((SHAPE, array.shape), (STRIDES, array.strides)):
+            numbers = ctypes.c_ssize_t * array.ndim
+            if tuple(numbers.from_address(_field(array, offset, ctypes.c_size_t))) != reported:
+                return False
     value = 0.7310585786300049
     return bool(
         _field(value, KIND, ctypes.c_size_t) == id(float)

@@ -155,8 +155,11 @@ def number(value: object, label: str, *, finite: bool = False) -> float:
     return result
 
 
-def real_array(value: object, label: str) -> np.ndarray:
-    """Return a value as a C-contiguous float array; text, None, masks and units are refused."""
+def real_array(value: object, label: str, *, columns: bool = False) -> np.ndarray:
+    """Return a value as a C-contiguous float array; text, None, masks and units are refused.
+
+    With `columns`, an array is returned as it is if its columns are contiguous.
+    """
     if type(value) is not np.ndarray:
         _refuse_dropped(value, label)
     elif value.size > _MOST:
@@ -172,7 +175,9 @@ def real_array(value: object, label: str) -> np.ndarray:
         raise ValueError(f"{label} must hold real numbers, got {shown(value)}.") from None
     if array.dtype.kind not in "biuf":
         raise ValueError(f"{label} must hold real numbers, got {shown(value)}.")
-    if array.dtype == np.float64 and array.flags.c_contiguous:
+    if array.dtype == np.float64 and (
+        array.flags.c_contiguous or (columns and array.flags.f_contiguous)
+    ):
         return array
     return array.astype(float, order="C")
 

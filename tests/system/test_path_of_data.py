@@ -142,7 +142,7 @@ def construct():
         (construct, 662, 63),
         (integrate, 32, 16),
         (simulate, 110, 32),
-        (with_contacts, 150, 39),
+        (with_contacts, 151, 40),
         (ensemble, 97, 28),
         (stiff_ensemble, 102, 28),
     ],

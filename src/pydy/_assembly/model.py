@@ -165,11 +165,17 @@ class CompiledModel:
         self, kernel: Kernel, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
     ) -> np.ndarray:
         """Return the flat outputs of a Kernel at m samples, shape (m, o)."""
-        out, failed = kernel.evaluate(t, x, r, p)
+        return self.evaluate_checked(kernel, t, x, r, p)[0]
+
+    def evaluate_checked(
+        self, kernel: Kernel, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> tuple[np.ndarray, bool]:
+        """Return the same, and whether all of them are finite."""
+        out, failed, finite = kernel.evaluate_checked(t, x, r, p)
         if failed.any():
             k = int(np.flatnonzero(failed)[0])
             raise singular_mass_matrix(self.layout, float(t[k]), x[k])
-        return out
+        return out, finite
 
 
 def singular_mass_matrix(layout: Layout, t: float, x: np.ndarray) -> SingularMatrixError:

@@ -101,16 +101,18 @@ def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
     NaN. In the written-out Program, columns have no products with variables they do not depend on.
     """
 
-    def sweep(
+    def checked(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
-        values, failed = kernel.evaluate(t, x, r, p, out)
+    ) -> tuple[np.ndarray, np.ndarray, bool]:
+        values, failed, all_finite = kernel.evaluate_checked(t, x, r, p, out)
+        if all_finite:
+            return values, failed, True
         finite = np.isfinite(values).all(axis=1) | ~np.isfinite(x).all(axis=1) | failed
         rows = np.flatnonzero(~finite)
         for start in range(0, len(rows), _AT_ONCE):
             k, fork_lock = rows[start : start + _AT_ONCE], tangent.written_out()
             values[k], bad = run(fork_lock, t[k], x[k], r if len(r) == 1 else r[k], p)
             failed[k] |= bad
-        return values, failed
+        return values, failed, bool(np.isfinite(values).all())
 
-    return replace(kernel, sweep=sweep)
+    return replace(kernel, sweep=lambda *arrays: checked(*arrays)[:2], checked=checked)

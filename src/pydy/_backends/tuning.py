@@ -23,5 +23,20 @@ MOST_WITHOUT_FALLBACKS = 0.75
 # for a fallback: 100 springs have 10,000 entries and compute none.
 SPARSE = 4
 
+# States from which code for several at once is compiled: it would have saved as much time by then:
+# 0.37 to 0.76 million for 5, 10 and 20 links, three rods and two bicycles (AVX-512).
+COMPILED_FROM = 500_000
+
+# States from which it is read from the cache on disk, which takes some milliseconds.
+READ_FROM = 10_000
+
 # Operations of a sweep between two looks at whether there is a Ctrl-C: some hundredths of a second.
 SWEPT = 10_000_000
+
+# Samples whose columns are copied together: whole lines of the cache, of which processors fetch
+# the next ones by themselves.
+TILE = 32
+
+# Numbers of states, specifieds and results that are near enough to be read and written in place, or
+# copied as one tile.
+NEARBY = 32_000

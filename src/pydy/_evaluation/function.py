@@ -30,17 +30,20 @@ if TYPE_CHECKING:
     from pydy._program import Tangent
 
 
-def _evaluate_with_vectors(at: StateSamples, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
-    """Evaluate a Kernel with further inputs after r."""
+def _evaluate_with_vectors(
+    at: StateSamples, kernel: Kernel, vectors: np.ndarray
+) -> tuple[np.ndarray, bool]:
+    """Evaluate a Kernel with further inputs after r, and say whether all results are finite."""
     m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
-    out = np.empty((m, kernel.program.signature.num_outputs))
+    out, finite = np.empty((m, kernel.program.signature.num_outputs)), True
     for first in range(0, m, TOGETHER):
         rows = slice(first, first + TOGETHER)
         batch = at.subset(rows)
         r = np.empty((len(batch.x), width))
         r[:, :split], r[:, split:] = batch.r, vectors[rows] if len(vectors) > 1 else vectors
-        out[rows] = replace(batch, r=r).evaluate(kernel)
-    return out
+        out[rows], part_finite = replace(batch, r=r).evaluate_checked(kernel)
+        finite &= part_finite
+    return out, finite
 
 
 def specified_rows(r: object, t: np.ndarray, size: int) -> np.ndarray:
@@ -87,8 +90,8 @@ class Evaluator:
             lambda: problem.x,
             problem.settings.times,
             n + self.extra_columns,
+            columns=True,
         )
-        states = wide[:, :n]
         plan: SpecifiedsPlan | None = None
         if r is None or callable(r) or isinstance(r, Mapping):
             plan = arguments.plan(r)
@@ -102,6 +105,9 @@ class Evaluator:
                 numbers = np.zeros((1, len(definition.specifieds)))
         else:
             numbers = specified_rows(r, instants, len(definition.specifieds))
+        if plan is not None and plan.inputs.functions:  # which may add along rows
+            wide = np.ascontiguousarray(wide)
+        states = wide[:, :n]
 
         def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
             if numbers is None:
@@ -122,9 +128,9 @@ class Evaluator:
             if definition.assumptions:
                 AssumptionChecks(problem).samples(at, plan, x is not None)
             if vectors is None:
-                out = at.evaluate(kernel, wide)
+                out, finite = at.evaluate_checked(kernel, wide)
             else:
-                out = _evaluate_with_vectors(at, kernel, vectors)
+                out, finite = _evaluate_with_vectors(at, kernel, vectors)
         except SingularMatrixError as error:
             k = int((at.x == error.state).all(axis=1).argmax())
             explain(error, lambda t, x: at.subset([k]))

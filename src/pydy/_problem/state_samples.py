@@ -32,7 +32,15 @@ class StateSamples:
 
     def evaluate(self, kernel: Kernel, x: np.ndarray | None = None) -> np.ndarray:
         """Return the flat outputs of a Kernel, shape (m, o); x may have more than the states."""
-        return self.model.evaluate(kernel, self.t, self.x if x is None else x, self.r, self.p)
+        x = self.x if x is None else x
+        return self.model.evaluate_checked(kernel, self.t, x, self.r, self.p)[0]
+
+    def evaluate_checked(
+        self, kernel: Kernel, x: np.ndarray | None = None
+    ) -> tuple[np.ndarray, bool]:
+        """Return the same, and whether all outputs are finite."""
+        x = self.x if x is None else x
+        return self.model.evaluate_checked(kernel, self.t, x, self.r, self.p)
 
     def interpret(self, nodes: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
         """Return the values of nodes, shape (m, o) for each name; few are worth compiling."""
@@ -56,12 +64,16 @@ def read_samples(
     times: np.ndarray,
     n: int,
     argument: str = "x",
+    columns: bool = False,
 ) -> tuple[np.ndarray, np.ndarray, bool]:
-    """Return states (m, n), times (m,), and whether there is only one sample."""
+    """Return states (m, n), times (m,), and whether there is only one sample.
+
+    The states' rows are contiguous; with `columns`, their columns may be.
+    """
     if x is None:
         states = default()
     else:
-        states = real_array(x, f"`{argument}`")
+        states = real_array(x, f"`{argument}`", columns=columns)
         if states.ndim not in (1, 2) or states.shape[-1] != n:
             raise ValueError(
                 f"`{argument}` must have the shape ({n},) or (m, {n}), one column for each state, "

@@ -284,7 +284,7 @@ class Native:
         self._references.append(code)
         rows, costs = functions.outputs if name == "hessian" else (0, 0)
         data = np.concatenate([group.data, np.zeros((rows + costs, points))])
-        words[9:11] = points, len(data) if points > 1 else 0
+        words[11:] = points, *(1, points) * 3
         results = functions.programs[name].signature.num_outputs * points
         gradient_slots = group.at[functions.gradient_at] if name == "gradient" else np.empty(0)
         arrays = (

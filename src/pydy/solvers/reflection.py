@@ -194,4 +194,4 @@ def _event(kernel: Kernel) -> Kernel:
         values[:, odd] *= -1.0
         return values, failed
 
-    return replace(kernel, sweep=sweep, gate=_no_gate, functions=None)
+    return replace(kernel, sweep=sweep, gate=_no_gate, functions=None, checked=None)

@@ -5,7 +5,7 @@ import pytest
 import sympy as sm
 
 from graphs import P, T, X, program_of, solve_program
-from pydy._backends.llvm.native import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend, gates
 from pydy._program.program import Program, Tape
 
 MODEL = program_of([X[0] * P[0] + T, X[1] - X[3], sm.sin(X[2]), X[0] / X[1], P[1] * X[3]])
@@ -43,18 +43,73 @@ def test_ctrl_c_comes_through_between_parts_which_give_the_same(lanes, order, mo
     x, r = np.asarray(x, order=order), np.zeros((1, 0))
     whole, _ = LLVMBackend(lanes=lanes).compile(model).evaluate(t, x, r, p)
     monkeypatch.setattr("pydy._backends.llvm.native.SWEPT", 1)
+    gate, calls = gates().sweep, []
+    monkeypatch.setattr(gates(), "sweep", lambda *a: calls.append(1) or gate(*a))
     kernel = LLVMBackend(lanes=lanes).compile(model)
-    looks = []
-    monkeypatch.setattr(
-        "pydy._backends.llvm.native.np.empty",
-        lambda *a, empty=np.empty, **k: looks.append(1) or empty(*a, **k),
-    )
     parts, failed = kernel.evaluate(t, x, r, p)
-    monkeypatch.undo()
-    assert len(looks) >= 100 // lanes
+    assert len(calls) >= 100 // lanes
     np.testing.assert_array_equal(parts, whole)
     assert parts.flags.f_contiguous == whole.flags.f_contiguous
     assert not failed.any()
+
+
+LAYOUTS = {
+    "rows": lambda x: x,
+    "columns": np.asfortranarray,
+    "every second row": lambda x: np.repeat(x, 2, axis=0)[::2],
+    "part of rows": lambda x: np.hstack([x, x])[:, : x.shape[1]],
+    "part of columns": lambda x: np.asfortranarray(np.vstack([x, x]))[: len(x)],
+    "backwards": lambda x: x[::-1].copy()[::-1],
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("near", [1, 1_000, 10**9])
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+def test_the_bits_depend_neither_on_layouts_nor_on_tiles(lanes, near, layout, monkeypatch):
+    monkeypatch.setattr("pydy._backends.llvm.native.NEARBY", near)
+    kernel, one = LLVMBackend(lanes=lanes).compile(MODEL), LLVMBackend().compile(MODEL)
+    for count in (1, 7, 31, 32, 33, 77, 512):  # columns of 512 states share lines of the cache
+        t, x, p = rows(count)
+        r = np.zeros((1, 0))
+        expected, _ = one.evaluate(t, x, r, p)
+        orders = "CF" if lanes > 1 else "C"
+        for out in [None, *(np.full(expected.shape, np.nan, order=order) for order in orders)]:
+            values, failed, finite = kernel.evaluate_checked(t, LAYOUTS[layout](x), r, p, out)
+            np.testing.assert_array_equal(values, expected)
+            assert out is None or values is out
+            assert finite is True
+            assert not failed.any()
+
+
+@pytest.mark.parametrize("layout", [*LAYOUTS][:-1])
+def test_states_are_copied_nowhere_but_in_tiles(layout, monkeypatch):
+    t, x, p = rows(1000)
+    x, seen = LAYOUTS[layout](x), []
+    monkeypatch.setattr("pydy._backends.llvm.native.SWEPT", 1000)
+    gate = gates().sweep
+    monkeypatch.setattr(gates(), "sweep", lambda *a: seen.append(a) or gate(*a))
+    out, failed = LLVMBackend(lanes=8).compile(MODEL).evaluate(t, x, np.zeros((1, 0)), p)
+    assert len(seen) > 4  # between which Python heeds a Ctrl-C
+    for _, times, states, _, _, results, failures, _ in seen:
+        assert np.shares_memory(times, t)
+        assert np.shares_memory(states, x)
+        assert np.shares_memory(results, out)
+        assert np.shares_memory(failures, failed)
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+@pytest.mark.parametrize("lanes", [1, 8])
+@pytest.mark.parametrize("count", [5, 50])
+@pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+def test_a_sweep_says_whether_all_results_are_finite(lanes, order, count, value):
+    t, x, p = rows(count)
+    kernel, r = LLVMBackend(lanes=lanes).compile(MODEL), np.zeros((1, 0))
+    for k in (0, count // 2, count - 1):
+        wrong = np.array(x, order=order)
+        wrong[k, 3] = value
+        assert kernel.evaluate_checked(t, wrong, r, p)[2] is False
+    assert kernel.evaluate_checked(t, np.array(x, order=order), r, p)[2] is True
 
 
 @pytest.mark.parametrize("lanes", [1, 2, 4, 8])

@@ -19,33 +19,47 @@ void Py_DecRef(Object *);
 #define FIELD(object, offset, type) (*(type *)((object) + (offset)))
 #define NUMBERS(array) FIELD(array, DATA, double *)
 
-/* One state at a time. */
-void sweep_1(
+/* One state at a time, of rows. */
+int64_t sweep_1(
     const Words *w, const double *t, const double *x, const double *r, const double *p,
     double *out, uint8_t *failed, double *scratch)
 {
+    int64_t bits = 0;
     w->prepare(p, scratch);
-    for (int64_t i = 0; i < w->m; i++)
+    for (int64_t i = 0; i < w->m; i++) {
+        double *results = out + i * w->out.sample;
         failed[i] = (uint8_t)w->kernel(
-            t + i, x + i * w->n, r + i * w->r_step, scratch, out + i * w->outputs);
+            t + i, x + i * w->x.sample, r + i * w->r.sample, scratch, results);
+        /* v - v has bits only if v is not finite. */
+        for (int64_t j = 0; j < w->outputs; j++) {
+            const union { double value; int64_t bits; } rest = {results[j] - results[j]};
+            bits |= rest.bits;
+        }
+    }
+    return bits == 0;
+}
+
+static Distances distances(const Object *array)
+{
+    const int64_t *bytes = FIELD(array, STRIDES, const int64_t *);
+    return (Distances){bytes[0] / 8, bytes[1] / 8};
 }
 
 /* sweep(words, t, x, r, p, out, failed, scratch): arrays of the right kinds, which the caller has
-   made. */
+   made. Gives whether all results are known to be finite. */
 Object *sweep_gate(Object *self, Object *const *args, int64_t count)
 {
     (void)self, (void)count;
     Words w = *FIELD(args[0], DATA, const Words *);
     w.m = *FIELD(args[1], SHAPE, const int64_t *);
-    w.r_step = *FIELD(args[3], SHAPE, const int64_t *) > 1 ? w.s : 0;
-    /* Contiguous columns, and not contiguous rows as well. */
-    w.by_columns = (FIELD(args[2], FLAGS, int32_t) & 3) == 2;
+    w.x = distances(args[2]), w.r = distances(args[3]), w.out = distances(args[5]);
+    if (*FIELD(args[3], SHAPE, const int64_t *) == 1) w.r.sample = 0;
     void *thread = PyEval_SaveThread();
-    w.sweep(
+    const int64_t finite = w.sweep(
         &w, NUMBERS(args[1]), NUMBERS(args[2]), NUMBERS(args[3]), NUMBERS(args[4]),
         NUMBERS(args[5]), FIELD(args[6], DATA, uint8_t *), NUMBERS(args[7]));
     PyEval_RestoreThread(thread);
-    return PyLong_FromLongLong(0);
+    return PyLong_FromLongLong(finite);
 }
 
 /* What a kernel is, and the binding of its constants: `bound` is the `prepare` that gave c of p,

@@ -1,50 +1,77 @@
-; sources a59840ff0170d4b96b24013d06ce3866487bcf1202f02cd26d390868c40d2d70
+; sources 1af17be90229e4bb79d793fd129ea07d66995c317234f24ca098d3c81923b514
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-%struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }
+%struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64, %struct.Distances, %struct.Distances, %struct.Distances }
+%struct.Distances = type { i64, i64 }
 
 @PyFloat_Type = external global i8, align 1
 @_Py_TrueStruct = external global i8, align 1
 
-define void @sweep_1(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {
+define range(i64 0, 2) i64 @sweep_1(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {
   %9 = getelementptr inbounds i8, ptr %0, i64 8
   %10 = load ptr, ptr %9, align 8
   tail call void %10(ptr noundef %4, ptr noundef %7) #5
-  %11 = getelementptr inbounds i8, ptr %0, i64 72
+  %11 = getelementptr inbounds i8, ptr %0, i64 88
   %12 = load i64, ptr %11, align 8
   %13 = icmp sgt i64 %12, 0
-  br i1 %13, label %14, label %18
+  br i1 %13, label %14, label %22
 
 14:                                               ; preds = %8
-  %15 = getelementptr inbounds i8, ptr %0, i64 32
-  %16 = getelementptr inbounds i8, ptr %0, i64 80
-  %17 = getelementptr inbounds i8, ptr %0, i64 64
-  br label %19
+  %15 = getelementptr inbounds i8, ptr %0, i64 128
+  %16 = getelementptr inbounds i8, ptr %0, i64 96
+  %17 = getelementptr inbounds i8, ptr %0, i64 112
+  %18 = getelementptr inbounds i8, ptr %0, i64 64
+  br label %24
 
-18:                                               ; preds = %19, %8
-  ret void
+19:                                               ; preds = %43
+  %20 = icmp eq i64 %44, 0
+  %21 = zext i1 %20 to i64
+  br label %22
 
-19:                                               ; preds = %14, %19
-  %20 = phi i64 [ 0, %14 ], [ %35, %19 ]
-  %21 = load ptr, ptr %0, align 8
-  %22 = getelementptr inbounds double, ptr %1, i64 %20
-  %23 = load i64, ptr %15, align 8
-  %24 = mul nsw i64 %23, %20
-  %25 = getelementptr inbounds double, ptr %2, i64 %24
-  %26 = load i64, ptr %16, align 8
-  %27 = mul nsw i64 %26, %20
-  %28 = getelementptr inbounds double, ptr %3, i64 %27
-  %29 = load i64, ptr %17, align 8
-  %30 = mul nsw i64 %29, %20
-  %31 = getelementptr inbounds double, ptr %5, i64 %30
-  %32 = tail call i32 %21(ptr noundef %22, ptr noundef %25, ptr noundef %28, ptr noundef %7, ptr noundef %31) #5
-  %33 = trunc i32 %32 to i8
-  %34 = getelementptr inbounds i8, ptr %6, i64 %20
-  store i8 %33, ptr %34, align 1
-  %35 = add nuw nsw i64 %20, 1
-  %36 = load i64, ptr %11, align 8
-  %37 = icmp slt i64 %35, %36
-  br i1 %37, label %19, label %18, !llvm.loop !3
+22:                                               ; preds = %19, %8
+  %23 = phi i64 [ 1, %8 ], [ %21, %19 ]
+  ret i64 %23
+
+24:                                               ; preds = %14, %43
+  %25 = phi i64 [ 0, %14 ], [ %44, %43 ]
+  %26 = phi i64 [ 0, %14 ], [ %45, %43 ]
+  %27 = load i64, ptr %15, align 8
+  %28 = mul nsw i64 %27, %26
+  %29 = getelementptr inbounds double, ptr %5, i64 %28
+  %30 = load ptr, ptr %0, align 8
+  %31 = getelementptr inbounds double, ptr %1, i64 %26
+  %32 = load i64, ptr %16, align 8
+  %33 = mul nsw i64 %32, %26
+  %34 = getelementptr inbounds double, ptr %2, i64 %33
+  %35 = load i64, ptr %17, align 8
+  %36 = mul nsw i64 %35, %26
+  %37 = getelementptr inbounds double, ptr %3, i64 %36
+  %38 = tail call i32 %30(ptr noundef %31, ptr noundef %34, ptr noundef %37, ptr noundef %7, ptr noundef %29) #5
+  %39 = trunc i32 %38 to i8
+  %40 = getelementptr inbounds i8, ptr %6, i64 %26
+  store i8 %39, ptr %40, align 1
+  %41 = load i64, ptr %18, align 8
+  %42 = icmp sgt i64 %41, 0
+  br i1 %42, label %48, label %43
+
+43:                                               ; preds = %48, %24
+  %44 = phi i64 [ %25, %24 ], [ %55, %48 ]
+  %45 = add nuw nsw i64 %26, 1
+  %46 = load i64, ptr %11, align 8
+  %47 = icmp slt i64 %45, %46
+  br i1 %47, label %24, label %19, !llvm.loop !3
+
+48:                                               ; preds = %24, %48
+  %49 = phi i64 [ %55, %48 ], [ %25, %24 ]
+  %50 = phi i64 [ %56, %48 ], [ 0, %24 ]
+  %51 = getelementptr inbounds double, ptr %29, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = fsub double %52, %52
+  %54 = bitcast double %53 to i64
+  %55 = or i64 %49, %54
+  %56 = add nuw nsw i64 %50, 1
+  %57 = icmp eq i64 %56, %41
+  br i1 %57, label %43, label %48, !llvm.loop !6
 }
 
 
@@ -54,66 +81,95 @@ define ptr @sweep_gate(ptr noundef readnone %0, ptr noundef readonly %1, i64 nou
   %5 = load ptr, ptr %1, align 8
   %6 = getelementptr inbounds i8, ptr %5, i64 16
   %7 = load ptr, ptr %6, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %4, ptr noundef nonnull align 8 dereferenceable(96) %7, i64 96, i1 false)
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(144) %4, ptr noundef nonnull align 8 dereferenceable(144) %7, i64 144, i1 false)
   %8 = getelementptr inbounds i8, ptr %1, i64 8
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %9, i64 32
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %4, i64 72
+  %13 = getelementptr inbounds i8, ptr %4, i64 88
   store i64 %12, ptr %13, align 8
-  %14 = getelementptr inbounds i8, ptr %1, i64 24
-  %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %15, i64 32
-  %17 = load ptr, ptr %16, align 8
-  %18 = load i64, ptr %17, align 8
-  %19 = icmp sgt i64 %18, 1
-  %20 = getelementptr inbounds i8, ptr %4, i64 40
-  %21 = load i64, ptr %20, align 8
-  %22 = select i1 %19, i64 %21, i64 0
-  %23 = getelementptr inbounds i8, ptr %4, i64 80
-  store i64 %22, ptr %23, align 8
-  %24 = getelementptr inbounds i8, ptr %1, i64 16
-  %25 = load ptr, ptr %24, align 8
-  %26 = getelementptr inbounds i8, ptr %25, i64 64
-  %27 = load i32, ptr %26, align 4
-  %28 = and i32 %27, 3
-  %29 = icmp eq i32 %28, 2
-  %30 = zext i1 %29 to i64
-  %31 = getelementptr inbounds i8, ptr %4, i64 88
-  store i64 %30, ptr %31, align 8
-  %32 = tail call ptr @PyEval_SaveThread() #5
-  %33 = getelementptr inbounds i8, ptr %4, i64 24
-  %34 = load ptr, ptr %33, align 8
-  %35 = load ptr, ptr %8, align 8
-  %36 = getelementptr inbounds i8, ptr %35, i64 16
-  %37 = load ptr, ptr %36, align 8
-  %38 = load ptr, ptr %24, align 8
-  %39 = getelementptr inbounds i8, ptr %38, i64 16
+  %14 = getelementptr inbounds i8, ptr %4, i64 96
+  %15 = getelementptr inbounds i8, ptr %1, i64 16
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds i8, ptr %16, i64 40
+  %18 = load ptr, ptr %17, align 8
+  %19 = load i64, ptr %18, align 8
+  %20 = sdiv i64 %19, 8
+  %21 = getelementptr inbounds i8, ptr %18, i64 8
+  %22 = load i64, ptr %21, align 8
+  %23 = sdiv i64 %22, 8
+  store i64 %20, ptr %14, align 8
+  %24 = getelementptr inbounds i8, ptr %4, i64 104
+  store i64 %23, ptr %24, align 8
+  %25 = getelementptr inbounds i8, ptr %4, i64 112
+  %26 = getelementptr inbounds i8, ptr %1, i64 24
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %27, i64 40
+  %29 = load ptr, ptr %28, align 8
+  %30 = load i64, ptr %29, align 8
+  %31 = sdiv i64 %30, 8
+  %32 = getelementptr inbounds i8, ptr %29, i64 8
+  %33 = load i64, ptr %32, align 8
+  %34 = sdiv i64 %33, 8
+  store i64 %31, ptr %25, align 8
+  %35 = getelementptr inbounds i8, ptr %4, i64 120
+  store i64 %34, ptr %35, align 8
+  %36 = getelementptr inbounds i8, ptr %4, i64 128
+  %37 = getelementptr inbounds i8, ptr %1, i64 40
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr inbounds i8, ptr %38, i64 40
   %40 = load ptr, ptr %39, align 8
-  %41 = load ptr, ptr %14, align 8
-  %42 = getelementptr inbounds i8, ptr %41, i64 16
-  %43 = load ptr, ptr %42, align 8
-  %44 = getelementptr inbounds i8, ptr %1, i64 32
-  %45 = load ptr, ptr %44, align 8
-  %46 = getelementptr inbounds i8, ptr %45, i64 16
-  %47 = load ptr, ptr %46, align 8
-  %48 = getelementptr inbounds i8, ptr %1, i64 40
-  %49 = load ptr, ptr %48, align 8
-  %50 = getelementptr inbounds i8, ptr %49, i64 16
-  %51 = load ptr, ptr %50, align 8
-  %52 = getelementptr inbounds i8, ptr %1, i64 48
-  %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr inbounds i8, ptr %53, i64 16
+  %41 = load i64, ptr %40, align 8
+  %42 = sdiv i64 %41, 8
+  %43 = getelementptr inbounds i8, ptr %40, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = sdiv i64 %44, 8
+  store i64 %42, ptr %36, align 8
+  %46 = getelementptr inbounds i8, ptr %4, i64 136
+  store i64 %45, ptr %46, align 8
+  %47 = getelementptr inbounds i8, ptr %27, i64 32
+  %48 = load ptr, ptr %47, align 8
+  %49 = load i64, ptr %48, align 8
+  %50 = icmp eq i64 %49, 1
+  br i1 %50, label %51, label %52
+
+51:                                               ; preds = %3
+  store i64 0, ptr %25, align 8
+  br label %52
+
+52:                                               ; preds = %51, %3
+  %53 = tail call ptr @PyEval_SaveThread() #5
+  %54 = getelementptr inbounds i8, ptr %4, i64 24
   %55 = load ptr, ptr %54, align 8
-  %56 = getelementptr inbounds i8, ptr %1, i64 56
-  %57 = load ptr, ptr %56, align 8
-  %58 = getelementptr inbounds i8, ptr %57, i64 16
-  %59 = load ptr, ptr %58, align 8
-  call void %34(ptr noundef nonnull %4, ptr noundef %37, ptr noundef %40, ptr noundef %43, ptr noundef %47, ptr noundef %51, ptr noundef %55, ptr noundef %59) #5
-  call void @PyEval_RestoreThread(ptr noundef %32) #5
-  %60 = call ptr @PyLong_FromLongLong(i64 noundef 0) #5
-  ret ptr %60
+  %56 = load ptr, ptr %8, align 8
+  %57 = getelementptr inbounds i8, ptr %56, i64 16
+  %58 = load ptr, ptr %57, align 8
+  %59 = load ptr, ptr %15, align 8
+  %60 = getelementptr inbounds i8, ptr %59, i64 16
+  %61 = load ptr, ptr %60, align 8
+  %62 = load ptr, ptr %26, align 8
+  %63 = getelementptr inbounds i8, ptr %62, i64 16
+  %64 = load ptr, ptr %63, align 8
+  %65 = getelementptr inbounds i8, ptr %1, i64 32
+  %66 = load ptr, ptr %65, align 8
+  %67 = getelementptr inbounds i8, ptr %66, i64 16
+  %68 = load ptr, ptr %67, align 8
+  %69 = load ptr, ptr %37, align 8
+  %70 = getelementptr inbounds i8, ptr %69, i64 16
+  %71 = load ptr, ptr %70, align 8
+  %72 = getelementptr inbounds i8, ptr %1, i64 48
+  %73 = load ptr, ptr %72, align 8
+  %74 = getelementptr inbounds i8, ptr %73, i64 16
+  %75 = load ptr, ptr %74, align 8
+  %76 = getelementptr inbounds i8, ptr %1, i64 56
+  %77 = load ptr, ptr %76, align 8
+  %78 = getelementptr inbounds i8, ptr %77, i64 16
+  %79 = load ptr, ptr %78, align 8
+  %80 = call i64 %55(ptr noundef nonnull %4, ptr noundef %58, ptr noundef %61, ptr noundef %64, ptr noundef %68, ptr noundef %71, ptr noundef %75, ptr noundef %79) #5
+  call void @PyEval_RestoreThread(ptr noundef %53) #5
+  %81 = call ptr @PyLong_FromLongLong(i64 noundef %80) #5
+  ret ptr %81
 }
 
 declare void @llvm.memcpy.p0.p0.i64(ptr noalias writeonly, ptr noalias readonly, i64, i1 immarg) #2
@@ -399,3 +455,4 @@ attributes #6 = { nounwind }
 !3 = distinct !{!3, !4, !5}
 !4 = !{!"llvm.loop.mustprogress"}
 !5 = !{!"llvm.loop.unroll.disable"}
+!6 = distinct !{!6, !4, !5}

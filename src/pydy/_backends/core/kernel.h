@@ -14,11 +14,16 @@ typedef int64_t Strided(
     const double *t, const double *x, const double *r, const double *c, double *out,
     const int64_t *steps);
 
-/* What a sweep reads: the kernel it is for, as Python keeps it, then the arrays of one call.
-   `r_step` is 0 where one row of specifieds serves all samples; `by_columns` says how x, r and out
-   lie. */
+/* How many numbers lie between two samples of an array, and between two items of a sample. */
+typedef struct { int64_t sample, item; } Distances;
+
+/* What a sweep reads: the kernel it is for, as Python keeps it, then the arrays of one call. Of
+   each array the items or the samples follow one another; `r.sample` is 0 where one row of
+   specifieds serves all samples. At most `blocks` of LANES samples are copied together; columns of
+   up to `in_place` samples never are. A sweep gives 1 if it has seen that all results are
+   finite, else 0. */
 typedef struct Words Words;
-typedef void Sweep(
+typedef int64_t Sweep(
     const Words *w, const double *t, const double *x, const double *r, const double *p,
     double *out, uint8_t *failed, double *scratch);
 struct Words {
@@ -26,8 +31,9 @@ struct Words {
     Prepare *prepare;
     Strided *strided;
     Sweep *sweep;
-    int64_t n, s, k, carried, outputs;
-    int64_t m, r_step, by_columns;
+    int64_t n, s, k, carried, outputs, blocks, in_place;
+    int64_t m;
+    Distances x, r, out;
 };
 
 #endif

@@ -1,8 +1,9 @@
-; sources 0db34c960999123cb054f23c0ec7a9f41ecbd353e6bf0f8269acffa2c22a89f2
+; sources d4e9529335343412f25d7ad655f11d350c8b5bbdf106cf29eedbe318763d9443
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i64, i64, ptr, ptr, ptr, i64, ptr }
-%struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }
+%struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64, %struct.Distances, %struct.Distances, %struct.Distances }
+%struct.Distances = type { i64, i64 }
 
 define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, ptr noundef writeonly %3, ptr noundef readonly %4) #0 {
   %6 = getelementptr inbounds i8, ptr %4, i64 16
@@ -29,7 +30,7 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %20 = phi i64 [ 0, %9 ], [ %35, %32 ]
   %21 = load ptr, ptr %10, align 8
   %22 = getelementptr inbounds %struct.Part, ptr %21, i64 %20
-  %23 = getelementptr inbounds i8, ptr %22, i64 136
+  %23 = getelementptr inbounds i8, ptr %22, i64 184
   %24 = load ptr, ptr %23, align 8
   %25 = tail call fastcc i32 @evaluated(ptr noundef %22, ptr noundef %1, ptr noundef %24) #4
   %26 = icmp eq i32 %25, 0
@@ -37,7 +38,7 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
 
 27:                                               ; preds = %18
   %28 = load ptr, ptr %23, align 8
-  %29 = getelementptr inbounds i8, ptr %22, i64 72
+  %29 = getelementptr inbounds i8, ptr %22, i64 88
   %30 = load i64, ptr %29, align 8
   %31 = tail call fastcc double @sum(ptr noundef %28, i64 noundef %30) #4
   br label %32
@@ -53,11 +54,11 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
 
 
 define internal fastcc range(i32 0, 2) i32 @evaluated(ptr noundef %0, ptr noundef readonly %1, ptr noundef %2) unnamed_addr #0 {
-  %4 = getelementptr inbounds i8, ptr %0, i64 72
+  %4 = getelementptr inbounds i8, ptr %0, i64 88
   %5 = load i64, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 224
+  %6 = getelementptr inbounds i8, ptr %0, i64 272
   %7 = load i64, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 152
+  %8 = getelementptr inbounds i8, ptr %0, i64 200
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds i8, ptr %0, i64 32
   %11 = load i64, ptr %10, align 8
@@ -66,10 +67,10 @@ define internal fastcc range(i32 0, 2) i32 @evaluated(ptr noundef %0, ptr nounde
   br i1 %13, label %14, label %21
 
 14:                                               ; preds = %3
-  %15 = getelementptr inbounds i8, ptr %0, i64 232
-  %16 = getelementptr inbounds i8, ptr %0, i64 96
-  %17 = getelementptr inbounds i8, ptr %0, i64 104
-  %18 = getelementptr inbounds i8, ptr %0, i64 128
+  %15 = getelementptr inbounds i8, ptr %0, i64 280
+  %16 = getelementptr inbounds i8, ptr %0, i64 144
+  %17 = getelementptr inbounds i8, ptr %0, i64 152
+  %18 = getelementptr inbounds i8, ptr %0, i64 176
   %19 = icmp sgt i64 %7, 0
   %20 = icmp sgt i64 %7, 0
   br label %24
@@ -139,7 +140,7 @@ define internal fastcc range(i32 0, 2) i32 @evaluated(ptr noundef %0, ptr nounde
   br i1 %68, label %24, label %21, !llvm.loop !9
 
 69:                                               ; preds = %73, %21
-  %70 = getelementptr inbounds i8, ptr %0, i64 184
+  %70 = getelementptr inbounds i8, ptr %0, i64 232
   %71 = load i64, ptr %70, align 8
   %72 = icmp eq i64 %71, 0
   br i1 %72, label %168, label %78
@@ -154,29 +155,29 @@ define internal fastcc range(i32 0, 2) i32 @evaluated(ptr noundef %0, ptr nounde
 
 78:                                               ; preds = %69
   %79 = load i64, ptr %4, align 8
-  %80 = getelementptr inbounds i8, ptr %0, i64 120
+  %80 = getelementptr inbounds i8, ptr %0, i64 168
   %81 = load ptr, ptr %80, align 8
   %82 = getelementptr inbounds i8, ptr %0, i64 48
   %83 = load i64, ptr %82, align 8
   %84 = getelementptr double, ptr %81, i64 %83
   %85 = getelementptr i8, ptr %84, i64 -8
   %86 = load double, ptr %85, align 8
-  %87 = getelementptr inbounds i8, ptr %0, i64 128
+  %87 = getelementptr inbounds i8, ptr %0, i64 176
   %88 = load ptr, ptr %87, align 8
   %89 = load i64, ptr %22, align 8
   %90 = add nsw i64 %89, -1
   %91 = mul nsw i64 %90, %79
   %92 = getelementptr inbounds double, ptr %88, i64 %91
-  %93 = getelementptr inbounds i8, ptr %0, i64 112
+  %93 = getelementptr inbounds i8, ptr %0, i64 160
   %94 = load ptr, ptr %93, align 8
   %95 = icmp sgt i64 %71, 0
   br i1 %95, label %96, label %168
 
 96:                                               ; preds = %78
-  %97 = getelementptr inbounds i8, ptr %0, i64 200
-  %98 = getelementptr inbounds i8, ptr %0, i64 208
-  %99 = getelementptr inbounds i8, ptr %0, i64 216
-  %100 = getelementptr inbounds i8, ptr %0, i64 192
+  %97 = getelementptr inbounds i8, ptr %0, i64 248
+  %98 = getelementptr inbounds i8, ptr %0, i64 256
+  %99 = getelementptr inbounds i8, ptr %0, i64 264
+  %100 = getelementptr inbounds i8, ptr %0, i64 240
   %101 = icmp sgt i64 %79, 0
   br label %102
 
@@ -267,38 +268,38 @@ define internal fastcc range(i32 0, 2) i32 @evaluated(ptr noundef %0, ptr nounde
 168:                                              ; preds = %126, %78, %69
   %169 = getelementptr inbounds i8, ptr %0, i64 24
   %170 = load ptr, ptr %169, align 8
-  %171 = getelementptr inbounds i8, ptr %0, i64 128
+  %171 = getelementptr inbounds i8, ptr %0, i64 176
   %172 = load ptr, ptr %171, align 8
-  %173 = getelementptr inbounds i8, ptr %0, i64 112
+  %173 = getelementptr inbounds i8, ptr %0, i64 160
   %174 = load ptr, ptr %173, align 8
-  %175 = getelementptr inbounds i8, ptr %0, i64 120
+  %175 = getelementptr inbounds i8, ptr %0, i64 168
   %176 = load ptr, ptr %175, align 8
   %177 = load ptr, ptr %8, align 8
-  %178 = getelementptr inbounds i8, ptr %0, i64 144
+  %178 = getelementptr inbounds i8, ptr %0, i64 192
   %179 = load ptr, ptr %178, align 8
-  tail call void %170(ptr noundef %0, ptr noundef %172, ptr noundef %172, ptr noundef %174, ptr noundef %176, ptr noundef %2, ptr noundef %177, ptr noundef %179) #5
-  %180 = icmp sgt i64 %5, 0
-  br i1 %180, label %186, label %184
+  %180 = tail call i64 %170(ptr noundef %0, ptr noundef %172, ptr noundef %172, ptr noundef %174, ptr noundef %176, ptr noundef %2, ptr noundef %177, ptr noundef %179) #5
+  %181 = icmp sgt i64 %5, 0
+  br i1 %181, label %187, label %185
 
-181:                                              ; preds = %186
-  %182 = icmp eq i32 %192, 0
-  %183 = zext i1 %182 to i32
-  br label %184
+182:                                              ; preds = %187
+  %183 = icmp eq i32 %193, 0
+  %184 = zext i1 %183 to i32
+  br label %185
 
-184:                                              ; preds = %181, %168
-  %185 = phi i32 [ 1, %168 ], [ %183, %181 ]
-  ret i32 %185
+185:                                              ; preds = %182, %168
+  %186 = phi i32 [ 1, %168 ], [ %184, %182 ]
+  ret i32 %186
 
-186:                                              ; preds = %168, %186
-  %187 = phi i64 [ %193, %186 ], [ 0, %168 ]
-  %188 = phi i32 [ %192, %186 ], [ 0, %168 ]
-  %189 = getelementptr inbounds i8, ptr %9, i64 %187
-  %190 = load i8, ptr %189, align 1
-  %191 = zext i8 %190 to i32
-  %192 = or i32 %188, %191
-  %193 = add nuw nsw i64 %187, 1
-  %194 = icmp eq i64 %193, %5
-  br i1 %194, label %181, label %186, !llvm.loop !15
+187:                                              ; preds = %168, %187
+  %188 = phi i64 [ %194, %187 ], [ 0, %168 ]
+  %189 = phi i32 [ %193, %187 ], [ 0, %168 ]
+  %190 = getelementptr inbounds i8, ptr %9, i64 %188
+  %191 = load i8, ptr %190, align 1
+  %192 = zext i8 %191 to i32
+  %193 = or i32 %189, %192
+  %194 = add nuw nsw i64 %188, 1
+  %195 = icmp eq i64 %194, %5
+  br i1 %195, label %182, label %187, !llvm.loop !15
 }
 
 define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr #2 {
@@ -432,7 +433,7 @@ define zeroext i1 @nlp_rows(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %19 = and i32 %18, %13
   %20 = getelementptr inbounds i8, ptr %17, i64 64
   %21 = load i64, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %17, i64 72
+  %22 = getelementptr inbounds i8, ptr %17, i64 88
   %23 = load i64, ptr %22, align 8
   %24 = mul nsw i64 %23, %21
   %25 = getelementptr inbounds double, ptr %15, i64 %24
@@ -545,12 +546,12 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %39 = getelementptr inbounds %struct.Part, ptr %38, i64 %37
   %40 = getelementptr inbounds i8, ptr %39, i64 64
   %41 = load i64, ptr %40, align 8
-  %42 = getelementptr inbounds i8, ptr %39, i64 72
+  %42 = getelementptr inbounds i8, ptr %39, i64 88
   %43 = load i64, ptr %42, align 8
   %44 = mul i64 %43, %41
-  %45 = getelementptr inbounds i8, ptr %39, i64 160
+  %45 = getelementptr inbounds i8, ptr %39, i64 208
   %46 = load ptr, ptr %45, align 8
-  %47 = getelementptr inbounds i8, ptr %39, i64 136
+  %47 = getelementptr inbounds i8, ptr %39, i64 184
   %48 = load ptr, ptr %47, align 8
   %49 = tail call fastcc i32 @evaluated(ptr noundef %39, ptr noundef %1, ptr noundef %48) #4
   %50 = and i32 %49, %36
@@ -672,7 +673,7 @@ define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %44 = and i32 %43, %38
   %45 = getelementptr inbounds i8, ptr %42, i64 64
   %46 = load i64, ptr %45, align 8
-  %47 = getelementptr inbounds i8, ptr %42, i64 72
+  %47 = getelementptr inbounds i8, ptr %42, i64 88
   %48 = load i64, ptr %47, align 8
   %49 = mul nsw i64 %48, %46
   %50 = getelementptr inbounds double, ptr %40, i64 %49
@@ -777,7 +778,7 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   %55 = and i32 %54, %49
   %56 = getelementptr inbounds i8, ptr %53, i64 64
   %57 = load i64, ptr %56, align 8
-  %58 = getelementptr inbounds i8, ptr %53, i64 72
+  %58 = getelementptr inbounds i8, ptr %53, i64 88
   %59 = load i64, ptr %58, align 8
   %60 = mul nsw i64 %59, %57
   %61 = getelementptr inbounds double, ptr %51, i64 %60
@@ -806,16 +807,16 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   %76 = phi i64 [ 0, %18 ], [ %116, %114 ]
   %77 = load ptr, ptr %19, align 8
   %78 = getelementptr inbounds %struct.Part, ptr %77, i64 %76
-  %79 = getelementptr inbounds i8, ptr %78, i64 72
+  %79 = getelementptr inbounds i8, ptr %78, i64 88
   %80 = load i64, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %78, i64 168
+  %81 = getelementptr inbounds i8, ptr %78, i64 216
   %82 = load i64, ptr %81, align 8
   %83 = mul nsw i64 %82, %80
-  %84 = getelementptr inbounds i8, ptr %78, i64 176
+  %84 = getelementptr inbounds i8, ptr %78, i64 224
   %85 = load i64, ptr %84, align 8
   %86 = add i64 %85, %82
   %87 = mul i64 %86, %80
-  %88 = getelementptr inbounds i8, ptr %78, i64 112
+  %88 = getelementptr inbounds i8, ptr %78, i64 160
   %89 = load ptr, ptr %88, align 8
   %90 = getelementptr inbounds i8, ptr %78, i64 40
   %91 = load i64, ptr %90, align 8

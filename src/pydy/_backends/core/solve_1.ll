@@ -1,4 +1,4 @@
-; sources 2b1e850c9f2ebbca227ba0c7ad1b89bb61f536c969b9a4509a80943e7179b399
+; sources 19e079ce2b38e9ab4bedee3a1bf6b1ec7c1bc10c6f40164e9aea0b240c1d5f1c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i32 0, 2) i32 @pydy_lu_1(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

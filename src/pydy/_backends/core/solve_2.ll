@@ -1,4 +1,4 @@
-; sources 636c39defcc9b7b9fa7ffb761b71371b5e0eeff89fc2eb66190eadb1f7694fa5
+; sources c373ec41d35904b066d74fea4aa6fff3fb7ec6168e992653b66898b08ab28431
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i32 0, 4) i32 @pydy_lu_2(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,4 +1,4 @@
-; sources c6bcfac259aa8ba902ec255b054c8a456952f327abe7d4d3315d0fde6b347017
+; sources ce6ebaa638f456272a11f40a60b266bee7fb0463269ce2e44fb9321ff76524c4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @pydy_lu_4(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,4 +1,4 @@
-; sources 0fae5d6e64b577a123f3e9f907a10001876981226a305c139f092342dbe531c9
+; sources 65c2c884df011b43143e0b429bd9830be0c94b2f5991d582db4007a66a24477f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,12 +1,14 @@
 /* A sweep of LANES states at a time: how samples reach a kernel's lanes and results come back.
 
-   A kernel takes a state as [item][lane]. An array whose columns are contiguous is passed as it
-   lies, to the kernel's strided form; one whose rows are contiguous is turned, four columns at a
-   time in registers:
+   A kernel takes a state as [item][lane]. Tiles of an array, which stay in the cache, are copied so.
+   One whose rows are contiguous is turned, four columns at a time in registers:
 
        row 0 | a0 a1 a2 a3 ...          a0 b0 c0 d0 ... column 0
        row 1 | b0 b1 b2 b3 ...    ->    a1 b1 c1 d1 ... column 1
-       row 2 | c0 c1 c2 c3 ...          a2 b2 c2 d2 ... column 2 */
+       row 2 | c0 c1 c2 c3 ...          a2 b2 c2 d2 ... column 2
+
+   Columns that do not drive one another out of the cache are passed as they lie, to the kernel's
+   strided form. */
 
 #include "kernel.h"
 
@@ -17,6 +19,7 @@
 
 typedef double Row __attribute__((ext_vector_type(SQUARE), aligned(8)));
 typedef double Lanes __attribute__((ext_vector_type(LANES), aligned(8)));
+typedef int64_t Bits __attribute__((ext_vector_type(LANES), aligned(8)));
 
 INLINE int64_t least(int64_t a, int64_t b) { return a < b ? a : b; }
 
@@ -60,8 +63,8 @@ INLINE void split(Lanes all, Row *v, int k)
 #endif
 }
 
-/* Turn rows of `items` numbers into [item][lane]. */
-INLINE void rows_in(const double *rows, int64_t items, double *buffer)
+/* Turn rows of `items` numbers into [item][lane]; `next` is the distance of two rows. */
+INLINE void rows_in(const double *rows, int64_t next, int64_t items, double *buffer)
 {
     Row v[LANES];
     int64_t j = 0;
@@ -69,7 +72,7 @@ INLINE void rows_in(const double *rows, int64_t items, double *buffer)
     for (; items >= SQUARE && j < items; j += SQUARE) {
         j = least(j, items - SQUARE);
         UNROLLED
-        for (int lane = 0; lane < LANES; lane++) v[lane] = *(const Row *)(rows + lane * items + j);
+        for (int lane = 0; lane < LANES; lane++) v[lane] = *(const Row *)(rows + lane * next + j);
         UNROLLED
         for (int lane = 0; lane < LANES; lane += SQUARE) turn(v + lane);
         UNROLLED
@@ -78,13 +81,13 @@ INLINE void rows_in(const double *rows, int64_t items, double *buffer)
     for (; j < items; j++) {
         Lanes all;
         UNROLLED
-        for (int lane = 0; lane < LANES; lane++) all[lane] = rows[lane * items + j];
+        for (int lane = 0; lane < LANES; lane++) all[lane] = rows[lane * next + j];
         *(Lanes *)(buffer + j * LANES) = all;
     }
 }
 
 /* The way back. */
-INLINE void rows_out(const double *buffer, int64_t items, double *rows)
+INLINE void rows_out(const double *buffer, int64_t next, int64_t items, double *rows)
 {
     Row v[LANES];
     int64_t j = 0;
@@ -96,20 +99,62 @@ INLINE void rows_out(const double *buffer, int64_t items, double *rows)
         UNROLLED
         for (int lane = 0; lane < LANES; lane += SQUARE) turn(v + lane);
         UNROLLED
-        for (int lane = 0; lane < LANES; lane++) *(Row *)(rows + lane * items + j) = v[lane];
+        for (int lane = 0; lane < LANES; lane++) *(Row *)(rows + lane * next + j) = v[lane];
     }
     for (; j < items; j++) {
         const Lanes all = *(const Lanes *)(buffer + j * LANES);
         UNROLLED
-        for (int lane = 0; lane < LANES; lane++) rows[lane * items + j] = all[lane];
+        for (int lane = 0; lane < LANES; lane++) rows[lane * next + j] = all[lane];
     }
 }
 
+/* Fetch the rows of the next block, to read or to write, while one is computed. Long ones would
+   drive it out of the nearest cache. */
+#define FETCH(rows, next, items, writes)                                                           \
+    for (int64_t lane = 0; (items) <= 256 && lane < LANES; lane++)                                 \
+        for (int64_t j = 0; j < (items); j += 8)                                                   \
+            __builtin_prefetch((rows) + lane * (next) + j, writes)
+
+/* Copy a tile, some blocks of samples by all items, into [block][item][lane]. Several blocks of a
+   column lie together in memory, while columns may be so far apart that they share cache lines. */
+INLINE void tile_in(
+    const double *from, Distances d, int64_t items, int64_t blocks, double *buffer)
+{
+    if (d.item == 1)
+        for (int64_t k = 0; k < blocks; k++)
+            rows_in(from + k * LANES * d.sample, d.sample, items, buffer + k * items * LANES);
+    else
+        for (int64_t j = 0; j < items; j++)
+            for (int64_t k = 0; k < blocks; k++)
+                *(Lanes *)(buffer + (k * items + j) * LANES) =
+                    *(const Lanes *)(from + j * d.item + k * LANES);
+}
+
+/* Copy results of the columns of a tile. */
+INLINE void columns_out(
+    const double *buffer, int64_t next, int64_t items, int64_t blocks, double *out)
+{
+    for (int64_t j = 0; j < items; j++)
+        for (int64_t k = 0; k < blocks; k++)
+            *(Lanes *)(out + j * next + k * LANES) =
+                *(const Lanes *)(buffer + (k * items + j) * LANES);
+}
+
 /* Write each number into all lanes. */
-INLINE void into_all(const double *numbers, int64_t count, double *buffer)
+INLINE void into_all(const double *numbers, int64_t next, int64_t count, double *buffer)
 {
     for (int64_t j = 0; j < count; j++)
-        for (int lane = 0; lane < LANES; lane++) buffer[j * LANES + lane] = numbers[j];
+        for (int lane = 0; lane < LANES; lane++) buffer[j * LANES + lane] = numbers[j * next];
+}
+
+/* Combine the bits of v - v for each of [item][lane]: zero while all of them are finite. */
+INLINE Bits not_finite(const double *numbers, int64_t items, Bits bits)
+{
+    for (int64_t j = 0; j < items; j++) {
+        const Lanes v = *(const Lanes *)(numbers + j * LANES);
+        bits |= (Bits)(v - v);
+    }
+    return bits;
 }
 
 INLINE void report(int64_t status, uint8_t *failed, int64_t count)
@@ -118,59 +163,104 @@ INLINE void report(int64_t status, uint8_t *failed, int64_t count)
         for (int64_t lane = 0; lane < count; lane++) failed[lane] = status >> lane & 1;
 }
 
-void SWEEP(
+/* Whether columns at a distance fall into few lines of the cache, so that one drives out another:
+   processors look for an address in the lines that its last 12 bits select, 8 or more of each. */
+INLINE int crowded(int64_t next, int64_t columns)
+{
+    const int64_t bytes = 8 * next, power = bytes & -bytes;
+    const int64_t lines = 4096 / (power < 64 ? 64 : least(power, 4096));
+    return columns > 4 * lines;
+}
+
+/* Evaluate columns in place. Columns that NumPy made begin alike: the states' second block, and
+   with it most vectors, begins where a line of the cache does. What is left of the last block
+   overlaps the one before; the first one that fails ends a turn. */
+INLINE void in_place(
+    const Words *w, const double *t, const double *x, const double *r, const double *c,
+    double *out, uint8_t *failed)
+{
+    const int64_t m = w->m, last = m - LANES, gone = (uintptr_t)x >> 3 & (LANES - 1);
+    const int64_t r_block = w->r.sample ? LANES : 0;
+    int64_t steps[5] = {w->x.item, w->r.sample ? w->r.item : LANES, w->out.item, 1, r_block};
+    for (int64_t begin = 0; begin < m;) {
+        const int64_t start = least(begin, last);
+        if (begin) steps[3] = (m - start) / LANES;
+        const double *specifieds = w->r.sample ? r + start : r;
+        const int64_t both = w->strided(t + start, x + start, specifieds, c, out + start, steps);
+        const int64_t end = start + (both >> 32) * LANES;
+        report((int32_t)both, failed + end - LANES, LANES);
+        begin = begin == 0 && last > 0 ? LANES - gone : end;
+    }
+}
+
+int64_t SWEEP(
     const Words *w, const double *t, const double *x, const double *r, const double *p,
     double *out, uint8_t *failed, double *scratch)
 {
-    const int64_t m = w->m, last = m - LANES, alone = w->r_step == 0, by_columns = w->by_columns;
+    const int64_t m = w->m, n = w->n, s = w->s, outputs = w->outputs;
+    const int64_t alone = !w->r.sample || !s, out_rows = w->out.item == 1;
     /* Vectors that are written and read again must not lie across two lines of the cache. */
     double *all = (double *)(((uintptr_t)scratch + 63) & ~(uintptr_t)63);
     double *c = all + w->k * LANES, *ts = c + w->carried * LANES, *xs = ts + LANES;
-    double *rs = xs + w->n * LANES, *outs = rs + w->s * LANES;
-    if (m <= 0) return;
-    into_all(p, w->k, all);
+    double *rs = xs + w->blocks * n * LANES, *outs = rs + w->blocks * s * LANES;
+    if (m <= 0) return 1;
+    into_all(p, 1, w->k, all);
     w->prepare(all, c);
-    if (alone) into_all(r, w->s, rs);
+    if (alone) into_all(r, w->r.item, s, rs);
     if (m < LANES) {
         /* Filled up with copies of the last sample, which every lane can evaluate. */
         for (int64_t lane = 0; lane < LANES; lane++) {
-            const int64_t i = least(lane, m - 1), step = by_columns ? m : 1;
+            const int64_t i = least(lane, m - 1);
             ts[lane] = t[i];
             SERIAL
-            for (int64_t j = 0; j < w->n; j++)
-                xs[j * LANES + lane] = x[i * (by_columns ? 1 : w->n) + j * step];
+            for (int64_t j = 0; j < n; j++)
+                xs[j * LANES + lane] = x[i * w->x.sample + j * w->x.item];
             SERIAL
-            for (int64_t j = 0; !alone && j < w->s; j++)
-                rs[j * LANES + lane] = r[i * (by_columns ? 1 : w->s) + j * step];
+            for (int64_t j = 0; !alone && j < s; j++)
+                rs[j * LANES + lane] = r[i * w->r.sample + j * w->r.item];
         }
         report(w->kernel(ts, xs, rs, c, outs), failed, m);
         for (int64_t i = 0; i < m; i++)
             SERIAL
-            for (int64_t j = 0; j < w->outputs; j++)
-                out[by_columns ? i + j * m : i * w->outputs + j] = outs[j * LANES + i];
-    } else if (by_columns) {
-        /* Columns that NumPy made begin alike: the states' second block, and with it most vectors,
-           begins where a line of the cache does. What is left of the last block overlaps the one
-           before; the first one that fails ends a turn. */
-        const int64_t gone = (uintptr_t)x >> 3 & (LANES - 1);
-        int64_t steps[5] = {m, alone ? LANES : m, m, 1, alone ? 0 : LANES};
-        for (int64_t begin = 0; begin < m;) {
-            const int64_t start = least(begin, last);
-            if (begin) steps[3] = (m - start) / LANES;
-            const double *specifieds = alone ? rs : r + start;
-            const int64_t both = w->strided(t + start, x + start, specifieds, c, out + start, steps);
-            const int64_t end = start + (both >> 32) * LANES;
-            report((int32_t)both, failed + end - LANES, LANES);
-            begin = begin == 0 && last > 0 ? LANES - gone : end;
-        }
-    } else {
-        for (int64_t begin = 0; begin < m; begin += LANES) {
-            const int64_t start = least(begin, last);
-            *(Lanes *)ts = *(const Lanes *)(t + start);
-            rows_in(x + start * w->n, w->n, xs);
-            if (!alone) rows_in(r + start * w->s, w->s, rs);
-            report(w->kernel(ts, xs, rs, c, outs), failed + start, LANES);
-            rows_out(outs, w->outputs, out + start * w->outputs);
-        }
+            for (int64_t j = 0; j < outputs; j++)
+                out[i * w->out.sample + j * w->out.item] = outs[j * LANES + i];
+        return 0;
     }
+    const int64_t columns = w->x.item != 1 && !out_rows && (alone || w->r.item != 1);
+    const int64_t near = m <= w->in_place || !crowded(w->x.item, n + s + outputs);
+    if (w->strided && columns && near) {
+        in_place(w, t, x, alone ? rs : r, c, out, failed);
+        return 0;
+    }
+    const int64_t rows = w->x.item == 1 && out_rows && (alone || w->r.item == 1);
+    const int64_t most = rows ? 1 : w->blocks;
+    Bits bits = {0};
+    for (int64_t begin = 0, blocks; begin < m; begin += blocks * LANES) {
+        blocks = least(most, (m - begin) / LANES);
+        if (!blocks) { /* What is left overlaps the block before. */
+            begin = m - LANES;
+            blocks = 1;
+        }
+        tile_in(x + begin * w->x.sample, w->x, n, blocks, xs);
+        if (!alone) tile_in(r + begin * w->r.sample, w->r, s, blocks, rs);
+        for (int64_t k = 0; k < blocks; k++) {
+            const int64_t start = begin + k * LANES;
+            const double *specifieds = alone ? rs : rs + k * s * LANES;
+            double *results = out_rows ? outs : outs + k * outputs * LANES;
+            if (out_rows && start + 2 * LANES <= m) {
+                const int64_t next = start + LANES;
+                if (w->x.item == 1) FETCH(x + next * w->x.sample, w->x.sample, n, 0);
+                FETCH(out + next * w->out.sample, w->out.sample, outputs, 1);
+            }
+            report(w->kernel(t + start, xs + k * n * LANES, specifieds, c, results),
+                   failed + start, LANES);
+            bits = not_finite(results, outputs, bits);
+            if (out_rows) rows_out(outs, w->out.sample, outputs, out + start * w->out.sample);
+        }
+        if (!out_rows) columns_out(outs, w->out.item, outputs, blocks, out + begin);
+    }
+    int finite = 1;
+    UNROLLED
+    for (int lane = 0; lane < LANES; lane++) finite &= bits[lane] == 0;
+    return finite;
 }

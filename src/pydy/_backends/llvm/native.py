@@ -11,7 +11,8 @@ from __future__ import annotations
 import ctypes
 import sysconfig
 from collections.abc import Callable
-from typing import Any, Literal, cast
+from functools import partial
+from typing import Any, cast
 
 import numpy as np
 
@@ -22,12 +23,18 @@ from pydy._backends.llvm.compiling import CORE
 from pydy._backends.llvm.functions import LinkedFunctions
 from pydy._backends.llvm.ir import WIDTHS
 from pydy._backends.llvm.jit import Code
-from pydy._backends.llvm.sources import leaves_out_fallbacks, wide_code
+from pydy._backends.llvm.many_states import LANES, ManyStates
+from pydy._backends.llvm.sources import (
+    cached_wide_code,
+    gains_by_lanes,
+    leaves_out_fallbacks,
+    wide_code,
+)
 from pydy._backends.llvm.text import size_with_constants
 from pydy._backends.registry import compile_program
-from pydy._backends.tuning import SWEPT
+from pydy._backends.tuning import NEARBY, SWEPT, TILE
 from pydy._forks import once
-from pydy._kernel import Kernel
+from pydy._kernel import CheckedSweep, Kernel
 from pydy._program import Program, Tangent
 
 # -- Functions of Python ---------------------------------------------------------------------------
@@ -59,14 +66,26 @@ class Gate:
 
 
 # Numbers of words in the C structs `Words` and `Bound` before the words of one call.
-_SWEEP_WORDS, _CALL_WORDS = 9, 8
+_SWEEP_WORDS, _CALL_WORDS = 11, 8
 _GATES = ("sweep_1", "sweep_gate", "kernel_gate", "step_gate", "call_python")
 NLP = ("nlp_cost", "nlp_rows", "nlp_gradient", "nlp_jacobian", "nlp_hessian")
 
 
-def scratch_size(lanes: int, n: int, s: int, k: int, setup_values: int, outputs: int) -> int:
-    """Return the size of a sweep's scratch memory in doubles, with room for its alignment."""
-    return setup_values if lanes == 1 else (n + s + 1 + k + setup_values + outputs) * lanes + 8
+def _sweep_words(
+    program: Program | Tangent, lanes: int, functions: list[int], calls: int
+) -> tuple[np.ndarray, int]:
+    """Return `Words` of ``core/kernel.h``, and how many numbers of scratch memory a sweep needs.
+
+    The words of one call are `calls` further ones, zero.
+    """
+    n, s, k, setup_values, outputs = sizes = _sizes(program, lanes)
+    numbers = n + s + outputs
+    blocks = min(max(TILE // lanes, 1), max(NEARBY // (lanes * max(numbers, 1)), 1))
+    in_place = NEARBY // max(numbers, 1)
+    words = np.array([*functions, *sizes, blocks, in_place, *[0] * calls], np.int64)
+    # Room for its alignment.
+    scratch = (numbers * blocks + 1 + k + setup_values) * lanes + 8
+    return words, setup_values if lanes == 1 else scratch
 
 
 def native_kernel(
@@ -76,16 +95,24 @@ def native_kernel(
     rebuild: Callable[..., Kernel],
     recipe: tuple[Any, ...],
     strided: int = 0,
+    wide: Callable[[bool], CheckedSweep | None] | None = None,
 ) -> Kernel:
     """Wrap native functions of the package's signature as a Kernel.
 
-    `strided` is the address of the function for strided arrays, or zero.
+    `strided` is the address of the function for strided arrays, or zero. `wide` is for
+    `ManyStates`.
     """
-    sweep = _make_sweep(program, functions, lanes, strided)
+    checked = make_sweep(program, functions, lanes, strided)
+    if wide is not None:
+        checked = ManyStates(checked, wide)
+    signature, size_of_c = cast("Program", program), _size_of_c(program, lanes)
+
+    def sweep(*arrays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return checked(*arrays)[:2]
+
     call = _make_call(program, functions, lanes, sweep)
-    signature = cast("Program", program)
     return Kernel(
-        signature, sweep, call, rebuild, recipe, lanes, functions, _size_of_c(program, lanes)
+        signature, sweep, call, rebuild, recipe, lanes, functions, size_of_c, checked=checked
     )
 
 
@@ -97,20 +124,19 @@ class _Gates:
         self.call = Gate(b"native_call", code, "kernel_gate")
         self.step = Gate(b"native_step", code, "step_gate")
         self._sweep = Gate(b"native_sweep", code, "sweep_gate")
-        gate: Callable[..., None] = self._sweep.function(None)
+        gate: Callable[..., int] = self._sweep.function(None)
         self.sweep = gate if _array_layout.FITS else _careful_sweep
 
 
-_SWEEP = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 8)
+_SWEEP = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 8)
 
 
-def _careful_sweep(words: np.ndarray, *arrays: np.ndarray) -> None:
+def _careful_sweep(words: np.ndarray, *arrays: np.ndarray) -> int:
     """Call the sweep with ctypes, without reading NumPy's objects directly."""
-    t, x, r = arrays[:3]
-    r_step = r.shape[1] if len(r) > 1 else 0
-    by_columns = x.flags.f_contiguous and not x.flags.c_contiguous
-    words = np.array([*words[:_SWEEP_WORDS], len(t), r_step, by_columns], np.int64)
-    _SWEEP(int(words[3]))(*(array.ctypes.data for array in (words, *arrays)))
+    t, x, r, _, out = arrays[:5]
+    distances = np.array([x.strides, r.strides if len(r) > 1 else (0, r.strides[1]), out.strides])
+    words = np.array([*words[:_SWEEP_WORDS], len(t), *(distances // 8).flat], np.int64)
+    return int(_SWEEP(int(words[3]))(*(array.ctypes.data for array in (words, *arrays))))
 
 
 @once
@@ -132,51 +158,46 @@ def _size_of_c(program: Program | Tangent, lanes: int) -> int:
     return len(program.carried)
 
 
-def _make_sweep(
+def make_sweep(
     program: Program | Tangent, functions: LinkedFunctions, lanes: int, strided: int
-) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
-    sizes = _sizes(program, lanes)
-    n, outputs = sizes[0], sizes[-1]
+) -> CheckedSweep:
+    """Return the sweep of native functions; see `Kernel.checked`."""
     native = gates().code.addresses["sweep_1"] if lanes == 1 else wide_sweep(lanes)
-    room = scratch_size(lanes, *sizes)
-    run, columns = gates().sweep, strided != 0
+    words, scratch = _sweep_words(program, lanes, [0, 0, strided, native], 0)
+    run, outputs = gates().sweep, len(program.outputs)
     most = max(1, SWEPT // (lanes * (program.num_operations + 1))) * lanes
-    words = np.array([0, 0, strided, native, *sizes, 0, 0, 0], np.int64)
     functions.bind(words)
-
-    def part(
-        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
-        m = len(t)
-        order: Literal["C", "F"] = "C"
-        if columns and m > 1 and n > 1 and x.flags.f_contiguous:
-            order, r = "F", np.asfortranarray(r)
-        else:
-            x, r = np.ascontiguousarray(x), np.ascontiguousarray(r)
-        values = np.empty((m, outputs), order=order) if out is None else out
-        failed = np.zeros(m, dtype=np.bool_)
-        run(words, t, x, r, p, values, failed, np.empty(room))
-        return values, failed
 
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
+    ) -> tuple[np.ndarray, np.ndarray, bool]:
         if not functions.addresses[0]:
             functions.link()
         m = len(t)
+        x = x if x.flags.c_contiguous else _readable(x, lanes)
+        r = r if r.flags.c_contiguous else _readable(r, lanes)
+        values = np.empty((m, outputs)) if out is None else out
+        failed, memory = np.zeros(m, dtype=np.bool_), np.empty(scratch)
         if m <= most:
-            return part(t, x, r, p, out)
+            finite = run(words, t, x, r, p, values, failed, memory)
+            return values, failed, bool(finite or np.isfinite(values).all())
+        finite = 1
         # Python heeds a Ctrl-C between the parts.
-        by_columns = columns and n > 1 and x.flags.f_contiguous and out is None
-        values = np.empty((m, outputs), order="F" if by_columns else "C") if out is None else out
-        failed = np.empty(m, dtype=np.bool_)
         for first in range(0, m, most):
-            rows = slice(first, first + most)
-            x_part = np.asfortranarray(x[rows]) if by_columns else x[rows]
-            values[rows], failed[rows] = part(t[rows], x_part, r if len(r) == 1 else r[rows], p)
-        return values, failed
+            part = slice(first, first + most)
+            r_part = r if len(r) == 1 else r[part]
+            finite &= run(words, t[part], x[part], r_part, p, values[part], failed[part], memory)
+        return values, failed, bool(finite or np.isfinite(values).all())
 
     return sweep
+
+
+def _readable(array: np.ndarray, lanes: int) -> np.ndarray:
+    """Return an array as sweeps read it: rows are contiguous, or columns if there are lanes."""
+    samples, items = array.strides
+    if (items == 8 or (samples == 8 and lanes > 1)) and not (samples | items) & 7:
+        return array
+    return np.ascontiguousarray(array)
 
 
 @once
@@ -197,14 +218,13 @@ def nlp_functions() -> jit.Code:
 def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any]:
     """Return the arguments of a sweep over arrays (items, samples), except the number of samples.
 
-    That is `Words` of ``core/kernel.h``, the last three of one call, how many numbers of scratch
+    That is `Words` of ``core/kernel.h``, the last seven of one call, how many numbers of scratch
     memory it needs, and what keeps the code alive.
     """
     code = wide_code(program, lanes)
-    sizes = _sizes(program, lanes)
     entries = [code.addresses[name] for name in ("kernel", "prepare", "strided")]
-    words = np.array([*entries, wide_sweep(lanes), *sizes, 0, 0, 1], np.int64)
-    return words, scratch_size(lanes, *sizes), code
+    words, scratch = _sweep_words(program, lanes, [*entries, wide_sweep(lanes)], 7)
+    return words, scratch, code
 
 
 def _make_call(
@@ -262,9 +282,27 @@ class LLVMBackend:
         lanes: int = self.options["lanes"]
         recipe = ("llvm", self.options)
         if lanes == 1:
-            return native_kernel(program, LinkedFunctions(program), 1, compile_program, recipe)
+            functions = LinkedFunctions(program)
+            wide = None
+            if isinstance(program, Program) and gains_by_lanes(program):
+                wide = partial(_wide_sweep_of, program)
+            return native_kernel(program, functions, 1, compile_program, recipe, wide=wide)
         code = wide_code(program, lanes, self.options.get("width"))
-        functions = LinkedFunctions()
-        functions.use(code)
-        strided = code.addresses.get("strided", 0)
+        functions, strided = _functions_of(code)
         return native_kernel(program, functions, lanes, compile_program, recipe, strided)
+
+
+def _functions_of(code: jit.Code) -> tuple[LinkedFunctions, int]:
+    """Return the functions of wide code, and the address of the one for strided arrays."""
+    functions = LinkedFunctions()
+    functions.use(code)
+    return functions, code.addresses.get("strided", 0)
+
+
+def _wide_sweep_of(program: Program, compiles: bool) -> CheckedSweep | None:
+    """Return a Program's sweep in lanes, or None where it is in no cache and not to be compiled."""
+    code = wide_code(program, LANES) if compiles else cached_wide_code(program, LANES)
+    if code is None:
+        return None
+    functions, strided = _functions_of(code)
+    return make_sweep(program, functions, LANES, strided)

@@ -72,6 +72,20 @@ def wide_code(program: Program | Tangent, lanes: int, width: int | None = None) 
     return jit.load(_source(program, lanes, width or lanes), routines)
 
 
+def cached_wide_code(program: Program, lanes: int) -> jit.Code | None:
+    """Return the same code if this process uses it, or a cache has it."""
+    width = width_of(program, lanes)
+    return jit.find(_source(program, lanes, width), routines_of(program, width))
+
+
+def gains_by_lanes(program: Program) -> bool:
+    """Return whether code for several states takes clearly less time for each of them.
+
+    Memory limits code that does little.
+    """
+    return not _does_little(program)
+
+
 def _source(
     program: Program | Tangent,
     lanes: int,
