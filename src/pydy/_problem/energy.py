@@ -129,10 +129,14 @@ class EnergyModel:
 
     def kernel(self, model: CompiledModel) -> Kernel:
         """Return the Kernel of kinetic, potential and total energy."""
-        kinetic, potential = self.expressions(model.layout)
-        return model.compiled_expressions(
-            "the energy", (3,), (kinetic, potential, sm.Add(kinetic, potential))
-        )
+        # Looking for symbols in long expressions takes longer than a thousand states.
+        stored: tuple[EnergyModel, Kernel] | None = model.latest.get("the energy")
+        if stored is None or stored[0] is not self:
+            kinetic, potential = self.expressions(model.layout)
+            expressions = kinetic, potential, sm.Add(kinetic, potential)
+            stored = self, model.compiled_expressions("the energy", (3,), expressions)
+            model.latest["the energy"] = stored
+        return stored[1]
 
     @cached_property
     def static(self) -> bool:
