@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import UserDict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, wraps
-from math import isfinite
+from math import inf, isfinite
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
@@ -184,6 +184,8 @@ def real_array(value: object, label: str, *, columns: bool = False) -> np.ndarra
 
 def tolerance(value: object, label: str) -> float | np.ndarray:
     """Check a tolerance: a number or an array (n,), finite and not negative."""
+    if type(value) is float and 0.0 <= value < inf:  # ten times as fast
+        return value
     array = real_array(value, label)
     if not (np.isfinite(array).all() and (array >= 0.0).all()):
         raise ValueError(f"{label} must be finite and not negative, got {array}.")

@@ -63,6 +63,7 @@ CHANGES = {
     "an array": give(np.array([0.7])),
     "other times": put("times", TIMES + 1.0),
     "more times": put("times", np.linspace(0.0, 2.0, num=9)),
+    "fewer times": put("times", np.array([0.0, 1.5])),
     "times edited in place": lambda system: system.times.__setitem__(2, 0.75),
     "another solver": put("ode_solver", "tsit5"),
     "an implicit one": put("ode_solver", "radau"),
@@ -95,6 +96,30 @@ def test_what_changes_between_two_calls_is_seen(change, solver):
     alike(before, kept)  # nothing lies in memory that the next call uses
     half = 0.5 * (trajectory.times[1:] + trajectory.times[:-1])
     np.testing.assert_array_equal(trajectory.at(half).states, kept[-1])
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau", "rk4"])
+def test_other_numbers_take_the_memory_of_the_call_before(solver, monkeypatch):
+    system, made = forced(solver=solver), []
+    prepare = type(system.ode_solver).prepare
+    monkeypatch.setattr(
+        type(system.ode_solver), "prepare", lambda *a, **k: made.append(1) or prepare(*a, **k)
+    )
+    options = {"step": 0.01} if solver == "rk4" else {"rtol": 1e-8}
+    for count in (5, 9, 2, 700, 5):
+        for change in (0.9, 1.1):
+            system.times = np.linspace(0.0, 2.0, num=count)
+            system.constants["k0"] = 4.0 * change
+            options = {name: value * change for name, value in options.items()}
+            alike([system.integrate(**options)], [fresh(system).integrate(**options)])
+            made.pop()  # that of the fresh System
+    assert len(made) == 1
+
+
+def fresh(system):
+    other = forced(solver=system.ode_solver)
+    other.times, other.constants = system.times, dict(system.constants)
+    return other
 
 
 @pytest.mark.parametrize(

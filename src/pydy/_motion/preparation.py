@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from copy import copy
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -160,7 +159,8 @@ class PreparedIntegration:
         ):
             return None
         step_options = {name: v for name, v in options.items() if name in _STEPPING}
-        result = copy(self)
+        result = object.__new__(PreparedIntegration)
+        result.__dict__.update(self.__dict__)
         result._user_options = dict(options)
         retained = {
             name: v for name, v in self.options.items() if not native or name not in _STEPPING

@@ -134,9 +134,7 @@ class Integration(Workspace):
         self.reusable = not (self.callbacks or self.call is None or self.backward)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
         self._choose_attention()
-        # Compiled code writes rows in whole blocks.
         self._time_count = len(times)
-        self._rows_shape = (self._time_count + -(-BLOCK // max(1, n)), n)
         self._rows = _NO_ROWS  # of the current or failed run
         entry = "advance_implicit" if method == IMPLICIT else "advance"
         self._advance = stepper(entry, self.table_address, bool(self.callbacks))
@@ -187,7 +185,9 @@ class Integration(Workspace):
 
     def _begin_run(self, x0: np.ndarray) -> int:
         """Begin a run; return the code of its first slice."""
-        self._rows = np.empty(self._rows_shape)
+        self._time_count = len(self.progress.times)
+        # Compiled code writes rows in whole blocks.
+        self._rows = np.empty((self._time_count + -(-BLOCK // max(1, self.n)), self.n))
         self._rows[0] = self._x0 = x0
         self.code = int(Outcome.NOT_COMPUTED)
         self.records, self.departures_from_zero = [], {}

@@ -199,11 +199,10 @@ class Workspace:
         # Allocated by `WorkspaceCopy`, while they are not in use.
         self.copies: list[Workspace] = []
         self._newton_rows = self._reserve_newton() if method == IMPLICIT else []
+        parts = self._method_rows, rows_of(self.problem), self._memory_rows, rows_of(self.progress)
+        self._after_times = sum(map(len, parts))  # index in the table
         self._table = table_of(
-            self._method_rows,
-            rows_of(self.problem),
-            self._memory_rows,
-            rows_of(self.progress),
+            *parts,
             _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
             rows_of(self.beginning),
@@ -246,7 +245,6 @@ class Workspace:
         if (
             ((inputs.sampled or samples_before) and inputs.sampled is not samples_before)
             or inputs.functions
-            or len(times) != len(self.progress.times)
             or times.item(-1) < times.item(0)  # an integration backward is another one
             or self.callbacks
         ):
@@ -262,7 +260,12 @@ class Workspace:
         for bound in self._bound:
             bound.set_constants(call.p)
         self.problem.r[: len(inputs.values)] = inputs.values
-        self.progress.times[:] = times
+        if len(times) == len(self.progress.times):
+            self.progress.times[:] = times
+        else:
+            other = np.array(times, order="C")
+            self.progress = self.progress._replace(times=other)
+            self._table[self._after_times - 3 : self._after_times] = rows_of((other,))
         self.beginning.state[at.TIME] = times[0]
         self.call = call
         return True
