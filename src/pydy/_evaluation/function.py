@@ -136,7 +136,7 @@ class Evaluator:
             explain(error, lambda t, x: at.subset([k]))
             raise
         out = out.reshape(len(out), *kernel.program.signature.blocks[0].shape)
-        if not np.isfinite(out).all():
+        if not finite:
             warn_not_finite(out, at, self.names())
         return out[0] if single else out
 

@@ -164,7 +164,7 @@ def make_sweep(
     """Return the sweep of native functions; see `Kernel.checked`."""
     native = gates().code.addresses["sweep_1"] if lanes == 1 else wide_sweep(lanes)
     words, scratch = _sweep_words(program, lanes, [0, 0, strided, native], 0)
-    run, outputs = gates().sweep, len(program.outputs)
+    run, outputs = gates().sweep, program.signature.num_outputs
     most = max(1, SWEPT // (lanes * (program.num_operations + 1))) * lanes
     functions.bind(words)
 
