@@ -93,28 +93,7 @@ from pydy._problem import (
     read_numbers,
 )
 from pydy._states import check_dependents, default_dependents, given_values, solve_dependents
-from pydy.analysis import (
-    AdjointGradient,
-    EigenvalueSweep,
-    Equilibrium,
-    EquilibriumBranch,
-    FitResult,
-    FittedSystem,
-    LinearModel,
-    PeriodicOrbit,
-    Trial,
-    adjoint_gradient,
-    eigenvalues,
-    explicit_solver,
-    find_equilibrium,
-    find_periodic_orbit,
-    fit,
-    follow_equilibria,
-    linearize,
-)
 from pydy.codegen import rates_function
-from pydy.ensemble import integrate_ensemble
-from pydy.layers import Layer, LayerFunctions
 from pydy.solvers import Event, Solver
 from pydy.trajectory import Trajectory
 
@@ -138,9 +117,20 @@ if TYPE_CHECKING:
         SymbolOrName,
         TimeFunction,
     )
+    from pydy.analysis import (
+        AdjointGradient,
+        EigenvalueSweep,
+        Equilibrium,
+        EquilibriumBranch,
+        FitResult,
+        LinearModel,
+        PeriodicOrbit,
+        Trial,
+    )
     from pydy.control import OptimalTrajectory
     from pydy.export import Exported
     from pydy.inputs import SampledInput
+    from pydy.layers import Layer, LayerFunctions
     from pydy.viz import LiveSystem, Scene, Visual
 
     Value = TypeVar("Value")
@@ -2038,6 +2028,8 @@ class System:
         >>> float(model.eigenvalues.real.max().round(6))
         1.414214
         """
+        from pydy.analysis import linearize
+
         return linearize(self._now(), at, t, inputs=inputs, outputs=outputs)
 
     # -- Equilibria --------------------------------------------------------------------------------
@@ -2100,6 +2092,8 @@ class System:
         3.924
         >>> system.initial_conditions = found.initial_conditions
         """
+        from pydy.analysis import find_equilibrium
+
         return find_equilibrium(self._now(), unknowns, given, bounds, moving)
 
     # -- Eigenvalues and equilibria over a parameter -----------------------------------------------
@@ -2156,6 +2150,8 @@ class System:
         >>> [(round(c.value, 9), c.eigenvalue, c.oscillatory) for c in sweep.crossings()]
         [(0.0, 1j, True)]
         """
+        from pydy.analysis import eigenvalues
+
         return eigenvalues(
             self._now(),
             over,
@@ -2216,6 +2212,8 @@ class System:
         >>> point.kind, abs(round(point.value, 9)), round(point.frequency, 9)
         ('Hopf', 0.0, 1.0)
         """
+        from pydy.analysis import follow_equilibria
+
         return follow_equilibria(
             self._now(),
             over,
@@ -2292,6 +2290,8 @@ class System:
         >>> bool(np.allclose(np.abs(orbit.multipliers), np.exp(-np.pi))), orbit.stable
         (True, True)
         """
+        from pydy.analysis import find_periodic_orbit
+
         if until is not None:
             instance(until, Event, "`until`", "a pydy.solvers.Event")
         further = solver_kwargs.get("events", ())
@@ -2380,6 +2380,8 @@ class System:
         >>> round(found.value, 8), round(found['k0'], 8), round(found['m0'], 8)
         (0.54030231, -0.42073549, 0.42073549)
         """
+        from pydy.analysis import adjoint_gradient, explicit_solver
+
         if final is None and integral is None:
             raise ValueError(
                 "`final` or `integral` must be given: an output or an expression of states, "
@@ -2505,6 +2507,8 @@ class System:
         >>> result.estimates.round(6)
         array([4. , 0.2])
         """
+        from pydy.analysis import FittedSystem, fit
+
         twin = copy(self)
         twin._contradicted = None  # its numbers are only tried
         self._checked_contacts(contacts)
@@ -2749,6 +2753,8 @@ class System:
         >>> (results.status == 0).all().item()
         True
         """
+        from pydy.ensemble import integrate_ensemble
+
         if contacts is not None:
             self._checked_contacts(contacts)
         problem = self._now(solver_kwargs.get("events"), constants, contacts)
@@ -2779,6 +2785,8 @@ class System:
         self, contacts: Contacts | None, options: dict[str, Any]
     ) -> LayerFunctions:
         """Return the functions of the System as it is now."""
+        from pydy.layers import LayerFunctions
+
         if contacts is not None:
             self._checked_contacts(contacts)
         problem = self._now(options.get("events"), contacts=contacts)
@@ -2822,7 +2830,7 @@ class System:
         >>> jax.jit(layer.ode)([1.0, 0.0])  # doctest: +SKIP
         Array([ 0., -1.], dtype=float64)
         """
-        from pydy.layers import JaxArrays
+        from pydy.layers import JaxArrays, Layer
 
         return Layer(self._layer_functions(contacts, solver_kwargs), JaxArrays(), "JAX")
 
@@ -2854,7 +2862,7 @@ class System:
         >>> layer.ode([1.0, 0.0])  # doctest: +SKIP
         tensor([ 0., -1.], dtype=torch.float64)
         """
-        from pydy.layers import TorchArrays
+        from pydy.layers import Layer, TorchArrays
 
         return Layer(self._layer_functions(contacts, solver_kwargs), TorchArrays(), "PyTorch")
 
