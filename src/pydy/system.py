@@ -14,7 +14,6 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Literal, Self, TypeAlias, TypeVar, overload
 
 import numpy as np
-import scipy
 import sympy as sm
 
 from pydy._assembly import CompiledModel, Definition, check_expressions
@@ -73,7 +72,13 @@ from pydy._mechanics import (
     extract,
     method_of,
 )
-from pydy._motion import SolveIvp, is_odeint, native_solver, resolve_ode_solver
+from pydy._motion import (
+    SolveIvp,
+    default_solver,
+    is_odeint,
+    native_solver,
+    resolve_ode_solver,
+)
 from pydy._names import name_of, nearest, some
 from pydy._optional import progress_of
 from pydy._problem import (
@@ -715,7 +720,7 @@ class System:
         >>> system.integrate(rtol=1e-10, atol=1e-10)[:, 0]
         array([1.        , 0.65970..., 0.1505...])
         """
-        return scipy.integrate.odeint if self._ode_solver is None else self._ode_solver
+        return default_solver() if self._ode_solver is None else self._ode_solver
 
     @ode_solver.setter
     def ode_solver(self, ode_solver: OdeSolver | str | None) -> None:

@@ -65,3 +65,18 @@ def test_few_modules_of_ours_are_loaded(loaded):
     solver, modules = loaded
     count = sum(name.startswith("pydy") for name in modules)
     assert count <= {"odeint": 195, "dop853": 205}[solver]
+
+
+def test_the_collector_does_not_visit_all_objects_while_scipy_is_imported():
+    # The last lines of the script make the first use of odeint.
+    counted = (
+        SCRIPT.replace("system.integrate()", "")
+        + """
+import gc
+started = []
+gc.callbacks.append(lambda phase, info: started.append(info["generation"]))
+solver = system.ode_solver
+assert "scipy.integrate" in sys.modules and gc.isenabled() and not started, started
+"""
+    )
+    subprocess.run([sys.executable, "-c", counted, "odeint"], check=True)

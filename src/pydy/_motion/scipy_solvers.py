@@ -16,6 +16,7 @@ import numpy as np
 import scipy
 
 from pydy._checks import descends, listed, monotonic, shown
+from pydy._collector import collector_paused
 from pydy._errors import IntegrationError
 from pydy._motion.scipy_options import check_scipy_options
 from pydy._names import nearest, numbers_of, unique_names
@@ -49,6 +50,20 @@ def refuse_nested(name: str) -> None:
 
 
 # -- odeint ---------------------------------------------------------------------------------------
+
+
+def default_solver() -> Callable[..., Any]:
+    """Return odeint.
+
+    The first import of `scipy.integrate` runs with the cycle collector paused: its 350 modules
+    would start a full collection, which visits all of SymPy's objects and takes a tenth of the
+    import.
+    """
+    if "scipy.integrate" in sys.modules:
+        return scipy.integrate.odeint  # type: ignore[no-any-return]
+    with collector_paused():
+        return scipy.integrate.odeint  # type: ignore[no-any-return]
+
 
 _ILLEGAL = "Illegal input"
 _GOOD = ("Integration successful", "Nothing was done")
