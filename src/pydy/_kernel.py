@@ -14,8 +14,7 @@ from pydy._program import Program, SwitchTimes
 if TYPE_CHECKING:
     from pydy.inputs import SampledInput
 
-Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
-CheckedSweep = Callable[..., tuple[np.ndarray, np.ndarray, bool]]
+Sweep = Callable[..., tuple[np.ndarray, np.ndarray, bool]]
 # ``(x, t, r, p, out)``, arrays but for t.
 Call = Callable[[np.ndarray, float, np.ndarray, np.ndarray, np.ndarray], int]
 
@@ -36,10 +35,11 @@ class Kernel:
     """A compiled Program: machine code, or functions of NumPy."""
 
     program: Program
-    # ``sweep(t, x, r, p) -> (out, failed)`` over m samples; t (m,), x (m, n), r (m, s) or (1, s)
-    # for all samples alike, p (k,), all of them float64, t and p contiguous. `failed` marks the
-    # samples whose linear solve was singular. Native ones also take the array to write to as a
-    # fifth argument, with contiguous rows, or columns if they have several lanes.
+    # ``sweep(t, x, r, p) -> (out, failed, finite)`` over m samples; t (m,), x (m, n), r (m, s) or
+    # (1, s) for all samples alike, p (k,), all of them float64, t and p contiguous. `failed` marks
+    # the samples whose linear solve was singular; `finite` tells whether all results are: native
+    # sweeps look at them while they are in the cache. Native ones also take the array to write to
+    # as a fifth argument, with contiguous rows, or columns if they have several lanes.
     sweep: Sweep
     # ``gate(x, t, r, p, out) -> int`` for one state. There is no checking beyond what keeps it
     # safe: −1 asks the caller to convert its arguments and use `at`, otherwise it is the bit mask
@@ -54,9 +54,6 @@ class Kernel:
     # Of the reflection of a Kernel in time (`pydy.solvers.reflection`), which is called at s = −t:
     # how many outputs, the first ones, change their sign. The functions are those of the Kernel.
     negated: int | None = None
-    # ``checked(t, x, r, p) -> (out, failed, finite)``: native sweeps look at their results while
-    # these are in the cache. `finite` tells whether all are.
-    checked: CheckedSweep | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Callable[..., Kernel], tuple[object, ...]]:
         return (self.rebuild, (self.program, *self.recipe))
@@ -114,23 +111,8 @@ class Kernel:
         out: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Evaluate m samples, into `out` where the Kernel is native; see `sweep`."""
-        if self.checked is not None:
-            return self.checked(t, x, r, p, out)[:2]
-        return self.sweep(t, x, r, p) if out is None else self.sweep(t, x, r, p, out)
-
-    def evaluate_checked(
-        self,
-        t: np.ndarray,
-        x: np.ndarray,
-        r: np.ndarray,
-        p: np.ndarray,
-        out: np.ndarray | None = None,
-    ) -> tuple[np.ndarray, np.ndarray, bool]:
-        """Evaluate m samples like `evaluate`, and say whether all results are finite."""
-        if self.checked is not None:
-            return self.checked(t, x, r, p, out)
-        values, failed = self.evaluate(t, x, r, p, out)
-        return values, failed, bool(np.isfinite(values).all())
+        results = self.sweep(t, x, r, p) if out is None else self.sweep(t, x, r, p, out)
+        return results[:2]
 
 
 @dataclass(frozen=True, eq=False)

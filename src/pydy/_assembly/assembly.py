@@ -26,6 +26,11 @@ class EquationBlocks:
     forcing: list[int] = field(default_factory=list)
 
     @property
+    def of_function(self) -> tuple[str, ...]:
+        """The names of the blocks that a generated function returns."""
+        return ("rates", "ordinary") if self.ordinary else ("rates",)
+
+    @property
     def constraints(self) -> list[int]:
         """Residuals of the holonomic, then the nonholonomic constraints."""
         return [*self.holonomic, *self.nonholonomic]

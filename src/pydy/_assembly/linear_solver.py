@@ -76,12 +76,12 @@ def with_external_solver(
 
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
+    ) -> tuple[np.ndarray, np.ndarray, bool]:
         out = np.full((len(t), program.signature.num_outputs), np.nan)
         failed = np.zeros(len(t), dtype=bool)
         for k, row in enumerate(np.broadcast_to(r, (len(t), r.shape[1]))):
             state, inputs = np.array(x[k], dtype=float), np.array(row, dtype=float)
             failed[k] = call(state, float(t[k]), inputs, p, out[k])
-        return out, failed
+        return out, failed, bool(np.isfinite(out).all())
 
     return Kernel(program, sweep, call, with_external_solver, (system, solver, rest))

@@ -45,7 +45,7 @@ class CompiledModel:
         ScipyOperation.refuse(self.backend, self.assembly.graph.ops)
 
     def __getstate__(self) -> dict[str, Any]:
-        kept = self.function_blocks
+        kept = self.assembly.blocks.of_function
         kernels = {k: v for k, v in self._kernels.items() if k == kept}
         empty: dict[str, Any] = {name: {} for name in ("latest", "_variants", "_evaluated")}
         state = {**self.__dict__, "_kernels": kernels, **empty}
@@ -72,11 +72,6 @@ class CompiledModel:
             ("compiled", "; ".join(compiled) or "nothing so far"),
         ]
         return "\n".join(["CompiledModel", *(f"  {name:<10}  {text}" for name, text in lines)])
-
-    @property
-    def function_blocks(self) -> tuple[str, ...]:
-        """The blocks that a generated function returns."""
-        return ("rates", "ordinary") if self.assembly.blocks.ordinary else ("rates",)
 
     @cached_property
     def programs(self) -> Programs:
@@ -171,7 +166,7 @@ class CompiledModel:
         self, kernel: Kernel, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
     ) -> tuple[np.ndarray, bool]:
         """Return the same, and whether all of them are finite."""
-        out, failed, finite = kernel.evaluate_checked(t, x, r, p)
+        out, failed, finite = kernel.sweep(t, x, r, p)
         if failed.any():
             k = int(np.flatnonzero(failed)[0])
             raise singular_mass_matrix(self.layout, float(t[k]), x[k])

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from pydy._backends.registry import compile_program
-from pydy._kernel import Call, Kernel
+from pydy._kernel import Call, Kernel, Sweep
 from pydy._program import Program
 
 
@@ -40,13 +40,13 @@ def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
     )
 
 
-def call_of(program: Program, sweep: Callable[..., tuple[np.ndarray, np.ndarray]]) -> Call:
+def call_of(program: Program, sweep: Sweep) -> Call:
     """Return the `Kernel.gate` of a Program that a sweep evaluates."""
 
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
         if type(t) is not float or not strict(program, x, r, p):
             return -1
-        values, failed = sweep(np.array([t]), x[None, :], r[None, :], p)
+        values, failed, _ = sweep(np.array([t]), x[None, :], r[None, :], p)
         out[:] = values[0]
         return int(failed[0])
 
@@ -69,7 +69,8 @@ def kernel_of(
 
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
-        return evaluate(t, x, np.broadcast_to(r, (len(t), r.shape[1])), p)
+    ) -> tuple[np.ndarray, np.ndarray, bool]:
+        out, failed = evaluate(t, x, np.broadcast_to(r, (len(t), r.shape[1])), p)
+        return out, failed, bool(np.isfinite(out).all())
 
-    return Kernel(program, sweep, call_of(program, evaluate), compile_program, (generator, options))
+    return Kernel(program, sweep, call_of(program, sweep), compile_program, (generator, options))

@@ -101,10 +101,10 @@ def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
     NaN. In the written-out Program, columns have no products with variables they do not depend on.
     """
 
-    def checked(
+    def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray, bool]:
-        values, failed, all_finite = kernel.evaluate_checked(t, x, r, p, out)
+        values, failed, all_finite = kernel.sweep(t, x, r, p, out)
         if all_finite:
             return values, failed, True
         finite = np.isfinite(values).all(axis=1) | ~np.isfinite(x).all(axis=1) | failed
@@ -115,4 +115,4 @@ def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
             failed[k] |= bad
         return values, failed, bool(np.isfinite(values).all())
 
-    return replace(kernel, sweep=lambda *arrays: checked(*arrays)[:2], checked=checked)
+    return replace(kernel, sweep=sweep)

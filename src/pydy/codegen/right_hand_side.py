@@ -181,7 +181,7 @@ class RightHandSide:
     @cached_property
     def kernel(self) -> Kernel:
         """The Kernel of the function's values."""
-        return self.model.compiled(*self.model.function_blocks)
+        return self.model.compiled(*self.model.assembly.blocks.of_function)
 
     def docstring(self) -> str:
         """Return the docstring that users read with help()."""

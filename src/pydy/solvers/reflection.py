@@ -123,10 +123,10 @@ def _kernel(kernel: Kernel, negated: int | None = None) -> Kernel:
 def _rebuilt(program: Program, kernel: Kernel, count: int) -> Kernel:
     def sweep(
         s: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, *out: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
-        values, failed = kernel.sweep(reversed_times(s), x, r, p, *out)
+    ) -> tuple[np.ndarray, np.ndarray, bool]:
+        values, failed, finite = kernel.sweep(reversed_times(s), x, r, p, *out)
         values[:, :count] *= -1.0
-        return values, failed
+        return values, failed, finite
 
     return Kernel(
         program,
@@ -187,11 +187,11 @@ def _event(kernel: Kernel) -> Kernel:
 
     def sweep(
         s: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
+    ) -> tuple[np.ndarray, np.ndarray, bool]:
         inputs = np.array(r)
         inputs[:, first:] *= -1.0
-        values, failed = kernel.sweep(reversed_times(s), x, inputs, p)
+        values, failed, finite = kernel.sweep(reversed_times(s), x, inputs, p)
         values[:, odd] *= -1.0
-        return values, failed
+        return values, failed, finite
 
-    return replace(kernel, sweep=sweep, gate=_no_gate, functions=None, checked=None)
+    return replace(kernel, sweep=sweep, gate=_no_gate, functions=None)

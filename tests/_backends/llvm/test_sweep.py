@@ -75,7 +75,7 @@ def test_the_bits_depend_neither_on_layouts_nor_on_tiles(lanes, near, layout, mo
         expected, _ = one.evaluate(t, x, r, p)
         orders = "CF" if lanes > 1 else "C"
         for out in [None, *(np.full(expected.shape, np.nan, order=order) for order in orders)]:
-            values, failed, finite = kernel.evaluate_checked(t, LAYOUTS[layout](x), r, p, out)
+            values, failed, finite = kernel.sweep(t, LAYOUTS[layout](x), r, p, out)
             np.testing.assert_array_equal(values, expected)
             assert out is None or values is out
             assert finite is True
@@ -108,8 +108,8 @@ def test_a_sweep_says_whether_all_results_are_finite(lanes, order, count, value)
     for k in (0, count // 2, count - 1):
         wrong = np.array(x, order=order)
         wrong[k, 3] = value
-        assert kernel.evaluate_checked(t, wrong, r, p)[2] is False
-    assert kernel.evaluate_checked(t, np.array(x, order=order), r, p)[2] is True
+        assert kernel.sweep(t, wrong, r, p)[2] is False
+    assert kernel.sweep(t, np.array(x, order=order), r, p)[2] is True
 
 
 @pytest.mark.parametrize("lanes", [1, 2, 4, 8])

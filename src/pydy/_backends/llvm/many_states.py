@@ -13,7 +13,7 @@ from collections.abc import Callable
 import numpy as np
 
 from pydy._backends.tuning import COMPILED_FROM, READ_FROM
-from pydy._kernel import CheckedSweep
+from pydy._kernel import Sweep
 
 LANES = 8
 
@@ -25,9 +25,9 @@ class ManyStates:
     False.
     """
 
-    def __init__(self, one: CheckedSweep, wide: Callable[[bool], CheckedSweep | None]) -> None:
+    def __init__(self, one: Sweep, wide: Callable[[bool], Sweep | None]) -> None:
         self._one, self._make = one, wide
-        self._wide: CheckedSweep | None = None
+        self._wide: Sweep | None = None
         self._evaluated, self._next = 0, READ_FROM
 
     def __call__(
@@ -38,7 +38,7 @@ class ManyStates:
         p: np.ndarray,
         out: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray, bool]:
-        """Evaluate m samples; see `Kernel.checked`."""
+        """Evaluate m samples; see `Kernel.sweep`."""
         if len(t) < LANES:
             return self._one(t, x, r, p, out)
         if self._wide is None:

@@ -34,7 +34,7 @@ from pydy._backends.llvm.text import size_with_constants
 from pydy._backends.registry import compile_program
 from pydy._backends.tuning import NEARBY, SWEPT, TILE
 from pydy._forks import once
-from pydy._kernel import CheckedSweep, Kernel
+from pydy._kernel import Kernel, Sweep
 from pydy._program import Program, Tangent
 
 # -- Functions of Python ---------------------------------------------------------------------------
@@ -95,25 +95,19 @@ def native_kernel(
     rebuild: Callable[..., Kernel],
     recipe: tuple[Any, ...],
     strided: int = 0,
-    wide: Callable[[bool], CheckedSweep | None] | None = None,
+    wide: Callable[[bool], Sweep | None] | None = None,
 ) -> Kernel:
     """Wrap native functions of the package's signature as a Kernel.
 
     `strided` is the address of the function for strided arrays, or zero. `wide` is for
     `ManyStates`.
     """
-    checked = make_sweep(program, functions, lanes, strided)
+    sweep = make_sweep(program, functions, lanes, strided)
     if wide is not None:
-        checked = ManyStates(checked, wide)
+        sweep = ManyStates(sweep, wide)
     signature, size_of_c = cast("Program", program), _size_of_c(program, lanes)
-
-    def sweep(*arrays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return checked(*arrays)[:2]
-
     call = _make_call(program, functions, lanes, sweep)
-    return Kernel(
-        signature, sweep, call, rebuild, recipe, lanes, functions, size_of_c, checked=checked
-    )
+    return Kernel(signature, sweep, call, rebuild, recipe, lanes, functions, size_of_c)
 
 
 class _Gates:
@@ -160,8 +154,8 @@ def _size_of_c(program: Program | Tangent, lanes: int) -> int:
 
 def make_sweep(
     program: Program | Tangent, functions: LinkedFunctions, lanes: int, strided: int
-) -> CheckedSweep:
-    """Return the sweep of native functions; see `Kernel.checked`."""
+) -> Sweep:
+    """Return the sweep of native functions; see `Kernel.sweep`."""
     native = gates().code.addresses["sweep_1"] if lanes == 1 else wide_sweep(lanes)
     words, scratch = _sweep_words(program, lanes, [0, 0, strided, native], 0)
     run, outputs = gates().sweep, program.signature.num_outputs
@@ -231,7 +225,7 @@ def _make_call(
     program: Program | Tangent,
     functions: LinkedFunctions,
     lanes: int,
-    sweep: Callable[..., tuple[np.ndarray, np.ndarray]],
+    sweep: Sweep,
 ) -> Callable[..., int]:
     if lanes == 1 and _array_layout.FITS and not sysconfig.get_config_var("Py_GIL_DISABLED"):
         words = np.zeros(
@@ -299,7 +293,7 @@ def _functions_of(code: jit.Code) -> tuple[LinkedFunctions, int]:
     return functions, code.addresses.get("strided", 0)
 
 
-def _wide_sweep_of(program: Program, compiles: bool) -> CheckedSweep | None:
+def _wide_sweep_of(program: Program, compiles: bool) -> Sweep | None:
     """Return a Program's sweep in lanes, or None where it is in no cache and not to be compiled."""
     code = wide_code(program, LANES) if compiles else cached_wide_code(program, LANES)
     if code is None:
