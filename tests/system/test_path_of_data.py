@@ -191,7 +191,7 @@ def test_a_repeated_call_compares_and_differentiates_no_symbols(make, call):
     def note(frame, event, argument):
         code = frame.f_code
         dear = code.co_name in ("__eq__", "diff") and "sympy" in code.co_filename
-        dear = dear or code.co_name == "lowered"
+        dear = dear or code.co_name == "lower_nodes"
         if event == "call" and dear and frame.f_back.f_code.co_filename.startswith(PACKAGE):
             called[code.co_qualname] += 1
 
