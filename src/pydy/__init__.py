@@ -17,7 +17,11 @@ __all__ = ["System", "__version__"]
 
 def __getattr__(name: str) -> Any:
     if name == "System":
-        return import_module("pydy.system").System
+        from pydy._collector import collector_paused
+
+        # It may load SymPy and NumPy, too; collections would visit their objects again and again.
+        with collector_paused():
+            return import_module("pydy.system").System
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -80,3 +80,15 @@ assert "scipy.integrate" in sys.modules and gc.isenabled() and not started, star
 """
     )
     subprocess.run([sys.executable, "-c", counted, "odeint"], check=True)
+
+
+def test_no_collection_runs_while_the_system_is_imported():
+    counted = """
+import gc
+import pydy._collector
+started = []
+gc.callbacks.append(lambda phase, info: started.append(info["generation"]))
+pydy.System
+assert gc.isenabled() and not started, started
+"""
+    subprocess.run([sys.executable, "-c", counted], check=True)
