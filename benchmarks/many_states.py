@@ -83,14 +83,14 @@ def measure(name: str, system: System, options: argparse.Namespace) -> list[dict
     for what, (call, kernel) in calls(system).items():
         wide, p = in_lanes(kernel), problem.p
         program = kernel.program
-        few = rng.normal(0.3, 0.1, (IN_CACHE, program.num_states))
+        few = rng.normal(0.3, 0.1, (IN_CACHE, program.signature.num_states))
         out = np.empty((IN_CACHE, len(program.outputs)))
-        r = np.zeros((1, program.num_specifieds))
+        r = np.zeros((1, program.signature.num_specifieds))
         cached = partial(wide.evaluate, np.zeros(IN_CACHE), few, r, p, out)
         for count in options.counts:
             if count * len(program.outputs) > options.most:
                 continue
-            x, t = rng.normal(0.3, 0.1, (count, program.num_states)), np.zeros(count)
+            x, t = rng.normal(0.3, 0.1, (count, program.signature.num_states)), np.zeros(count)
             evaluated = 0
             while evaluated < COMPILED_FROM and wide is not kernel:  # from which lanes are used
                 call(x, t)

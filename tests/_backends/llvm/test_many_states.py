@@ -34,8 +34,13 @@ def product(scale):
 
 
 def arguments(program, m=100):
-    x = np.random.default_rng(m).uniform(0.5, 0.9, (m, program.num_states))
-    return np.zeros(m), x, np.zeros((1, program.num_specifieds)), np.ones(program.num_constants)
+    x = np.random.default_rng(m).uniform(0.5, 0.9, (m, program.signature.num_states))
+    return (
+        np.zeros(m),
+        x,
+        np.zeros((1, program.signature.num_specifieds)),
+        np.ones(program.signature.num_constants),
+    )
 
 
 def test_lanes_take_over_where_compiling_them_pays(few, sweeps, monkeypatch, tmp_path):
