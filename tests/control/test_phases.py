@@ -38,6 +38,23 @@ def test_a_mass_that_bounces_off_a_wall(restitution, method):
     assert (len(solution), solution.duration, solution.message) == (2, 2.0, "solved")
 
 
+def test_a_problem_in_other_phases_is_linked_to_their_states():
+    """The code of a link is kept with the problem before it, whatever the links and states."""
+    x, v, F, w = me.dynamicsymbols("x v F w")
+    effort = sm.Integral(F**2, T)
+    system = optima.first_order([x], v, F)
+    there = OptimalControl(system, effort, 1.0, end={x: 1.0}, mesh=4)
+    back = OptimalControl(system, effort, 1.0, end={x: 0.0, v: 0.0}, mesh=4)
+    kinematics = [w.diff() - 2 * v, x.diff() - v]
+    wider = optima.first_order([w, x], v, F, 1, kinematics)
+    beside = OptimalControl(wider, effort, 1.0, start={w: 7.0}, end={x: 0.0, v: 0.0}, mesh=4)
+    for last, link in ((back, {v: -v}), (back, {v: -v / 2}), (beside, {v: -v / 2})):
+        motions = OptimalControl.phases([there, last], [link]).solve()
+        before, after = motions
+        assert after[x][0] == pytest.approx(before[x][-1], abs=1e-8)
+        assert after[v][0] == pytest.approx(float(link[v] / v) * before[v][-1], rel=1e-8)
+
+
 def test_phases_are_swept_through_constants():
     x, v, F = me.dynamicsymbols("x v F")
     m, e = sm.symbols("m e")

@@ -217,7 +217,8 @@ def _pow(g: NodeBuilder, n: int, a: int, b: int) -> Nodes:
     return by_base, by_exponent
 
 
-def _atan2(g: NodeBuilder, n: int, y: int, x: int) -> Nodes:
+def _partials_of_atan2(g: NodeBuilder, n: int, y: int, x: int) -> Nodes:
+    """Return x / (x² + y²) and −y / (x² + y²), by y and by x."""
     square = g.add(g.powi(y, 2), g.powi(x, 2))
     return g.div(x, square), g.neg(g.div(y, square))
 
@@ -325,7 +326,11 @@ _function("floor", np.floor, "intrinsic floor", sympy="floor")
 _function("ceil", np.ceil, "intrinsic ceil", sympy="ceiling")
 
 register(Operation("pow", 2, np.power, "pow({0}, {1})", "libm pow", _pow))
-register(Operation("atan2", 2, np.arctan2, "atan2({0}, {1})", "libm atan2", _atan2, sympy="atan2"))
+register(
+    Operation(
+        "atan2", 2, np.arctan2, "atan2({0}, {1})", "libm atan2", _partials_of_atan2, sympy="atan2"
+    )
+)
 register(
     Operation(
         "min", 2, np.minimum, "minimum({0}, {1})", "intrinsic minimum",

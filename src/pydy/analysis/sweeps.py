@@ -135,7 +135,8 @@ class EigenvalueSweep:
 
         Each crossing is accurate to rounding, computed from linear models at values in between.
         Only one of a conjugate pair is listed. Without damping, branches lie on the axis until they
-        meet and one becomes unstable: these points are listed too.
+        meet and one becomes unstable, at zero (divergence) or elsewhere (flutter): these points are
+        listed too.
         """
         crossings = []
         for branch in range(self._branches):
@@ -145,14 +146,14 @@ class EigenvalueSweep:
             for k in np.flatnonzero(signs[1:] != signs[:-1]):
                 first, last = int(nonzero[k]), int(nonzero[k + 1])
                 middle = self.eigenvalues[first : last + 1, branch].imag
-                lower = middle.mean() <= -max(limit[first], limit[last])
-                if not lower and not self._stays_on_axis(branch, first, last):
+                lower_one = middle.mean() <= -max(limit[first], limit[last])  # of a conjugate pair
+                if not lower_one and not self._stays_on_axis(branch, first, last):
                     crossings.append(self._axis_crossing(branch, first, last))
-            for inside, out in self._departures(branch):
-                if self.eigenvalues[out, branch].imag > -limit[out]:
-                    crossings.append(self._departure_crossing(branch, inside, out))
-        real_ones = (crossing for crossing in crossings if crossing is not None)
-        return tuple(sorted(real_ones, key=lambda crossing: crossing.value))
+            for on_axis, unstable in self._departures(branch):
+                if self.eigenvalues[unstable, branch].imag > -limit[unstable]:  # real ones too
+                    crossings.append(self._departure_crossing(branch, on_axis, unstable))
+        existing = (crossing for crossing in crossings if crossing is not None)
+        return tuple(sorted(existing, key=lambda crossing: crossing.value))
 
     def _departures(self, branch: int) -> list[tuple[int, int]]:
         """Return index pairs (on the axis, unstable) where a branch departs from the axis."""

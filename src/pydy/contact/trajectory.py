@@ -18,7 +18,7 @@ _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
 class _Segmented:
-    """A quantity that is evaluated segment by segment."""
+    """Evaluates at each time the segment in force; a transition belongs to the one it begins."""
 
     def __init__(self, segments: Sequence[Segment]) -> None:
         self.segments = list(segments)

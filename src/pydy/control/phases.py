@@ -152,7 +152,8 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
         before, after = (transcription.problem for transcription in transcriptions)
         definition, link = self._problems[k]._snapshot.definition, self._links[k]
         next_states = self._problems[k + 1]._snapshot.definition.states
-        key = ("link", k, *map(str, link.items()))
+        # The problem before shares this with other Phases, whose next states may be others.
+        key = ("link", *link.items(), *next_states)
 
         def compiled() -> PointFunctions:
             point = PointBuilder(before.equations, len(before.numbers))

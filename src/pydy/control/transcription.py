@@ -149,7 +149,11 @@ class TranscribedProblem:
         return (*self.labels[:first], *further[points.rows])
 
     def once(self, key: Hashable, make: Callable[[], Compiled]) -> Compiled:
-        """Return the code that is compiled once for all meshes and numbers."""
+        """Return the code that is compiled once for all meshes and numbers.
+
+        Copies of the problem by `replace` share it: the key holds everything that `make` reads
+        besides the problem's equations, sizes and expressions.
+        """
         if key not in self._compiled:
             with collector_paused():  # the graph is freed before it could become an old object
                 self._compiled[key] = make()

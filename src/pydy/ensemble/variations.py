@@ -217,7 +217,7 @@ def _check_assumptions(
 
 
 def _aligned(columns: Sequence[Column], dims: Mapping[str, int]) -> tuple[np.ndarray, ...]:
-    """Return copies of the arrays with one axis for each dimension."""
+    """Return copies of the arrays with an axis for each of `dims`, in their order."""
     result = []
     for names, values in columns:
         order = [names.index(d) for d in dims if d in names]

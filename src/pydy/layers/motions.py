@@ -131,10 +131,10 @@ class MotionFunction:
             problem, problem.settings.times, solver=self._solver, sensitivities=request, **options
         )
 
-    def _or_nan(
+    def _nan_if_batched(
         self, lead: tuple[int, ...], function: Callable[..., np.ndarray], *sample: object
     ) -> np.ndarray | float:
-        """Return a function of one sample; NaN if it fails and there are several samples."""
+        """Return a function of one sample; if it fails, NaN for samples with axes, or raise."""
         try:
             return function(*sample)
         except (IntegrationError, SingularMatrixError):
@@ -164,7 +164,7 @@ class MotionFunction:
             else:
                 values, remaining = np.empty((m, *self.shape)), [*range(m)]
             for k in remaining:
-                values[k] = self._or_nan(lead, self._states, [array[k] for array in flat])
+                values[k] = self._nan_if_batched(lead, self._states, [array[k] for array in flat])
         return values.reshape(*lead, *self.shape)
 
     def _states(self, row: list[np.ndarray]) -> np.ndarray:
@@ -204,7 +204,7 @@ class MotionFunction:
             if self._final and self._problem.hybrid is None:
                 slopes = np.empty((len(weights), sum(map(len, columns))))
                 for k, w in enumerate(weights):
-                    slopes[k] = self._or_nan(
+                    slopes[k] = self._nan_if_batched(
                         lead, self._adjoint, parameters, [a[k] for a in flat], w
                     )
             else:
@@ -266,7 +266,7 @@ class MotionFunction:
 
         result = np.empty((m, steps, n, columns))
         for k in range(m):
-            result[k] = self._or_nan(lead, slopes_of, [array[k] for array in flat])
+            result[k] = self._nan_if_batched(lead, slopes_of, [array[k] for array in flat])
         return result
 
     def _check_reached(self, missed: bool | np.bool_) -> None:

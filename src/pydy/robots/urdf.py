@@ -375,7 +375,7 @@ def _warn_of_inertias(reader: _UrdfReader, links: dict[str, ElementTree.Element]
 
     `Tree.check` warns of negative principal moments.
     """
-    descriptions = []
+    impossible_links = []
     for name, element in links.items():
         inertia_element = element.find("inertial/inertia")
         if inertia_element is None:
@@ -392,16 +392,16 @@ def _warn_of_inertias(reader: _UrdfReader, links: dict[str, ElementTree.Element]
                 unsure[i, j] = unsure[j, i] = 0.5 * _last_digit(text)
         a, b, c = np.linalg.eigvalsh(matrix)
         if a >= 0.0 and c - a - b > 3.0 * np.linalg.norm(unsure) + ROUNDED * c:
-            descriptions.append(
+            impossible_links.append(
                 f"'{name}' ({reader.location(inertia_element)}; {c:.6g} > {a:.6g} + {b:.6g})"
             )
-    if descriptions:
+    if impossible_links:
         warn_user(
-            f"No body has the inertia of the link {descriptions[0]}: a principal moment is larger "
-            "than the other two together"
+            f"No body has the inertia of the link {impossible_links[0]}: a principal moment is "
+            "larger than the other two together"
             + (
-                f"; nor those of {len(descriptions) - 1} other links of this file"
-                if descriptions[1:]
+                f"; nor those of {len(impossible_links) - 1} other links of this file"
+                if impossible_links[1:]
                 else ""
             )
             + ". They are taken as they are. Correct them in the file."

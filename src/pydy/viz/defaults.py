@@ -85,7 +85,7 @@ def default_shape(
         mass = 12 * max(moments) / (0.4 * size) ** 2
     if not mass > 0 or not max(moments) > 0 or not np.isfinite(moments).all():
         return joint if reach else ball
-    # I_x = m (y² + z²) / 12 and so on, solved for the edges.
+    # I_x = m (y² + z²) / 12 and so on: I_y + I_z − I_x = m x² / 6.
     ix, iy, iz = moments
     squares = [iy + iz - ix, iz + ix - iy, ix + iy - iz]
     if min(squares) < -DIGITS * max(moments):
@@ -111,6 +111,8 @@ def inertial_lengths(
     body: Body, shape: Shape, numbers: Mapping[AnySymbol, float]
 ) -> dict[str, sm.Expr]:
     """Return the lengths of a body's default shape as expressions of mass and inertia.
+
+    The formulas are those of the default shape above: live pages change it with the constants.
 
     Empty if the inertia depends on more than constants, or if the size of the shape at the
     `numbers` of the constants does not follow from the inertia.
