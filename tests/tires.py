@@ -10,6 +10,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 
 # Pacejka, Tyre and Vehicle Dynamics, 2nd ed., 2006, Table A3.1: 205/60R15 91V at 2.2 bar, ISO.
 TABLE_A31 = {
@@ -72,6 +73,17 @@ TIRES: dict[str, tuple[str, str | None, dict[str, float]]] = {
     "PAC2002": ("PAC2002", None, {**COMMON, **_OLD, **_PRESSURE, "LKYC": 1.06}),
 }
 _IS_ONE = ("LGAX", "LGAY", "LGAZ", "LKYC", "LKZC", "LSGKP", "LSGAL", *SCALING)
+
+
+NAMES = ("Fx", "Fy", "Mx", "My", "Mz")
+
+
+def slip_states():
+    """Return twenty states: load, κ, α, γ, speed, pressure."""
+    random = np.random.default_rng(54)
+    low = [1000.0, -0.3, -0.25, -0.15, 5.0, 1.8e5]
+    high = [8000.0, 0.3, 0.25, 0.15, 40.0, 2.6e5]
+    return random.uniform(low, high, (20, 6))
 
 
 class Published(SimpleNamespace):

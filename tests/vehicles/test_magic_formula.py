@@ -16,23 +16,13 @@ from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import MagicFormula
-from tires import COMMON, TABLE_A31, TIRES
+from tires import COMMON, NAMES, TABLE_A31, TIRES, slip_states
 from zoo import inertial_frame
-
-NAMES = ("Fx", "Fy", "Mx", "My", "Mz")
 
 
 def tire_of(name, **options):
     version, equations, values = TIRES[name]
     return MagicFormula(values, version, equations=equations, **options)
-
-
-def slip_states():
-    """Twenty states: load, κ, α, γ, speed, pressure."""
-    random = np.random.default_rng(54)
-    low = [1000.0, -0.3, -0.25, -0.15, 5.0, 1.8e5]
-    high = [8000.0, 0.3, 0.25, 0.15, 40.0, 2.6e5]
-    return random.uniform(low, high, (20, 6))
 
 
 @pytest.fixture(scope="module", params=list(TIRES))
