@@ -217,6 +217,22 @@ def test_relaxation_lengths_of_the_new_versions_need_stiffnesses():
     assert tire.relaxation_lengths(4000) == pytest.approx((Kx / 3.6e5, -Ky / 1e5))
 
 
+def test_the_normal_force_has_the_stiffness_at_the_nominal_load():
+    k = 2.1e5
+    tire = tire_of("Table A3.1").replace(VERTICAL_STIFFNESS=k, VERTICAL_DAMPING=50.0)
+    assert tire.normal_force(-0.01, -0.2) == pytest.approx(0.01 * k + 10.0)
+    assert tire.normal_force([0.001, -0.001], 10.0).tolist() == [0.0, 0.0]
+    curved = tire.replace(Q_FZ2=14.0)
+    gap = sm.Symbol("gap")
+    force = curved.normal_force(gap)
+    depth = float(sm.nsolve(force.args[0][0] - 4000.0, gap, -0.02))
+    h = 1e-6
+    slope = (curved.normal_force(depth - h) - curved.normal_force(depth + h)) / (2 * h)
+    assert slope == pytest.approx(k, rel=1e-6)
+    with pytest.raises(ValueError, match="VERTICAL_STIFFNESS is missing"):
+        tire_of("Table A3.1").normal_force(-0.01)
+
+
 def test_use_modes_leave_out_what_they_say():
     tire = {mode: MagicFormula(COMMON, use_mode=mode) for mode in (0, 1, 2, 3, 4, 14)}
     forces = {mode: np.array(t.forces(4000, 0.1, 0.1, 0.05)) for mode, t in tire.items()}

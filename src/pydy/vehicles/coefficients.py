@@ -43,6 +43,7 @@ _BASIC = {
     "combined aligning moment": _upto("SSZ", 4),
     "overturning moment": _upto("QSX", 3),
     "rolling resistance": _upto("QSY", 4),
+    "normal force": ("VERTICAL_STIFFNESS", "VERTICAL_DAMPING"),
 }  # fmt: skip
 _OLD = {
     "lateral force": ("PHY3",),
@@ -64,6 +65,7 @@ _NEW = {
         "LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS", *_upto("PCFX", 3), *_upto("PCFY", 3),
     ),
 }  # fmt: skip
+_SPRING: dict[str, tuple[str, ...]] = {"normal force": ("Q_FZ2",)}
 _NEWEST = {"overturning moment": _numbered("QSX", 12, 13, 14)}
 _SCALING = (
     "LFZO", "LMUX", "LMUY", "LCX", "LEX", "LKX", "LHX", "LVX", "LCY", "LEY", "LKY", "LHY", "LVY",
@@ -78,8 +80,8 @@ _SCALING_OF = {
 _PARTS: dict[str, tuple[dict[str, tuple[str, ...]], ...]] = {
     "5.2": (_BASIC, _OLD),
     "PAC2002": (_BASIC, _OLD, _PRESSURE),
-    "6.1": (_BASIC, _PRESSURE, _NEW),
-    "6.2": (_BASIC, _PRESSURE, _NEW, _NEWEST),
+    "6.1": (_BASIC, _PRESSURE, _NEW, _SPRING),
+    "6.2": (_BASIC, _PRESSURE, _NEW, _SPRING, _NEWEST),
 }
 _GENERAL = ("FNOMIN", "UNLOADED_RADIUS", "LONGVL", "VXLOW", "NOMPRES", "INFLPRES")
 

@@ -77,13 +77,20 @@ class Tire(Protocol):
 
 
 _OPTIONAL = ("speed", "pressure")
-Equations = Callable[[Algebra, ContactState], tuple[Any, ...]]
+Equations = Callable[[Algebra, Any], tuple[Any, ...]]
 
 
-def evaluate(equations: Equations, parameters: Mapping[str, Any], **inputs: Any) -> tuple[Any, ...]:
+def evaluate(
+    equations: Equations,
+    parameters: Mapping[str, Any],
+    kind: type = ContactState,
+    /,
+    **inputs: Any,
+) -> tuple[Any, ...]:
     """Return what equations give for inputs that users passed, which are checked here.
 
-    Numbers give numbers, arrays give arrays of their common shape, expressions give expressions.
+    The equations get them as a `kind`, the class of a state. Numbers give numbers, arrays give
+    arrays of their common shape, expressions give expressions.
     """
     read = {
         name: None if value is None and name in _OPTIONAL else checked_quantity(value, f"`{name}`")
@@ -105,7 +112,7 @@ def evaluate(equations: Equations, parameters: Mapping[str, Any], **inputs: Any)
     if algebra.symbolic:
         read = {k: v if v is None else algebra.constant(v) for k, v in read.items()}
     with np.errstate(over="ignore", invalid="ignore"):  # of loads that no tire carries
-        results = equations(algebra, ContactState(**read))
+        results = equations(algebra, kind(**read))
     if isinstance(algebra, SymbolicAlgebra):
         return tuple(map(algebra.sympy.sympify, results))
     if not arrays:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from typing import Any
 
-from pydy._checks import choice, number
+from pydy._checks import choice, number, positive
 from pydy._errors import warn_user
 from pydy._names import some
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
 from pydy.vehicles.coefficients import DEFAULTS, VERSIONS
-from pydy.vehicles.equations import Form
+from pydy.vehicles.equations import FORMS, Form
 from pydy.vehicles.tir import TireFile
 
 # What each use mode computes: longitudinal, lateral, combined.
@@ -20,6 +21,31 @@ ESSENTIAL = {
     "y": ("lateral force", "aligning moment"),
     "combined": ("combined longitudinal force", "combined lateral force"),
 }
+
+
+def form_of(
+    version: str,
+    equations: str | None,
+    slip: str | None,
+    saturation: float | None,
+    relaxation_sign: float | None,
+) -> tuple[str, Form]:
+    """Return the name of the equations and their form, with what the user chooses otherwise."""
+    forms = FORMS[version]
+    source = choice(next(iter(forms)) if equations is None else equations, forms, "`equations`")
+    form = forms[source]
+    if slip is not None:
+        chosen = choice(slip, ("tangent", "angle"), "`slip`")
+        form = replace(form, tangent=chosen == "tangent")
+    if saturation is not None:
+        A = positive(saturation, "`friction_saturation`", finite=True)
+        form = replace(form, saturation=A)
+    if relaxation_sign is not None:
+        sign = choice(
+            number(relaxation_sign, "`relaxation_sign`"), (-1.0, 1.0), "`relaxation_sign`"
+        )
+        form = replace(form, relaxation_sign=sign)
+    return source, form
 
 
 def checked_values(

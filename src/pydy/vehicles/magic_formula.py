@@ -8,12 +8,12 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, Self
 
-from pydy._checks import check_mapping, choice, number, positive
+from pydy._checks import check_mapping, choice
 from pydy._names import some
 from pydy.vehicles.algebra import Algebra, Quantity, is_symbolic
+from pydy.vehicles.carcass import VerticalState, normal_force, relaxation_lengths
 from pydy.vehicles.coefficients import ALIASES, ALL_NAMES, absent_groups, default, names_of
 from pydy.vehicles.equations import (
-    FORMS,
     Condition,
     camber_stiffness,
     condition,
@@ -27,6 +27,7 @@ from pydy.vehicles.magic_checks import (
     MODES,
     checked_combination,
     checked_values,
+    form_of,
     use_mode_of,
     version_of,
     warn_of_absent_groups,
@@ -40,7 +41,6 @@ from pydy.vehicles.moments import (
     overturning_moment,
     rolling_resistance,
 )
-from pydy.vehicles.relaxation import relaxation_lengths
 from pydy.vehicles.tir import TireFile
 
 
@@ -171,20 +171,9 @@ class MagicFormula:
         file = coefficients if isinstance(coefficients, TireFile) else None
         given = check_mapping("coefficients", file.coefficients if file else coefficients)
         self.version = version_of(version, file)
-        forms = FORMS[self.version]
-        if equations is None:
-            equations = next(iter(forms))
-        self.equations = choice(equations, forms, "`equations`")
-        form = forms[self.equations]
-        if slip is not None:
-            slip = choice(slip, ("tangent", "angle"), "`slip`")
-            form = replace(form, tangent=slip == "tangent")
-        if friction_saturation is not None:
-            A = positive(friction_saturation, "`friction_saturation`", finite=True)
-            form = replace(form, saturation=A)
-        if relaxation_sign is not None:
-            sign = number(relaxation_sign, "`relaxation_sign`")
-            form = replace(form, relaxation_sign=choice(sign, (-1.0, 1.0), "`relaxation_sign`"))
+        self.equations, form = form_of(
+            self.version, equations, slip, friction_saturation, relaxation_sign
+        )
         self._form = form
         measured = file.side if file else None
         self.side = measured if side is None else choice(side, ("left", "right"), "`side`")
@@ -327,11 +316,6 @@ class MagicFormula:
         Returns
         -------
         tuple of two
-
-        Raises
-        ------
-        ValueError
-            The coefficients for them are missing.
         """
 
         def equations(m: Algebra, state: ContactState) -> tuple[Any, ...]:
@@ -349,6 +333,35 @@ class MagicFormula:
         inputs = {"Fz": Fz, "kappa": 0.0, "alpha": 0.0, "gamma": gamma}
         return evaluate(equations, self._values, **inputs, speed=None, pressure=pressure)
 
+    def normal_force(self, gap: Quantity, rate: Quantity = 0.0) -> Quantity:
+        """Return the normal force of a tire that is pressed on the road, for `WheelContact`.
+
+        Its spring has VERTICAL_STIFFNESS k; with Q_FZ2, of the versions 6.1 and 6.2, it is the
+        parabola F_z0 (Q_FZ1 ρ/R_0 + Q_FZ2 (ρ/R_0)²) of the deflection ρ, with the slope k at F_z0.
+        A damper, VERTICAL_DAMPING, is parallel to it. Effects of speed, of pressure and of the
+        other forces are left out.
+
+        Parameters
+        ----------
+        gap : number, array or expression
+            Distance to the road (m), negative where the tire is deflected: −ρ.
+        rate : number, array or expression, optional
+            Its time derivative (m/s).
+
+        Returns
+        -------
+        number, array or expression
+            F_z (N), not negative.
+        """
+
+        def equations(m: Algebra, state: VerticalState) -> tuple[Any, ...]:
+            return (normal_force(m, self._values, state),)
+
+        if self._values["VERTICAL_STIFFNESS"] == 0.0:
+            raise ValueError("The coefficient VERTICAL_STIFFNESS is missing.")
+        (force,) = evaluate(equations, self._values, VerticalState, gap=gap, rate=rate)
+        return force
+
     def _equations(self, m: Algebra, state: ContactState) -> tuple[Any, ...]:
         """Return the five results; the mirrored tire sees all from the other side."""
         if self.mirrored:
@@ -360,8 +373,9 @@ class MagicFormula:
     def _per_load(self, s: Condition) -> tuple[Any, ...]:
         """Return the five results divided by the load."""
         parts = MODES[self.use_mode % 10]
-        x = longitudinal(s) if "x" in parts and self._has("x") else None
-        y = lateral(s) if "y" in parts and self._has("y") else None
+        has = {part: part in parts and ESSENTIAL[part][0] not in self._absent for part in "xy"}
+        x = longitudinal(s) if has["x"] else None
+        y = lateral(s) if has["y"] else None
         Fx = x.force if x else 0
         Fy = y.force if y else 0
         weight, induced, with_kappa = 1, 0, None
@@ -380,6 +394,3 @@ class MagicFormula:
         if y is not None and "aligning moment" not in self._absent:
             Mz = aligning_moment(s, with_kappa, y, Fx, Fy, induced, weight)
         return Fx, Fy, Mx, My, Mz
-
-    def _has(self, part: str) -> bool:
-        return ESSENTIAL[part][0] not in self._absent

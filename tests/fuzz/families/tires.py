@@ -133,6 +133,14 @@ for _method, _names in {
             return [str(x) for x in getattr(_tire(), method)(**{**usual, name: v})]
 
 
+for _name in ("gap", "rate"):
+
+    @target(f"MagicFormula.normal_force.{_name}", _inputs)
+    def _(v, name=_name):
+        tire = _tire().replace(VERTICAL_STIFFNESS=2e5)
+        return str(tire.normal_force(**{"gap": -0.01, "rate": 0.0, name: v}))
+
+
 for _name in _USUAL:
 
     @target(f"forces.{_name}", _inputs)

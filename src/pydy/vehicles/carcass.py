@@ -1,9 +1,13 @@
-"""Relaxation lengths of the Magic Formula."""
+"""The elastic carcass of a tire: relaxation lengths, and the normal force of its deflection."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
+from pydy.vehicles.algebra import Algebra, is_symbolic
+from pydy.vehicles.coefficients import Coefficients
 from pydy.vehicles.equations import Condition, cornering_stiffness, longitudinal
 
 
@@ -31,3 +35,28 @@ def _empirical(s: Condition) -> tuple[Any, Any]:
     rise = 2 * x / (1 + x**2)  # the sine of twice the arctangent
     bent = 1 - c.PKY3 * m.abs(s.camber * c.LGAY)
     return sigma_x, c.PTY1 * rise * bent * s.radius * c.LFZO * c.LSGAL
+
+
+@dataclass(frozen=True)
+class VerticalState:
+    """The distance of a tire to the road and its derivative."""
+
+    gap: Any
+    rate: Any
+
+
+def normal_force(m: Algebra, values: Mapping[str, Any], state: VerticalState) -> Any:
+    """Return the normal force of spring and damper, Pacejka 2012, (A3.3) without other effects.
+
+    Q_FZ1, the slope without a load, follows from the stiffness at the nominal load:
+    Q_FZ1² = (k R_0/F_z0)² − 4 Q_FZ2.
+    """
+    c = Coefficients({name: m.constant(value) for name, value in values.items()})
+    depth = -state.gap
+    force = c.VERTICAL_STIFFNESS * depth
+    if is_symbolic(c.Q_FZ2) or c.Q_FZ2:
+        x = depth / c.UNLOADED_RADIUS
+        slope = m.sqrt((c.VERTICAL_STIFFNESS * c.UNLOADED_RADIUS / c.FNOMIN) ** 2 - 4 * c.Q_FZ2)
+        force = c.FNOMIN * (slope + c.Q_FZ2 * x) * x
+    force = m.maximum(force - c.VERTICAL_DAMPING * state.rate, 0)
+    return m.where_negative(state.gap, force, 0)
