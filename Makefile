@@ -119,6 +119,7 @@ docs: $(VENV)/.installed-docs
 bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 	$(PY) benchmarks/run.py --reference $(REFERENCE_PY)
 	$(PY) benchmarks/imports.py
+	$(PY) benchmarks/first_result.py
 
 bench-peers: $(VENV)/.installed-test $(PEERS)/.installed $(ADAM)/.installed
 	$(PY) benchmarks/operations.py
