@@ -204,7 +204,7 @@ _UNIT, _ZERO = np.eye(3), np.zeros(3)
 
 
 @dataclass(frozen=True)
-class _PlaneRotation:
+class _HingeRotation:
     """A rotation by an angle a about an axis: n₂ n₁ᵀ + even cos a + odd sin a, all numbers."""
 
     angle: int
@@ -220,7 +220,7 @@ class _Body:
 
     root: ReferenceFrame  # the first of them
     before: ReferenceFrame | None = None  # the user's frame in which it rotates
-    turn: _PlaneRotation | None = None
+    turn: _HingeRotation | None = None
     speed: int = 0  # its angular speed about the hinge
     # Matrices that give components in the root's axes.
     frames: dict[ReferenceFrame, Matrix] = field(default_factory=dict)
@@ -490,7 +490,7 @@ def _axis(direction: np.ndarray) -> tuple[int, float] | None:
     return (int(used[0]), float(snapped[used[0]])) if len(used) == 1 else None
 
 
-def _turn(graph: Graph, matrix: Matrix) -> _PlaneRotation | None:
+def _turn(graph: Graph, matrix: Matrix) -> _HingeRotation | None:
     """Return a matrix as a rotation about a numeric axis; None if it is not one."""
     parts = {"const": np.zeros((3, 3)), "cos": np.zeros((3, 3)), "sin": np.zeros((3, 3))}
     angles = set()
@@ -519,7 +519,7 @@ def _turn(graph: Graph, matrix: Matrix) -> _PlaneRotation | None:
         )
         if wrong > SAME_DIRECTION or np.linalg.det(rotation) < 0.0:
             return None
-    return _PlaneRotation(angles.pop(), parts["cos"], parts["sin"], before, own_axis)
+    return _HingeRotation(angles.pop(), parts["cos"], parts["sin"], before, own_axis)
 
 
 def _bends(
@@ -544,7 +544,7 @@ def _bends(
 
 
 def _own_axes(
-    turn: _PlaneRotation, rotation: np.ndarray, index: int, sign: float, ahead: list[np.ndarray]
+    turn: _HingeRotation, rotation: np.ndarray, index: int, sign: float, ahead: list[np.ndarray]
 ) -> np.ndarray:
     """Return the matrix from components in a body's frame to those in its axes."""
     if (
