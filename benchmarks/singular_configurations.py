@@ -20,7 +20,7 @@ from pydy.solvers.outcome import Outcome
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-import singular
+from zoo import singular
 
 SOLVERS = ("dop853", "tsit5", "vern9", "radau")
 TOLERANCES = (1e-6, 1e-8, 1e-10, 1e-12)

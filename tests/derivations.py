@@ -26,15 +26,16 @@ TESTS = Path(__file__).parent
 
 @cache
 def sources(path: Path) -> bytes:
-    """Return the text of a module and of the modules beside it that it imports."""
+    """Return the text of a module and of the modules in `tests` that it imports."""
     text = path.read_bytes()
     names = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
-            names.add(node.module)
-    helpers = [TESTS / f"{name.partition('.')[0]}.py" for name in sorted(names)]
+            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    modules = [TESTS.joinpath(*name.split(".")) for name in sorted(names)]
+    helpers = [file for m in modules for file in (m.with_suffix(".py"), m / "__init__.py")]
     return text + b"".join(
         sources(helper) for helper in helpers if helper.exists() and helper != path
     )

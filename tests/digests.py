@@ -12,15 +12,14 @@ import warnings
 
 import numpy as np
 
-import joints
-import loops
 import zoo
-from cases import system_of
 from parts import drawn
 from pydy._backends.llvm import functions
 from pydy.solvers.run import integration
 from pydy.system import System
-from singular import defined_windows
+from zoo import joints, loops
+from zoo.cases import system_of
+from zoo.singular import defined_windows
 
 
 def choose(fallbacks, steps):

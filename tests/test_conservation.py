@@ -5,7 +5,7 @@ import pytest
 import sympy as sm
 
 import zoo
-from cases import system_of
+from zoo.cases import system_of
 
 TIMES = np.linspace(0.0, 1.0, 5)
 TIGHT = {"rtol": 1e-11, "atol": 1e-11, "mxstep": 5000}

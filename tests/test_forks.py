@@ -15,7 +15,7 @@ import pytest
 import sympy as sm
 from llvmlite import binding
 
-import optima
+from oracles import optima
 from pydy import _forks
 from pydy._collector import collector_paused
 from pydy.control import OptimalControl, ipopt

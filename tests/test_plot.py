@@ -7,7 +7,6 @@ import pytest
 import sympy as sm
 
 import zoo
-from cases import system_of
 from optional import optional
 from pydy._names import label_parts, latex_of
 from pydy.models import multi_mass_spring_damper
@@ -23,6 +22,7 @@ from pydy.plot import (
     plot_states,
 )
 from pydy.trajectory import Trajectory
+from zoo.cases import system_of
 
 plt = optional("matplotlib.pyplot")
 

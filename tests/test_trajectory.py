@@ -12,7 +12,6 @@ import sympy.physics.mechanics as me
 from scipy.integrate import solve_ivp
 
 import zoo
-from cases import system_of
 from pydy._dataset import write_netcdf
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -20,6 +19,7 @@ from pydy.plot import plot_energy, plot_phase, plot_sensitivities
 from pydy.solvers import Event
 from pydy.system import System
 from pydy.trajectory import EventRecord, Trajectory
+from zoo.cases import system_of
 
 TIMES = np.linspace(0.0, 1.0, 11)
 TIGHT = {"rtol": 1e-11, "atol": 1e-11}

@@ -17,8 +17,8 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 import zoo
-from cases import system_of
 from registry import SOLVERS, has_fixed_step
+from zoo.cases import system_of
 
 # Where the default tolerances would not tell much.
 OPTIONS = {"vern9": {"rtol": 1e-12, "atol": 1e-12}}

@@ -1,7 +1,7 @@
 """Pictures of mechanisms without a shape given, tiled into one image.
 
-``python tools/contact_sheet.py sheet.webp`` draws each model of ``tests/pictured.py`` as its page
-shows it in Chromium, wide and as narrow as a phone, light and dark, at one instant. It needs
+``python tools/contact_sheet.py sheet.webp`` draws each model of ``tests/zoo/pictured.py`` as its
+page shows it in Chromium, wide and as narrow as a phone, light and dark, at one instant. It needs
 Playwright and Pillow. ``--only`` and ``--folder`` are for looking at single pictures.
 """
 
@@ -25,7 +25,7 @@ TILE = 200  # height of a picture in the sheet
 
 def pages(folder: Path, only: str) -> Iterator[tuple[str, Path]]:
     """Write the page of each model; yield its title and the file."""
-    import pictured
+    from zoo import pictured
 
     for k, title in enumerate(pictured.MODELS):
         if only.lower() not in title.lower():

@@ -17,8 +17,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests"))
 
-from loops import system_of
 from pydy.solvers import Event
+from zoo.loops import system_of
 
 
 def blocks(store: Path) -> int:

@@ -27,7 +27,7 @@ from pydy.system import System
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests"))
 
-from loops import bricard
+from zoo.loops import bricard
 
 
 class Ours:

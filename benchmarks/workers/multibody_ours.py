@@ -18,8 +18,8 @@ from pydy.system import System
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests"))
 
-from loops import bricard
-from singular import defined_windows
+from zoo.loops import bricard
+from zoo.singular import defined_windows
 
 
 @cache

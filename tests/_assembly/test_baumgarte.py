@@ -5,9 +5,9 @@ import pytest
 from scipy.integrate import odeint
 
 import zoo
-from cases import close, system_of, wide
 from pydy._errors import PyDyUserWarning
 from registry import SOLVER_NAMES, step_options
+from zoo.cases import close, system_of, wide
 
 SOLVERS = [odeint, *SOLVER_NAMES]
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import zoo
-from cases import system_of
 from pydy._assembly.programs import block_program, jacobian_program
 from pydy._graph.columns import SensitivityColumns
 from pydy._program.interpret import run
 from pydy.models import n_link_pendulum_on_cart
+from zoo.cases import system_of
 
 DIRECTIONS = (None, ("p", 0), ("p", 2), None, ("p", 0))
 

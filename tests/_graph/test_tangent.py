@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import zoo
-from cases import system_of
 from pydy._assembly.programs import jacobian_program
 from pydy._graph.node import Graph
 from pydy._graph.tangent import jacobian_tangent, parts_of, supports, worthwhile_parts
@@ -16,6 +15,7 @@ from pydy._program.program import Program
 from pydy._program.serialization import program_from_bytes, program_to_bytes
 from pydy._program.tangent import Tangent
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from zoo.cases import system_of
 
 
 def assembly_of(system):

@@ -11,9 +11,6 @@ from scipy.integrate import odeint
 from scipy.linalg import expm
 
 import zoo
-from ball import bouncing_ball
-from cases import system_of, uncoupled
-from circle import on_a_circle
 from pydy import System
 from pydy.errors import IntegrationError, IntegrationInterrupted, PyDyUserWarning
 from pydy.inputs import SampledInput
@@ -24,6 +21,9 @@ from pydy.solvers.run.integration import Integration
 from pydy.solvers.sensitivities import CompiledSensitivities
 from registry import ADAPTIVE_NAMES
 from zoo import inertial_frame
+from zoo.ball import bouncing_ball
+from zoo.cases import system_of, uncoupled
+from zoo.circle import on_a_circle
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}

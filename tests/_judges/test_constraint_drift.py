@@ -6,7 +6,6 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.integrate import ODEintWarning
 
-import loops
 from pydy import System
 from pydy._judges.constraint_drift import check_drift
 from pydy._motion.motion import Integrator, Motion
@@ -18,8 +17,8 @@ from pydy.solvers import Event
 from pydy.solvers.constraint_drift import DriftCheck
 from pydy.solvers.outcome import Outcome
 from registry import ADAPTIVE_NAMES
-from singular import bricard, n_four_bar, slider_crank
-from zoo import inertial_frame
+from zoo import inertial_frame, loops
+from zoo.singular import bricard, n_four_bar, slider_crank
 
 ADAPTIVE = ADAPTIVE_NAMES
 

@@ -10,8 +10,8 @@ from pydy._mechanics.acceleration_constraints import AccelerationConstraints, so
 from pydy._mechanics.definition import equations_of_definition
 from pydy.mechanics import Definition
 from pydy.system import System
-from singular import defined_windows
 from zoo import inertial_frame
+from zoo.singular import defined_windows
 
 T = me.dynamicsymbols._t
 A, D, M, J, G = sm.symbols("a d m J g")

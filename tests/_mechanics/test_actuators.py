@@ -10,14 +10,14 @@ from sympy.physics.biomechanics import (
 )
 from sympy.physics.biomechanics.musculotendon import MusculotendonFormulation
 
-from by_hand import derived
-from cases import close
-from oracle import Oracle
+from oracles.oracle import Oracle
 from pydy._errors import PyDyUserWarning
 from pydy._mechanics.reader import read_loads
 from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import Model, T, _numbers, inertial_frame
+from zoo.by_hand import derived
+from zoo.cases import close
 
 
 def _arm():

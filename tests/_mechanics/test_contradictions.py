@@ -4,12 +4,12 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from by_hand import derived, state
-from cases import close
-from oracle import Oracle
+from oracles.oracle import Oracle
 from pydy._mechanics.frame_tree import FrameTree
 from pydy.system import System
 from zoo import Model, T, _numbers, inertial_frame
+from zoo.by_hand import derived, state
+from zoo.cases import close
 
 
 def ground():

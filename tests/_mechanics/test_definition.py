@@ -8,12 +8,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from by_hand import MECHANISMS
-from cases import close
 from pydy.errors import SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.by_hand import MECHANISMS
+from zoo.cases import close
 
 T = me.dynamicsymbols._t
 x, y, vx, vy = me.dynamicsymbols("x y vx vy")

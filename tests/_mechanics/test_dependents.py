@@ -10,8 +10,8 @@ from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.select_formulation import kinematics_of
 from pydy.mechanics import Definition
 from pydy.system import System
-from singular import defined_windows
 from zoo import T, inertial_frame
+from zoo.singular import defined_windows
 
 UNITS = [1e-9, 1e-4, 1.0, 1e5, 1e9]
 

@@ -9,13 +9,13 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart as written_pendulum
 
 from _mechanics.test_reduction import NUMBERS, M, equations, on_a_turntable, solution, state_of
-from by_hand import coupler
 from pydy import System
 from pydy._graph.products import derivative_program
 from pydy._graph.rewrite import make_canonical, rebuild
 from pydy.errors import SingularMatrixError
 from pydy.models import n_link_pendulum_on_cart
 from system.test_formed import at_rest_with_the_constraints, nearly_dependent
+from zoo.by_hand import coupler
 
 STEP = sm.Rational(1, 10**25)
 

@@ -7,16 +7,15 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import by_hand
 import zoo
-from by_hand import MECHANISMS, derived, state
-from cases import close, wide
-from newton import motion, needed
-from oracle import Oracle
+from oracles.newton import motion, needed
+from oracles.oracle import Oracle
 from pydy._mechanics.reader import check_bodies
 from pydy.mechanics import Definition
 from pydy.system import System
-from zoo import T, inertial_frame
+from zoo import T, by_hand, inertial_frame
+from zoo.by_hand import MECHANISMS, derived, state
+from zoo.cases import close, wide
 
 
 def model_of(name):

@@ -5,11 +5,9 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import by_hand
 import zoo
-from by_hand import MECHANISMS, derived, state
 from graphs import form
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._mechanics.elimination import composite
@@ -18,6 +16,8 @@ from pydy._mechanics.inertia import loads_and_inertias
 from pydy._mechanics.kane import multibody_of_kane
 from pydy._program.interpret import run
 from pydy.mechanics import Definition
+from zoo import by_hand
+from zoo.by_hand import MECHANISMS, derived, state
 
 FORMS = {
     "articulated bodies in body axes": {"in_bodies": True, "articulated": True},

@@ -2,9 +2,8 @@
 
 import sympy.physics.mechanics as me
 
-import by_hand
 from pydy._mechanics.frame_tree import FrameTree, velocity_in
-from zoo import inertial_frame
+from zoo import by_hand, inertial_frame
 
 T = me.dynamicsymbols._t
 

@@ -5,13 +5,13 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
-from oracle import Oracle
+from oracles.oracle import Oracle
 from pydy._mechanics.formulations import without_idle
 from pydy.mechanics import Definition
 from pydy.system import System
-from rolling import ball_on_a_turntable
 from zoo import Model, T, _numbers, inertial_frame
+from zoo.cases import close
+from zoo.rolling import ball_on_a_turntable
 
 
 def test_what_cancels_is_left_out_and_what_contributes_is_not():

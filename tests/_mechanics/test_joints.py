@@ -7,10 +7,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import joints
-from cases import close
-from joints import SYSTEMS
 from pydy.system import System
+from zoo import joints
+from zoo.cases import close
+from zoo.joints import SYSTEMS
 
 T = me.dynamicsymbols._t
 

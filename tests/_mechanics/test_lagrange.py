@@ -5,9 +5,9 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.cases import close
 
 T = me.dynamicsymbols._t
 

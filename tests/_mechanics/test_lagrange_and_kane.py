@@ -9,10 +9,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
 from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.cases import close
 
 T = me.dynamicsymbols._t
 

@@ -5,11 +5,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import loops
 from pydy.mechanics import Definition
 from pydy.system import System
 from registry import has_fixed_step
-from zoo import inertial_frame
+from zoo import inertial_frame, loops
 
 T = me.dynamicsymbols._t
 M, L, B, F = sm.symbols("m l b f")

@@ -16,7 +16,6 @@ sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 
 from trees import HUMANOID, definition, rods, tree
 
-import by_hand
 import zoo
 from pydy._assembly import assembly
 from pydy._assembly.programs import block_program
@@ -30,7 +29,8 @@ from pydy._mechanics.select_formulation import chosen
 from pydy.examples import whipple_bicycle
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
-from rolling import ball_on_a_turntable
+from zoo import by_hand
+from zoo.rolling import ball_on_a_turntable
 
 
 @cache

@@ -8,10 +8,10 @@ import pytest
 from scipy.integrate import RK45, Radau, odeint, solve_ivp
 from scipy.sparse import csr_array
 
-from cases import close
 from pydy._errors import IntegrationError
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event, dop853
+from zoo.cases import close
 
 TIMES = [0.0, 0.0, 0.5, 1.0, 1.0, 2.0]
 TIGHT = {"rtol": 1e-10, "atol": 1e-10}

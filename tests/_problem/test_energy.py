@@ -10,12 +10,12 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
 import zoo
-from cases import close, system_of
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.system import System
-from singular import defined_windows
 from zoo import inertial_frame
+from zoo.cases import close, system_of
+from zoo.singular import defined_windows
 
 TIMES = np.linspace(0.0, 1.0, 5)
 TIGHT = {"rtol": 1e-11, "atol": 1e-11, "mxstep": 5000}

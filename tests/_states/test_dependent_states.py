@@ -7,15 +7,14 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import loops
 import zoo
-from cases import close, system_of
 from pydy._errors import PyDyUserWarning, SingularMatrixError
 from pydy._names import name_of
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.system import System
-from zoo import inertial_frame
+from zoo import inertial_frame, loops
+from zoo.cases import close, system_of
 
 SOLVABLE = ["disc", "disc_contact", "sleigh", "skate", "fourbar", "track", "track_reversed", "gyro"]
 SOLVABLE += ["lifted"]

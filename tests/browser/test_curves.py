@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from exported_models import ball
 from pydy.viz import Live, Scene, Sphere, Visual, curves as thinning
 from pydy.viz.page import _resource
+from zoo.exported_models import ball
 
 q = dynamicsymbols("q")
 N, O = ReferenceFrame("N"), Point("O")

@@ -8,8 +8,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import departures
-from exported_models import TIMES, ball, pendulum, pulled_by_error_functions, spring_of
+from oracles import departures
 from pydy._evaluation.exporting import exported_model
 from pydy.examples import whipple_bicycle
 from pydy.export.javascript import javascript_module
@@ -17,6 +16,7 @@ from pydy.mechanics import Definition, Implicit
 from pydy.solvers import Event
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.exported_models import TIMES, ball, pendulum, pulled_by_error_functions, spring_of
 
 LOAD = """async (text) => {
     const place = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));

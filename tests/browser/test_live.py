@@ -5,14 +5,14 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame
 
-import pictured
 import zoo
-from cases import system_of
-from exported_models import ball, hostile, pendulum
 from pydy.examples import bicycle_ride
 from pydy.models import n_link_pendulum_on_cart
 from pydy.viz import Live, Slider, Sphere, Visual
 from waiting import until
+from zoo import pictured
+from zoo.cases import system_of
+from zoo.exported_models import ball, hostile, pendulum
 
 TIMES = np.linspace(0.0, 10.0, num=301)
 

@@ -7,7 +7,6 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-import pictured
 from pydy.viz import (
     Arrow,
     Box,
@@ -26,6 +25,7 @@ from pydy.viz import (
     Visual,
 )
 from waiting import until
+from zoo import pictured
 
 q, x = dynamicsymbols("q, x")
 EVIL = "</script><img src=x onerror=alert(1)>"

@@ -7,8 +7,8 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from pydy.trajectory import EventRecord, Trajectory
 from pydy.viz import Scene, Sphere, Visual
-from touching import billiard_ball
 from waiting import until
+from zoo.touching import billiard_ball
 
 x, theta = dynamicsymbols("x, theta_1")
 TIMES = np.linspace(0.0, 2.0, 121)

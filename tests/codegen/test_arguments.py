@@ -3,8 +3,8 @@
 import pytest
 
 import zoo
-from cases import WAYS_OF_R, check_arguments, given
 from pydy.codegen.ode_function_generators import generate_ode_function
+from zoo.cases import WAYS_OF_R, check_arguments, given
 
 GENERATORS = ["llvm", "lambdify"]
 

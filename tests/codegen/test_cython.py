@@ -7,9 +7,9 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import WAYS_OF_R, arrays, check_arguments, close, given
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.codegen.ode_function_generators import generate_ode_function
+from zoo.cases import WAYS_OF_R, arrays, check_arguments, close, given
 
 X, V = me.dynamicsymbols("x v")
 

@@ -6,8 +6,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close
 from pydy.codegen.ode_function_generators import generate_ode_function
+from zoo.cases import close
 
 T = zoo.T
 GENERATORS = ["llvm", "lambdify"]

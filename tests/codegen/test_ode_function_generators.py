@@ -8,9 +8,9 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import arrays, close, given
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.codegen.ode_function_generators import generate_ode_function
+from zoo.cases import arrays, close, given
 
 T = zoo.T
 GENERATORS = ["llvm", "lambdify"]

@@ -14,7 +14,7 @@ from pydy.errors import ContactError
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from touching import (
+from zoo.touching import (
     TIGHT,
     J,
     N,

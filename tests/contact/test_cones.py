@@ -18,7 +18,7 @@ from pydy.contact.complementarity import (
     relaxed,
     select_modes,
 )
-from touching import J, falling_body, mu, slope, y
+from zoo.touching import J, falling_body, mu, slope, y
 
 t = me.dynamicsymbols._t
 

@@ -12,7 +12,7 @@ from pydy.contact import Contacts, Unilateral
 from pydy.errors import IntegrationInterrupted, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from touching import TIGHT, J, N, O, a, ball, e, falling_body, g, k, m, mu, vx, vy, x, y
+from zoo.touching import TIGHT, J, N, O, a, ball, e, falling_body, g, k, m, mu, vx, vy, x, y
 
 
 def test_samples_move_as_they_do_alone():

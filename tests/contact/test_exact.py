@@ -13,7 +13,7 @@ from pydy.errors import ContactError, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from touching import (
+from zoo.touching import (
     TIGHT,
     J,
     N,

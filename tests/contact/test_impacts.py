@@ -13,7 +13,7 @@ from pydy.contact.complementarity import ComplementarityProblem
 from pydy.contact.impacts import newton, poisson
 from pydy.errors import ContactError
 from pydy.mechanics import Definition
-from touching import TIGHT, J, N, O, a, ball, e, falling_body, g, m, mu, vx, vy, x, y
+from zoo.touching import TIGHT, J, N, O, a, ball, e, falling_body, g, m, mu, vx, vy, x, y
 
 LEAN = 0.6
 C, S = math.cos(LEAN), math.sin(LEAN)

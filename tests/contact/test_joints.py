@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.contact import Clearance, Contacts, Roll
 from pydy.mechanics import Definition
-from touching import TIGHT, J, N, O, a, body_in_plane, g, m, mu, r, slope, vx, vy, w, x, y
+from zoo.touching import TIGHT, J, N, O, a, body_in_plane, g, m, mu, r, slope, vx, vy, w, x, y
 
 G = 9.81
 

@@ -13,8 +13,8 @@ from pydy._integration import integration
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError
 from pydy.mechanics import Definition
-from touching import J, N, a, ball, block, falling_body, m, mu, slope, vx, y
 from zoo import inertial_frame
+from zoo.touching import J, N, a, ball, block, falling_body, m, mu, slope, vx, y
 
 
 def test_a_linear_model_of_one_mode():

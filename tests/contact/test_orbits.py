@@ -12,8 +12,8 @@ from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from touching import J, N, O, a, ball, e, falling_body, k, m, mu, slope, vx, vy, w, x, y
 from zoo import inertial_frame
+from zoo.touching import J, N, O, a, ball, e, falling_body, k, m, mu, slope, vx, vy, w, x, y
 
 a0 = sm.Symbol("a0")
 

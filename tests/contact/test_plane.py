@@ -18,7 +18,7 @@ from pydy.contact.complementarity import (
     select_modes,
 )
 from pydy.mechanics import Definition
-from touching import TIGHT, N, O, g, m, mu, slope
+from zoo.touching import TIGHT, N, O, g, m, mu, slope
 
 x, y, z = me.dynamicsymbols("x y z")
 vx, vy, vz = me.dynamicsymbols("v_x v_y v_z")

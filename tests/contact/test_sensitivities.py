@@ -12,7 +12,7 @@ from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError, PyDyUserWarning
 from pydy.mechanics import Definition
-from touching import (
+from zoo.touching import (
     TIGHT,
     J,
     N,

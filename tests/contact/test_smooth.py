@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 from sympy.functions.special.bsplines import bspline_basis
 
 from pydy.contact import Contacts, Stick, Unilateral
-from touching import N, O, block, k, r, slope, vx, vy, x, y
+from zoo.touching import N, O, block, k, r, slope, vx, vy, x, y
 
 t = me.dynamicsymbols._t
 first, then = sm.symbols("first then")

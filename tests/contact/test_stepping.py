@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
-from touching import TIGHT, J, N, O, a, e, falling_body, g, m, mu, slope, vx, vy, w, x, y
+from zoo.touching import TIGHT, J, N, O, a, e, falling_body, g, m, mu, slope, vx, vy, w, x, y
 
 
 def moreau(inertia, feet, friction, tilt, q, u, end, h):

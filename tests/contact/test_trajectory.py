@@ -8,14 +8,14 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError
 from pydy.mechanics import Definition
 from pydy.trajectory import Trajectory
 from pydy.viz import Arrow, Scene, Visual
-from touching import N, O, ball, billiard_ball, block, m, mu, vx, vy, y
+from zoo.cases import close
+from zoo.touching import N, O, ball, billiard_ball, block, m, mu, vx, vy, y
 
 TIMES = np.linspace(0.0, 0.9, 40)
 

@@ -10,8 +10,8 @@ import sympy.physics.mechanics as me
 from scipy.linalg import solve_continuous_are
 from scipy.optimize import brentq, fsolve
 
-import optima
-from optima import TF, T
+from oracles import optima
+from oracles.optima import TF, T
 from pydy.control import OptimalControl, search
 from pydy.errors import PyDyUserWarning
 

@@ -7,15 +7,14 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import joints
-from optima import T
+from oracles.optima import T
 from pydy import System
 from pydy._mechanics import extract
 from pydy.analysis import Trial
 from pydy.control import OptimalControl
 from pydy.control.transcription import Transcription
 from pydy.mechanics import Definition
-from zoo import inertial_frame
+from zoo import inertial_frame, joints
 
 END = 1.2
 

@@ -8,8 +8,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.optimize import minimize
 
-import optima
-from optima import SOLVERS, T
+from oracles import optima
+from oracles.optima import SOLVERS, T
 from pydy._interrupts import Interrupts
 from pydy.analysis import Trial
 from pydy.control import identification, refine

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import sympy as sm
 
-import optima
-from optima import TF, T
+from oracles import optima
+from oracles.optima import TF, T
 from pydy.control import OptimalControl
 from pydy.errors import OptimizationError, PyDyUserWarning
 

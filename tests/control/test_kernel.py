@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import sympy as sm
 
-import optima
-from optima import T
+from oracles import optima
+from oracles.optima import T
 from pydy.control import OptimalControl, kernel
 from pydy.control.transcription import Transcription
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import sympy as sm
 
-import optima
-from optima import T
+from oracles import optima
+from oracles.optima import T
 from pydy.control import OptimalControl
 from pydy.control.kinks import epigraph
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import sympy as sm
 
-import optima
-from optima import TF, T
+from oracles import optima
+from oracles.optima import TF, T
 from pydy.control import OptimalControl
 from pydy.control.ipopt import library, solve
 from pydy.control.nlp import SIGNATURES, Nlp, PointGroup, runs_of

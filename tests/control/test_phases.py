@@ -5,8 +5,8 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import optima
-from optima import TF, T
+from oracles import optima
+from oracles.optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl
 from pydy.errors import OptimizationError, PyDyUserWarning

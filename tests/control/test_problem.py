@@ -11,9 +11,9 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import optima
-from optima import TF, T
 from optional import optional
+from oracles import optima
+from oracles.optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl, ipopt
 from pydy.control.ipopt import Iteration

@@ -17,7 +17,7 @@ import sympy.physics.mechanics as me
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from optima import TF, T, brachistochrone, cycloid_time, first_order
+from oracles.optima import TF, T, brachistochrone, cycloid_time, first_order
 from pydy import System
 from pydy.control import OptimalControl
 from pydy.errors import PyDyUserWarning

@@ -10,7 +10,7 @@ import sympy as sm
 
 from mechanisms.build import definition
 from mechanisms.generate import draw
-from optima import TF, T
+from oracles.optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl
 from pydy.control.transcription import Transcription

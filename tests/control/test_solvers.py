@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import sympy as sm
 
-import optima
-from optima import SOLVERS, TF, T
+from oracles import optima
+from oracles.optima import SOLVERS, TF, T
 from pydy.control.nlp import Native
 from pydy.errors import AnalysisInterrupted, MissingDependencyError, OptimizationError
 

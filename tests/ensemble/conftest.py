@@ -2,7 +2,7 @@
 
 import pytest
 
-from ensemble_cases import pendulum, random_values
+from zoo.ensemble_cases import pendulum, random_values
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,8 @@ import time
 
 import pytest
 
-from ensemble_cases import identical, same_bits
 from optional import optional
+from zoo.ensemble_cases import identical, same_bits
 
 dask = optional("dask")
 optional("zarr")

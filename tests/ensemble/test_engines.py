@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ensemble_cases import constant, identical, pendulum, random_values, same_bits
 from optional import optional
 from pydy.ensemble import store as stores
+from zoo.ensemble_cases import constant, identical, pendulum, random_values, same_bits
 
 xr = optional("xarray")
 

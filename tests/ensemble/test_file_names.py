@@ -7,10 +7,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from ensemble_cases import identical
 from optional import optional
 from pydy.ensemble.store import file_names
 from pydy.system import System
+from zoo.ensemble_cases import identical
 
 xr = optional("xarray")
 

@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ensemble_cases import constant, pendulum
 from optional import optional
 from pydy.ensemble import store
 from pydy.errors import EnsembleInterrupted
 from pydy.models import multi_mass_spring_damper
+from zoo.ensemble_cases import constant, pendulum
 
 xr = optional("xarray")
 
@@ -35,7 +35,7 @@ SCRIPT = """
     import sympy as sm
 
     import zoo
-    from cases import system_of
+    from zoo.cases import system_of
     from pydy.ensemble import store
     from pydy.models import multi_mass_spring_damper
     from pydy.solvers import Event

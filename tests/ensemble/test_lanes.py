@@ -10,8 +10,6 @@ import scipy.special
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import loops
-from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy._program.interpret import run as interpret
 from pydy.ensemble.model import Batch, EnsembleModel
@@ -22,7 +20,8 @@ from pydy.solvers import Event
 from pydy.solvers.constraint_drift import DriftCheck
 from pydy.solvers.outcome import Outcome
 from pydy.system import System
-from zoo import inertial_frame
+from zoo import inertial_frame, loops
+from zoo.ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 
 
 def one_by_one(system, method, values, m, **options):

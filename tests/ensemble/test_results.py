@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from ensemble_cases import constant, pendulum, random_values, same_bits
 from optional import optional
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 from pydy.solvers.run.lanes import LaneSolver
+from zoo.ensemble_cases import constant, pendulum, random_values, same_bits
 
 xr = optional("xarray")
 

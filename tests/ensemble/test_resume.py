@@ -11,13 +11,13 @@ import warnings
 import numpy as np
 import pytest
 
-from ensemble_cases import identical, pendulum, random_values
 from optional import optional
 from pydy.ensemble import store as stores
 from pydy.ensemble.work import Work
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
+from zoo.ensemble_cases import identical, pendulum, random_values
 
 xr = optional("xarray")
 zarr = optional("zarr")

@@ -10,15 +10,15 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from ball import bouncing_ball
-from cases import system_of
-from ensemble_cases import constant, identical, pendulum, runaway, same_bits
 from pydy.ensemble.engine import Ensemble
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.outcome import Outcome
+from zoo.ball import bouncing_ball
+from zoo.cases import system_of
+from zoo.ensemble_cases import constant, identical, pendulum, runaway, same_bits
 
 FINE = {"rtol": 1e-9, "atol": 1e-9}
 NAMES = ["m1", "q1", "l0"]

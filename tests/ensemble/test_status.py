@@ -7,15 +7,15 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import loops
 import zoo
-from cases import system_of
-from ensemble_cases import constant, runaway
 from pydy.ensemble.model import EnsembleModel
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 from pydy.solvers.outcome import Outcome
+from zoo import loops
+from zoo.cases import system_of
+from zoo.ensemble_cases import constant, runaway
 
 GRAVITY = 9.81
 

@@ -5,11 +5,11 @@ from threading import Thread
 import numpy as np
 import pytest
 
-from ensemble_cases import runaway
 from pydy.ensemble import engine
 from pydy.ensemble.model import EnsembleModel
 from pydy.ensemble.work import Work
 from pydy.models import multi_mass_spring_damper
+from zoo.ensemble_cases import runaway
 
 
 @pytest.fixture

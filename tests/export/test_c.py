@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exported_models import ball, hostile, pendulum, spring_of
 from pydy._evaluation.exporting import exported_model
 from pydy.export import Variable, write
 from pydy.export.c import c_string
 from pydy.export.model import identifiers
+from zoo.exported_models import ball, hostile, pendulum, spring_of
 
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]

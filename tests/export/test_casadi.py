@@ -6,11 +6,11 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from _mechanics.test_nearly_singular import truss
-from exported_models import ball, hostile, pendulum
 from optional import optional
 from pydy import System
 from pydy.mechanics import Definition
 from zoo import inertial_frame
+from zoo.exported_models import ball, hostile, pendulum
 
 casadi = optional("casadi")
 

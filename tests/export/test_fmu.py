@@ -21,10 +21,8 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import departures
-from ball import bouncing_ball
-from exported_models import TIMES, ball, hostile, pendulum, spring_of
 from optional import optional
+from oracles import departures
 from pydy import System
 from pydy.errors import GeneratorError
 from pydy.export.fmu import compiler
@@ -32,6 +30,8 @@ from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from zoo import inertial_frame
+from zoo.ball import bouncing_ball
+from zoo.exported_models import TIMES, ball, hostile, pendulum, spring_of
 
 fmpy = optional("fmpy")
 validation = optional("fmpy.validation")

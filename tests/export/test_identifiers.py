@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from exported_models import hostile, pendulum
 from pydy.export.model import identifiers
 from pydy.inputs import SampledInput
+from zoo.exported_models import hostile, pendulum
 
 
 def test_greek_letters_and_other_signs_become_words():

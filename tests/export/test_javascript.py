@@ -7,11 +7,11 @@ import subprocess
 
 import pytest
 
-import departures
-from exported_models import ball, hostile, pendulum
+from oracles import departures
 from pydy._assembly.programs import block_program
 from pydy._program.operations import SHIPPED
 from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
+from zoo.exported_models import ball, hostile, pendulum
 
 
 def test_every_function_of_an_operation_is_defined():

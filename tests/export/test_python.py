@@ -11,8 +11,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from _mechanics.test_nearly_singular import truss
-from exported_models import ball, hostile, pendulum, pulled_by_error_functions
 from pydy import System
+from zoo.exported_models import ball, hostile, pendulum, pulled_by_error_functions
 
 ALONE = """
 import json, sys

@@ -17,8 +17,8 @@ from pydy.mechanics import Definition, Implicit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
-from touching import ball, e, y
 from zoo import inertial_frame
+from zoo.touching import ball, e, y
 
 TIGHT = {"rtol": 1e-10, "atol": 1e-10}
 X = np.array([0.1, 0.4, -0.3, 0.2, 1.0, 0.5])
@@ -203,7 +203,7 @@ def test_samples_of_an_input_are_parameters(library):
 
 def test_dependent_initial_conditions_follow_the_constants(library):
     import zoo
-    from cases import system_of
+    from zoo.cases import system_of
 
     system = system_of(zoo.MODELS["track"](), times=np.linspace(0.0, 0.5, num=3))
     system.ode_solver = "dop853"

@@ -7,10 +7,10 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics import models as sympy_models
 
 import zoo
-from cases import close
-from oracle import Oracle
+from oracles.oracle import Oracle
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
+from zoo.cases import close
 
 
 def numbered(system, seed=0):

@@ -11,12 +11,12 @@ from sympy.core.cache import clear_cache
 
 import zoo
 from graphs import P, X, program_of
+from oracles.rounding import SAFETY, OutsideError, UnclearError, bounded
 from parts import PART, WHOLE
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.passes import rewriting
 from pydy.system import System
-from rounding import SAFETY, OutsideError, UnclearError, bounded
 
 NAMES = [*X, *P]
 PARTS = 8

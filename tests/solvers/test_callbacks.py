@@ -10,10 +10,10 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
 from pydy.solvers import Event, dop853, radau, rk4
 from pydy.system import System
 from registry import SOLVERS, has_fixed_step, step_options
+from zoo.cases import system_of
 
 
 class AlarmError(Exception):

@@ -10,12 +10,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
 from pydy.inputs import SampledInput
 from pydy.solvers import Event, dop853, rk4
 from pydy.solvers.run import workspace
 from pydy.system import System
 from registry import ADAPTIVE_NAMES, step_options
+from zoo.cases import system_of
 
 ADAPTIVE = ADAPTIVE_NAMES
 FEW, MANY = np.linspace(0.0, 2.0, num=5), np.linspace(0.0, 2.0, num=401)

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 import pytest
 
-from departures import CASES, Case, check, events, h, numbers, started, v
+from oracles.departures import CASES, Case, check, events, h, numbers, started, v
 from pydy.errors import PyDyUserWarning
 from pydy.solvers import Event
 from pydy.solvers.outcome import Outcome

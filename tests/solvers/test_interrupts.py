@@ -8,7 +8,7 @@ import time
 import numpy as np
 import pytest
 
-import solver_problems as problems
+from oracles import solver_problems as problems
 from pydy._errors import IntegrationError, IntegrationInterrupted, MissingDependencyError
 from pydy._interrupts import Interrupts
 from pydy.solvers import dop853, tsit5

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-import solver_problems as problems
+from oracles import solver_problems as problems
 from pydy.solvers import radau, rk4, tsit5
 from pydy.solvers.tableaus import tableau_of
 from registry import ADAPTIVE, EXPLICIT, step_options

@@ -8,7 +8,6 @@ import sympy.physics.mechanics as me
 from scipy.linalg import expm
 
 import zoo
-from cases import system_of, uncoupled
 from pydy import System
 from pydy._interrupts import Interrupts
 from pydy.contact import Contacts, Unilateral
@@ -20,6 +19,7 @@ from pydy.solvers import Event
 from pydy.solvers.run import workspace
 from pydy.solvers.run.backward import DiscreteAdjoint
 from registry import ADAPTIVE_NAMES, EXPLICIT_NAMES, step_options
+from zoo.cases import system_of, uncoupled
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}

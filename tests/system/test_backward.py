@@ -9,7 +9,6 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
 from pydy.contact import Contacts, Unilateral
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.inputs import SampledInput
@@ -19,6 +18,7 @@ from pydy.solvers import Event
 from pydy.system import System
 from pydy.trajectory import Trajectory
 from registry import SOLVER_NAMES
+from zoo.cases import system_of
 
 T = me.dynamicsymbols._t
 SOLVERS = ["odeint", "solve_ivp", "DOP853", *SOLVER_NAMES]

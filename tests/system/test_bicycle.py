@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import zoo
-from cases import close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.examples import whipple_bicycle
+from zoo.cases import close, system_of
 
 GENERATORS = ["llvm", "lambdify"]
 

@@ -8,11 +8,11 @@ import pytest
 import sympy as sm
 
 import zoo
-from cases import system_of
 from pydy._backends.llvm.native import LLVMBackend
 from pydy.ensemble import model as ensembles
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
+from zoo.cases import system_of
 
 TIMES = np.linspace(0.0, 0.1, num=5)
 

@@ -9,12 +9,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from by_hand import MECHANISMS
-from cases import close, system_of
 from pydy import viz
 from pydy.solvers import Event
 from pydy.system import System
 from zoo import T, inertial_frame
+from zoo.by_hand import MECHANISMS
+from zoo.cases import close, system_of
 
 GENERATORS = ["llvm", "lambdify"]
 LAMBDA = sm.Symbol("lambda0")

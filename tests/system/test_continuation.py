@@ -8,13 +8,13 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import pydy.analysis.continuation
-from hoop import bead_on_a_hoop
 from pydy import System
 from pydy.errors import AnalysisInterrupted, EquilibriumError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
-from ziegler import zieglers_pendulum
 from zoo import inertial_frame
+from zoo.hoop import bead_on_a_hoop
+from zoo.ziegler import zieglers_pendulum
 
 
 def in_a_potential(force):

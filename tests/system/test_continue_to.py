@@ -9,13 +9,13 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import Particle
 
-from cases import close
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.solvers import Event
-from touching import N, O, ball, m, vx, vy, x, y
+from zoo.cases import close
+from zoo.touching import N, O, ball, m, vx, vy, x, y
 
 TIGHT = {"rtol": 1e-10, "atol": 1e-10}
 BOUNCE = [

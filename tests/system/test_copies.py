@@ -10,8 +10,8 @@ import pytest
 import sympy as sm
 
 import zoo
-from cases import close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
+from zoo.cases import close, system_of
 
 GENERATORS = ["llvm", "lambdify"]
 NAMES = ["pendulum", "track", "disc_contact", "timed", "shaken"]

@@ -10,10 +10,10 @@ import pytest
 import sympy as sm
 
 import zoo
-from cases import system_of
 from pydy.solvers import Event
+from zoo.cases import system_of
 
-DIGESTS = Path(zoo.__file__).with_name("digests.py")
+DIGESTS = Path(zoo.__file__).parents[1] / "digests.py"
 
 
 def test_every_process_gives_the_same_programs_and_bits(tmp_path):

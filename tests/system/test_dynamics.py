@@ -7,17 +7,15 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import joints
-import loops
 import zoo
-from by_hand import MECHANISMS
-from cases import close, system_of
 from pydy import System
 from pydy._mechanics import inverse
 from pydy.errors import PyDyUserWarning, SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
-from zoo import inertial_frame
+from zoo import inertial_frame, joints, loops
+from zoo.by_hand import MECHANISMS
+from zoo.cases import close, system_of
 
 T = me.dynamicsymbols._t
 OWN = (

@@ -7,16 +7,15 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import loops
 import zoo
-from cases import system_of
-from hoop import bead_on_a_hoop
 from pydy.errors import EquilibriumError, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
-from zoo import inertial_frame
+from zoo import inertial_frame, loops
+from zoo.cases import system_of
+from zoo.hoop import bead_on_a_hoop
 
 
 @pytest.fixture

@@ -6,13 +6,13 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close, system_of, wide
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy import System
 from pydy.errors import PyDyUserWarning, SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from zoo import inertial_frame
+from zoo.cases import close, system_of, wide
 
 GENERATORS = ["llvm", "lambdify"]
 A = sm.Symbol("a")

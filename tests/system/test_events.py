@@ -10,7 +10,6 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.integrate import odeint
 
-from cases import close
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.solvers import Event
@@ -18,6 +17,7 @@ from pydy.solvers.run.integration import Integration
 from pydy.solvers.run.workspace import Workspace
 from pydy.system import System
 from registry import ADAPTIVE_NAMES, SOLVER_NAMES, has_fixed_step
+from zoo.cases import close
 
 T = me.dynamicsymbols._t
 Z, V, PUSH = me.dynamicsymbols("z v F")

@@ -9,10 +9,10 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import OTHER_SOLVERS, Recorder, close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy._errors import PyDyUserWarning, UnsupportedFunctionError
 from pydy.system import System
+from zoo.cases import OTHER_SOLVERS, Recorder, close, system_of
 
 T = zoo.T
 F, T1, T2 = me.dynamicsymbols("F T1 T2")

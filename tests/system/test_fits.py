@@ -8,10 +8,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.integrate import solve_ivp
 
-import optima
 import zoo
-from ball import bouncing_ball
-from cases import system_of
+from oracles import optima
 from pydy.analysis import Trial
 from pydy.analysis.fits import shooting
 from pydy.analysis.fits.residuals import autocorrelation
@@ -23,8 +21,10 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.plot import plot_fit
 from pydy.solvers import Event
 from pydy.system import System
-from touching import N, ball, block, e, mu, vx, x, y
 from zoo import inertial_frame
+from zoo.ball import bouncing_ball
+from zoo.cases import system_of
+from zoo.touching import N, ball, block, e, mu, vx, x, y
 
 TIMES = np.linspace(0.0, 10.0, num=101)
 BOTH = pytest.mark.parametrize("method", ["shooting", "collocation"])

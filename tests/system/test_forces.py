@@ -6,9 +6,9 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.system import System
+from zoo.cases import close, system_of
 
 GENERATORS = ["llvm", "lambdify"]
 NAMES = ["disc_contact", "skate"]

@@ -9,13 +9,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from sympy.physics.mechanics import models as sympy_models
 
-import by_hand
 import zoo
-from by_hand import MECHANISMS, derived, state
-from cases import close, system_of, wide
-from oracle import Oracle, oracle
+from oracles.oracle import Oracle, oracle
 from pydy.system import System
-from zoo import T, inertial_frame
+from zoo import T, by_hand, inertial_frame
+from zoo.by_hand import MECHANISMS, derived, state
+from zoo.cases import close, system_of, wide
 
 
 def numbered(system, model):

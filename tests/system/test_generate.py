@@ -8,9 +8,9 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import Recorder, close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy._errors import PyDyUserWarning
+from zoo.cases import Recorder, close, system_of
 
 F = me.dynamicsymbols("F")
 A = sm.Symbol("a")

@@ -6,11 +6,11 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
 from pydy import System
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from zoo import inertial_frame
+from zoo.cases import system_of
 
 
 def spatial_arm():

@@ -9,8 +9,8 @@ import sympy.physics.mechanics as me
 from scipy.integrate import odeint, solve_ivp
 
 import zoo
-from cases import Recorder, close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
+from zoo.cases import Recorder, close, system_of
 
 GENERATORS = ["llvm", "lambdify"]
 F = me.dynamicsymbols("F")

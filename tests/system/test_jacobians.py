@@ -11,10 +11,10 @@ from sympy.physics.mechanics import (
 )
 
 import zoo
-from cases import system_of
 from pydy.errors import PyDyUserWarning
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.cases import system_of
 
 LINKS = 7
 

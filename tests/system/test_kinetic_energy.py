@@ -9,8 +9,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close, system_of, wide
 from pydy.system import System
+from zoo.cases import close, system_of, wide
 
 UNCONSTRAINED = [
     *("chain", "undamped_chain", "pendulum", "free_pendulum"),

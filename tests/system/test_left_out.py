@@ -5,9 +5,9 @@ import pytest
 import sympy as sm
 from scipy.integrate import solve_ivp
 
-import loops
-from cases import close
 from pydy import System
+from zoo import loops
+from zoo.cases import close
 
 LENGTHS, OFFSETS, TWISTS = loops.SCHATZ.values()
 

@@ -9,16 +9,16 @@ import sympy.physics.mechanics as me
 from scipy.optimize import brentq
 
 import zoo
-from cases import close, system_of
-from circle import on_a_circle
 from pydy.errors import PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
-from singular import slider_crank
 from zoo import inertial_frame
+from zoo.cases import close, system_of
+from zoo.circle import on_a_circle
+from zoo.singular import slider_crank
 
 
 @cache

@@ -6,10 +6,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import loops
-from cases import close
 from pydy import System
 from pydy.mechanics import Definition
+from zoo import loops
+from zoo.cases import close
 
 T = me.dynamicsymbols._t
 RANKS = {

@@ -6,12 +6,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.cases import close
 
 T = me.dynamicsymbols._t
 Z = me.dynamicsymbols("z")

@@ -9,7 +9,6 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close
 from pydy.analysis import Trial
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.errors import PyDyUserWarning, UnsupportedFunctionError
@@ -18,6 +17,7 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.plot import plot_coordinates
 from pydy.solvers import Event
 from pydy.system import System
+from zoo.cases import close
 
 M, HEAVY = sm.Symbol("m"), sm.Symbol("m", positive=True)
 M0, K0, F0 = sm.Symbol("m0"), sm.Symbol("k0"), me.dynamicsymbols("f0")

@@ -10,15 +10,15 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
-from joints import cart_pendulum
-from loops import system_of as closed_loop
 from pydy import System, robots
 from pydy.analysis import Trial
 from pydy.contact import Contacts, Unilateral
 from pydy.mechanics import Definition, Implicit
 from pydy.trajectory import Trajectory
 from zoo import T, inertial_frame
+from zoo.cases import close
+from zoo.joints import cart_pendulum
+from zoo.loops import system_of as closed_loop
 
 x, y, z = me.dynamicsymbols("x y z")
 vx, vy, vz = me.dynamicsymbols("vx vy vz")

@@ -7,8 +7,8 @@ import pytest
 import sympy as sm
 
 import zoo
-from cases import Recorder, close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
+from zoo.cases import Recorder, close, system_of
 
 A, B, K = sm.symbols("a b K")
 T = zoo.T

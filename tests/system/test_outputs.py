@@ -8,11 +8,11 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.analysis import Trial
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
+from zoo.cases import close, system_of
 
 A, B, K = sm.symbols("a b K")
 T = zoo.T

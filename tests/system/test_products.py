@@ -5,10 +5,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import by_hand
 import zoo
 from pydy import System
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from zoo import by_hand
 
 t = me.dynamicsymbols._t
 

@@ -10,7 +10,6 @@ import sympy.physics.mechanics as me
 from scipy.integrate import odeint
 
 import zoo
-from cases import close, system_of, wide
 from gallery import definitions
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy.examples import whipple_bicycle
@@ -20,6 +19,7 @@ from pydy.solvers import Event
 from pydy.system import System
 from registry import ADAPTIVE_NAMES, SOLVER_NAMES, has_fixed_step, step_options
 from zoo import inertial_frame
+from zoo.cases import close, system_of, wide
 
 andrews = definitions("andrews", before="mechanism = derive()")
 ALL = SOLVER_NAMES

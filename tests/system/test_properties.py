@@ -9,8 +9,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close, system_of
 from pydy.system import System
+from zoo.cases import close, system_of
 
 T = zoo.T
 

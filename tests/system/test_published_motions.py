@@ -8,8 +8,8 @@ import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
 from pydy.system import System
-from singular import defined_windows
 from zoo import inertial_frame
+from zoo.singular import defined_windows
 
 T = me.dynamicsymbols._t
 

@@ -6,12 +6,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from by_hand import MECHANISMS
-from cases import system_of
 from pydy import System
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from zoo import inertial_frame
+from zoo.by_hand import MECHANISMS
+from zoo.cases import system_of
 
 T = me.dynamicsymbols._t
 MODELS = {**zoo.MODELS, **{n: MECHANISMS[n] for n in ("camera", "gimbals", "coupler", "wheel")}}

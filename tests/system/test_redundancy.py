@@ -8,13 +8,12 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from scipy import optimize
 
-import loops
 from pydy._assembly.model import CompiledModel
 from pydy._mechanics import dependents
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
-from zoo import inertial_frame
+from zoo import inertial_frame, loops
 
 TIMES = np.linspace(0.0, 0.4, num=21)
 

@@ -9,11 +9,11 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event, dop853
+from zoo.cases import system_of
 
 TIMES = np.linspace(0.0, 2.0, num=5)
 K, W, CUT = sm.symbols("k0 w cut")

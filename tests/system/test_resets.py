@@ -7,13 +7,13 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.system import System
 from registry import has_fixed_step
 from zoo import inertial_frame
+from zoo.cases import close
 
 
 def bob():

@@ -9,12 +9,12 @@ import sympy.physics.mechanics as me
 from scipy.integrate import quad
 
 import zoo
-from cases import Recorder, close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
 from registry import SOLVER_NAMES, step_options
+from zoo.cases import Recorder, close, system_of
 
 T = zoo.T
 F, T1, T2 = me.dynamicsymbols("F T1 T2")

@@ -8,13 +8,13 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
 from pydy.analysis import Trial
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.cases import close
 
 Q, U = me.dynamicsymbols("q u")
 E, G, H, K, M = sm.symbols("e g h k m")

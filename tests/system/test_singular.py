@@ -6,9 +6,9 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
 from pydy.system import System
 from zoo import inertial_frame
+from zoo.cases import system_of
 
 GENERATORS = ["llvm", "lambdify"]
 

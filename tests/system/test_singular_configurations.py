@@ -9,7 +9,7 @@ from pydy._errors import IntegrationError
 from pydy.solvers import Event
 from pydy.solvers.outcome import Outcome
 from registry import EXPLICIT_NAMES, SOLVER_NAMES, has_fixed_step
-from singular import bead, bricard, n_four_bar, slider_crank
+from zoo.singular import bead, bricard, n_four_bar, slider_crank
 
 ALL = SOLVER_NAMES
 RADII = [1.0, 1e2, 1e4, 1e6, 1e8]

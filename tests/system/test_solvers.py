@@ -11,13 +11,13 @@ import sympy.physics.mechanics as me
 from scipy.integrate import odeint
 
 import zoo
-from cases import close, system_of
 from pydy import solvers
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
 from pydy.system import System
 from registry import SOLVER_NAMES, has_fixed_step, step_options
+from zoo.cases import close, system_of
 
 ALL = SOLVER_NAMES
 F, T1, T2 = me.dynamicsymbols("F T1 T2")

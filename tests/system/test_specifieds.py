@@ -5,10 +5,10 @@ import pytest
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.errors import PyDyUserWarning
 from pydy.models import n_link_pendulum_on_cart
+from zoo.cases import close, system_of
 
 F, T1, T2 = me.dynamicsymbols("F T1 T2")
 VALUES = {F: 0.3, T1: -0.7, T2: 1.1}

@@ -6,7 +6,6 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
@@ -14,6 +13,7 @@ from pydy.solvers.outcome import Outcome
 from pydy.system import System
 from registry import has_fixed_step
 from zoo import inertial_frame
+from zoo.cases import system_of
 
 TIMES = np.linspace(0.0, 0.1, 3)
 

@@ -11,15 +11,15 @@ from scipy.linalg import eigvals
 import pydy.analysis.families
 import pydy.analysis.sweeps
 import zoo
-from cases import system_of
-from hoop import bead_on_a_hoop
 from pydy import System
 from pydy.errors import AnalysisInterrupted, EquilibriumError
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
-from ziegler import zieglers_pendulum
 from zoo import inertial_frame
+from zoo.cases import system_of
+from zoo.hoop import bead_on_a_hoop
+from zoo.ziegler import zieglers_pendulum
 
 MOVING = ["x", "theta_R", "theta_F"]
 

@@ -7,7 +7,6 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from cases import close
 from pydy import System
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
@@ -15,6 +14,7 @@ from pydy.mechanics import Definition
 from pydy.solvers import dop853
 from pydy.solvers.events import Event
 from registry import ADAPTIVE, SOLVER_NAMES, step_options
+from zoo.cases import close
 
 t = me.dynamicsymbols._t
 x, v, y, z, F = me.dynamicsymbols("x v y z F")

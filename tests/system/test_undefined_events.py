@@ -5,11 +5,11 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import dynamicsymbols
 
-from ball import bouncing_ball
 from pydy._errors import IntegrationError
 from pydy.solvers import Event
 from pydy.solvers.outcome import Outcome
 from registry import SOLVER_NAMES
+from zoo.ball import bouncing_ball
 
 ALL = SOLVER_NAMES
 T = dynamicsymbols._t

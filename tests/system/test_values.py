@@ -7,12 +7,12 @@ import sympy.physics.mechanics as me
 from scipy.integrate import odeint
 
 import zoo
-from cases import close, system_of
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.system import System
+from zoo.cases import close, system_of
 
 NOPE = sm.Symbol("nope")
 

@@ -13,12 +13,11 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import tires
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import MagicFormula
-from tires import NAMES, TIRES, slip_states
-from zoo import inertial_frame
+from zoo import inertial_frame, tires
+from zoo.tires import NAMES, TIRES, slip_states
 
 INPUTS = ("Fz", "kappa", "alpha", "gamma", "speed", "pressure")
 OUTPUTS = [f"{name} of {tire}" for tire in TIRES for name in NAMES]

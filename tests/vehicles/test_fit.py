@@ -6,7 +6,7 @@ import sympy as sm
 
 from pydy.errors import PyDyUserWarning
 from pydy.vehicles import BrushTire, LinearTire, MagicFormula, fit_tire
-from tires import TABLE_A31
+from zoo.tires import TABLE_A31
 
 ALPHA = np.radians(np.linspace(-12, 12, 25))
 TIRE = MagicFormula(TABLE_A31)

@@ -10,14 +10,13 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import tires
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import MagicFormula
-from tires import COMMON, NAMES, TABLE_A31, TIRES, slip_states
-from zoo import inertial_frame
+from zoo import inertial_frame, tires
+from zoo.tires import COMMON, NAMES, TABLE_A31, TIRES, slip_states
 
 
 def tire_of(name, **options):

@@ -6,7 +6,7 @@ import sympy as sm
 
 from optional import optional
 from pydy.vehicles import BrushTire, MagicFormula, plot_tire, plot_tire_carpet
-from tires import TABLE_A31
+from zoo.tires import TABLE_A31
 
 plt = optional("matplotlib.pyplot")
 TIRE = MagicFormula(TABLE_A31)

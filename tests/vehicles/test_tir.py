@@ -8,7 +8,7 @@ import pytest
 
 from pydy.errors import PyDyUserWarning, TireFileError
 from pydy.vehicles import MagicFormula, read_tir
-from tires import TABLE_A31
+from zoo.tires import TABLE_A31
 
 SMALL = """
 [MODEL]

@@ -12,8 +12,8 @@ from pydy.contact import kelvin_voigt
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import BrushTire, LinearTire, MagicFormula, WheelContact
-from tires import TABLE_A31
 from zoo import inertial_frame
+from zoo.tires import TABLE_A31
 
 R, CROWN = 0.3, 0.06
 STATE = {"x": 0.1, "y": -0.2, "z": 0.27, "yaw": 0.4, "lean": 0.3, "spin": 1.2}

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from exported_models import ball as bouncing_ball
 from pydy.contact import Contacts
 from pydy.models import multi_mass_spring_damper
 from pydy.plot import plot_energy, plot_phase
@@ -15,7 +14,8 @@ from pydy.trajectory import Trajectory
 from pydy.viz import Scene, Sphere, Visual
 from pydy.viz.curves import BUCKETS, UNTHINNED, TimeSeries, thinned
 from pydy.viz.page import page_data
-from touching import ball, y
+from zoo.exported_models import ball as bouncing_ball
+from zoo.touching import ball, y
 
 q = dynamicsymbols("q")
 N, O = ReferenceFrame("N"), Point("O")

@@ -5,13 +5,13 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import pictured
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from pydy.viz import Bar, Box, Cube, Cylinder, Damper, Line, Sphere, Spring, Visual
 from pydy.viz.defaults import default_shape
 from pydy.viz.shapes import Support
+from zoo import pictured
 
 q, u = me.dynamicsymbols("q, u")
 N, O = me.ReferenceFrame("N"), me.Point("O")

@@ -9,14 +9,14 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
-from cases import system_of
-from exported_models import TIMES, ball, hostile, pendulum
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
 from pydy.viz.arguments import live_unknowns
 from pydy.viz.defaults import default_shape, inertial_lengths
+from zoo.cases import system_of
+from zoo.exported_models import TIMES, ball, hostile, pendulum
 
 
 def page(system, live, *visuals, **options):

@@ -20,7 +20,7 @@ from pydy.trajectory import EventRecord, Trajectory
 from pydy.viz import Arrow, Box, Line, Mesh, Scene, Sphere, Trace, Visual
 from pydy.viz.arguments import mode_intervals
 from pydy.viz.page import page_data
-from touching import ball, y
+from zoo.touching import ball, y
 
 q = dynamicsymbols("q")
 N, O = ReferenceFrame("N"), Point("O")

@@ -162,7 +162,7 @@ from pathlib import Path
 import numpy as np
 import pydy
 import zoo
-from cases import system_of
+from zoo.cases import system_of
 from pydy import _cache_folder
 from pydy._backends.llvm import compiling
 from pydy.solvers.run import shipped

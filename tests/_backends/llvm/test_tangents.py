@@ -10,7 +10,6 @@ import pytest
 
 import zoo
 from _backends.llvm.test_guards import by_hand, states
-from cases import system_of
 from graphs import on_tape
 from pydy._assembly.programs import jacobian_program
 from pydy._backends.llvm.native import LLVMBackend, gates
@@ -23,6 +22,7 @@ from pydy._graph.tangent import jacobian_tangent
 from pydy._program.interpret import run
 from pydy._program.tangent import Tangent
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from zoo.cases import system_of
 
 
 @cache

@@ -131,7 +131,7 @@ import numpy as np
 sys.path[:0] = sys.argv[2:]
 import zoo
 from registry import SOLVER_NAMES, step_options
-from cases import system_of
+from zoo.cases import system_of
 from harness import frozen
 from harness.program import assembly_of
 from pydy._assembly.programs import block_program

@@ -22,8 +22,8 @@ from pydy.vehicles import (
     plot_tire_carpet,
     read_tir,
 )
-from tires import TABLE_A31
 from zoo import inertial_frame
+from zoo.tires import TABLE_A31
 
 
 def _parameter(value: Any) -> Any:

@@ -1,8 +1,8 @@
 """The side of zero to which the expression of an event departs from a state where it is zero.
 
 The rule is: by its first derivative that is not zero. ``core/departure.h`` is the same in C, which
-exported units share, and ``export/templates/integrator.js`` in JavaScript; ``tests/departures.py``
-is the table of cases that all of them satisfy.
+exported units share, and ``export/templates/integrator.js`` in JavaScript. The table of cases that
+all of them satisfy is ``tests/oracles/departures.py``.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from pydy import System
 from pydy.control import OptimalControl
 from pydy.mechanics import Definition
 
-sys.path.append(str(Path(__file__).parent.parent / "benchmarks"))
+sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 from harness import standing
 
 from zoo import inertial_frame

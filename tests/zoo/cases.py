@@ -8,7 +8,7 @@ import sympy.physics.mechanics as me
 from scipy.integrate import odeint, solve_ivp
 
 import zoo
-from oracle import oracle
+from oracles.oracle import oracle
 from pydy.mechanics import Definition
 from pydy.system import System
 

@@ -3,6 +3,12 @@
 A model is a function, so that nothing is derived at collection; it is derived once in a session
 (`derivations.py`). Numbers are generic (no ones, no zeros, no simple ratios): a mistaken order or a
 lost factor shows.
+
+Further ones, by subject: `by_hand` (equations formed from bodies), `joints` (SymPy's), `loops`
+(redundant constraints), `singular` (badly scaled or singular ones), `circle`, `hoop`, `rolling`,
+`ziegler`, `ball`, `touching` (contacts), `tires`, `pictured` (without shapes), `exported_models`,
+`ensemble_cases`. `cases` makes a System of a model, and `graphs` (beside this folder) a Program
+without a mechanical system.
 """
 
 from collections.abc import Callable

@@ -10,13 +10,12 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import joints
-import loops
 import zoo
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
+from zoo import joints, loops
 
 g = sm.Symbol("g")
 MODELS: dict[str, Callable[[], System]] = {}
