@@ -60,7 +60,7 @@ def check(source):
         both = accelerations(body, in_bodies=True, articulated=articulated)
         for found, right in zip(both, expected, strict=True):
             np.testing.assert_allclose(found, right, rtol=0, atol=1e-12 * abs(right).max())
-    return moving(body, in_bodies=True, falling=True)
+    return moving(body, in_bodies=True, gravity_as_acceleration=True)
 
 
 def chain(joints, *, set_velocities=False, last=None, plain=False):

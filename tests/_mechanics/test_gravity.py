@@ -21,7 +21,7 @@ def two_particles(weights, place=None):
     loads = [(point, w * frame.z) for point, w in zip((first, second), weights, strict=True) if w]
     rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
     kane = me.KanesMethod(frame, q, u, kd_eqs=rates, bodies=bodies, forcelist=loads)
-    return moving(multibody_of_kane(kane), in_bodies=True, falling=True)
+    return moving(multibody_of_kane(kane), in_bodies=True, gravity_as_acceleration=True)
 
 
 def test_weights_of_all_bodies_become_an_acceleration():
@@ -55,4 +55,4 @@ def test_weights_that_are_numbers_may_be_rounded():
         loads.append((point, -mass * 9.81 * frame.z))
     rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
     kane = me.KanesMethod(frame, q, u, kd_eqs=rates, bodies=bodies, forcelist=loads)
-    assert moving(multibody_of_kane(kane), in_bodies=True, falling=True).loads == ()
+    assert moving(multibody_of_kane(kane), in_bodies=True, gravity_as_acceleration=True).loads == ()

@@ -71,7 +71,7 @@ def test_accelerations_are_those_of_bodies_taken_one_by_one(axes, articulated):
 
 
 def test_what_is_left_of_a_hinged_body_has_no_mass_and_nothing_along_its_axis():
-    kinematics = moving(arm([(0, 0, 0), (1, 2, 3)]), in_bodies=True, falling=True)
+    kinematics = moving(arm([(0, 0, 0), (1, 2, 3)]), in_bodies=True, gravity_as_acceleration=True)
     inertias, _, plain = composite_contributions(kinematics)
     zero = kinematics.graph.zero
     for part, whole, axis in zip(inertias, plain, (2, 0), strict=True):

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._backends import strict
+from pydy._backends import arguments_fit
 from pydy._checks import real_array, shown
 from pydy._kernel import Kernel
 from pydy._program import Program
@@ -53,8 +53,9 @@ def with_external_solver(
     """Chain the matrices, a solver and the values that depend on its solution into one Kernel."""
     (n,) = system.program.signature.block("forcing").shape
 
-    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
-        if type(t) is not float or not strict(system.program, x, r, p):
+    def gate(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
+        """Evaluate one state, as `Kernel.gate`: −1 asks for arguments that are converted."""
+        if type(t) is not float or not arguments_fit(system.program, x, r, p):
             return -1
         matrices = np.empty(n * n + n)
         if system.at(x, t, r, p, matrices):
@@ -81,7 +82,7 @@ def with_external_solver(
         failed = np.zeros(len(t), dtype=bool)
         for k, row in enumerate(np.broadcast_to(r, (len(t), r.shape[1]))):
             state, inputs = np.array(x[k], dtype=float), np.array(row, dtype=float)
-            failed[k] = call(state, float(t[k]), inputs, p, out[k])
+            failed[k] = gate(state, float(t[k]), inputs, p, out[k])
         return out, failed, bool(np.isfinite(out).all())
 
-    return Kernel(program, sweep, call, with_external_solver, (system, solver, rest))
+    return Kernel(program, sweep, gate, with_external_solver, (system, solver, rest))

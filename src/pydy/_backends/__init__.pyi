@@ -1,4 +1,4 @@
-from .base import strict as strict
+from .base import arguments_fit as arguments_fit
 from .c.source import HELPERS as HELPERS, c_functions as c_functions
 from .llvm.compiling import Shipped as Shipped
 from .llvm.jit import Code as Code, load as load

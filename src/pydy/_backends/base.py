@@ -28,7 +28,7 @@ from pydy._kernel import Call, Kernel, Sweep
 from pydy._program import Program
 
 
-def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
+def arguments_fit(program: Program, x: Any, r: Any, p: Any) -> bool:
     """Return whether arguments are float64 vectors with the lengths of a Program's inputs."""
     sizes = program.signature.sizes
     return all(
@@ -44,7 +44,7 @@ def call_of(program: Program, sweep: Sweep) -> Call:
     """Return the `Kernel.gate` of a Program that a sweep evaluates."""
 
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
-        if type(t) is not float or not strict(program, x, r, p):
+        if type(t) is not float or not arguments_fit(program, x, r, p):
             return -1
         values, failed, _ = sweep(np.array([t]), x[None, :], r[None, :], p)
         out[:] = values[0]

@@ -110,8 +110,8 @@ def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
         finite = np.isfinite(values).all(axis=1) | ~np.isfinite(x).all(axis=1) | failed
         rows = np.flatnonzero(~finite)
         for start in range(0, len(rows), _AT_ONCE):
-            k, fork_lock = rows[start : start + _AT_ONCE], tangent.written_out()
-            values[k], bad = run(fork_lock, t[k], x[k], r if len(r) == 1 else r[k], p)
+            k, program = rows[start : start + _AT_ONCE], tangent.written_out()
+            values[k], bad = run(program, t[k], x[k], r if len(r) == 1 else r[k], p)
             failed[k] |= bad
         return values, failed, bool(np.isfinite(values).all())
 

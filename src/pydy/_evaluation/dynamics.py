@@ -423,7 +423,7 @@ def gravity(equations: Equations, acceleration: Vector | None) -> Quantity:
     body = bodies_of(equations)
 
     def expressions(dynamics: BodyDynamics) -> SymbolicNodes:
-        forces = dynamics.weights(body, acceleration)
+        forces = dynamics.holding_forces(body, acceleration)
         if forces is None:
             raise ValueError(
                 "The loads at the mass centres do not tell which way gravity pulls: no "

@@ -73,7 +73,9 @@ def forms(
     # With dependent speeds the constraints contain `start` as well: a rider's bicycle would take
     # 4,359 operations instead of 4,211.
     free = not body.constraints.velocity
-    kinematics = moving(body, in_bodies, falling=in_bodies, fixed_honoured=honoured, referred=free)
+    kinematics = moving(
+        body, in_bodies, gravity_as_acceleration=in_bodies, fixed_honoured=honoured, referred=free
+    )
     g = kinematics.graph
     inertias, loads, body_inertias = composite_contributions(kinematics)
     kinetic = _kinetic(kinematics, body_inertias)
@@ -214,26 +216,26 @@ def moving(
     body: Multibody,
     in_bodies: bool,
     *,
-    falling: bool = False,
+    gravity_as_acceleration: bool = False,
     fixed_honoured: Collection[Point] | None = None,
     further_points: Iterable[Point] = (),
     **how: bool,
 ) -> Kinematics:
     """Return the kinematics with all points connected, and those of `further_points`.
 
-    `how` is `auxiliary`, `referred` or `driven`, as for Kinematics; `falling` replaces gravity by
-    an acceleration if possible, and moves joint points along their axes. Which velocities of the
-    user must be honoured is determined, unless it is fixed.
+    `how` is `auxiliary`, `referred` or `driven`, as for Kinematics. `gravity_as_acceleration`
+    replaces gravity by an acceleration if possible, and moves joint points along their axes. Which
+    velocities of the user must be honoured is determined, unless it is fixed.
     """
     honoured: set[Point] = set(fixed_honoured or ())
     checked: dict[Point, Point | None] = {}
     while True:
         kinematics = Kinematics(body, in_bodies=in_bodies, honoured=honoured, **how)
-        if falling:
+        if gravity_as_acceleration:
             take_gravity_off(kinematics)
         points = [*points_of(kinematics), *further_points]
         kinematics.connect(points)
-        if falling:
+        if gravity_as_acceleration:
             align(kinematics)
             choose_joint_points(kinematics)
         for point in points:

@@ -145,7 +145,7 @@ class BodyDynamics:
             kinematics = moving(body, in_bodies=True)
             matrix, forcing = lagranges_equations(kinematics)
         else:
-            kinematics = moving(body, in_bodies=True, falling=True)
+            kinematics = moving(body, in_bodies=True, gravity_as_acceleration=True)
             inertias, loads, _ = composite_contributions(kinematics)
             matrix, forcing = composite(kinematics, inertias, loads)
         g = kinematics.graph
@@ -155,23 +155,30 @@ class BodyDynamics:
         return self.in_symbols(kinematics, cells)
 
     @collector_paused()
-    def weights(self, body: Multibody, pull: Vector | None = None) -> SymbolicNodes | None:
-        """Return the forces that balance gravity; None if gravity cannot be identified.
+    def holding_forces(
+        self, body: Multibody, acceleration: Vector | None = None
+    ) -> SymbolicNodes | None:
+        """Return the generalised forces that hold the bodies against gravity, at all speeds.
 
-        Its acceleration is `pull`, by default the one common to the loads at all mass centres.
+        Its `acceleration` is by default the one common to the loads at all mass centres; None if
+        that cannot be identified.
         """
         user_kinematics = Kinematics(body, in_bodies=True)
-        fall = None if pull is None else user_kinematics.vector(pull, user_kinematics.inertial)
-        if fall is None and body.lagrangian is None:
-            fall = _common_pull(user_kinematics)
-        if fall is None:
-            return None
-        kinematics = moving(body, in_bodies=True, falling=True)
-        symbols, g = user_kinematics.symbols(), kinematics.graph
-        down = kinematics.read.all(
-            [NodeExpression.of(user_kinematics.graph, node, symbols) for node in fall]
+        gravity = (
+            None
+            if acceleration is None
+            else user_kinematics.vector(acceleration, user_kinematics.inertial)
         )
-        forces = _pushed(kinematics, weights_of(kinematics, down))
+        if gravity is None and body.lagrangian is None:
+            gravity = _common_gravity(user_kinematics)
+        if gravity is None:
+            return None
+        kinematics = moving(body, in_bodies=True, gravity_as_acceleration=True)
+        symbols, g = user_kinematics.symbols(), kinematics.graph
+        gravity_nodes = kinematics.read.all(
+            [NodeExpression.of(user_kinematics.graph, node, symbols) for node in gravity]
+        )
+        forces = _generalized_forces(kinematics, weights_of(kinematics, gravity_nodes))
         return self.in_symbols(kinematics, [g.neg(node) for node in forces])
 
     @collector_paused()
@@ -185,18 +192,18 @@ class BodyDynamics:
         ch. 9). None if gravity cannot be identified from the loads.
         """
         kinematics = moving(body, in_bodies=True, driven=True)
-        fall = None if body.lagrangian is not None else _common_pull(kinematics)
-        if fall is None:
+        gravity = None if body.lagrangian is not None else _common_gravity(kinematics)
+        if gravity is None:
             return None
         _refuse_varying_masses(kinematics)
         g, columns = kinematics.graph, []
         units = [[g.one if j == i else g.zero for j in range(3)] for i in range(3)]
         for item in body.bodies:
             home, v, _ = kinematics.motion(item.masscenter)
-            down = kinematics.expressed(fall, kinematics.inertial, home)
+            gravity_here = kinematics.expressed(gravity, kinematics.inertial, home)
             a = [
                 g.sub(x, y)
-                for x, y in zip(kinematics.acceleration(item.masscenter), down, strict=True)
+                for x, y in zip(kinematics.acceleration(item.masscenter), gravity_here, strict=True)
             ]
             axes = item.frame if is_rigid(item) else home
             a, v = (kinematics.expressed(part, home, axes) for part in (a, v))
@@ -290,9 +297,9 @@ def _required(body: Multibody) -> tuple[Kinematics, Vec]:
         return kinematics, [kinematics.graph.neg(node) for node in forcing]
     candidates = []
     for in_bodies in useful_axes(body):
-        kinematics = moving(body, in_bodies, falling=in_bodies, driven=True)
+        kinematics = moving(body, in_bodies, gravity_as_acceleration=in_bodies, driven=True)
         loads = composite_contributions(kinematics)[1]
-        forces = [kinematics.graph.neg(node) for node in _pushed(kinematics, loads)]
+        forces = [kinematics.graph.neg(node) for node in _generalized_forces(kinematics, loads)]
         candidates.append((operation_count(kinematics.graph, forces), kinematics, forces))
     return min(candidates, key=lambda item: item[0])[1:]
 
@@ -312,7 +319,7 @@ def _refuse_varying_masses(kinematics: Kinematics) -> None:
             )
 
 
-def _common_pull(kinematics: Kinematics) -> Vec | None:
+def _common_gravity(kinematics: Kinematics) -> Vec | None:
     """Return the acceleration that the loads give to all mass centres, None if it is ambiguous.
 
     Loads proportional to a symbolic mass are together its weight. At a numeric mass each load may
@@ -466,6 +473,6 @@ def _partly_constant(g: Graph, node: int) -> bool:
     return constant != 0.0 or any(_partly_constant(g, n) for n, _ in terms)
 
 
-def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
+def _generalized_forces(kinematics: Kinematics, loads: list[Load]) -> Vec:
     """Return the generalised forces of the loads."""
     return composite(kinematics, [], loads)[1]

@@ -96,7 +96,11 @@ class Tangent:
         return counts
 
     def written_out(self) -> Program:
-        """Return the Program of all columns in turn, for back ends that do not take Tangents."""
+        """Return the Program of all columns in turn.
+
+        It is for back ends that do not take Tangents, and for samples in which an infinite
+        derivative must not spoil other columns.
+        """
         tape, n = Tape(), self.shared.signature.num_states
         values = _copied(tape, self.shared, {})
         zero = tape.const(0.0)

@@ -540,22 +540,22 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             )
 
     def _bounds_of(self, transcription: Transcription) -> tuple[np.ndarray, np.ndarray]:
-        """Return the bounds of the unknowns."""
+        """Return the lower and upper bounds of all unknowns: `bounds`, narrowed by both ends."""
         states, controls = self._snapshot.definition.states, self._controls
         (slot_times, slopes), M = transcription.state_slots, transcription.intervals
         x = np.empty((2, len(states), len(slot_times)))
         u = np.empty((2, self._problem.algebraic, len(transcription.control_times)))
         u[0], u[1] = _OPEN
-        for s, at, pair in (
+        for s, fractions, rows in (
             *((s, slot_times, x[:, k]) for k, s in enumerate(states)),
             *((s, transcription.control_times, u[:, k]) for k, s in enumerate(controls)),
         ):
-            pair[:] = low, high = self._pair_at(s, at)
+            rows[:] = low, high = self._pair_at(s, fractions)
             if (low > high).any():
                 k = int(np.flatnonzero(low > high)[0])
                 raise ValueError(
                     f"`bounds[{s}]` must have low <= high everywhere, got {float(low[k])!r} and "
-                    f"{float(high[k])!r} after {float(at[k]):.6g} of the motion."
+                    f"{float(high[k])!r} after {float(fractions[k]):.6g} of the motion."
                 )
         sides = []
         for side, pick in ((0, max), (1, min)):
@@ -564,10 +564,10 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
                 x[side, k, 0] = pick(x[side, k, 0], self._start[s][side])
                 x[side, k, M] = pick(x[side, k, M], self._end.get(s, _OPEN)[side])
             constants = [self._bounds_at(s)[side] for s in self._free]
-            constants += [_OPEN[side]] * len(self._kinks)
-            least = self._bounds_at(self._symbol)[side]
-            last = least if side else max(least, 0.0)
-            sides.append(transcription.unknowns_of(x[side], u[side], constants, last))
+            constants += [_OPEN[side]] * len(self._kinks)  # unknowns that replace kinks
+            limit = self._bounds_at(self._symbol)[side]
+            duration = limit if side else max(limit, 0.0)
+            sides.append(transcription.unknowns_of(x[side], u[side], constants, duration))
         lower, upper = sides
         for k, s in enumerate(states):
             for slot, end in ((0, "start"), (M, "end")):

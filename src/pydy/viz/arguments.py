@@ -198,20 +198,23 @@ def named_constants(
             lookup = SymbolIndex(
                 [
                     *defaults,
-                    *sort_symbols(_drawn(*scene, series) - {*defaults}),
+                    *sort_symbols(_symbols_of_scene(*scene, series) - {*defaults}),
                 ],
                 "constants of the trajectory and of the scene",
             )
     return lookup.by_symbol(values, "constants")
 
 
-def _drawn(
+def _symbols_of_scene(
     reference: ReferenceFrame,
     origin: Point,
     visuals: Sequence[Visual],
     series: Mapping[str, ExpressionOrName | float],
 ) -> set[sm.Symbol]:
-    """Return the symbols in the positions, orientations, shapes and bodies of visuals."""
+    """Return the symbols that `constants` may give values for, besides those of a trajectory.
+
+    They are in the positions, orientations, shapes and bodies of visuals, in arrows and series.
+    """
     frames: set[ReferenceFrame] = set()
     expressions: list[object] = []
     for visual in visuals:

@@ -263,15 +263,17 @@ class Solves:
     def _filled(
         self, guard: int, n: int, stored: list[int], symmetric: bool
     ) -> tuple[str, str, str]:
-        """Complete a matrix; return it, scratch memory, and memory to be freed.
+        """Complete a matrix; return it, scratch memory, and heap memory to be freed.
 
-        A sparse matrix is expanded only here. Large matrices are allocated on the heap.
+        A sparse matrix is expanded only here. Large matrices are allocated on the heap. The scratch
+        memory, n² entries and 3 n pivots and scales, is '' where LU works in place; the heap memory
+        is '' where the matrix is on the stack.
         """
         f, v = self.f, self.v
-        moving = {node: k for k, node in enumerate(self._moving(stored))}
+        state_dependent = {node: k for k, node in enumerate(self._moving(stored))}
         matrix, heap_memory = self._matrices[guard], ""
         work = n * n + 3 * n
-        sparse = len(stored) > SPARSE * len(moving)
+        sparse = len(stored) > SPARSE * len(state_dependent)
         if not sparse:
             scratch = f.slot(v, work) if symmetric else ""
         else:
@@ -284,14 +286,18 @@ class Solves:
             with f.loop("0", str(len(stored))) as item:
                 f.store(v, literal(0.0, self.lanes), matrix, item)
             for index, node in enumerate(stored):
-                if node in moving:
-                    self.e.divide()
-                    value = f.load(v, self._matrices[guard], str(moving[node]))
+                if node in state_dependent:
+                    self.e.split_long_block()
+                    value = f.load(v, self._matrices[guard], str(state_dependent[node]))
                     f.store(v, value, matrix, str(index))
-        done = {*moving, *(k for k in {*stored} if self._is_zero(k))} if sparse else moving
+        done = (
+            {*state_dependent, *(k for k in {*stored} if self._is_zero(k))}
+            if sparse
+            else state_dependent
+        )
         for index, node in enumerate(stored):
             if node not in done:
-                self.e.divide()
+                self.e.split_long_block()
                 self.e.load_carried(node)
                 f.store(v, self.names[node], matrix, str(index))
         return matrix, scratch, heap_memory
@@ -382,7 +388,7 @@ class Emitter:
         for k, op in enumerate(program.ops):
             if program.setup[k] != self.setup or op in ("const", "bool"):
                 continue
-            self.divide()
+            self.split_long_block()
             if op == "input":
                 group, index = program.args[k]
                 self.names.home(k, f"%{group}", index)
@@ -392,7 +398,7 @@ class Emitter:
         if not self.setup:
             for index, k in enumerate(program.outputs):
                 if program.setup[k]:
-                    self.divide()
+                    self.split_long_block()
                     self.load_carried(k)
                     value = self._as_number(k, self.names[k])
                     self.f.store(self.v, value, self.names.address("%out", index))
@@ -452,7 +458,7 @@ class Emitter:
             self._next_block()
         self.written += 1
 
-    def divide(self) -> None:
+    def split_long_block(self) -> None:
         """Begin another basic block if loads and stores have made this one long."""
         # A block may consist mostly of loads and stores, such as a matrix for a fallback.
         if len(self.f.lines) - self.block_start > 240 and not self.one_block:

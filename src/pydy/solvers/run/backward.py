@@ -139,6 +139,11 @@ class DiscreteAdjoint:
     def _sweep_steps(
         self, times: np.ndarray, sizes: np.ndarray, states: np.ndarray, adjoint: np.ndarray
     ) -> AdjointSweep:
+        """Reverse these steps, given the adjoint of the state at their end.
+
+        Derivatives by the last inputs are returned for each stage, to be spread over samples, with
+        the times of the stages: not after an input jumps.
+        """
         n, length, count = self.n, self.length, len(self.nodes)
         adjoints = aligned_zeros((count + 1) * length)
         adjoints[count * length : count * length + n] = adjoint
@@ -156,12 +161,12 @@ class DiscreteAdjoint:
         table = table_of(rows_of(self._problem), rows_of(back))
         python = self._python or bool(self._work.callbacks)
         function_of("step_back", python)(self._work.table_address, address(table))
-        after = adjoints[count * length : count * length + n].copy()
+        adjoint_before = adjoints[count * length : count * length + n].copy()
         if back.words[at.BACK_WRONG] >= 0:
-            after[:] = np.nan
+            adjoint_before[:] = np.nan
         instants = times[:, None] + np.outer(sizes, self.nodes)
         # Steps end where inputs jump, with what these were before.
         jumps, before, _ = self._work.problem.jumps.T
         until = np.append(before, np.inf)[np.searchsorted(jumps, times, side="right")]
         instants = np.minimum(instants, until[:, None]).ravel()
-        return AdjointSweep(after, back.totals, instants, back.kept)
+        return AdjointSweep(adjoint_before, back.totals, instants, back.kept)
