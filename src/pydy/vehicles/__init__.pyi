@@ -1,9 +1,21 @@
 from .brush import BrushTire as BrushTire
 from .fit import TireFit as TireFit, fit_tire as fit_tire
 from .forces import TireForces as TireForces
+from .handling import LinearHandling as LinearHandling, linear_handling as linear_handling
 from .linear import LinearTire as LinearTire
 from .magic_formula import MagicFormula as MagicFormula
+from .manoeuvres import (
+    SteadyTurn as SteadyTurn,
+    StepResponse as StepResponse,
+    steady_turn as steady_turn,
+    step_steer as step_steer,
+)
 from .plots import plot_tire as plot_tire, plot_tire_carpet as plot_tire_carpet
+from .single_track import (
+    CARS as CARS,
+    SingleTrackCar as SingleTrackCar,
+    single_track as single_track,
+)
 from .tir import TireFile as TireFile, read_tir as read_tir
 from .tmeasy import TMeasy as TMeasy
 from .wheel import WheelContact as WheelContact

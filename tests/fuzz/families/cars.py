@@ -1,0 +1,175 @@
+"""Single-track cars and their manoeuvres."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from fuzz.kinds import Kind, RefusedError, array, nothing, real
+from fuzz.table import flags, one_of, plotted, target
+from pydy.system import System
+from pydy.vehicles import (
+    CARS,
+    LinearHandling,
+    SingleTrackCar,
+    SteadyTurn,
+    StepResponse,
+    linear_handling,
+    single_track,
+    steady_turn,
+    step_steer,
+)
+
+_FIELDS = {
+    "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,
+    "front_stiffness": 9e4, "rear_stiffness": 1.1e5,
+}  # fmt: skip
+_car = CARS["bmw_320i"]
+_things = nothing("texts", "symbols")
+_names = nothing("texts")
+_ax = nothing("texts", allowed=one_of(None))
+_positive = Kind(real(above=0.0).read, ("common", "numbers"), compare=False)
+
+
+@cache
+def _system() -> System:
+    return single_track(_car)
+
+
+for _name in _FIELDS:
+
+    @target(f"SingleTrackCar.{_name}", _positive)
+    def _(v, name=_name):
+        return repr(SingleTrackCar(**{**_FIELDS, name: v}))
+
+
+@target("single_track.car", _things)
+def _(v):
+    return str(single_track(v))
+
+
+@target("single_track.tires", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return str(single_track(_car, v))
+
+
+@target("single_track.speed", _positive)
+def _(v):
+    return str(single_track(_car, speed=v).constants)
+
+
+@target("single_track.free_speed", flags)
+def _(v):
+    return str(single_track(_car, free_speed=v).states)
+
+
+@target("linear_handling.car", _things)
+def _(v):
+    return linear_handling(v, 10.0).speeds
+
+
+def _some(value: Any) -> Any:
+    if not isinstance(value, (list, tuple, np.ndarray)) or np.ndim(value) == 0:
+        return real(above=0.0).read(value)
+    return array((None,), check=lambda a: len(a) and (np.isfinite(a) & (a > 0)).all()).read(value)
+
+
+@target("linear_handling.speeds", Kind(_some, ("common",), compare=False))
+def _(v):
+    return linear_handling(_car, v).speeds
+
+
+def _step(**arguments: Any) -> Any:
+    usual = {"system": _system(), "angle": 0.01, "duration": 3.0}
+    return step_steer(**{**usual, **arguments})
+
+
+@target("step_steer.system", _things)
+def _(v):
+    return _step(system=v).values
+
+
+def _steering(value: Any) -> Any:
+    angle = real(above=-np.pi / 2, below=np.pi / 2).read(value)
+    if angle == 0.0:
+        raise RefusedError
+    return angle
+
+
+_common = ("common", "texts")
+
+
+@target("step_steer.angle", Kind(_steering, _common, compare=False))
+def _(v):
+    return _step(angle=v).values
+
+
+@target("step_steer.duration", Kind(real(above=0.0).read, _common, compare=False))
+def _(v):
+    return _step(duration=v).values
+
+
+@target("step_steer.quantity", _names)
+def _(v):
+    return _step(quantity=v).values
+
+
+@target("step_steer.steering", _names)
+def _(v):
+    return _step(steering=v).values
+
+
+def _turn(**arguments: Any) -> Any:
+    usual = {"system": _system(), "radius": 100.0, "accelerations": [1.0, 2.0, 3.0]}
+    return steady_turn(**{**usual, **arguments})
+
+
+@target("steady_turn.radius", Kind(real(above=0.0).read, _common, compare=False))
+def _(v):
+    return _turn(radius=v).angles
+
+
+for _name in ("system", "accelerations"):
+
+    @target(f"steady_turn.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return _turn(**{name: v}).angles
+
+
+for _name in ("steering", "speed", "yaw_rate"):
+
+    @target(f"steady_turn.{_name}", _names)
+    def _(v, name=_name):
+        return _turn(**{name: v}).angles
+
+
+@cache
+def _handling() -> LinearHandling:
+    return linear_handling(_car, [10.0, 20.0])
+
+
+@cache
+def _response() -> StepResponse:
+    return _step()
+
+
+@cache
+def _turns() -> SteadyTurn:
+    return _turn()
+
+
+@target("LinearHandling.plot.axes", _ax)
+def _(v):
+    return str(plotted(_handling().plot, v))
+
+
+@target("StepResponse.plot.ax", _ax)
+def _(v):
+    return str(plotted(_response().plot, v))
+
+
+@target("SteadyTurn.plot.ax", _ax)
+def _(v):
+    return str(plotted(_turns().plot, v))
