@@ -164,6 +164,126 @@ def test_a_sliding_wheel_comes_to_roll_with_its_angular_momentum():
     assert end[[1, 3, 5]] == pytest.approx([height, speed, speed / height], rel=1e-6)
 
 
+LENGTHS = (0.3, 0.5)
+
+
+@pytest.mark.parametrize(
+    "rates",
+    [{"w2": 26.0}, {"w2": 20.0}, {"w2": 0.0}, {"vx": -8.0, "w2": -28.0}, {"vy": 6.0}],
+    ids=["rolling", "braking", "locked", "backwards", "sideways"],
+)
+def test_slips_with_relaxation_are_the_usual_ones_in_steady_motion(rates):
+    w = wheel(0.0)
+    u, v = me.dynamicsymbols("u v")
+    relaxed = w.contact.with_relaxation(LENGTHS, (u, v))
+    assert relaxed.deflections == (u, v)
+    given = {me.dynamicsymbols(k): x for k, x in {**STATE, **RATES, **rates}.items()}
+    t = me.dynamicsymbols._t
+    steady = {}
+    for deflection, equation in zip((u, v), relaxed.kinematic_equations, strict=True):
+        equation = equation.subs(deflection.diff(t), 0).subs(given)
+        (steady[deflection],) = sm.solve(equation, deflection)
+    for name in ("kappa", "alpha"):
+        found = float(getattr(relaxed, name).subs({**given, **steady}))
+        assert found == pytest.approx(float(getattr(w.contact, name).subs(given)), rel=1e-12)
+
+
+def rolling(tire=None, *, slope=0.0, across=False, lengths=LENGTHS, **options):
+    """A wheel that rolls along x, with a lateral speed, and the deflections of its tire."""
+    x, y, z, q, vx, vy, vz, spin, u, v = me.dynamicsymbols("x y z q vx vy vz w u v")
+    N, O = inertial_frame()
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.y, q)
+    W.set_ang_vel(N, spin * N.y)
+    G = O.locatenew("G", x * N.x + y * N.y + z * N.z)
+    G.set_vel(N, vx * N.x + vy * N.y + vz * N.z)
+    m, g, k = 400.0, 9.81, 2e5
+    body = me.RigidBody("wheel", G, W, m, (me.inertia(W, 0, 1.2, 0), G))
+    rigid = WheelContact(body, N.y, R, O, N.z, N, lambda gap, rate: kelvin_voigt(gap, rate, k, 2e3))
+    contact = rigid.with_relaxation(lengths(rigid) if callable(lengths) else lengths, (u, v))
+    angle = np.arctan(slope)
+    downhill = N.y if across else N.x
+    weight = m * g * (np.sin(angle) * downhill - np.cos(angle) * N.z)
+    coordinates, speeds = [x, y, z, q], [vx, vy, vz, spin]
+    definition = Definition(
+        N,
+        [*coordinates, *contact.deflections],
+        speeds,
+        bodies=[body],
+        loads=[(G, weight), *contact.loads(tire)] if tire else [],
+        kinematic_equations=[
+            *(a.diff() - b for a, b in zip(coordinates, speeds, strict=True)),
+            *contact.kinematic_equations,
+        ],
+        nonholonomic_constraints=options.pop("nonholonomic_constraints", []),
+    )
+    system = System(definition, ode_solver="radau", **options)
+    system.outputs = {"alpha": contact.alpha, "kappa": contact.kappa}
+    return system
+
+
+def test_side_slip_follows_over_the_relaxation_length():
+    vx, vy, spin, z = me.dynamicsymbols("vx vy w z")
+    distances = np.linspace(0.0, 2.0, 9) * LENGTHS[1]
+    system = rolling(
+        initial_conditions={z: R, vx: 10.0, vy: 0.2, spin: 10.0 / R}, times=distances / 10.0
+    )
+    alpha = system.simulate(rtol=1e-10, atol=1e-12)["alpha"]
+    expected = 0.02 * (1 - np.exp(-distances / LENGTHS[1]))
+    np.testing.assert_allclose(np.tan(alpha), expected, atol=1e-9)
+    assert np.tan(alpha[4]) == pytest.approx(0.632 * 0.02, rel=1e-3)
+
+
+@pytest.mark.parametrize("across", [False, True], ids=["along", "across"])
+@pytest.mark.parametrize("speed", [0.0, 3.0])
+def test_a_locked_wheel_stands_still_on_a_slope(speed, across):
+    x, y, z, vx, vy, spin = me.dynamicsymbols("x y z vx vy w")
+    position, velocity = (y, vy) if across else (x, vx)
+    times = np.concatenate([np.linspace(0.0, 5.0, 51), np.linspace(5.1, 65.0, 600)])
+    motion = rolling(
+        BrushTire(4000, stiffness=80e3, friction=0.9),
+        slope=0.1,
+        across=across,
+        nonholonomic_constraints=[spin],
+        initial_conditions={z: R - 400 * 9.81 / 2e5, velocity: speed},
+        times=times,
+    ).simulate()
+    minute = times > 5.0
+    assert np.abs(motion[velocity][minute]).max() < 1e-8
+    assert np.ptp(motion[position][minute]) < 1e-8
+    assert motion.statistics["steps"] < 1000
+
+
+def test_a_wheel_with_lengths_of_its_load_starts_from_rest_and_from_the_air():
+    z, spin = me.dynamicsymbols("z w")
+    tire = MagicFormula({**TABLE_A31, "LONGITUDINAL_STIFFNESS": 3e5, "LATERAL_STIFFNESS": 1e5})
+    for start in ({z: R}, {z: R + 0.02}, {z: R, spin: 10.0}):
+        system = rolling(
+            tire,
+            slope=0.1,
+            lengths=lambda contact: tire.relaxation_lengths(contact.normal_force, contact.gamma),
+            initial_conditions=start,
+            times=np.linspace(0.0, 2.0, 21),
+        )
+        assert np.isfinite(system.evaluate_jacobian()).all()
+        motion = system.simulate()
+        assert motion["vx"][-1] == pytest.approx(motion["w"][-1] * motion["z"][-1], rel=0.01)
+        assert motion["vx"][-1] > 1.0
+
+
+def test_arguments_of_relaxation_are_checked():
+    contact = wheel(0.0).contact
+    u, v = me.dynamicsymbols("u v")
+    with pytest.raises(TypeError, match="`lengths` must be a pair"):
+        contact.with_relaxation(0.3, (u, v))
+    with pytest.raises(ValueError, match=r"`lengths\[1\]` must be positive"):
+        contact.with_relaxation((0.3, 0.0), (u, v))
+    with pytest.raises(TypeError, match="`deflections` must be two functions of time"):
+        contact.with_relaxation(LENGTHS, (u, u))
+    with pytest.raises(ValueError, match="`sliding_slip` must be positive"):
+        contact.with_relaxation(LENGTHS, (u, v), sliding_slip=0.0)
+
+
 def test_arguments_are_checked():
     w = wheel(0.0)
     usual = (w.body, w.B.y, R, w.O, w.N.z, w.N, lambda gap, rate: -gap)

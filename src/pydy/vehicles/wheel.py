@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Self, TypeAlias
 
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
@@ -13,9 +14,12 @@ from pydy._rank import ROUNDED
 from pydy.solvers import Event
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
+from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
 
 if TYPE_CHECKING:
-    from pydy._sympy_types import Expression, Load
+    from collections.abc import Sequence
+
+    from pydy._sympy_types import Expression, Load, TimeFunction
 
 # A law of the normal force: a function of the gap and its rate.
 Law: TypeAlias = "Callable[[Expression, Expression], Expression | float]"
@@ -32,7 +36,7 @@ class WheelContact:
         κ = −V_sx/|V_x|    tan α = V_sy/|V_x|    sin γ = axis · normal
 
     Below `low_speed` that speed replaces the size of V_x: at rest a tire acts as a damper, and a
-    wheel on a slope creeps.
+    wheel on a slope creeps, unless its slips have relaxation, see `with_relaxation`.
 
     Parameters
     ----------
@@ -76,6 +80,10 @@ class WheelContact:
         Slips and camber, as a tire reads them.
     events : list of Event
         Where the wheel lifts off and touches.
+    deflections : tuple of functions of time
+        Coordinates that the slips with relaxation need, otherwise none.
+    kinematic_equations : list of expressions
+        Their equations.
 
     Notes
     -----
@@ -165,11 +173,70 @@ class WheelContact:
         self.contact = lowest + self.gap / upright * down
         sliding = velocity + rotation.cross(self.contact)
         self.speed = velocity.dot(self.forward)
+        self._sliding = SlidingSpeeds(self.speed, sliding.dot(self.forward), sliding.dot(self.left))
         size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
-        self.kappa = -sliding.dot(self.forward) / size
-        self.alpha = sm.atan(sliding.dot(self.left) / size)
+        self.kappa = -self._sliding.forward / size
+        self.alpha = sm.atan(self._sliding.left / size)
         self.gamma = sm.asin(lean)
         self.events = [Event(self.gap, name=name)]
+        self.deflections: tuple[TimeFunction, ...] = ()
+        self.kinematic_equations: list[Expression] = []
+
+    def with_relaxation(
+        self,
+        lengths: Sequence[Expression | float],
+        deflections: Sequence[TimeFunction],
+        *,
+        damping: Expression | float = 0.05,
+        low_speed: Expression | float = 1.0,
+        sliding_slip: Expression | float = 0.2,
+    ) -> Self:
+        """Return the contact with slips that follow with a lag, and that hold at standstill.
+
+        The contact patch is displaced by u forward and by v to the right of the wheel: ::
+
+            u' = −V_sx − D u/σ_κ    κ' = (G u − w T V_sx)/σ_κ
+            v' =  V_sy − D v/σ_α    tan α' = (G v + w T V_sy)/σ_α
+            D = max(|V_x|, |V_s|/s)    G = D/max(|V_x|, w |V_s|/s)
+
+        with w = (1 + cos(π |V_x|/V_low))/2 below V_low, otherwise 0. κ' and α' become `kappa` and
+        `alpha`. Above V_low they are equal to the usual slips in steady motion; below the slip s,
+        where G = 1, they follow over the distances σ. At rest the tire is a spring and a damper,
+        which a wheel that slides stretches up to the slip s.
+
+        Parameters
+        ----------
+        lengths : pair of numbers or expressions
+            Relaxation lengths σ_κ and σ_α (m), such as those of `MagicFormula.relaxation_lengths`
+            at one load, or at `normal_force`. Expressions are replaced by 1 cm where less.
+        deflections : pair of functions of time
+            u and v (m). They are coordinates of the model, with the `kinematic_equations` of the
+            result.
+        damping : number or expression, optional
+            T (s), the ratio of damping to stiffness of the tire at rest.
+        low_speed : number or expression, optional
+            V_low (m/s).
+        sliding_slip : number or expression, optional
+            s, not smaller than the slip of the largest force.
+
+        Returns
+        -------
+        WheelContact
+
+        References
+        ----------
+        H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd ed., Butterworth-Heinemann, 2006, sections
+        7.2 and 8.6.
+
+        C. Canudas de Wit, P. Tsiotras, E. Velenis, M. Basset, G. Gissinger, Dynamic friction models
+        for road/tire longitudinal interaction, Vehicle System Dynamics 39(3), 2003, pp. 189–226.
+        """
+        values = {"damping": damping, "low_speed": low_speed, "sliding_slip": sliding_slip}
+        slips = transient_slips(self._sliding, lengths, deflections, values)
+        result = copy.copy(self)
+        result.kappa, result.alpha = slips.kappa, slips.alpha
+        result.deflections, result.kinematic_equations = tuple(deflections), slips.equations
+        return result
 
     def forces(self, tire: Tire, pressure: Expression | float | None = None) -> TireForces:
         """Return the forces and moments of a tire on this wheel, for outputs.

@@ -299,6 +299,27 @@ for _method in ("forces", "loads"):
         return str(getattr(WheelContact(**_wheel()), method)(tire, v))
 
 
+def _lengths(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise RefusedError
+    return tuple(_positive.read(x) for x in value)
+
+
+_RELAXATION: dict[str, Kind] = {
+    "lengths": Kind(_lengths, ("common", "texts", "arrays"), compare=False),
+    "deflections": nothing("texts", "symbols"),
+    **dict.fromkeys(("low_speed", "sliding_slip"), _positive),
+    "damping": _not_negative,
+}
+
+for _name, _kind in _RELAXATION.items():
+
+    @target(f"WheelContact.with_relaxation.{_name}", _kind)
+    def _(v, name=_name):
+        usual = {"lengths": (0.3, 0.5), "deflections": dynamicsymbols("u v")}
+        return str(WheelContact(**_wheel()).with_relaxation(**{**usual, name: v}).kappa)
+
+
 _brush = BrushTire(4000.0, 1e5, 1.0, 0.05)
 _finite = Kind(real().read, ("common", "numbers"), compare=False)
 _extent = Kind(real(above=0.0, most=1.5).read, ("common",), compare=False).or_none()

@@ -1,0 +1,101 @@
+"""Slips that follow with a lag: the deflections of a tire's contact patch as states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import dynamicsymbols
+
+from pydy._checks import shown
+from pydy.vehicles.algebra import is_symbolic
+from pydy.vehicles.forces import checked_parameters
+from pydy.vehicles.tuning import SHORTEST_RELAXATION, SMALLEST_SPEED
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import Expression
+
+
+@dataclass(frozen=True)
+class SlidingSpeeds:
+    """Velocity of the wheel's material at the contact point, and V_x of the wheel's centre."""
+
+    speed: Expression
+    forward: Expression
+    left: Expression
+
+
+@dataclass(frozen=True)
+class TransientSlips:
+    """Slips of a tire with relaxation, and the equations of the deflections, which are zero."""
+
+    kappa: Expression
+    alpha: Expression
+    equations: list[Expression]
+
+
+def transient_slips(
+    sliding: SlidingSpeeds, lengths: object, deflections: object, values: dict[str, Any]
+) -> TransientSlips:
+    """Return the slips of deflections u and v, Pacejka 2006, sections 7.2 and 8.6.
+
+    The book's deflection reaches σ with a locked wheel, and has no bound with a wheel that slides
+    sideways; where such a wheel stops, its tire would push it back over that distance. Beyond the
+    slip s the deflections are bounded as in the LuGre model, and the slips are scaled to what they
+    would be without this bound.
+    """
+    lag_x, lag_y = _lengths(lengths)
+    u, v = _deflections(deflections)
+    checked = checked_parameters(
+        values, positive=("low_speed", "sliding_slip"), not_negative=("damping",)
+    )
+    size = sm.Abs(sliding.speed, evaluate=False)
+    # 1 at rest, 0 from low_speed on, with a continuous derivative.
+    ratio = sm.Min(size / checked["low_speed"], 1, evaluate=False)
+    slow = (1 + sm.cos(sm.pi * ratio)) / 2
+    total = sm.sqrt(sliding.forward**2 + sliding.left**2 + SMALLEST_SPEED**2)
+    bound = total / checked["sliding_slip"]
+    decay = sm.Max(size, bound, evaluate=False)
+    growth = decay / sm.Max(size, slow * bound, evaluate=False)
+    t = dynamicsymbols._t
+    damping = slow * checked["damping"]
+    return TransientSlips(
+        (growth * u - damping * sliding.forward) / lag_x,
+        sm.atan((growth * v + damping * sliding.left) / lag_y),
+        [
+            u.diff(t) + sliding.forward + decay / lag_x * u,
+            v.diff(t) - sliding.left + decay / lag_y * v,
+        ],
+    )
+
+
+def _lengths(lengths: object) -> list[Any]:
+    if not isinstance(lengths, (tuple, list)) or len(lengths) != 2:
+        raise TypeError(
+            "`lengths` must be a pair of relaxation lengths, longitudinal and lateral, got "
+            f"{shown(lengths)}."
+        )
+    names = ("lengths[0]", "lengths[1]")
+    checked = checked_parameters(dict(zip(names, lengths, strict=True)), positive=names)
+    # Lengths that depend on the load vanish with it, and the decay would have no bound.
+    return [
+        sm.Max(x, SHORTEST_RELAXATION, evaluate=False) if is_symbolic(x) else x
+        for x in checked.values()
+    ]
+
+
+def _deflections(deflections: object) -> tuple[Any, Any]:
+    t = dynamicsymbols._t
+    if (
+        not isinstance(deflections, (tuple, list))
+        or len(deflections) != 2
+        or not all(isinstance(x, AppliedUndef) and x.args == (t,) for x in deflections)
+        or deflections[0] == deflections[1]
+    ):
+        raise TypeError(
+            "`deflections` must be two functions of time, such as dynamicsymbols('u v'), got "
+            f"{shown(deflections)}."
+        )
+    return deflections[0], deflections[1]
