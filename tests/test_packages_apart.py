@@ -50,6 +50,8 @@ def test_a_room_works_as_a_package_of_its_own(room, files, tmp_path):
     for helper in (ROOT / "tests").glob("*.py"):
         if f"pydy.{room}" in helper.read_text() and not helper.name.startswith("test_"):
             copy(helper, tests / helper.name)
+    for helper in (ROOT / "tests" / "zoo").glob("*.py"):  # all: a package is found in one place
+        copy(helper, tests / "zoo" / helper.name)
     for helper in (ROOT / "tests" / room).glob("*.py"):
         if not helper.name.startswith("test_"):
             copy(helper, tests / room / helper.name)

@@ -18,7 +18,7 @@ from pydy.vehicles import (
     steady_turn,
     step_steer,
 )
-from tires import TABLE_A31
+from zoo.tires import TABLE_A31
 
 UNDERSTEER = SingleTrackCar(1500, 2500, 1.2, 1.5, 90e3, 110e3)
 OVERSTEER = SingleTrackCar(1500, 2500, 1.6, 1.1, 110e3, 90e3)

@@ -103,6 +103,8 @@ def test_a_missing_matplotlib_is_named_with_the_remedy(scene, tmp_path, monkeypa
 
 
 def test_a_missing_pillow_is_named_with_the_remedy(scene, tmp_path, monkeypatch):
+    import matplotlib.pyplot  # noqa: F401 # it needs Pillow itself, and a part of it would remain
+
     monkeypatch.setitem(sys.modules, "PIL", None)
     with pytest.raises(ImportError, match=r"GIF film .* needs PIL.*pip install 'pydy\[plot\]'"):
         scene.save(tmp_path / "a.gif")

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 # What the equations take and return: a number, an array, or an expression.
 Quantity: TypeAlias = "float | np.ndarray | Expression"
+# The same inside the equations, where no type says which sums and products there are.
+Operand: TypeAlias = Any
 
 
 class Zero(int):
@@ -27,7 +29,7 @@ class Zero(int):
 
     _op_priority = 100.0  # SymPy leaves operations to whatever has such an attribute
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Operand) -> Operand:
         return self
 
     __rmul__ = __truediv__ = __mul__
@@ -35,15 +37,15 @@ class Zero(int):
     def __neg__(self) -> Zero:
         return self
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Operand) -> Operand:
         return other
 
     __radd__ = __rsub__ = __add__
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: Operand) -> Operand:
         return -other
 
-    def __pow__(self, exponent: Any) -> Any:  # type: ignore[override]
+    def __pow__(self, exponent: Operand) -> Operand:  # type: ignore[override]
         return self
 
 
@@ -63,12 +65,12 @@ class NumericAlgebra:
     maximum = staticmethod(np.maximum)
 
     @staticmethod
-    def where_negative(x: Any, yes: Any, no: Any) -> Any:
+    def where_negative(x: Operand, yes: Operand, no: Operand) -> Operand:
         """Return `yes` where x < 0, otherwise `no`."""
         return np.where(np.less(x, 0.0), yes, no)
 
     @staticmethod
-    def constant(value: Any) -> Any:
+    def constant(value: Operand) -> Operand:
         """Return a coefficient as it enters the equations."""
         return float(value)
 
@@ -84,43 +86,43 @@ class SymbolicAlgebra:
         self.sympy = sympy
         self.sqrt = sympy.sqrt
 
-    def sin(self, x: Any) -> Any:
+    def sin(self, x: Operand) -> Operand:
         """Return the sine."""
         return self._of_angle(self.sympy.sin, x)
 
-    def cos(self, x: Any) -> Any:
+    def cos(self, x: Operand) -> Operand:
         """Return the cosine."""
         return self._of_angle(self.sympy.cos, x)
 
-    def tan(self, x: Any) -> Any:
+    def tan(self, x: Operand) -> Operand:
         """Return the tangent."""
         return self._of_angle(self.sympy.tan, x)
 
-    def atan(self, x: Any) -> Any:
+    def atan(self, x: Operand) -> Operand:
         """Return the arctangent."""
         return self._unevaluated(self.sympy.atan, x)
 
-    def exp(self, x: Any) -> Any:
+    def exp(self, x: Operand) -> Operand:
         """Return the exponential function."""
         return self._unevaluated(self.sympy.exp, x)
 
-    def abs(self, x: Any) -> Any:
+    def abs(self, x: Operand) -> Operand:
         """Return the absolute value."""
         return self._unevaluated(self.sympy.Abs, x)
 
-    def sign(self, x: Any) -> Any:
+    def sign(self, x: Operand) -> Operand:
         """Return the sign."""
         return self._unevaluated(self.sympy.sign, x)
 
-    def minimum(self, x: Any, y: Any) -> Any:
+    def minimum(self, x: Operand, y: Operand) -> Operand:
         """Return the smaller value."""
         return self._unevaluated(self.sympy.Min, x, y)
 
-    def maximum(self, x: Any, y: Any) -> Any:
+    def maximum(self, x: Operand, y: Operand) -> Operand:
         """Return the larger value."""
         return self._unevaluated(self.sympy.Max, x, y)
 
-    def where_negative(self, x: Any, yes: Any, no: Any) -> Any:
+    def where_negative(self, x: Operand, yes: Operand, no: Operand) -> Operand:
         """Return `yes` where x < 0, otherwise `no`."""
         condition = self.sympy.StrictLessThan(x, 0, evaluate=not is_symbolic(x))
         if condition in (True, False):
@@ -128,7 +130,7 @@ class SymbolicAlgebra:
         return self.sympy.Piecewise((yes, condition), (no, True), evaluate=False)
 
     @staticmethod
-    def constant(value: Any) -> Any:
+    def constant(value: Operand) -> Operand:
         """Return a coefficient as it enters the equations: terms with 0 and factors 1 vanish."""
         if is_symbolic(value):
             return value
@@ -137,12 +139,12 @@ class SymbolicAlgebra:
             return Zero()
         return int(value) if value in (-1.0, 1.0, 2.0) else value
 
-    def _of_angle(self, function: Any, x: Any) -> Any:
+    def _of_angle(self, function: Operand, x: Operand) -> Operand:
         # An angle that is an arctangent, such as a slip angle, needs no function.
         inverse = isinstance(x, (self.sympy.atan, self.sympy.asin, self.sympy.acos))
         return function(x) if inverse else self._unevaluated(function, x)
 
-    def _unevaluated(self, function: Any, *arguments: Any) -> Any:
+    def _unevaluated(self, function: Operand, *arguments: Operand) -> Operand:
         # SymPy would ask for the sign of each part of an expression.
         sympify = self.sympy.sympify
         if any(map(is_symbolic, arguments)):
@@ -158,12 +160,12 @@ def algebra_of(*values: object) -> Algebra:
     return SymbolicAlgebra() if any(map(is_symbolic, values)) else NumericAlgebra()
 
 
-def is_symbolic(value: Any) -> bool:
+def is_symbolic(value: Operand) -> bool:
     """Return whether a value is a SymPy expression and no number."""
     return hasattr(value, "free_symbols") and not getattr(value, "is_number", False)
 
 
-def checked_quantity(value: Any, label: str, *, arrays: bool = True) -> Any:
+def checked_quantity(value: Operand, label: str, *, arrays: bool = True) -> Operand:
     """Return a number or an array as floats, an expression as it is; refuse all else."""
     if is_symbolic(value):
         import sympy as sm

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import Self
 
-from pydy.vehicles.algebra import Algebra, Quantity
+from pydy.vehicles.algebra import Algebra, Operand, Quantity
 from pydy.vehicles.forces import (
-    ContactState,
     TireForces,
+    TireInputs,
     check_known,
     checked_parameters,
     evaluate,
@@ -54,10 +54,10 @@ class BrushTire:
     (-2703, -3600)
     """
 
-    nominal_load: Any
-    stiffness: Any
-    friction: Any
-    half_length: Any = 0.0
+    nominal_load: Operand
+    stiffness: Operand
+    friction: Operand
+    half_length: Operand = 0.0
 
     def __post_init__(self) -> None:
         checked = checked_parameters(
@@ -69,11 +69,11 @@ class BrushTire:
             object.__setattr__(self, name, value)
 
     @property
-    def parameters(self) -> Mapping[str, Any]:
+    def parameters(self) -> Mapping[str, Operand]:
         """The parameters by name."""
         return fields_of(self)
 
-    def replace(self, **parameters: Any) -> Self:
+    def replace(self, **parameters: Operand) -> Self:
         """Return the tire with some other parameters.
 
         Parameters
@@ -110,7 +110,7 @@ class BrushTire:
             *evaluate(self._equations, self.parameters, **inputs, speed=speed, pressure=pressure)
         )
 
-    def _equations(self, m: Algebra, state: ContactState) -> tuple[Any, ...]:
+    def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
         Fz = m.maximum(state.Fz, 0)
         n = Fz / m.constant(self.nominal_load)
         mu = m.constant(self.friction)

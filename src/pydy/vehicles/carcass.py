@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
-from pydy.vehicles.algebra import Algebra, is_symbolic
+from pydy.vehicles.algebra import Algebra, Operand, is_symbolic
 from pydy.vehicles.coefficients import Coefficients
-from pydy.vehicles.equations import Condition, cornering_stiffness, longitudinal
+from pydy.vehicles.equations import EquationInputs, cornering_stiffness, longitudinal
 
 
-def relaxation_lengths(s: Condition) -> tuple[Any, Any]:
+def relaxation_lengths(s: EquationInputs) -> tuple[Operand, Operand]:
     """Return σ_κ and σ_α (m) by the form of the equations."""
     return _of_carcass(s) if s.form.camber_stiffness else _empirical(s)
 
 
-def _of_carcass(s: Condition) -> tuple[Any, Any]:
+def _of_carcass(s: EquationInputs) -> tuple[Operand, Operand]:
     """Return slip stiffness divided by carcass stiffness, Besselink et al. 2010, (17) to (19)."""
     m, c, dfz = s.m, s.c, s.dfz
     Cx = c.LONGITUDINAL_STIFFNESS * (1 + c.PCFX1 * dfz + c.PCFX2 * dfz**2) * (1 + c.PCFX3 * s.dpi)
@@ -26,7 +25,7 @@ def _of_carcass(s: Condition) -> tuple[Any, Any]:
     return s.Fz * m.abs(Kx / Cx), s.Fz * m.abs(Ky / Cy)
 
 
-def _empirical(s: Condition) -> tuple[Any, Any]:
+def _empirical(s: EquationInputs) -> tuple[Operand, Operand]:
     """Return the lengths of MF 5.2 and PAC2002; the sign of PTX3 is that of the form."""
     m, c, dfz = s.m, s.c, s.dfz
     growth = m.exp(s.form.relaxation_sign * c.PTX3 * dfz)
@@ -41,11 +40,11 @@ def _empirical(s: Condition) -> tuple[Any, Any]:
 class VerticalState:
     """The distance of a tire to the road and its derivative."""
 
-    gap: Any
-    rate: Any
+    gap: Operand
+    rate: Operand
 
 
-def normal_force(m: Algebra, values: Mapping[str, Any], state: VerticalState) -> Any:
+def normal_force(m: Algebra, values: Mapping[str, Operand], state: VerticalState) -> Operand:
     """Return the normal force of spring and damper, Pacejka 2012, (A3.3) without other effects.
 
     Q_FZ1, the slope without a load, follows from the stiffness at the nominal load:

@@ -8,16 +8,15 @@ equations are those of Pacejka 2012, section 4.3.2, numbered (4.E…) there, wit
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
-from pydy.vehicles.algebra import Algebra, is_symbolic
+from pydy.vehicles.algebra import Algebra, Operand, is_symbolic
 from pydy.vehicles.coefficients import Coefficients
-from pydy.vehicles.forces import ContactState, direction
+from pydy.vehicles.forces import TireInputs, direction
 from pydy.vehicles.tuning import SMALLEST_LOAD, SMALLEST_SLIP
 
 
 @dataclass(frozen=True)
-class Form:
+class FormulaVariant:
     """Where published forms of the Magic Formula differ.
 
     Attributes
@@ -61,7 +60,7 @@ class Form:
     whole_overturning: bool
 
 
-_BOOK = Form(
+_BOOK = FormulaVariant(
     tangent=True,
     pressure=True,
     camber_stiffness=True,
@@ -75,7 +74,7 @@ _BOOK = Form(
     relaxation_sign=-1.0,
     whole_overturning=True,
 )
-_PAPER = Form(
+_PAPER = FormulaVariant(
     tangent=False,
     pressure=True,
     camber_stiffness=True,
@@ -89,7 +88,7 @@ _PAPER = Form(
     relaxation_sign=-1.0,
     whole_overturning=True,
 )
-_MF52 = Form(
+_MF52 = FormulaVariant(
     tangent=False,
     pressure=False,
     camber_stiffness=False,
@@ -103,7 +102,7 @@ _MF52 = Form(
     relaxation_sign=-1.0,
     whole_overturning=False,
 )
-_PAC2002 = Form(
+_PAC2002 = FormulaVariant(
     tangent=False,
     pressure=True,
     camber_stiffness=False,
@@ -118,7 +117,7 @@ _PAC2002 = Form(
     whole_overturning=True,
 )
 # By version and by the source of its equations; the first of a version is its default.
-FORMS: dict[str, dict[str, Form]] = {
+FORMS: dict[str, dict[str, FormulaVariant]] = {
     "5.2": {"tno": _MF52},
     "PAC2002": {"adams": _PAC2002},
     "6.1": {"pacejka": _BOOK, "besselink": _PAPER},
@@ -127,7 +126,7 @@ FORMS: dict[str, dict[str, Form]] = {
 
 
 @dataclass(frozen=True)
-class Condition:
+class EquationInputs:
     """A state of the contact, as the equations use it.
 
     Attributes
@@ -155,34 +154,36 @@ class Condition:
     """
 
     m: Algebra
-    c: Any
-    form: Form
-    Fz: Any
-    load: Any
-    Fz0: Any
-    dfz: Any
-    dpi: Any
-    kappa: Any
-    slip: Any
-    camber: Any
-    angle: Any
-    gamma: Any
-    cos_alpha: Any
-    direction: Any
-    fade: Any
-    speed_ratio: Any
-    mux: Any
-    muy: Any
-    offset_x: Any
-    offset_y: Any
+    c: Operand
+    form: FormulaVariant
+    Fz: Operand
+    load: Operand
+    Fz0: Operand
+    dfz: Operand
+    dpi: Operand
+    kappa: Operand
+    slip: Operand
+    camber: Operand
+    angle: Operand
+    gamma: Operand
+    cos_alpha: Operand
+    direction: Operand
+    fade: Operand
+    speed_ratio: Operand
+    mux: Operand
+    muy: Operand
+    offset_x: Operand
+    offset_y: Operand
 
     @property
-    def radius(self) -> Any:
+    def radius(self) -> Operand:
         """Unloaded radius (m)."""
         return self.c.UNLOADED_RADIUS
 
 
-def condition(m: Algebra, form: Form, values: dict[str, Any], state: ContactState) -> Condition:
+def condition(
+    m: Algebra, form: FormulaVariant, values: dict[str, Operand], state: TireInputs
+) -> EquationInputs:
     """Return what the equations need of the inputs."""
     c = Coefficients({name: m.constant(value) for name, value in values.items()})
     Fz0 = c.FNOMIN * c.LFZO
@@ -196,7 +197,7 @@ def condition(m: Algebra, form: Form, values: dict[str, Any], state: ContactStat
         slow = 1 / (1 + c.LMUV * m.abs(ratio) * sliding)
     mux, muy = c.LMUX * slow, c.LMUY * slow
     A = form.saturation
-    return Condition(
+    return EquationInputs(
         m=m,
         c=c,
         form=form,
@@ -221,7 +222,7 @@ def condition(m: Algebra, form: Form, values: dict[str, Any], state: ContactStat
     )
 
 
-def _rolling(m: Algebra, c: Any, speed: Any) -> tuple[Any, Any, Any]:
+def _rolling(m: Algebra, c: Operand, speed: Operand) -> tuple[Operand, Operand, Operand]:
     """Return the direction of rolling, the factor of shifts, and the speed relative to LONGVL.
 
     Below VXLOW both factors are polynomials with continuous derivatives.
@@ -232,7 +233,7 @@ def _rolling(m: Algebra, c: Any, speed: Any) -> tuple[Any, Any, Any]:
     return direction(m, speed / c.VXLOW), size**2 * (3 - 2 * size), speed / c.LONGVL
 
 
-def _pressure_change(c: Any, form: Form, pressure: Any) -> Any:
+def _pressure_change(c: Operand, form: FormulaVariant, pressure: Operand) -> Operand:
     if not form.pressure or (not is_symbolic(c.NOMPRES) and c.NOMPRES == 0.0):
         return 0
     if pressure is None:
@@ -242,17 +243,17 @@ def _pressure_change(c: Any, form: Form, pressure: Any) -> Any:
     return pressure / c.NOMPRES - 1
 
 
-def curve(m: Algebra, outer: Any, shape: Any, curvature: Any, x: Any) -> Any:
+def curve(m: Algebra, outer: Operand, shape: Operand, curvature: Operand, x: Operand) -> Operand:
     """Return sin or cos (`outer`) of C arctan(x − E (x − arctan x)), with x = B times a slip."""
     return outer(shape * m.atan(x - curvature * (x - m.atan(x))))
 
 
-def limited(m: Algebra, curvature: Any) -> Any:
+def limited(m: Algebra, curvature: Operand) -> Operand:
     """Return a curvature factor E, at most 1."""
     return m.minimum(curvature, 1)
 
 
-def cos_of_atan(m: Algebra, x: Any) -> Any:
+def cos_of_atan(m: Algebra, x: Operand) -> Operand:
     """Return cos(arctan x)."""
     return 1 / m.sqrt(1 + x**2)
 
@@ -261,14 +262,14 @@ def cos_of_atan(m: Algebra, x: Any) -> Any:
 class Longitudinal:
     """Pure longitudinal slip; all but `slip`, which is shifted, are divided by the load."""
 
-    force: Any
-    friction: Any
-    stiffness: Any
-    shift: Any
-    slip: Any
+    force: Operand
+    friction: Operand
+    stiffness: Operand
+    shift: Operand
+    slip: Operand
 
 
-def longitudinal(s: Condition) -> Longitudinal:
+def longitudinal(s: EquationInputs) -> Longitudinal:
     """Return the pure longitudinal force, (4.E9) to (4.E18)."""
     m, c, dfz, dpi = s.m, s.c, s.dfz, s.dpi
     camber = s.camber * c.LGAX
@@ -288,15 +289,15 @@ def longitudinal(s: Condition) -> Longitudinal:
 class Lateral:
     """Pure side slip; `force`, `friction`, `stiffness` and `shift_v` are divided by the load."""
 
-    force: Any
-    friction: Any
-    stiffness: Any
-    shift_h: Any
-    shift_v: Any
-    BC: Any
+    force: Operand
+    friction: Operand
+    stiffness: Operand
+    shift_h: Operand
+    shift_v: Operand
+    BC: Operand
 
 
-def cornering_stiffness(s: Condition, camber: Any) -> Any:
+def cornering_stiffness(s: EquationInputs, camber: Operand) -> Operand:
     """Return the cornering stiffness K_yα divided by the load, (4.E25)."""
     m, c = s.m, s.c
     ratio = s.load / s.Fz0
@@ -307,13 +308,13 @@ def cornering_stiffness(s: Condition, camber: Any) -> Any:
     return K * rise / ratio
 
 
-def camber_stiffness(s: Condition) -> Any:
+def camber_stiffness(s: EquationInputs) -> Operand:
     """Return the camber stiffness K_yγ0 divided by the load, (4.E30)."""
     c = s.c
     return (c.PKY6 + c.PKY7 * s.dfz) * (1 + c.PPY5 * s.dpi) * c.LKYC
 
 
-def lateral(s: Condition, *, upright: bool = False) -> Lateral:
+def lateral(s: EquationInputs, *, upright: bool = False) -> Lateral:
     """Return the pure side force, (4.E19) to (4.E30); of an `upright` wheel without its camber."""
     m, c, dfz, dpi = s.m, s.c, s.dfz, s.dpi
     camber = 0 if upright else s.camber * c.LGAY

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
-from typing import Any, NamedTuple, Protocol, Self
+from typing import NamedTuple, Protocol, Self
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from pydy._checks import shown
 from pydy._names import nearest
 from pydy.vehicles.algebra import (
     Algebra,
+    Operand,
     Quantity,
     SymbolicAlgebra,
     algebra_of,
@@ -42,51 +43,51 @@ class TireForces(NamedTuple):
 
 
 @dataclass(frozen=True)
-class ContactState:
+class TireInputs:
     """The inputs of a tire: numbers, arrays of one shape, or expressions."""
 
-    Fz: Any
-    kappa: Any
-    alpha: Any
-    gamma: Any
-    speed: Any
-    pressure: Any
+    Fz: Operand
+    kappa: Operand
+    alpha: Operand
+    gamma: Operand
+    speed: Operand
+    pressure: Operand
 
 
 class Tire(Protocol):
     """What fits and plots need of a tire."""
 
     @property
-    def parameters(self) -> Mapping[str, Any]:
+    def parameters(self) -> Mapping[str, Operand]:
         """The parameters by name."""
 
-    def replace(self, **parameters: Any) -> Self:
+    def replace(self, **parameters: Operand) -> Self:
         """Return a tire with some other parameters."""
 
     def forces(
         self,
-        Fz: Any,
-        kappa: Any,
-        alpha: Any,
-        gamma: Any = 0.0,
+        Fz: Operand,
+        kappa: Operand,
+        alpha: Operand,
+        gamma: Operand = 0.0,
         *,
-        speed: Any = None,
-        pressure: Any = None,
+        speed: Operand = None,
+        pressure: Operand = None,
     ) -> TireForces:
         """Return the forces at the road."""
 
 
 _OPTIONAL = ("speed", "pressure")
-Equations = Callable[[Algebra, Any], tuple[Any, ...]]
+Equations = Callable[[Algebra, Operand], tuple[Operand, ...]]
 
 
 def evaluate(
     equations: Equations,
-    parameters: Mapping[str, Any],
-    kind: type = ContactState,
+    parameters: Mapping[str, Operand],
+    kind: type = TireInputs,
     /,
-    **inputs: Any,
-) -> tuple[Any, ...]:
+    **inputs: Operand,
+) -> tuple[Operand, ...]:
     """Return what equations give for inputs that users passed, which are checked here.
 
     The equations get them as a `kind`, the class of a state. Numbers give numbers, arrays give
@@ -120,23 +121,23 @@ def evaluate(
     return tuple(np.array(np.broadcast_to(r, shape), dtype=float) for r in results)
 
 
-def direction(m: Algebra, x: Any) -> Any:
+def direction(m: Algebra, x: Operand) -> Operand:
     """Return the sign of x, by a polynomial with continuous derivatives between −1 and 1."""
     x = m.maximum(m.minimum(x, 1), -1)
     return x * (3 - x**2) / 2
 
 
-def fields_of(tire: Any) -> dict[str, Any]:
+def fields_of(tire: Operand) -> dict[str, Operand]:
     """Return the fields of a tire that is a dataclass, by name."""
     return {field.name: getattr(tire, field.name) for field in fields(tire)}
 
 
 def checked_parameters(
-    parameters: Mapping[str, Any],
+    parameters: Mapping[str, Operand],
     *,
     positive: tuple[str, ...] = (),
     not_negative: tuple[str, ...] = (),
-) -> dict[str, Any]:
+) -> dict[str, Operand]:
     """Return parameters of a tire, numbers or expressions, or raise an error that names one."""
     checked = {}
     for name, value in parameters.items():
@@ -150,12 +151,12 @@ def checked_parameters(
     return checked
 
 
-def unknown_parameter(name: str, known: Mapping[str, Any]) -> ValueError:
+def unknown_parameter(name: str, known: Mapping[str, Operand]) -> ValueError:
     """Return an error that names a parameter that a tire does not have."""
     return ValueError(f"{name!r} is no parameter of the tire. {nearest(name, list(known))}")
 
 
-def check_known(parameters: Mapping[str, Any], tire: Tire) -> None:
+def check_known(parameters: Mapping[str, Operand], tire: Tire) -> None:
     """Refuse names that are no parameters of a tire."""
     for name in parameters:
         if name not in tire.parameters:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import Self
 
-from pydy.vehicles.algebra import Algebra, Quantity
+from pydy.vehicles.algebra import Algebra, Operand, Quantity
 from pydy.vehicles.forces import (
-    ContactState,
     TireForces,
+    TireInputs,
     check_known,
     checked_parameters,
     direction,
@@ -57,12 +57,12 @@ class LinearTire:
     (-600.0, 18.0)
     """
 
-    nominal_load: Any
-    cornering_stiffness: Any
-    slip_stiffness: Any = 0.0
-    camber_stiffness: Any = 0.0
-    trail: Any = 0.0
-    rolling_resistance: Any = 0.0
+    nominal_load: Operand
+    cornering_stiffness: Operand
+    slip_stiffness: Operand = 0.0
+    camber_stiffness: Operand = 0.0
+    trail: Operand = 0.0
+    rolling_resistance: Operand = 0.0
 
     def __post_init__(self) -> None:
         checked = checked_parameters(
@@ -74,11 +74,11 @@ class LinearTire:
             object.__setattr__(self, name, value)
 
     @property
-    def parameters(self) -> Mapping[str, Any]:
+    def parameters(self) -> Mapping[str, Operand]:
         """The parameters by name."""
         return fields_of(self)
 
-    def replace(self, **parameters: Any) -> Self:
+    def replace(self, **parameters: Operand) -> Self:
         """Return the tire with some other parameters.
 
         Parameters
@@ -116,7 +116,7 @@ class LinearTire:
             *evaluate(self._equations, self.parameters, **inputs, speed=speed, pressure=pressure)
         )
 
-    def _equations(self, m: Algebra, state: ContactState) -> tuple[Any, ...]:
+    def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
         Fz = m.maximum(state.Fz, 0)
         n = Fz / m.constant(self.nominal_load)
         side = n * m.constant(self.cornering_stiffness) * state.alpha

@@ -11,7 +11,7 @@ from pydy._errors import warn_user
 from pydy._names import some
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
 from pydy.vehicles.coefficients import DEFAULTS, VERSIONS
-from pydy.vehicles.equations import FORMS, Form
+from pydy.vehicles.equations import FORMS, FormulaVariant
 from pydy.vehicles.tir import TireFile
 
 # What each use mode computes: longitudinal, lateral, combined.
@@ -29,7 +29,7 @@ def form_of(
     slip: str | None,
     saturation: float | None,
     relaxation_sign: float | None,
-) -> tuple[str, Form]:
+) -> tuple[str, FormulaVariant]:
     """Return the name of the equations and their form, with what the user chooses otherwise."""
     forms = FORMS[version]
     source = choice(next(iter(forms)) if equations is None else equations, forms, "`equations`")
@@ -49,7 +49,7 @@ def form_of(
 
 
 def checked_values(
-    values: Mapping[str, Any], missing: Collection[str], form: Form
+    values: Mapping[str, Any], missing: Collection[str], form: FormulaVariant
 ) -> dict[str, Any]:
     """Return all coefficients, numbers or expressions, or raise an error that names one."""
     checked = {

@@ -14,14 +14,14 @@ from pydy.vehicles.algebra import Algebra, Quantity, is_symbolic
 from pydy.vehicles.carcass import VerticalState, normal_force, relaxation_lengths
 from pydy.vehicles.coefficients import ALIASES, ALL_NAMES, absent_groups, default, names_of
 from pydy.vehicles.equations import (
-    Condition,
+    EquationInputs,
     camber_stiffness,
     condition,
     cornering_stiffness,
     lateral,
     longitudinal,
 )
-from pydy.vehicles.forces import ContactState, TireForces, evaluate, unknown_parameter
+from pydy.vehicles.forces import TireForces, TireInputs, evaluate, unknown_parameter
 from pydy.vehicles.magic_checks import (
     ESSENTIAL,
     MODES,
@@ -289,7 +289,7 @@ class MagicFormula:
             γ = 0 (N/rad), (4.E30); the last for the versions 6.1 and 6.2, otherwise it is zero.
         """
 
-        def equations(m: Algebra, state: ContactState) -> tuple[Any, ...]:
+        def equations(m: Algebra, state: TireInputs) -> tuple[Any, ...]:
             s = condition(m, self._form, self._values, state)
             Kx = s.Fz * longitudinal(s).stiffness
             Ky = s.Fz * cornering_stiffness(s, s.camber * s.c.LGAY)
@@ -318,7 +318,7 @@ class MagicFormula:
         tuple of two
         """
 
-        def equations(m: Algebra, state: ContactState) -> tuple[Any, ...]:
+        def equations(m: Algebra, state: TireInputs) -> tuple[Any, ...]:
             return relaxation_lengths(condition(m, self._form, self._values, state))
 
         needed = ["PTX1", "PTY1", "PTY2"]
@@ -362,7 +362,7 @@ class MagicFormula:
         (force,) = evaluate(equations, self._values, VerticalState, gap=gap, rate=rate)
         return force
 
-    def _equations(self, m: Algebra, state: ContactState) -> tuple[Any, ...]:
+    def _equations(self, m: Algebra, state: TireInputs) -> tuple[Any, ...]:
         """Return the five results; the mirrored tire sees all from the other side."""
         if self.mirrored:
             state = replace(state, alpha=-state.alpha, gamma=-state.gamma)
@@ -370,7 +370,7 @@ class MagicFormula:
         Fx, Fy, Mx, My, Mz = (s.Fz * result for result in self._per_load(s))
         return (Fx, -Fy, -Mx, My, -Mz) if self.mirrored else (Fx, Fy, Mx, My, Mz)
 
-    def _per_load(self, s: Condition) -> tuple[Any, ...]:
+    def _per_load(self, s: EquationInputs) -> tuple[Any, ...]:
         """Return the five results divided by the load."""
         parts = MODES[self.use_mode % 10]
         has = {part: part in parts and ESSENTIAL[part][0] not in self._absent for part in "xy"}

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from math import pi
-from typing import Any
 
-from pydy.vehicles.algebra import is_symbolic
+from pydy.vehicles.algebra import Operand, is_symbolic
 from pydy.vehicles.equations import (
-    Condition,
+    EquationInputs,
     Lateral,
     Longitudinal,
     cos_of_atan,
@@ -18,7 +17,7 @@ from pydy.vehicles.equations import (
 from pydy.vehicles.tuning import SMALLEST_SLIP
 
 
-def longitudinal_weight(s: Condition) -> Any:
+def longitudinal_weight(s: EquationInputs) -> Operand:
     """Return G_xα, by which side slip reduces the longitudinal force, (4.E51) to (4.E57)."""
     m, c = s.m, s.c
     B = (c.RBX1 + c.RBX3 * s.camber**2) * cos_of_atan(m, c.RBX2 * s.kappa) * c.LXAL
@@ -27,7 +26,7 @@ def longitudinal_weight(s: Condition) -> Any:
     return weight / curve(m, m.cos, c.RCX1, E, B * c.RHX1)
 
 
-def lateral_weight(s: Condition, *, upright: bool = False) -> Any:
+def lateral_weight(s: EquationInputs, *, upright: bool = False) -> Operand:
     """Return G_yκ, by which longitudinal slip reduces the side force, (4.E59) to (4.E65)."""
     m, c = s.m, s.c
     camber = 0 if upright else s.camber
@@ -39,7 +38,7 @@ def lateral_weight(s: Condition, *, upright: bool = False) -> Any:
     return weight / curve(m, m.cos, c.RCY1, E, B * shift)
 
 
-def ellipse_weights(s: Condition, x: Longitudinal, y: Lateral) -> tuple[Any, Any]:
+def ellipse_weights(s: EquationInputs, x: Longitudinal, y: Lateral) -> tuple[Operand, Operand]:
     """Return weights of both forces by friction ellipses, which need no coefficients.
 
     Of the friction that pure slip of one direction uses, and of the largest one of the other
@@ -57,7 +56,7 @@ def ellipse_weights(s: Condition, x: Longitudinal, y: Lateral) -> tuple[Any, Any
     )
 
 
-def induced_side_force(s: Condition, pure: Lateral) -> Any:
+def induced_side_force(s: EquationInputs, pure: Lateral) -> Operand:
     """Return S_Vyκ divided by the load: ply steer that κ induces, (4.E66) and (4.E67)."""
     m, c = s.m, s.c
     D = pure.friction * (c.RVY1 + c.RVY2 * s.dfz + c.RVY3 * s.camber)
@@ -66,14 +65,14 @@ def induced_side_force(s: Condition, pure: Lateral) -> Any:
 
 
 def aligning_moment(
-    s: Condition,
+    s: EquationInputs,
     x: Longitudinal | None,
     y: Lateral,
-    Fx: Any,
-    Fy: Any,
-    induced: Any,
-    weight: Any,
-) -> Any:
+    Fx: Operand,
+    Fy: Operand,
+    induced: Operand,
+    weight: Operand,
+) -> Operand:
     """Return the aligning moment M_z, (4.E31) to (4.E49) and (4.E71) to (4.E78).
 
     With `x` of None, of pure side slip; then `induced` is 0 and `weight` is 1.
@@ -111,7 +110,9 @@ def aligning_moment(
     return moment
 
 
-def _residual(s: Condition, y: Lateral, camber: Any, alpha: Any, stiffness: Any) -> Any:
+def _residual(
+    s: EquationInputs, y: Lateral, camber: Operand, alpha: Operand, stiffness: Operand
+) -> Operand:
     """Return the residual moment M_zr divided by the load, (4.E36), (4.E45) to (4.E47)."""
     m, c, dfz = s.m, s.c, s.dfz
     B = c.QBZ9 * stiffness + c.QBZ10 * y.BC
@@ -121,7 +122,7 @@ def _residual(s: Condition, y: Lateral, camber: Any, alpha: Any, stiffness: Any)
     return D * cos_of_atan(m, B * alpha) * s.cos_alpha
 
 
-def _equivalent(s: Condition, alpha: Any, ratio: Any) -> Any:
+def _equivalent(s: EquationInputs, alpha: Operand, ratio: Operand) -> Operand:
     """Return the slip of the same size as α and κ together, with the sign of α, (4.E77)."""
     m, tiny = s.m, SMALLEST_SLIP**2
     if s.form.equivalent_tangent:
@@ -131,7 +132,7 @@ def _equivalent(s: Condition, alpha: Any, ratio: Any) -> Any:
     return m.where_negative(alpha, -size, size)
 
 
-def overturning_moment(s: Condition, Fy: Any) -> Any:
+def overturning_moment(s: EquationInputs, Fy: Operand) -> Operand:
     """Return M_x divided by the load, (4.E69); `Fy` is divided by it too."""
     m, c, gamma = s.m, s.c, s.gamma
     ratio = s.load / c.FNOMIN
@@ -148,7 +149,7 @@ def overturning_moment(s: Condition, Fy: Any) -> Any:
     return s.radius * (offset + c.LMX * moment)
 
 
-def rolling_resistance(s: Condition, Fx: Any) -> Any:
+def rolling_resistance(s: EquationInputs, Fx: Operand) -> Operand:
     """Return M_y divided by the load, against rolling; `Fx` is divided by it too.
 
     Of (4.E70) the load is inside the power alone, as in Besselink 2010, (A48).

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import shown
-from pydy.vehicles.algebra import is_symbolic
+from pydy.vehicles.algebra import Operand, is_symbolic
 from pydy.vehicles.forces import checked_parameters
 from pydy.vehicles.tuning import SHORTEST_RELAXATION, SMALLEST_SPEED
 
@@ -37,7 +37,7 @@ class TransientSlips:
 
 
 def transient_slips(
-    sliding: SlidingSpeeds, lengths: object, deflections: object, values: dict[str, Any]
+    sliding: SlidingSpeeds, lengths: object, deflections: object, values: dict[str, Operand]
 ) -> TransientSlips:
     """Return the slips of deflections u and v, Pacejka 2006, sections 7.2 and 8.6.
 
@@ -71,7 +71,7 @@ def transient_slips(
     )
 
 
-def _lengths(lengths: object) -> list[Any]:
+def _lengths(lengths: object) -> list[Operand]:
     if not isinstance(lengths, (tuple, list)) or len(lengths) != 2:
         raise TypeError(
             "`lengths` must be a pair of relaxation lengths, longitudinal and lateral, got "
@@ -86,7 +86,7 @@ def _lengths(lengths: object) -> list[Any]:
     ]
 
 
-def _deflections(deflections: object) -> tuple[Any, Any]:
+def _deflections(deflections: object) -> tuple[Operand, Operand]:
     t = dynamicsymbols._t
     if (
         not isinstance(deflections, (tuple, list))

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import Self
 
-from pydy.vehicles.algebra import Algebra, Quantity, is_symbolic
+from pydy.vehicles.algebra import Algebra, Operand, Quantity, is_symbolic
 from pydy.vehicles.forces import (
-    ContactState,
     TireForces,
+    TireInputs,
     checked_parameters,
     evaluate,
     fields_of,
@@ -74,24 +74,24 @@ class TMeasy:
     (4400, 7600)
     """
 
-    nominal_load: Any
-    rise_x: Any
-    peak_x: Any
-    peak_slip_x: Any
-    sliding_x: Any
-    sliding_slip_x: Any
-    rise_y: Any
-    peak_y: Any
-    peak_slip_y: Any
-    sliding_y: Any
-    sliding_slip_y: Any
-    trail: Any = (0.0, 0.0)
-    zero_slip: Any = (0.25, 0.25)
-    end_slip: Any = (0.5, 0.5)
+    nominal_load: Operand
+    rise_x: Operand
+    peak_x: Operand
+    peak_slip_x: Operand
+    sliding_x: Operand
+    sliding_slip_x: Operand
+    rise_y: Operand
+    peak_y: Operand
+    peak_slip_y: Operand
+    sliding_y: Operand
+    sliding_slip_y: Operand
+    trail: Operand = (0.0, 0.0)
+    zero_slip: Operand = (0.25, 0.25)
+    end_slip: Operand = (0.5, 0.5)
 
     def __post_init__(self) -> None:
         names = (*_FORCES, *_SLIPS, *_TRAIL)
-        pairs: dict[str, Any] = {}
+        pairs: dict[str, Operand] = {}
         for name in names:
             value = getattr(self, name)
             if not isinstance(value, (tuple, list)) or len(value) != 2:
@@ -116,9 +116,9 @@ class TMeasy:
                     )
 
     @property
-    def parameters(self) -> Mapping[str, Any]:
+    def parameters(self) -> Mapping[str, Operand]:
         """The parameters by name; those of pairs are ``'peak_x[0]'`` and ``'peak_x[1]'``."""
-        found: dict[str, Any] = {}
+        found: dict[str, Operand] = {}
         for name, value in fields_of(self).items():
             if isinstance(value, tuple):
                 found |= {f"{name}[{k}]": v for k, v in enumerate(value)}
@@ -126,7 +126,7 @@ class TMeasy:
                 found[name] = value
         return found
 
-    def replace(self, **parameters: Any) -> Self:
+    def replace(self, **parameters: Operand) -> Self:
         """Return the tire with some other parameters.
 
         Parameters
@@ -172,7 +172,7 @@ class TMeasy:
             *evaluate(self._equations, self.parameters, **inputs, speed=speed, pressure=pressure)
         )
 
-    def _equations(self, m: Algebra, state: ContactState) -> tuple[Any, ...]:
+    def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
         load = m.maximum(state.Fz / m.constant(self.nominal_load), SMALLEST_LOAD)
         Fz = m.maximum(state.Fz, 0)
         value = {}
@@ -191,7 +191,9 @@ class TMeasy:
         return Fx, Fy, 0 * Fz, 0 * Fz, -trail * Fy
 
 
-def _combined(m: Algebra, value: dict[str, Any], kappa: Any, tangent: Any) -> tuple[Any, Any, Any]:
+def _combined(
+    m: Algebra, value: dict[str, Operand], kappa: Operand, tangent: Operand
+) -> tuple[Operand, Operand, Operand]:
     """Return the force divided by the combined slip, and what normalises both slips.
 
     The direction of no slip is the mean of both.
@@ -205,7 +207,7 @@ def _combined(m: Algebra, value: dict[str, Any], kappa: Any, tangent: Any) -> tu
     s = m.sqrt(square)
     cos2, sin2 = (x2 + tiny / 2) / square, (y2 + tiny / 2) / square
 
-    def along(a: Any, b: Any) -> Any:
+    def along(a: Operand, b: Operand) -> Operand:
         return m.sqrt(a**2 * cos2 + b**2 * sin2)
 
     rise = along(value["rise_x"] * weight_x, value["rise_y"] * weight_y)
@@ -221,7 +223,7 @@ def _combined(m: Algebra, value: dict[str, Any], kappa: Any, tangent: Any) -> tu
     return m.where_negative(s - peak_slip, first, second), weight_x, weight_y
 
 
-def _relative_trail(m: Algebra, slip: Any, value: dict[str, Any]) -> Any:
+def _relative_trail(m: Algebra, slip: Operand, value: dict[str, Operand]) -> Operand:
     """Return the trail relative to that without slip: two cubic polynomials, then zero."""
     zero, end = value["zero_slip"], value["end_slip"]
     w = zero / end
