@@ -65,6 +65,8 @@ def _of_load(mass: float, yaw_inertia: float, front: float, rear: float) -> Sing
     return SingleTrackCar(mass, yaw_inertia, front, rear, stiffness * rear, stiffness * front)
 
 
+# Vehicles 1 to 3 of M. Althoff and G. Würsching, CommonRoad: Vehicle Models, 2020, with the numbers
+# of the package commonroad-vehicle-models 3.0.2: m, I_z, a, b and −p_ky1 = 21.92.
 CARS: Mapping[str, SingleTrackCar] = MappingProxyType(
     {
         "ford_escort": _of_load(1225.8878467253344, 1538.8533713561394, 0.88392, 1.50876),
@@ -110,7 +112,8 @@ def single_track(
 
     References
     ----------
-    M. Mitschke and H. Wallentowitz, Dynamik der Kraftfahrzeuge, 5th ed., Springer, 2014.
+    M. Mitschke and H. Wallentowitz, Dynamik der Kraftfahrzeuge, 5th ed., Springer, 2014; for `CARS`
+    M. Althoff and G. Würsching, CommonRoad: Vehicle Models, 2020.
 
     Examples
     --------
