@@ -178,8 +178,11 @@ def test_forces_are_proportional_to_a_load_that_vanishes():
 # ---- Options ----
 
 
-def test_stiffnesses_are_the_slopes_of_the_forces():
-    tire = symmetric("6.1, book").replace(LMUV=0.0)
+@pytest.mark.parametrize("name", ["6.1, book", "5.2", "PAC2002"])
+def test_stiffnesses_are_the_slopes_of_the_forces(name):
+    tire = symmetric(name)
+    plain = {"LMUV": 0.0, "LGAY": 1.0}
+    tire = tire.replace(**{k: v for k, v in plain.items() if k in tire.parameters})
     Kx, Ky, Kg = tire.slip_stiffnesses(3000)
     h = 1e-5
 
@@ -192,6 +195,16 @@ def test_stiffnesses_are_the_slopes_of_the_forces():
     assert slope("Fy", 0.0, h) == pytest.approx(Ky, rel=1e-5)
     assert slope("Fy", 0.0, 0.0, h) == pytest.approx(Kg, rel=1e-5)
     assert Ky < 0.0
+
+
+@pytest.mark.parametrize("name", ["5.2", "PAC2002", "6.2, paper"])
+def test_without_drive_slip_the_moment_is_that_of_pure_slip_with_tangents_too(name):
+    tire = tire_of(name, slip="tangent").replace(SSZ1=0.0, SSZ2=0.0, SSZ3=0.0, SSZ4=0.0)
+    version, equations, _ = TIRES[name]
+    pure = MagicFormula(tire.parameters, version, equations=equations, slip="tangent", use_mode=3)
+    alpha = np.radians([-80.0, -65.0, -30.0, -2.0, 3.0, 40.0, 72.3, 85.0])
+    expected = pure.forces(4000.0, 0.0, alpha, 0.05).Mz
+    np.testing.assert_allclose(tire.forces(4000.0, 0.0, alpha, 0.05).Mz, expected, rtol=1e-6)
 
 
 def test_relaxation_lengths_of_the_old_versions_differ_in_a_sign():

@@ -23,17 +23,18 @@ def summary(
     solver: object,
     times: np.ndarray,
     values: Mapping[str, Mapping[SymbolOrName, object]],
-    of_events: Iterable[AnySymbol],
+    event_constants: Iterable[AnySymbol],
 ) -> list[tuple[str, str]]:
     """Return the titles and texts of a summary of the user's settings.
 
-    The `values` are those of the initial conditions, constants and specifieds. The constants may
-    include those of events.
+    The `values` are those of the initial conditions, constants and specifieds. Constants outside
+    the definition, of events or energies, are listed as 'elsewhere'.
     """
     constants = merged(values["constants"])
     equations, t = definition.equations, times
-    inside = {n for s in definition.constants for n in (s, name_of(s))}
-    other_constants = {name_of(s): s for s in (*of_events, *constants) if s not in inside}
+    in_definition = {n for s in definition.constants for n in (s, name_of(s))}
+    further = (s for s in (*event_constants, *constants) if s not in in_definition)
+    other_constants = {name_of(s): s for s in further}
     lines = [
         ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
          f"{len(equations.speeds)} speeds"),

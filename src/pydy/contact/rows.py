@@ -278,7 +278,7 @@ class ContactRows:
 
     @cached_property
     def parts(self) -> Parts:
-        """The blocks of `Numbers`, by name."""
+        """The shape and the nodes of each attribute of `RowValues`, by name."""
         g, e = self.graph, self.equations
         q, u, k, c = (len(s) for s in (e.coordinates, e.speeds, self.speeds, self.contacts))
         by_q, by_u = ([g.input("x", j) for j in indices] for indices in (range(q), range(q, q + u)))

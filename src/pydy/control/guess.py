@@ -54,7 +54,10 @@ class Limit:
 
 
 def limit(value: object, argument: str, duration: float | None, *, finite: bool = False) -> Limit:
-    """Check a guess, whose numbers must be `finite`, or one side of bounds."""
+    """Return one side of bounds, or a guess, as a function of fractions of the duration.
+
+    The numbers of a guess must be `finite`.
+    """
     if isinstance(value, SampledInput):
         if duration is None:
             raise ValueError(

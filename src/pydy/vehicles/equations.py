@@ -309,9 +309,15 @@ def cornering_stiffness(s: EquationInputs, camber: Operand) -> Operand:
 
 
 def camber_stiffness(s: EquationInputs) -> Operand:
-    """Return the camber stiffness K_yγ0 divided by the load, (4.E30)."""
+    """Return the camber stiffness K_yγ0 divided by the load.
+
+    It is (4.E30), or in forms without it the slope of the camber's shifts.
+    """
     c = s.c
-    return (c.PKY6 + c.PKY7 * s.dfz) * (1 + c.PPY5 * s.dpi) * c.LKYC
+    if s.form.camber_stiffness:
+        return (c.PKY6 + c.PKY7 * s.dfz) * (1 + c.PPY5 * s.dpi) * c.LKYC
+    shift_v = (c.PVY3 + c.PVY4 * s.dfz) * s.offset_y
+    return (cornering_stiffness(s, 0) * c.PHY3 + shift_v) * c.LKYC
 
 
 def lateral(s: EquationInputs, *, upright: bool = False) -> Lateral:

@@ -64,7 +64,10 @@ def checked_values(
             raise ValueError(f"The coefficient {name} {problem}.")
         checked[name] = DEFAULTS[name]
     if form.pressure and checked["NOMPRES"] == 0.0:
-        acting = [n for n, v in checked.items() if n.startswith("PP") and (is_symbolic(v) or v)]
+        by_pressure = ("PP", "QSY8", "PCFX3", "PCFY3")
+        acting = [
+            n for n, v in checked.items() if n.startswith(by_pressure) and (is_symbolic(v) or v)
+        ]
         if acting:
             raise ValueError(
                 f"The coefficient NOMPRES is missing, the pressure that {some(acting)} refer to."

@@ -286,15 +286,14 @@ class MagicFormula:
         -------
         tuple of three
             Of F_x by κ (N), (4.E15); of F_y by α (N/rad), negative, (4.E25); and of F_y by γ at
-            γ = 0 (N/rad), (4.E30); the last for the versions 6.1 and 6.2, otherwise it is zero.
+            γ = 0 (N/rad), (4.E30), or in the versions 5.2 and PAC2002 that of the shifts by γ.
         """
 
         def equations(m: Algebra, state: TireInputs) -> tuple[Any, ...]:
             s = condition(m, self._form, self._values, state)
             Kx = s.Fz * longitudinal(s).stiffness
             Ky = s.Fz * cornering_stiffness(s, s.camber * s.c.LGAY)
-            Kg = s.Fz * camber_stiffness(s) if s.form.camber_stiffness else 0 * s.Fz
-            return Kx, Ky, Kg
+            return Kx, Ky, s.Fz * camber_stiffness(s)
 
         inputs = {"Fz": Fz, "kappa": 0.0, "alpha": 0.0, "gamma": gamma}
         return evaluate(equations, self._values, **inputs, speed=None, pressure=pressure)

@@ -123,9 +123,12 @@ def _residual(
 
 
 def _equivalent(s: EquationInputs, alpha: Operand, ratio: Operand) -> Operand:
-    """Return the slip of the same size as α and κ together, with the sign of α, (4.E77)."""
+    """Return the slip of the same size as α and κ together, with the sign of α, (4.E77).
+
+    Where slips are tangents already, it is one too.
+    """
     m, tiny = s.m, SMALLEST_SLIP**2
-    if s.form.equivalent_tangent:
+    if s.form.equivalent_tangent and not s.form.tangent:
         size = m.atan(m.sqrt(m.tan(alpha) ** 2 + ratio**2 + tiny))
     else:
         size = m.sqrt(alpha**2 + ratio**2 + tiny)

@@ -35,6 +35,11 @@ class WheelContact:
 
         κ = −V_sx/|V_x|    tan α = V_sy/|V_x|    sin γ = axis · normal
 
+    A wheel without drive slip thus rolls on its loaded radius. The effective rolling radius of a
+    tire file (BREFF, DREFF, FREFF), a few per cent larger, is not used. With a crown, C moves
+    sideways on the torus, while the Magic Formula's M_x (QSX2) refers to the wheel plane: leave
+    QSX2 out.
+
     Below `low_speed` that speed replaces the size of V_x: at rest a tire acts as a damper, and a
     wheel on a slope creeps, unless its slips have relaxation, see `with_relaxation`.
 
