@@ -21,7 +21,8 @@ def __getattr__(name: str) -> Any:
 
         # It may load SymPy and NumPy, too; collections would visit their objects again and again.
         with collector_paused():
-            return import_module("pydy.system").System
+            system = import_module("pydy.system").System
+        return globals().setdefault(name, system)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

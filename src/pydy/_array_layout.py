@@ -28,7 +28,7 @@ def _field(item: Any, offset: int, kind: Any) -> Any:
 
 
 def _probed_fields(array: np.ndarray) -> tuple[Any, ...]:
-    """Read an array's fields, except the shape, at the assumed offsets."""
+    """Read an array's fields, except shape and strides, at the assumed offsets."""
     word, int32 = ctypes.c_size_t, ctypes.c_int32
     kinds = ((KIND, word), (DATA, word), (NDIM, int32), (DESCR, word), (FLAGS, int32))
     return tuple(_field(array, offset, kind) for offset, kind in kinds)

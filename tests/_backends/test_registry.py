@@ -1,12 +1,17 @@
-"""What stands in where LLVM is missing, as in a browser."""
+"""Back ends by name; what stands in where LLVM is missing, as in a browser."""
 
 import json
 import subprocess
 import sys
+from functools import partial
 
 import numpy as np
 
-from pydy.models import multi_mass_spring_damper
+from pydy._backends.base import kernel_of
+from pydy._backends.llvm.native import LLVMBackend
+from pydy._backends.registry import compiled_by
+from pydy._program import Tangent, run
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 # `None` makes every import of the module fail, as if it were not installed.
 WITHOUT = """
@@ -54,3 +59,25 @@ def test_numpy_and_scipy_stand_in_for_llvm_and_say_so_once():
         assert "`pip install llvmlite`" in error
         assert "adjoint gradients" in error
         assert "ode_solver = 'DOP853'" in error
+
+
+def test_a_back_end_in_python_may_take_tangents():
+    """Its sweep takes no array to write to, as native ones do."""
+
+    class Interpreter:
+        tangents = True
+
+        def compile(self, program):
+            plain = program.written_out() if isinstance(program, Tangent) else program
+            return kernel_of(plain, partial(run, plain), Interpreter, {})
+
+    programs = n_link_pendulum_on_cart(4).model.programs
+    tangent = programs.jacobian_in_parts("rates", "x")
+    assert isinstance(tangent, Tangent)
+    n, s, k = tangent.signature.sizes
+    x = np.random.default_rng(0).uniform(0.2, 0.9, (3, n))
+    arguments = np.zeros(3), x, np.zeros((1, s)), np.ones(k)
+    found, failed = compiled_by(Interpreter(), tangent).evaluate(*arguments)
+    expected, _ = compiled_by(LLVMBackend(), programs.jacobian("rates", "x")).evaluate(*arguments)
+    assert not failed.any()
+    np.testing.assert_allclose(found[:, -expected.shape[1] :], expected, rtol=1e-12)

@@ -291,9 +291,17 @@ def test_friction_ellipses_are_pure_slip_on_the_axes_and_full_friction_between()
 
 
 def test_what_is_missing_and_what_is_not_read_is_said():
-    tire = MagicFormula({**TABLE_A31, "PTX1": 1.0, "COLOUR": 3.0})
+    with pytest.warns(
+        PyDyUserWarning, match=r"Version 6\.1 .* does not read PTX1\. Pass `version`"
+    ):
+        tire = MagicFormula({**TABLE_A31, "PTX1": 1.0, "PTX2": 0.0})
     assert {"QSX1", "LMUX", "QBZ4"} <= set(tire.missing)
-    assert tire.unused == ("PTX1", "COLOUR")
+    assert tire.unused == ("PTX1", "PTX2")
+    assert MagicFormula({**TABLE_A31, "PTX1": 1.0}, "6.1").unused == ("PTX1",)
+    with pytest.raises(
+        ValueError, match=r"'PDXl1' is no parameter of the tire. Did you mean `PDX1`"
+    ):
+        MagicFormula({**TABLE_A31, "PDXl1": 1.0})
     assert tire.parameters["PKY4"] == 2.0
     assert MagicFormula(pure(COMMON) | {"PKY4": 1.5}, use_mode=3).parameters["PKY4"] == 1.5
     assert (tire.parameters["LMUX"], tire.parameters["LMUV"]) == (1.0, 0.0)

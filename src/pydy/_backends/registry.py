@@ -102,9 +102,9 @@ def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
     """
 
     def sweep(
-        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, *out: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, bool]:
-        values, failed, all_finite = kernel.sweep(t, x, r, p, out)
+        values, failed, all_finite = kernel.sweep(t, x, r, p, *out)
         if all_finite:
             return values, failed, True
         finite = np.isfinite(values).all(axis=1) | ~np.isfinite(x).all(axis=1) | failed

@@ -10,8 +10,9 @@ from pydy._checks import choice, number, positive
 from pydy._errors import warn_user
 from pydy._names import some
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
-from pydy.vehicles.coefficients import DEFAULTS, VERSIONS
+from pydy.vehicles.coefficients import ALL_NAMES, DEFAULTS, VERSIONS
 from pydy.vehicles.equations import FORMS, FormulaVariant
+from pydy.vehicles.forces import unknown_parameter
 from pydy.vehicles.tir import TireFile
 
 # What each use mode computes: longitudinal, lateral, combined.
@@ -138,3 +139,20 @@ def use_mode_of(use_mode: int | None, file: TireFile | None) -> int:
             f"`use_mode` must be 0 to 4, with further digits for transients, got {use_mode!r}."
         )
     return int(value)
+
+
+def check_names(coefficients: Mapping[str, object]) -> None:
+    """Refuse names that no version of the Magic Formula has."""
+    for name in coefficients:
+        if name not in ALL_NAMES:
+            raise unknown_parameter(name, dict.fromkeys(ALL_NAMES))
+
+
+def warn_of_other_versions(version: str, unused: Mapping[str, Any]) -> None:
+    """Warn of coefficients that the assumed version does not read."""
+    acting = [name for name, value in unused.items() if is_symbolic(value) or value != 0.0]
+    if acting:
+        warn_user(
+            f"Version {version} of the Magic Formula, which is assumed, does not read "
+            f"{some(acting)}. Pass `version`, the one that the coefficients belong to."
+        )

@@ -25,12 +25,14 @@ from pydy.vehicles.forces import TireForces, TireInputs, evaluate, unknown_param
 from pydy.vehicles.magic_checks import (
     ESSENTIAL,
     MODES,
+    check_names,
     checked_combination,
     checked_values,
     form_of,
     use_mode_of,
     version_of,
     warn_of_absent_groups,
+    warn_of_other_versions,
 )
 from pydy.vehicles.moments import (
     aligning_moment,
@@ -104,18 +106,19 @@ class MagicFormula:
     missing : tuple of str
         Coefficients of this version that were not given, and have the values above.
     unused : tuple of str
-        Names that were given and that this version does not read; of a file, those that are
-        coefficients of another version.
+        Coefficients that were given and that only another version reads.
 
     Raises
     ------
     ValueError
-        A coefficient is essential and missing, or combined slip has no coefficients.
+        A coefficient is essential and missing, combined slip has no coefficients, or no version has
+        a coefficient of some name.
 
     Warns
     -----
     PyDyUserWarning
-        A force or the aligning moment has no coefficients, and is zero.
+        A force or the aligning moment has no coefficients, and is zero; or the version, which is
+        assumed, does not read some coefficients.
 
     Notes
     -----
@@ -182,9 +185,11 @@ class MagicFormula:
         names = names_of(self.version)
         spelled = {ALIASES.get(str(name), str(name)): value for name, value in given.items()}
         self.missing = tuple(name for name in names if name not in spelled)
-        # A file has other numbers, too: of vertical stiffness, of ranges.
-        known = ALL_NAMES if file else spelled
-        self.unused = tuple(name for name in spelled if name in known and name not in names)
+        if file is None:  # a file has other numbers, too: of vertical stiffness, of ranges
+            check_names(spelled)
+        self.unused = tuple(name for name in spelled if name in ALL_NAMES and name not in names)
+        if version is None and file is None:
+            warn_of_other_versions(self.version, {name: spelled[name] for name in self.unused})
         defaults = {name: default(name) for name in names}
         self._values = checked_values(
             {**defaults, **{n: v for n, v in spelled.items() if n in names}}, self.missing, form

@@ -1,10 +1,14 @@
 """Sweeps: every width, either order of memory, any number of samples, give the scalar results."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 import sympy as sm
 
 from graphs import P, T, X, program_of, solve_program
+from pydy._backends.llvm import native
 from pydy._backends.llvm.native import LLVMBackend, gates
 from pydy._program.program import Program, Tape
 
@@ -157,3 +161,11 @@ def test_one_row_of_specifieds_may_be_a_row_of_columns(lanes):
     kernel = LLVMBackend(lanes=lanes).compile(program)
     out, _ = kernel.evaluate(np.zeros(20), states, rows[3:4], np.zeros(0))
     np.testing.assert_array_equal(out, states * rows[3])
+
+
+def test_a_sweep_has_as_many_words_as_its_gate_copies():
+    core = Path(native.__file__).parents[1] / "core" / "gates.ll"
+    gate = core.read_text("utf-8").split("@sweep_gate(")[1]
+    copied = int(re.search(r"memcpy[^\n]* i64 (\d+), i1 false", gate)[1])
+    words, _ = native._sweep_words(program_of([X[0]]), 8, [0, 0, 0, 0])
+    assert words.nbytes == copied

@@ -66,23 +66,23 @@ class Gate:
 
 
 # Numbers of words in the C structs `Words` and `Bound` before the words of one call.
-_SWEEP_WORDS, _CALL_WORDS = 11, 8
+_SWEEP_WORDS, _WORDS_OF_CALL, _CALL_WORDS = 11, 7, 8
 _GATES = ("sweep_1", "sweep_gate", "kernel_gate", "step_gate", "call_python")
 NLP = ("nlp_cost", "nlp_rows", "nlp_gradient", "nlp_jacobian", "nlp_hessian")
 
 
 def _sweep_words(
-    program: Program | Tangent, lanes: int, functions: list[int], calls: int
+    program: Program | Tangent, lanes: int, functions: list[int]
 ) -> tuple[np.ndarray, int]:
     """Return `Words` of ``core/kernel.h``, and how many numbers of scratch memory a sweep needs.
 
-    The words of one call are `calls` further ones, zero.
+    The words of one call follow, zero: the gate copies all of them before it writes its own.
     """
     n, s, k, setup_values, outputs = sizes = _sizes(program, lanes)
     numbers = n + s + outputs
     blocks = min(max(TILE // lanes, 1), max(NEARBY // (lanes * max(numbers, 1)), 1))
     in_place = NEARBY // max(numbers, 1)
-    words = np.array([*functions, *sizes, blocks, in_place, *[0] * calls], np.int64)
+    words = np.array([*functions, *sizes, blocks, in_place, *[0] * _WORDS_OF_CALL], np.int64)
     # Room for its alignment.
     scratch = (numbers * blocks + 1 + k + setup_values) * lanes + 8
     return words, setup_values if lanes == 1 else scratch
@@ -157,7 +157,7 @@ def make_sweep(
 ) -> Sweep:
     """Return the sweep of native functions; see `Kernel.sweep`."""
     native = gates().code.addresses["sweep_1"] if lanes == 1 else wide_sweep(lanes)
-    words, scratch = _sweep_words(program, lanes, [0, 0, strided, native], 0)
+    words, scratch = _sweep_words(program, lanes, [0, 0, strided, native])
     run, outputs = gates().sweep, program.signature.num_outputs
     most = max(1, SWEPT // (lanes * (program.num_operations + 1))) * lanes
     functions.bind(words)
@@ -217,7 +217,7 @@ def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any
     """
     code = wide_code(program, lanes)
     entries = [code.addresses[name] for name in ("kernel", "prepare", "strided")]
-    words, scratch = _sweep_words(program, lanes, [*entries, wide_sweep(lanes)], 7)
+    words, scratch = _sweep_words(program, lanes, [*entries, wide_sweep(lanes)])
     return words, scratch, code
 
 
