@@ -204,9 +204,9 @@ class WheelContact:
             v' =  V_sy − D v/σ_α    tan α' = (G v + w T V_sy)/σ_α
             D = max(|V_x|, |V_s|/s)    G = D/max(|V_x|, w |V_s|/s)
 
-        with w = (1 + cos(π |V_x|/V_low))/2 below V_low, otherwise 0. κ' and α' become `kappa` and
-        `alpha`. Above V_low they are equal to the usual slips in steady motion; below the slip s,
-        where G = 1, they follow over the distances σ. At rest the tire is a spring and a damper,
+        with ``w = (1 + cos(π |V_x|/V_low))/2`` below V_low, otherwise 0. κ' and α' become `kappa`
+        and `alpha`. Above V_low they are equal to the usual slips in steady motion; below the slip
+        s, where G = 1, they follow over the distances σ. At rest the tire is a spring and a damper,
         which a wheel that slides stretches up to the slip s.
 
         Parameters
