@@ -8,11 +8,10 @@ from typing import Any
 
 from pydy._checks import choice, number, positive
 from pydy._errors import warn_user
-from pydy._names import some
+from pydy._names import nearest, some
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
 from pydy.vehicles.coefficients import ALL_NAMES, DEFAULTS, VERSIONS
 from pydy.vehicles.equations import FORMS, FormulaVariant
-from pydy.vehicles.forces import unknown_parameter
 from pydy.vehicles.tir import TireFile
 
 # What each use mode computes: longitudinal, lateral, combined.
@@ -145,7 +144,10 @@ def check_names(coefficients: Mapping[str, object]) -> None:
     """Refuse names that no version of the Magic Formula has."""
     for name in coefficients:
         if name not in ALL_NAMES:
-            raise unknown_parameter(name, dict.fromkeys(ALL_NAMES))
+            raise ValueError(
+                f"`coefficients` has the key {name!r}, which no version of the Magic Formula has. "
+                f"{nearest(name, list(ALL_NAMES), or_all=False)}".rstrip()
+            )
 
 
 def warn_of_other_versions(version: str, unused: Mapping[str, Any]) -> None:
