@@ -170,6 +170,14 @@ def test_linear_slopes_are_those_of_a_single_track_model():
     assert tire.forces(4000, 0, alpha).Fy.diff(alpha).subs(C, 5.0) == -5.0
 
 
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_rolling_resistance_fades_below_a_speed_of_ones_own(unit):
+    tire = LINEAR.replace(rolling_resistance=0.01, low_speed=2.0 * unit)
+    speeds = unit * np.array([-5.0, -1.0, 0.0, 1.0, 5.0])
+    My = tire.forces(4000, 0, 0, speed=speeds).My
+    np.testing.assert_allclose(My, [40.0, 27.5, 0.0, -27.5, -40.0], rtol=1e-14)
+
+
 def test_combined_slip_of_the_brush_stays_within_friction():
     kappa, alpha = np.meshgrid(np.linspace(-1, 3, 41), np.linspace(-1.5, 1.5, 41))
     Fx, Fy, *_ = BRUSH.forces(4000, kappa, alpha)

@@ -12,6 +12,7 @@ from pydy.contact import kelvin_voigt
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import BrushTire, LinearTire, MagicFormula, WheelContact
+from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
 from zoo import inertial_frame
 from zoo.tires import TABLE_A31
 
@@ -186,6 +187,25 @@ def test_slips_with_relaxation_are_the_usual_ones_in_steady_motion(rates):
     for name in ("kappa", "alpha"):
         found = float(getattr(relaxed, name).subs({**given, **steady}))
         assert found == pytest.approx(float(getattr(w.contact, name).subs(given)), rel=1e-12)
+
+
+@pytest.mark.parametrize("scale", [1e-9, 1e9])
+def test_slips_with_relaxation_are_the_same_for_wheels_of_any_size(scale):
+    u, v = me.dynamicsymbols("u v")
+    t, load = me.dynamicsymbols._t, sm.Symbol("load")
+
+    def slips(k):
+        # It hardly slides, and a length that depends on the load is shorter than any.
+        speeds = [sm.Float(k * x) for x in (0.02, 1e-10, -2e-10)]
+        found = transient_slips(
+            SlidingSpeeds(k * 0.3, *speeds), (k * 0.4 * load, k * 0.5), (u, v),
+            {"damping": 0.05, "low_speed": k, "sliding_slip": 0.2},
+        )  # fmt: skip
+        given = {u: k * 0.01, v: -k * 0.02, load: 0.0}
+        rates = [e.subs({u.diff(t): 0, v.diff(t): 0}).subs(given) / k for e in found.equations]
+        return [float(x) for x in (found.kappa.subs(given), found.alpha.subs(given), *rates)]
+
+    assert slips(scale) == pytest.approx(slips(1.0), rel=1e-12)
 
 
 def rolling(tire=None, *, slope=0.0, across=False, lengths=LENGTHS, **options):

@@ -37,6 +37,6 @@ SWEPT = 10_000_000
 # the next ones by themselves.
 TILE = 32
 
-# Numbers of states, specifieds and results that are near enough to be read and written in place, or
-# copied as one tile.
+# Numbers of states, specifieds and results, 250 KiB, that stay in a core's own cache: they are read
+# and written in place, or copied as one tile.
 NEARBY = 32_000

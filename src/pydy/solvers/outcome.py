@@ -21,9 +21,14 @@ class Outcome(IntEnum):
     remedy: str
     """What the user can do, in sentences; empty if nothing is to be done."""
 
-    def __new__(cls, code: int, text: str = "", remedy: str = "") -> Outcome:  # noqa: D102
+    is_valid: bool
+    """Whether the motion up to its end is valid: it finished, or events ended it."""
+
+    def __new__(  # noqa: D102
+        cls, code: int, text: str = "", remedy: str = "", is_valid: bool = False
+    ) -> Outcome:
         member = int.__new__(cls, code)
-        member._value_, member.text, member.remedy = code, text, remedy
+        member._value_, member.text, member.remedy, member.is_valid = code, text, remedy, is_valid
         return member
 
     @property
@@ -31,13 +36,8 @@ class Outcome(IntEnum):
         """The name in small letters, as in the `flag_meanings` of an ensemble's `status`."""
         return self.name.lower()
 
-    @property
-    def is_valid(self) -> bool:
-        """Whether the motion up to its end is valid."""
-        return self in VALID_OUTCOMES
-
     NOT_COMPUTED = -1, "not run"
-    FINISHED = 0, "finished"
+    FINISHED = 0, "finished", "", True
     TOO_MANY_STEPS = (
         1,
         "took {max_steps} steps, `max_steps`",
@@ -62,7 +62,7 @@ class Outcome(IntEnum):
         "Check the loads, specifieds and constants there for a division by zero or a function "
         "outside its domain.",
     )
-    TERMINATED = 5, "terminated by `{event}`"
+    TERMINATED = 5, "terminated by `{event}`", "", True
     CONSTRAINTS_NOT_MET = (
         6,
         "could not bring the state back onto the constraints after a step of {step:.3g}",
@@ -78,6 +78,7 @@ class Outcome(IntEnum):
         8,
         "events `{event}` accumulate",
         "Make the event terminal, or let its reset stop the motion as it stops in reality.",
+        True,
     )
     START_OFF_CONSTRAINTS = (
         9,
@@ -171,7 +172,3 @@ class Outcome(IntEnum):
         "The time of such an event has no derivatives that are known. Pass an expression that "
         "passes through zero where that jumps, or simulate without `sensitivities`.",
     )
-
-
-VALID_OUTCOMES = (Outcome.FINISHED, Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE)
-"""After these the motion up to its end is valid: it finished, or events ended it."""

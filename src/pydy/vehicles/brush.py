@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import Self
+from dataclasses import dataclass
+from typing import ClassVar
 
-from pydy.vehicles.algebra import Algebra, Operand, Quantity
-from pydy.vehicles.forces import (
-    TireForces,
-    TireInputs,
-    check_known,
-    checked_parameters,
-    evaluate,
-    fields_of,
-)
-from pydy.vehicles.tuning import SMALLEST_SLIP
+from pydy.vehicles.algebra import Algebra, Operand
+from pydy.vehicles.forces import TireInputs, TireParameters
+from pydy.vehicles.tuning import SMALLEST_LOAD, SMALLEST_SLIP
 
 
 @dataclass(frozen=True)
-class BrushTire:
+class BrushTire(TireParameters):
     """A tire of elastic bristles, of the same stiffness in all directions, under combined slip.
 
     With the theoretical slips σ_x = κ/(1 + κ), σ_y = tan α/(1 + κ), their size σ, and
@@ -30,6 +22,7 @@ class BrushTire:
 
     At q = 1 the whole contact patch slides. Axes and signs are those of `MagicFormula`. Stiffness
     grows in proportion to the load, and the half length a of the patch with its square root.
+    Camber, speed and pressure have no effect.
 
     Parameters
     ----------
@@ -59,60 +52,12 @@ class BrushTire:
     friction: Operand
     half_length: Operand = 0.0
 
-    def __post_init__(self) -> None:
-        checked = checked_parameters(
-            fields_of(self),
-            positive=("nominal_load", "stiffness", "friction"),
-            not_negative=("half_length",),
-        )
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
-
-    @property
-    def parameters(self) -> Mapping[str, Operand]:
-        """The parameters by name."""
-        return fields_of(self)
-
-    def replace(self, **parameters: Operand) -> Self:
-        """Return the tire with some other parameters.
-
-        Parameters
-        ----------
-        **parameters
-            By name, as for the class.
-        """
-        check_known(parameters, self)
-        return replace(self, **parameters)
-
-    def forces(
-        self,
-        Fz: Quantity,
-        kappa: Quantity,
-        alpha: Quantity,
-        gamma: Quantity = 0.0,
-        *,
-        speed: Quantity | None = None,
-        pressure: Quantity | None = None,
-    ) -> TireForces:
-        """Return the forces and moments of the road on the tire, at the contact point.
-
-        Parameters
-        ----------
-        Fz, kappa, alpha, gamma, speed, pressure : number, array or expression
-            As for `MagicFormula.forces`. Camber, speed and pressure have no effect.
-
-        Returns
-        -------
-        TireForces
-        """
-        inputs = {"Fz": Fz, "kappa": kappa, "alpha": alpha, "gamma": gamma}
-        return TireForces(
-            *evaluate(self._equations, self.parameters, **inputs, speed=speed, pressure=pressure)
-        )
+    _POSITIVE: ClassVar[tuple[str, ...]] = ("nominal_load", "stiffness", "friction")
+    _NOT_NEGATIVE: ClassVar[tuple[str, ...]] = ("half_length",)
 
     def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
         Fz = m.maximum(state.Fz, 0)
-        n = Fz / m.constant(self.nominal_load)
+        n = m.maximum(state.Fz / m.constant(self.nominal_load), SMALLEST_LOAD)
         mu = m.constant(self.friction)
         tangent = m.tan(state.alpha)
         slip = m.sqrt(state.kappa**2 + tangent**2 + SMALLEST_SLIP**2)
@@ -123,5 +68,5 @@ class BrushTire:
         shape = 3 - 3 * q + q**2
         rise = mu * Fz * ratio * shape
         Fy = -rise * tangent
-        trail = m.constant(self.half_length) * m.sqrt(n + SMALLEST_SLIP) * (1 - q) ** 3 / shape
+        trail = m.constant(self.half_length) * m.sqrt(n) * (1 - q) ** 3 / shape
         return rise * state.kappa, Fy, 0 * Fz, 0 * Fz, -trail * Fy

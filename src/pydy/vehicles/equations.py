@@ -7,7 +7,7 @@ equations are those of Pacejka 2012, section 4.3.2, numbered (4.E…) there, wit
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pydy.vehicles.algebra import Algebra, Operand, is_symbolic
 from pydy.vehicles.coefficients import Coefficients
@@ -74,19 +74,14 @@ _BOOK = FormulaVariant(
     relaxation_sign=-1.0,
     whole_overturning=True,
 )
-_PAPER = FormulaVariant(
+_PAPER = replace(
+    _BOOK,
     tangent=False,
-    pressure=True,
-    camber_stiffness=True,
     trail_by_size=False,
     equivalent_tangent=True,
-    uncambered=True,
     upright_weight=False,
-    scaled_trail=True,
     scaled_arm=False,
     saturation=1.0,
-    relaxation_sign=-1.0,
-    whole_overturning=True,
 )
 _MF52 = FormulaVariant(
     tangent=False,
@@ -102,20 +97,7 @@ _MF52 = FormulaVariant(
     relaxation_sign=-1.0,
     whole_overturning=False,
 )
-_PAC2002 = FormulaVariant(
-    tangent=False,
-    pressure=True,
-    camber_stiffness=False,
-    trail_by_size=False,
-    equivalent_tangent=True,
-    uncambered=False,
-    upright_weight=False,
-    scaled_trail=False,
-    scaled_arm=False,
-    saturation=1.0,
-    relaxation_sign=1.0,
-    whole_overturning=True,
-)
+_PAC2002 = replace(_MF52, pressure=True, relaxation_sign=1.0, whole_overturning=True)
 # By version and by the source of its equations; the first of a version is its default.
 FORMS: dict[str, dict[str, FormulaVariant]] = {
     "5.2": {"tno": _MF52},

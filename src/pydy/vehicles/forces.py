@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
-from typing import NamedTuple, Protocol, Self
+from dataclasses import dataclass, fields, replace
+from typing import ClassVar, NamedTuple, Protocol, Self, cast
 
 import numpy as np
 
@@ -75,6 +76,91 @@ class Tire(Protocol):
         pressure: Operand = None,
     ) -> TireForces:
         """Return the forces at the road."""
+
+
+class TireEquations(ABC):
+    """A tire that is given by the equations of its forces, written once for all kinds of inputs."""
+
+    @property
+    @abstractmethod
+    def parameters(self) -> Mapping[str, Operand]:
+        """The parameters by name."""
+
+    @abstractmethod
+    def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
+        """Return F_x, F_y, M_x, M_y and M_z."""
+
+    def forces(
+        self,
+        Fz: Quantity,
+        kappa: Quantity,
+        alpha: Quantity,
+        gamma: Quantity = 0.0,
+        *,
+        speed: Quantity | None = None,
+        pressure: Quantity | None = None,
+    ) -> TireForces:
+        """Return the forces and moments of the road on the tire, at the contact point.
+
+        All arguments are numbers, arrays of shapes that match, or SymPy expressions; the results
+        are of the same kind. The signs are those of the class.
+
+        Parameters
+        ----------
+        Fz : number, array or expression
+            Normal force (N). If it is not positive, there are no forces.
+        kappa : number, array or expression
+            Longitudinal slip.
+        alpha : number, array or expression
+            Slip angle (rad), from −π/2 to π/2.
+        gamma : number, array or expression, optional
+            Camber angle to the road (rad).
+        speed : number, array or expression, optional
+            Longitudinal speed V_x of the wheel's centre (m/s), negative if it rolls backwards. By
+            default the speed of the measurement, LONGVL.
+        pressure : number, array or expression, optional
+            Inflation pressure (Pa). By default INFLPRES, otherwise NOMPRES.
+
+        Returns
+        -------
+        TireForces
+        """
+        inputs: dict[str, Operand] = {"Fz": Fz, "kappa": kappa, "alpha": alpha, "gamma": gamma}
+        results = evaluate(
+            self._equations, self.parameters, **inputs, speed=speed, pressure=pressure
+        )
+        return TireForces(*results)
+
+
+class TireParameters(TireEquations):
+    """A tire whose parameters are the fields of a dataclass: numbers or expressions."""
+
+    _POSITIVE: ClassVar[tuple[str, ...]]
+    _NOT_NEGATIVE: ClassVar[tuple[str, ...]] = ()
+
+    def __post_init__(self) -> None:
+        checked = checked_parameters(
+            self.parameters, positive=self._POSITIVE, not_negative=self._NOT_NEGATIVE
+        )
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    @property
+    def parameters(self) -> Mapping[str, Operand]:
+        """The parameters by name."""
+        return fields_of(self)
+
+    def replace(self, **parameters: Operand) -> Self:
+        """Return the tire with some other parameters.
+
+        Parameters
+        ----------
+        **parameters
+            By name, as for the class.
+        """
+        check_known(parameters, self)
+        changed: Operand = self  # a dataclass
+        return cast("Self", replace(changed, **parameters))
 
 
 _OPTIONAL = ("speed", "pressure")

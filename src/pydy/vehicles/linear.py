@@ -2,32 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import Self
+from dataclasses import dataclass
+from typing import ClassVar
 
-from pydy.vehicles.algebra import Algebra, Operand, Quantity
-from pydy.vehicles.forces import (
-    TireForces,
-    TireInputs,
-    check_known,
-    checked_parameters,
-    direction,
-    evaluate,
-    fields_of,
-)
+from pydy.vehicles.algebra import Algebra, Operand
+from pydy.vehicles.forces import TireInputs, TireParameters, direction
 
 
 @dataclass(frozen=True)
-class LinearTire:
+class LinearTire(TireParameters):
     """A tire whose forces are in proportion to slip and load, for small slips.
 
     With n = F_z/F_z0 and the axes and signs of `MagicFormula` it is ::
 
         F_x = n C_κ κ    F_y = −n (C_α α + C_γ γ)    M_z = n t C_α α    M_y = −f_r r F_z sgn V_x
 
-    F_x, F_y and M_z at the nominal load are those of linear single-track models. They have no
-    limit: at large slips this is no tire.
+    Below `low_speed` a polynomial of V_x with a continuous derivative replaces the sign. The
+    pressure has no effect. F_x, F_y and M_z at the nominal load are those of linear single-track
+    models. They have no limit: at large slips this is no tire.
 
     Parameters
     ----------
@@ -43,6 +35,8 @@ class LinearTire:
         Pneumatic trail t (m).
     rolling_resistance : number or expression, optional
         f_r r (m): the coefficient of rolling resistance times the radius.
+    low_speed : number or expression, optional
+        Speed (m/s) below which the rolling resistance is reduced.
 
     References
     ----------
@@ -63,65 +57,22 @@ class LinearTire:
     camber_stiffness: Operand = 0.0
     trail: Operand = 0.0
     rolling_resistance: Operand = 0.0
+    low_speed: Operand = 1.0
 
-    def __post_init__(self) -> None:
-        checked = checked_parameters(
-            fields_of(self),
-            positive=("nominal_load",),
-            not_negative=("cornering_stiffness", "slip_stiffness", "rolling_resistance"),
-        )
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
-
-    @property
-    def parameters(self) -> Mapping[str, Operand]:
-        """The parameters by name."""
-        return fields_of(self)
-
-    def replace(self, **parameters: Operand) -> Self:
-        """Return the tire with some other parameters.
-
-        Parameters
-        ----------
-        **parameters
-            By name, as for the class.
-        """
-        check_known(parameters, self)
-        return replace(self, **parameters)
-
-    def forces(
-        self,
-        Fz: Quantity,
-        kappa: Quantity,
-        alpha: Quantity,
-        gamma: Quantity = 0.0,
-        *,
-        speed: Quantity | None = None,
-        pressure: Quantity | None = None,
-    ) -> TireForces:
-        """Return the forces and moments of the road on the tire, at the contact point.
-
-        Parameters
-        ----------
-        Fz, kappa, alpha, gamma, speed, pressure : number, array or expression
-            As for `MagicFormula.forces`. The speed gives M_y its sign, and reduces it below 1 m/s;
-            the pressure has no effect.
-
-        Returns
-        -------
-        TireForces
-        """
-        inputs = {"Fz": Fz, "kappa": kappa, "alpha": alpha, "gamma": gamma}
-        return TireForces(
-            *evaluate(self._equations, self.parameters, **inputs, speed=speed, pressure=pressure)
-        )
+    _POSITIVE: ClassVar[tuple[str, ...]] = ("nominal_load", "low_speed")
+    _NOT_NEGATIVE: ClassVar[tuple[str, ...]] = (
+        "cornering_stiffness",
+        "slip_stiffness",
+        "rolling_resistance",
+    )
 
     def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
         Fz = m.maximum(state.Fz, 0)
         n = Fz / m.constant(self.nominal_load)
         side = n * m.constant(self.cornering_stiffness) * state.alpha
         Fy = -side - n * m.constant(self.camber_stiffness) * state.gamma
-        sign = 1 if state.speed is None else direction(m, state.speed)
+        speed = state.speed
+        sign = 1 if speed is None else direction(m, speed / m.constant(self.low_speed))
         return (
             n * m.constant(self.slip_stiffness) * state.kappa,
             Fy,

@@ -21,7 +21,7 @@ from pydy.vehicles.equations import (
     lateral,
     longitudinal,
 )
-from pydy.vehicles.forces import TireForces, TireInputs, evaluate, unknown_parameter
+from pydy.vehicles.forces import TireEquations, TireInputs, evaluate, unknown_parameter
 from pydy.vehicles.magic_checks import (
     ESSENTIAL,
     MODES,
@@ -46,7 +46,7 @@ from pydy.vehicles.moments import (
 from pydy.vehicles.tir import TireFile
 
 
-class MagicFormula:
+class MagicFormula(TireEquations):
     """A tire by the Magic Formula.
 
     The equations are those of Pacejka 2012, section 4.3.2, without turn slip (all ζ are 1); for
@@ -237,45 +237,6 @@ class MagicFormula:
         tire._values = checked_values({**self._values, **parameters}, tire.missing, self._form)
         tire._absent = frozenset(absent_groups(self.version, tire._values))
         return tire
-
-    def forces(
-        self,
-        Fz: Quantity,
-        kappa: Quantity,
-        alpha: Quantity,
-        gamma: Quantity = 0.0,
-        *,
-        speed: Quantity | None = None,
-        pressure: Quantity | None = None,
-    ) -> TireForces:
-        """Return the forces and moments of the road on the tire, at the contact point.
-
-        All arguments are numbers, arrays of shapes that match, or SymPy expressions; the results
-        are of the same kind. The signs are those of the class.
-
-        Parameters
-        ----------
-        Fz : number, array or expression
-            Normal force (N). If it is not positive, there are no forces.
-        kappa : number, array or expression
-            Longitudinal slip.
-        alpha : number, array or expression
-            Slip angle (rad), from −π/2 to π/2.
-        gamma : number, array or expression, optional
-            Camber angle to the road (rad).
-        speed : number, array or expression, optional
-            Longitudinal speed V_x of the wheel's centre (m/s), negative if it rolls backwards. By
-            default the speed of the measurement, LONGVL.
-        pressure : number, array or expression, optional
-            Inflation pressure (Pa). By default INFLPRES, otherwise NOMPRES.
-
-        Returns
-        -------
-        TireForces
-        """
-        inputs = {"Fz": Fz, "kappa": kappa, "alpha": alpha, "gamma": gamma}
-        results = evaluate(self._equations, self._values, **inputs, speed=speed, pressure=pressure)
-        return TireForces(*results)
 
     def slip_stiffnesses(
         self, Fz: Quantity, gamma: Quantity = 0.0, *, pressure: Quantity | None = None

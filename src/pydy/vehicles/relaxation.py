@@ -12,7 +12,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from pydy._checks import shown
 from pydy.vehicles.algebra import Operand, is_symbolic
 from pydy.vehicles.forces import checked_parameters
-from pydy.vehicles.tuning import SHORTEST_RELAXATION, SMALLEST_SPEED
+from pydy.vehicles.tuning import SHORTEST_RELAXATION, SMALLEST_SLIDING
 
 if TYPE_CHECKING:
     from pydy._sympy_types import Expression
@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SlidingSpeeds:
-    """Velocity of the wheel's material at the contact point, and V_x of the wheel's centre."""
+    """Velocity of the wheel's material at the contact point, V_x of its centre, and its radius."""
 
+    radius: Operand
     speed: Expression
     forward: Expression
     left: Expression
@@ -46,7 +47,7 @@ def transient_slips(
     slip s the deflections are bounded as in the LuGre model, and the slips are scaled to what they
     would be without this bound.
     """
-    lag_x, lag_y = _lengths(lengths)
+    lag_x, lag_y = _lengths(lengths, SHORTEST_RELAXATION * sliding.radius)
     u, v = _deflections(deflections)
     checked = checked_parameters(
         values, positive=("low_speed", "sliding_slip"), not_negative=("damping",)
@@ -55,7 +56,8 @@ def transient_slips(
     # 1 at rest, 0 from low_speed on, with a continuous derivative.
     ratio = sm.Min(size / checked["low_speed"], 1, evaluate=False)
     slow = (1 + sm.cos(sm.pi * ratio)) / 2
-    total = sm.sqrt(sliding.forward**2 + sliding.left**2 + SMALLEST_SPEED**2)
+    unresolved = SMALLEST_SLIDING * checked["low_speed"]
+    total = sm.sqrt(sliding.forward**2 + sliding.left**2 + unresolved**2)
     bound = total / checked["sliding_slip"]
     decay = sm.Max(size, bound, evaluate=False)
     growth = decay / sm.Max(size, slow * bound, evaluate=False)
@@ -71,7 +73,7 @@ def transient_slips(
     )
 
 
-def _lengths(lengths: object) -> list[Operand]:
+def _lengths(lengths: object, shortest: Operand) -> list[Operand]:
     if not isinstance(lengths, (tuple, list)) or len(lengths) != 2:
         raise TypeError(
             "`lengths` must be a pair of relaxation lengths, longitudinal and lateral, got "
@@ -80,10 +82,7 @@ def _lengths(lengths: object) -> list[Operand]:
     names = ("lengths[0]", "lengths[1]")
     checked = checked_parameters(dict(zip(names, lengths, strict=True)), positive=names)
     # Lengths that depend on the load vanish with it, and the decay would have no bound.
-    return [
-        sm.Max(x, SHORTEST_RELAXATION, evaluate=False) if is_symbolic(x) else x
-        for x in checked.values()
-    ]
+    return [sm.Max(x, shortest, evaluate=False) if is_symbolic(x) else x for x in checked.values()]
 
 
 def _deflections(deflections: object) -> tuple[Operand, Operand]:

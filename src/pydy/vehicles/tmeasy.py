@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
-from pydy.vehicles.algebra import Algebra, Operand, Quantity, is_symbolic
+from pydy.vehicles.algebra import Algebra, Operand, is_symbolic
 from pydy.vehicles.forces import (
-    TireForces,
+    TireEquations,
     TireInputs,
     checked_parameters,
-    evaluate,
     fields_of,
     unknown_parameter,
 )
@@ -28,13 +27,14 @@ _ORDER = (
 
 
 @dataclass(frozen=True)
-class TMeasy:
+class TMeasy(TireEquations):
     """TMeasy of Rill: forces by their initial rise, their peak, and where all slides.
 
     Each parameter is a pair of values, at the nominal load and at twice that load. Forces and
     rises are parabolas of the load through zero, slips and the trail are linear in it. Combined
     slip is the size of the slip vector, each component normalised by its own characteristic.
-    Axes and signs are those of `MagicFormula`; slips are κ and tan α.
+    Axes and signs are those of `MagicFormula`; slips are κ and tan α. Camber, speed and pressure
+    have no effect.
 
     Parameters
     ----------
@@ -145,32 +145,6 @@ class TMeasy:
             else:
                 raise unknown_parameter(name, {**whole, **self.parameters})
         return replace(self, **whole)
-
-    def forces(
-        self,
-        Fz: Quantity,
-        kappa: Quantity,
-        alpha: Quantity,
-        gamma: Quantity = 0.0,
-        *,
-        speed: Quantity | None = None,
-        pressure: Quantity | None = None,
-    ) -> TireForces:
-        """Return the forces and moments of the road on the tire, at the contact point.
-
-        Parameters
-        ----------
-        Fz, kappa, alpha, gamma, speed, pressure : number, array or expression
-            As for `MagicFormula.forces`. Camber, speed and pressure have no effect.
-
-        Returns
-        -------
-        TireForces
-        """
-        inputs = {"Fz": Fz, "kappa": kappa, "alpha": alpha, "gamma": gamma}
-        return TireForces(
-            *evaluate(self._equations, self.parameters, **inputs, speed=speed, pressure=pressure)
-        )
 
     def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
         load = m.maximum(state.Fz / m.constant(self.nominal_load), SMALLEST_LOAD)

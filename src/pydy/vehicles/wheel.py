@@ -178,7 +178,9 @@ class WheelContact:
         self.contact = lowest + self.gap / upright * down
         sliding = velocity + rotation.cross(self.contact)
         self.speed = velocity.dot(self.forward)
-        self._sliding = SlidingSpeeds(self.speed, sliding.dot(self.forward), sliding.dot(self.left))
+        self._sliding = SlidingSpeeds(
+            r, self.speed, sliding.dot(self.forward), sliding.dot(self.left)
+        )
         size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
         self.kappa = -self._sliding.forward / size
         self.alpha = sm.atan(self._sliding.left / size)
@@ -213,7 +215,7 @@ class WheelContact:
         ----------
         lengths : pair of numbers or expressions
             Relaxation lengths σ_κ and σ_α (m), such as those of `MagicFormula.relaxation_lengths`
-            at one load, or at `normal_force`. Expressions are replaced by 1 cm where less.
+            at one load, or at `normal_force`. Expressions are at least a 32nd of the radius.
         deflections : pair of functions of time
             u and v (m). They are coordinates of the model, with the `kinematic_equations` of the
             result.

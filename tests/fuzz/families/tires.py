@@ -160,6 +160,7 @@ _LINEAR = {
     "nominal_load": _positive,
     **dict.fromkeys(("cornering_stiffness", "slip_stiffness", "rolling_resistance"), _not_negative),
     **dict.fromkeys(("camber_stiffness", "trail"), _any),
+    "low_speed": _positive,
 }
 _BRUSH = {
     **dict.fromkeys(("nominal_load", "stiffness", "friction"), _positive),

@@ -15,7 +15,7 @@ import numpy as np
 from pydy._backends.tuning import COMPILED_FROM, READ_FROM
 from pydy._kernel import Sweep
 
-LANES = 8
+LANES = 8  # as those of ensembles, whose code the cache may have
 
 
 class ManyStates:

@@ -34,7 +34,7 @@ from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.constraint_rank import ConstraintRank
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import VALID_OUTCOMES, Outcome
+from pydy.solvers.outcome import Outcome
 from pydy.solvers.reflection import reflected, reversed_times
 from pydy.solvers.run.dense_output import DenseOutput
 from pydy.solvers.run.departure import (
@@ -707,7 +707,7 @@ class Integration(Workspace):
 
     def _dense_output(self) -> DenseOutput | None:
         rows = self.step_rows()
-        if self.code not in VALID_OUTCOMES:
+        if not Outcome(self.code).is_valid:
             return None
         if rows is None or not len(rows):
             return None
