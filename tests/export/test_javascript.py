@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 
-from oracles import departures
+from oracles import crossings, departures
 from pydy._assembly.programs import block_program
 from pydy._program.operations import SHIPPED
 from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
@@ -76,7 +76,7 @@ def test_very_long_programs_are_divided(monkeypatch):
 SIMULATE = """
 import(process.argv[1]).then(({ default: model }) => {
   const runs = JSON.parse(process.argv[2]).map((given) => {
-    const run = model.simulate({ ...given, rtol: 1e-10, atol: 1e-12 });
+    const run = model.simulate({ ...given, rtol: 1e-11, atol: 1e-13 });
     return { ...run, states: run.states.map((row) => Array.from(row)) };
   });
   console.log(JSON.stringify(runs));
@@ -84,12 +84,18 @@ import(process.argv[1]).then(({ default: model }) => {
 """
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
+def simulated(folder, system, events, wanted):
+    """Run an exported module by Node.js, once for each of `wanted`."""
+    path = system.export(folder / "table.js", events=events).path.rename(folder / "table.mjs")
+    command = ["node", "-e", SIMULATE, path.as_uri(), json.dumps(wanted)]
+    return json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+
+
+by_node = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
+
+
+@by_node
 def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path):
-    module = departures.started(departures.CASES[0]).export(
-        tmp_path / "table.js", events=departures.events()
-    )
-    path = module.path.rename(tmp_path / "table.mjs")
     wanted = [
         {
             "times": departures.TIMES,
@@ -98,9 +104,18 @@ def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path):
         }
         for case in departures.CASES
     ]
-    command = ["node", "-e", SIMULATE, path.as_uri(), json.dumps(wanted)]
-    runs = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    system = departures.started(departures.CASES[0])
+    runs = simulated(tmp_path, system, departures.events(), wanted)
     for case, run in zip(departures.CASES, runs, strict=True):
         moments, heights = [e["time"] for e in run["events"]], [row[0] for row in run["states"]]
         assert heights[0] == 0.0
         departures.check(case, moments, heights, run["status"] == "stopped")
+
+
+@by_node
+def test_crossings_follow_the_table(tmp_path):
+    wanted = [crossings.for_javascript(case) for case in crossings.CASES]
+    system = crossings.started(crossings.CASES[0])
+    runs = simulated(tmp_path, system, crossings.events(), wanted)
+    for case, run in zip(crossings.CASES, runs, strict=True):
+        crossings.check_javascript(case, run)
