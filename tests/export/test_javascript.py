@@ -7,10 +7,18 @@ import subprocess
 
 import pytest
 
-from oracles import crossings, departures
+from oracles import crossings, departures, projections
 from pydy._assembly.programs import block_program
+from pydy._evaluation.exporting import exported_model
 from pydy._program.operations import SHIPPED
-from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
+from pydy.export.javascript import (
+    LONGEST,
+    PRELUDE,
+    _projection,
+    javascript_module,
+    javascript_of,
+    literal,
+)
 from zoo.exported_models import ball, hostile, pendulum
 
 
@@ -87,6 +95,11 @@ import(process.argv[1]).then(({ default: model }) => {
 def simulated(folder, system, events, wanted):
     """Run an exported module by Node.js, once for each of `wanted`."""
     path = system.export(folder / "table.js", events=events).path.rename(folder / "table.mjs")
+    return run_by_node(path, wanted)
+
+
+def run_by_node(path, wanted):
+    """Return what `simulate` of a module returns for each of `wanted`."""
     command = ["node", "-e", SIMULATE, path.as_uri(), json.dumps(wanted)]
     return json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
 
@@ -119,3 +132,14 @@ def test_crossings_follow_the_table(tmp_path):
     runs = simulated(tmp_path, system, crossings.events(), wanted)
     for case, run in zip(crossings.CASES, runs, strict=True):
         crossings.check_javascript(case, run)
+
+
+@by_node
+@pytest.mark.parametrize("case", projections.CASES, ids=lambda case: case.name)
+def test_projections_follow_the_table(tmp_path, case):
+    model = exported_model(projections.started(case)._now(), constraints="project")
+    path = tmp_path / "table.mjs"
+    path.write_text(javascript_module(model, [case.name]), encoding="utf-8")
+    (run,) = run_by_node(path, [{"times": [0.0, 1e-9], "initial": case.start}])
+    assert run["status"] == "finished"
+    projections.check(case, run["states"][0])

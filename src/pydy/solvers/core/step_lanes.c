@@ -498,16 +498,16 @@ APART int64_t clear_lanes(const LaneRun *run)
 INLINE Flags may_dip(const Real *z)
 {
     Flags found = flags(0);
-    Real left = (z[1] - z[0]) / (PLACES[1] - PLACES[0]);
+    Real left = (z[1] - z[0]) / (scan_points[1] - scan_points[0]);
     for (int i = 1; i < PARTS; i++) {
-        const double a = PLACES[i - 1], b = PLACES[i], c = PLACES[i + 1];
+        const double a = scan_points[i - 1], b = scan_points[i], c = scan_points[i + 1];
         const Real right = (z[i + 1] - z[i]) / (c - b);
         const Flags bent = (right > left) & (z[i - 1] > 0.0);
         if (bits(bent) != 0) {
             const Real bend = (right - left) / (c - a), slope = left + bend * (b - a);
             const Real place = b - 0.5 * slope / bend;
-            const double first = i > 1 ? a : -PLACES[1];
-            const double last = i + 1 < PARTS ? c : 2.0 - PLACES[PARTS - 1];
+            const double first = i > 1 ? a : -scan_points[1];
+            const double last = i + 1 < PARTS ? c : 2.0 - scan_points[PARTS - 1];
             found = found | (bent & (place >= first) & (place <= last));
         }
         left = right;
@@ -536,12 +536,12 @@ APART int64_t quiet_lanes(const LaneRun *run, const Stepper *s, int64_t look, co
     const Flags unknown = item(w->known.at, 0) != item(run->lanes.time.at, 0);
     int64_t failed = 0;
     if ((bits(unknown) & look) != 0) {
-        failed |= probe_lanes(run, s, PLACES[0], w->further.at) & bits(unknown);
+        failed |= probe_lanes(run, s, scan_points[0], w->further.at) & bits(unknown);
         for (int64_t k = 0; k < number; k++)
             put(w->ends.at, k, where(unknown, item(w->further.at, k), item(w->ends.at, k)));
     }
     for (int part = 1; part <= PARTS; part++)
-        failed |= probe_lanes(run, s, PLACES[part], w->ends.at + part * number * W);
+        failed |= probe_lanes(run, s, scan_points[part], w->ends.at + part * number * W);
     Flags quiet = flags(look & ~failed);
     for (int64_t k = 0; k < number; k++) {
         const Real side = item(w->sides.at, k);

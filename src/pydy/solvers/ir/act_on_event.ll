@@ -1,4 +1,4 @@
-; sources 47845086b17559891b8cf48c073927c65f4b7ca2618131b3b49f4586a9fd2df2
+; sources 1ae7d1bf8ebdbcb0b8ff1bf8a805c26e62a48408c63e68d43ca2ea60090b50a3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

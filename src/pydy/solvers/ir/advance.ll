@@ -1,4 +1,4 @@
-; sources 0e977a06900074881d8dc6d4fcab700b33acf950da9561c58ed7ab401d61a252
+; sources 8a8b12805fc8917a4859c6111d5ca4d3d5f2bf2533759d39dbd8505364afe6d5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

@@ -1,4 +1,4 @@
-; sources d5a70117e7fe1afde34370b1ce724f62c1e1b54df6267387858239cc04d889d3
+; sources 4da5790c9f15c38de3be0883a4dc8bcbbca1a11f5bb7c8cd24edefaed129ceef
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

@@ -1,4 +1,4 @@
-; sources 685d979da0e21e3bb613cb2d45f4c9cddca4e1250a2a322d58a58845e0e3959c
+; sources cd263d620af591505aac18b528eb853547434caa7470de0a3047c2336afa4ec6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

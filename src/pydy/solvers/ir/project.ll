@@ -1,4 +1,4 @@
-; sources a43ffb530cc36d5b5253e4527b3d0ad7b12a1d45135fb0e31ed428aa045fd0d2
+; sources 8437aa34a50666c282d564ba3370dd761ed38150afd7abb7f1a5f693c8550ea3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

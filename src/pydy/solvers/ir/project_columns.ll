@@ -1,4 +1,4 @@
-; sources 105b5bb5bb208e510f67dceef51953aa57781bd02444bd9852b67d07d4bc51b0
+; sources a312bf26453308a193f6e4367141fc0bdd680b3d41b7e8e0c38374bdc6bc8454
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

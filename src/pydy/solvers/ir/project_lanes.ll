@@ -1,4 +1,4 @@
-; sources 285414951fd54a14565feb3257211bf01ed6ee50df47e07ad4af89ed4de0a7a1
+; sources 94abe59efabc2b3bd33fe95ee17f4ac11a860756ca3253d9167548cdeb31b9a4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

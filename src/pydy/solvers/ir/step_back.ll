@@ -1,4 +1,4 @@
-; sources cf7476f3c9c4d1c811098c6950ee1a7239d54a4177569de40b6b6a2f9c618c6e
+; sources 69872920d8dc76650f07ebffcf4c0c04ab68b146d89cc5e55ee8f20b38a0c5fe
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

@@ -1,9 +1,9 @@
-; sources 023b809c6f5bb705644103a72ba9048a69fda06e4d929fd0324e450e1c722e13
+; sources bede00f800ae4000b00a447f09d1fbfd4a8a22031cded742a9a03a7dd47cb6e5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
 
-@PLACES = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
+@scan_points = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
 
 define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %2 = alloca [64 x double], align 16
@@ -4619,7 +4619,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 126:                                              ; preds = %101, %172
   %127 = phi i64 [ 1, %101 ], [ %186, %172 ]
   %128 = phi i64 [ %102, %101 ], [ %185, %172 ]
-  %129 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %127
+  %129 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %127
   %130 = load double, ptr %129, align 8
   %131 = load ptr, ptr %103, align 8
   %132 = mul i64 %104, %127
@@ -4793,10 +4793,10 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %258 = phi <8 x i64> [ zeroinitializer, %250 ], [ %314, %313 ]
   %259 = phi <8 x double> [ %255, %250 ], [ %274, %313 ]
   %260 = add nsw i64 %257, -1
-  %261 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %257
+  %261 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %257
   %262 = load double, ptr %261, align 8
   %263 = add nuw nsw i64 %257, 1
-  %264 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %263
+  %264 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %263
   %265 = load double, ptr %264, align 8
   %266 = getelementptr inbounds <8 x double>, ptr %5, i64 %263
   %267 = load <8 x double>, ptr %266, align 64
@@ -4817,7 +4817,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %281, label %313, label %282
 
 282:                                              ; preds = %256
-  %283 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %260
+  %283 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %260
   %284 = load double, ptr %283, align 8
   %285 = fsub <8 x double> %274, %259
   %286 = fsub double %265, %284

@@ -1,4 +1,4 @@
-; sources 1650223309c6a31c138bc4c281c8fc3a41305ff6d5f9775efe6571f6399f93e4
+; sources acf6737d6f7dd53595b5db718a78db8bee95920bb1ff864e63eedfffed650795
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -7,7 +7,7 @@
 @TO_WAVES = internal unnamed_addr constant [3 x [3 x double]] [[3 x double] [double 0x4010B70201A79C46, double 0x3FD4F8C15DA84E86, double 0x3FE0BF7FF59D56EF], [3 x double] [double 0xC010B70201A79C46, double 0xBFD4F8C15DA84E86, double 0x3FDE810014C55221], [3 x double] [double 0x3FE017885A24A7F2, double 0xC004934E6FCAA598, double 0x3FE312C0CF7BDFD1]], align 16
 @FROM_WAVES = internal unnamed_addr constant [3 x [3 x double]] [[3 x double] [double 0x3FB82D23845D677B, double 0xBFC214A74C403BF7, double 0x3F9EBFF91A6D688E], [3 x double] [double 0x3FD0037DE70AA1ED, double 0x3FCA20E91E20B551, double 0xBFD8821FA2A36DED], [3 x double] [double 1.000000e+00, double 1.000000e+00, double 0.000000e+00]], align 16
 @POLYNOMIAL = internal unnamed_addr constant [3 x [3 x double]] [[3 x double] [double 0x402418FD8BAFFE05, double 0xC039A12CE7B30915, double 0x402F295C43B61425], [3 x double] [double 0xBFF61D41B2D54580, double 0x402497AF24BB677E, double 0xC021D406EE60BECF], [3 x double] [double 0x3FD5555555555555, double 0xC005555555555555, double 0x400AAAAAAAAAAAAB]], align 16
-@PLACES = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
+@scan_points = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
 
 define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %2 = alloca [3 x double], align 16
@@ -6352,7 +6352,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 126:                                              ; preds = %101, %172
   %127 = phi i64 [ 1, %101 ], [ %186, %172 ]
   %128 = phi i64 [ %102, %101 ], [ %185, %172 ]
-  %129 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %127
+  %129 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %127
   %130 = load double, ptr %129, align 8
   %131 = load ptr, ptr %103, align 8
   %132 = mul i64 %104, %127
@@ -6526,10 +6526,10 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %258 = phi <8 x i64> [ zeroinitializer, %250 ], [ %314, %313 ]
   %259 = phi <8 x double> [ %255, %250 ], [ %274, %313 ]
   %260 = add nsw i64 %257, -1
-  %261 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %257
+  %261 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %257
   %262 = load double, ptr %261, align 8
   %263 = add nuw nsw i64 %257, 1
-  %264 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %263
+  %264 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %263
   %265 = load double, ptr %264, align 8
   %266 = getelementptr inbounds <8 x double>, ptr %5, i64 %263
   %267 = load <8 x double>, ptr %266, align 64
@@ -6550,7 +6550,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %281, label %313, label %282
 
 282:                                              ; preds = %256
-  %283 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %260
+  %283 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %260
   %284 = load double, ptr %283, align 8
   %285 = fsub <8 x double> %274, %259
   %286 = fsub double %265, %284
