@@ -46,6 +46,17 @@ def test_a_branch_goes_around_its_folds():
     assert (branch.values[0], branch.values[-1]) == (-3.0, 3.0)
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_branch_may_begin_at_its_fold(sign):
+    """p = x² has a fold at x = 0, where the branch leaves in the direction that is not stiff."""
+    system = in_a_potential(lambda x, p: sign * p - x**2)
+    branch = system.follow_equilibria({"p": [0.0, sign]})
+    assert branch.ended == "bounds"
+    assert len(branch.values) > 5
+    np.testing.assert_allclose(branch["x"] ** 2, sign * branch.values, atol=1e-10)
+    assert branch.values[-1] == sign
+
+
 @pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e5), (1e-3, 1e-9)])
 def test_folds_are_found_in_any_units(metre, second):
     """A micromachined beam that snaps through: in SI units its fold was stepped over."""

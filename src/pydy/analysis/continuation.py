@@ -186,12 +186,13 @@ class _BranchCurve:
         self.scale = sizes_along(np.where(noise[:, None], 0.0, first), z, units)
         self.scale[:-1] *= self._above_rounding(first, z)[:-1]
         self.sizes = self._rows(first)
-        slopes = self.J(z)[:, :-1] * self.scale[:-1]
-        _, singular, vt = np.linalg.svd(slopes)
-        rank = rank_of(singular)
-        free = vt[rank:]
-        # A direction in which the parameter changes to first order, as at a fold, is not fixed.
-        self.free_directions = free if len(free) <= max(0, len(z) - 1 - rank) else free[:0]
+        slopes = self.J(z) * self.scale
+        _, singular, vt = np.linalg.svd(slopes[:, :-1])
+        free = vt[rank_of(singular) :]
+        # The slope by the parameter adds to the rank at a fold alone, where the curve itself leaves
+        # along a free direction: no direction is fixed there.
+        symmetries = len(z) - 1 - rank_of(np.linalg.svd(slopes, compute_uv=False))
+        self.free_directions = free if len(free) <= symmetries else free[:0]
         self.origin = z
         u = np.linalg.svd(self._jacobian_with_free_rows(z), full_matrices=False)[0]
         self.rows = u[:, : len(z) - 1].T

@@ -226,8 +226,8 @@ def _with_initial_free_unknowns(
     """
     solution = accepted[0]
     slopes = problem.jacobian(solution)
-    free, columns = null_space(slopes, problem.sizes(slopes, solution).units)
-    back = free.T @ (free @ ((start - solution) / columns)) * columns
+    free, units = null_space(slopes, problem.sizes(slopes, solution).units)
+    back = free.T @ (free @ ((start - solution) / units)) * units
     if not np.abs(back).max(initial=0.0) > 0.0:
         return accepted
     with np.errstate(all="ignore"):
@@ -241,9 +241,7 @@ def _with_initial_free_unknowns(
             candidate = _checked_solution(problem, polished, bounds, "")
         except EquilibriumError:
             return accepted
-    nearer = np.linalg.norm((polished - start) / columns) < np.linalg.norm(
-        (solution - start) / columns
-    )
+    nearer = np.linalg.norm((polished - start) / units) < np.linalg.norm((solution - start) / units)
     return candidate if nearer else accepted
 
 
@@ -388,11 +386,11 @@ def _undetermined(
     """Return the null space of the equations as text: sums of unknowns."""
     if not slopes.size:
         return tuple(unknowns)
-    free, columns = null_space(slopes, units)
+    free, column_units = null_space(slopes, units)
     free = _row_echelon(free)
     # Small shares are dropped in units of the columns; the text is in the user's units.
     free = np.where(np.abs(free) >= DIGITS * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
-    return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)
+    return tuple(direction_text(direction, unknowns, 0.0) for direction in free * column_units)
 
 
 def _row_echelon(rows: np.ndarray) -> np.ndarray:

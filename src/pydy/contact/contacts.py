@@ -494,7 +494,7 @@ class ContactMotions:
         except StartError:
             code, end = Outcome.START_OFF_CONSTRAINTS, float(times[0])
         except ContactError as error:
-            motion, end = run.partial(), error.time
+            motion, end = run.motion_so_far(), error.time
             failure = getattr(error.__cause__, "info", None) or {}
             code = failure.get("code", Outcome.CONTACTS_IMPOSSIBLE)
         happened = [] if motion is None else motion.events
