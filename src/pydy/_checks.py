@@ -470,7 +470,7 @@ def _spellings(key: object) -> set[str]:
 
 
 def refuse_twice(symbols: Iterable[object], argument: str) -> None:
-    """Refuse a dictionary in which two keys denote the same symbol."""
+    """Refuse entries, or keys of a dictionary, of which two denote the same symbol."""
     previous: set[object] = set()
     for symbol in symbols:
         if symbol in previous:

@@ -294,6 +294,40 @@ def test_other_times_can_be_asked_of_solve_ivp():
         system.integrate(t_eval=[0.5, 2.0])
 
 
+def test_times_against_the_motion_are_those_that_a_terminal_event_leaves():
+    system = free_fall()
+    system.times = [0.0, 1.0]
+    x, info = system.integrate(t_eval=[0.9, 0.2], events=ground, full_output=True, **TIGHT)
+    np.testing.assert_array_equal(info["times"], [0.2])
+    np.testing.assert_allclose(x[:, 0], [2.0 - 9.81 / 2 * 0.2**2], atol=1e-9)
+
+
+def test_events_of_a_motion_backwards_come_in_its_order():
+    def high(t, x):
+        return x[0] + 1.0
+
+    system = free_fall()
+    system.times, system.initial_conditions = [0.0, -1.0], {"x0": 2.0}  # it came from below
+    run = system.simulate(events=[ground, high], t_eval=[0.0], **TIGHT)
+    assert [e.name for e in run.events] == ["ground"]
+    ground_goes_on = lambda t, x: x[0]  # noqa: E731
+    run = system.simulate(events=[high, ground_goes_on], t_eval=[0.0], **TIGHT)
+    assert [round(e.time, 3) for e in run.events] == [-0.639, -0.782]
+
+
+@pytest.mark.parametrize("name", ["RK45", "Radau", "BDF", "LSODA"])
+def test_accepted_steps_are_counted_for_every_method(name, system):
+    system.ode_solver = name
+    _, info = system.integrate(dense_output=True, full_output=True, **TIGHT)
+    assert info["steps"] == len(info["dense_output"].starts) - 1
+
+
+def test_equal_times_keep_the_times_asked_for():
+    system = free_fall()
+    system.times = [1.0, 1.0]
+    assert system.simulate(t_eval=[1.0, 1.0, 1.0]).times.tolist() == [1.0] * 3
+
+
 def test_an_event_before_the_first_output_leaves_no_row():
     system = free_fall()
     found, info = system.integrate(t_eval=[0.9, 1.0], events=ground, full_output=True, **TIGHT)

@@ -1,6 +1,6 @@
 """The forms of the Magic Formula, and what all its equations depend on.
 
-Published versions share most equations. Where they differ, a `Form` says which is meant. The
+Published versions share most equations; a `FormulaVariant` names those that differ. The
 equations are those of Pacejka 2012, section 4.3.2, numbered (4.E…) there, without turn slip: all
 ζ are 1.
 """
