@@ -2199,6 +2199,7 @@ class System:
         -------
         EquilibriumBranch
             It ends where the parameter leaves its range, or where the branch returns to its start.
+            A branch that ends elsewhere, after `most` points or because it was lost, warns.
 
         Raises
         ------

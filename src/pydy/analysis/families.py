@@ -9,7 +9,7 @@ import numpy as np
 
 from pydy._assembly import Definition
 from pydy._checks import check_mapping, flag, integer, positive, real_array, shown
-from pydy._errors import EquilibriumError, finished_before
+from pydy._errors import EquilibriumError, finished_before, warn_user
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import unique_names
 from pydy._optional import progress_of
@@ -280,6 +280,13 @@ def eigenvalues(
     return sweep
 
 
+_ENDS = {
+    "steps": "it has `most` = {most} points. Raise `most`, or `step` if the branch is smooth.",
+    "lost": "no equilibrium was found near the last one. Where equations jump or contradict each "
+    "other there is none; from a branch point, start beside it.",
+}
+
+
 def follow_equilibria(
     problem: Problem,
     over: Mapping[SymbolOrName, ArrayLike],
@@ -323,6 +330,11 @@ def follow_equilibria(
         special=tuple(special),
         ended=ended,
     )
+    if ended in _ENDS:
+        warn_user(
+            f"The branch of equilibria ends at {branch.parameter} = {z[-1, -1]:.6g}, within its "
+            f"range: {_ENDS[ended].format(most=most)}"
+        )
     if stop is not None:
         raise finished_before(
             stop,
