@@ -1,4 +1,4 @@
-"""A run of all tests tries every quick case, one of 48 parts of the slow ones, and a sample of each.
+"""A run of all tests tries every quick case, a part of the slow ones, and a sample of each.
 
 A test function is slow if its cases take 0.2 s of processor time together, or more. `slow.txt`,
 beside this file, lists these functions with their times; `make times` measures and writes it. The
