@@ -18,7 +18,7 @@ from pydy._motion.events_and_constraints import (
 from pydy._motion.scipy_options import named_for_odeint
 from pydy._motion.scipy_solvers import SolveIvp, is_odeint, odeint_options
 from pydy._option_checks import check_option_names
-from pydy._problem import AssumptionChecks, CallArguments, Model, Problem
+from pydy._problem import AssumptionChecks, Model, Problem, read_times
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
     CompiledEvents,
@@ -203,7 +203,7 @@ def prepare(
     stores = isinstance(solver, Solver) or (isinstance(solver, SolveIvp) and alone)
     if AssumptionChecks(problem).judged() and stores and "dense_output" not in options:
         options = {**options, "dense_output": True}
-    times, plan = CallArguments(problem).times(times), problem.plan
+    times, plan = read_times(problem, times), problem.plan
     if plan.inputs.sampled:
         plan.check_times(times, "times")
     ready: PreparedIntegration | None = latest.get("simulation")

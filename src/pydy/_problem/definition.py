@@ -22,7 +22,6 @@ from pydy._assembly import (
 from pydy._checks import (
     SymbolIndex,
     check_mapping,
-    descends,
     describe,
     listed,
     merged,
@@ -362,15 +361,6 @@ def check_times(times: Any) -> np.ndarray:
         raise TypeError(f"`times` must be a sequence of time values, got {typed(times)}.{remedy}")
     monotonic(array, "`times`")
     return array
-
-
-def refuse_descending(times: np.ndarray, what: str) -> None:
-    """Refuse descending times for what runs forward only."""
-    if descends(times):
-        raise ValueError(
-            f"`times` descend, from {times[0]} to {times[-1]}, but {what}. Let them ascend, or "
-            "integrate backward with `integrate` or `simulate`."
-        )
 
 
 def check_symbols(argument: str, symbols: Any, kind: str, equations: Equations) -> list[Any]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from pydy._checks import SymbolIndex
 from pydy._judges import warn_of_missing_derivatives
-from pydy._problem import Problem, refuse_descending
+from pydy._problem import Problem
 from pydy.layers.layer import KINDS, ArgumentPart, LayerFunction
 from pydy.layers.motions import MotionFunction
 from pydy.layers.values import BlockFunction
@@ -65,5 +65,4 @@ class LayerFunctions:
                 f"`times` must have at least two values before `{kind}` can be called, got "
                 f"{len(problem.settings.times)}. Set `system.times`, and make the layer after that."
             )
-        refuse_descending(problem.settings.times, f"`{kind}` integrates forward only")
         return MotionFunction(problem, self._solver, kind == "final", parts, self._options)

@@ -13,7 +13,7 @@ from pydy._forks import Lock
 from pydy._integration import SensitivityRequest, simulate
 from pydy._motion import Motion
 from pydy._names import unique_names
-from pydy._problem import CallArguments, Problem, with_settings
+from pydy._problem import Problem, read_times, with_settings
 from pydy._states import with_dependents
 from pydy.analysis import explicit_solver, motion_and_gradient
 from pydy.ensemble import integrate_ensemble
@@ -43,7 +43,9 @@ class MotionFunction:
     ) -> None:
         self.parts, self._solver, self._final, self._options = parts, solver, final, options
         definition, states = problem.definition, problem.definition.states
-        times = CallArguments(problem).times(problem.settings.times)
+        kind = "final" if final else "simulate"
+        forward = f"`{kind}` integrates forward only"
+        times = read_times(problem, problem.settings.times, forward)
         self.shape: tuple[int, ...] = (len(states),) if final else (len(times), len(states))
         self._problem = with_settings(
             problem,
