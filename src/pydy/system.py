@@ -60,7 +60,7 @@ from pydy._evaluation import (
 )
 from pydy._files import file_of
 from pydy._html import html_table
-from pydy._integration import SensitivityRequest, integrate_states, simulate
+from pydy._integration import integrate_states, simulate
 from pydy._judges import warn_of_jumps, warn_of_missing_derivatives, warn_of_outputs
 from pydy._mechanics import (
     EquationsOfMotion,
@@ -89,7 +89,6 @@ from pydy._problem import (
     Problem,
     Settings,
     SymbolSet,
-    base_symbols,
     check_forces,
     check_potential,
     check_times,
@@ -267,8 +266,9 @@ class System:
         self._equations = extract(eom_method, equations, implicit)
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)
-        base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
-        self._define = DefinitionBuilder(self._equations, base, self._energies)
+        self._define = DefinitionBuilder(
+            self._equations, self._energies, constants_symbols, specifieds_symbols
+        )
         self._options: dict[str, object] = {}
         self._generated: list[GeneratedFunction] = []  # the latest first
         self._constants: dict[SymbolOrName, float] = {}
@@ -990,18 +990,19 @@ class System:
             solver_kwargs["events"] = [*solver_kwargs["events"]]
         shown = solver_kwargs.get("progress") is True
         problem = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
-        wanted, control = None, False
-        if control_sensitivities is not False:
-            control = flag(control_sensitivities, "`control_sensitivities`")
-        if sensitivities is not None:
-            wanted = SensitivityRequest(sensitivities, control)
-        trajectory = simulate(
-            problem, self._times, solver=self.ode_solver, sensitivities=wanted, **solver_kwargs
-        ).trajectory
+        motion = simulate(
+            problem,
+            self._times,
+            solver=self.ode_solver,
+            sensitivities=sensitivities,
+            control_sensitivities=control_sensitivities,
+            **solver_kwargs,
+        )
+        trajectory = motion.trajectory
         if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, problem)
-        if wanted is not None:
-            warn_of_jumps(problem, lambda: trajectory, wanted.augmented)
+        if sensitivities is not None:
+            warn_of_jumps(problem, lambda: trajectory, motion.segments[0].augmented)
         return trajectory
 
     # -- Values and exact derivatives --------------------------------------------------------------

@@ -1,9 +1,11 @@
-from .assumption_checks import AssumptionChecks as AssumptionChecks
+from .assumption_checks import (
+    AssumptionChecks as AssumptionChecks,
+    warn_of_contradictions as warn_of_contradictions,
+)
 from .call_arguments import CallArguments as CallArguments, read_times as read_times
 from .definition import (
     DefinitionBuilder as DefinitionBuilder,
     SymbolSet as SymbolSet,
-    base_symbols as base_symbols,
     check_forces as check_forces,
     check_times as check_times,
     read_term as read_term,

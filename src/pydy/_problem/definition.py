@@ -78,12 +78,13 @@ class DefinitionBuilder:
     def __init__(
         self,
         equations: Equations,
-        base: tuple[Sequence[Any], Sequence[Any]],
         energies: EnergyModel,
+        constants_symbols: Any,
+        specifieds_symbols: Any,
     ) -> None:
         self._equations = equations
         self.energies = energies
-        self._base = base
+        self._base = base_symbols(equations, constants_symbols, specifieds_symbols)
         rows = (*equations.constraints.holonomic, *equations.constraints.nonholonomic)
         # The constraints as outputs.
         self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}

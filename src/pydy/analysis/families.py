@@ -13,7 +13,13 @@ from pydy._errors import EquilibriumError, finished_before, warn_user
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._problem import AssumptionChecks, CallArguments, Problem, read_samples, with_unknowns
+from pydy._problem import (
+    CallArguments,
+    Problem,
+    read_samples,
+    warn_of_contradictions,
+    with_unknowns,
+)
 from pydy._rank import ROUNDED, equilibrated, least_step
 from pydy._states import located
 from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
@@ -54,7 +60,7 @@ def check_swept(problem: Problem, parameter: AnySymbol, values: np.ndarray) -> N
     """Warn of values of a parameter that contradict its assumptions."""
     kind, _ = located(problem.definition, parameter, "over")
     for value in (values.min(), values.max()):
-        AssumptionChecks(problem).values(kind, {parameter: float(value)}, "`over` for ")
+        warn_of_contradictions(problem, kind, {parameter: float(value)}, "`over` for ")
 
 
 class Family:

@@ -12,7 +12,7 @@ import sympy as sm
 from pydy._checks import SymbolDict, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
 from pydy._graph import inputs_of
-from pydy._integration import AugmentedSystem, SensitivityRequest
+from pydy._integration import AugmentedSystem, SensitivityRequest, requested_sensitivities
 from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion, check_events, native_solver
 from pydy._names import column_names
@@ -244,7 +244,7 @@ class Contacts:
         PyDyUserWarning
             Outputs are not finite; or a load jumps on the way, which `sensitivities` do not know.
         """
-        request = _requested(sensitivities, control_sensitivities)
+        request = requested_sensitivities(sensitivities, control_sensitivities)
         problem = self._problem(events)[0]
         motion = self.integrate(
             problem,
@@ -403,12 +403,6 @@ class Contacts:
                 f"{shown(times.tolist())}. Set `system.times`."
             )
         return ContactRun(compiled, solver, problem, times, user_events, solver_kwargs)
-
-
-def _requested(parameters: object, controlled: object) -> SensitivityRequest | None:
-    """Return the sensitivities to compute, or None."""
-    controlled = flag(controlled, "`control_sensitivities`")
-    return None if parameters is None else SensitivityRequest(parameters, controlled)
 
 
 class ContactMotions:
