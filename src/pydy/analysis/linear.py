@@ -27,7 +27,6 @@ from pydy._problem import (
     AssumptionChecks,
     CallArguments,
     Problem,
-    StateSamples,
     read_samples,
     with_unknowns,
 )
@@ -354,7 +353,7 @@ def _state_text(k: int, m: int) -> str:
     return f"state {k} of `at`" if m > 1 else "the state"
 
 
-def _warn_of_violations(at: StateSamples) -> None:
+def _warn_of_violations(at: EvaluationPoints) -> None:
     """Warn of the first state of `at` that violates the constraints."""
     if violation := first_violation(at):
         k, message = violation
