@@ -1515,7 +1515,7 @@ class System:
         point: Point | None = None,
         *,
         frame: ReferenceFrame | None = None,
-        loads: Iterable[Load] = (),
+        loads: Iterable[Load] | None = None,
     ) -> Reaction:
         """Return the force and torque of a joint, bearing or contact on a group of bodies.
 
@@ -1539,7 +1539,8 @@ class System:
         loads : iterable of loads, optional
             Other loads that act on these bodies from outside, not at `point`: the reaction of
             another joint or contact, from multipliers or from another call. Pairs of a Point and a
-            force, or of a ReferenceFrame and a torque.
+            force, or of a ReferenceFrame and a torque. An empty list says that the resultant of all
+            is wanted.
 
         Returns
         -------
@@ -1552,6 +1553,12 @@ class System:
         TypeError, ValueError
             An argument is not valid, a position is not known, the method has no bodies, or it is a
             LagrangesMethod: a Lagrangian does not contain which load acts on which body.
+
+        Warns
+        -----
+        PyDyUserWarning
+            A constraint that closes a loop also holds the bodies, and its multiplier is not in
+            `loads`: the result is not the reaction of one joint.
 
         Notes
         -----
