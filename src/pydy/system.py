@@ -2002,10 +2002,11 @@ class System:
         Parameters
         ----------
         at : array_like, shape (n,) or (m, n), dict or Equilibrium, optional
-            States; the initial conditions by default. For several states, such as along a
-            trajectory, each matrix has an additional first axis. A dictionary replaces some of the
-            initial conditions, by symbol or name. An Equilibrium also provides the constants and
-            specifieds that were found or given.
+            States; the initial conditions by default, which should be an equilibrium: ``at={}``
+            says that they need not. For several states, such as along a trajectory, each matrix has
+            an additional first axis. A dictionary replaces some of the initial conditions, by
+            symbol or name. An Equilibrium also provides the constants and specifieds that were
+            found or given.
         t : float or array_like, shape (m,), optional
             As in `evaluate_ode`.
         inputs : iterable of specifieds or names, optional
@@ -2028,8 +2029,9 @@ class System:
         Warns
         -----
         PyDyUserWarning
-            A state does not satisfy the constraints; or a load or rate has a kink or a jump there,
-            of which the model knows one side.
+            A state does not satisfy the constraints; a load or rate has a kink or a jump there, of
+            which the model knows one side; or neither `at` nor `t` is given, the initial
+            conditions are no equilibrium, and the model changes along the motion from there.
 
         Examples
         --------
