@@ -2507,8 +2507,9 @@ class System:
         -----
         PyDyUserWarning
             The data do not determine some combinations of parameters, a parameter is at a bound,
-            the search did not converge, or neighbouring residuals are correlated, so that standard
-            errors are too small; white noise causes this warning in one of 10 000 fits.
+            the search did not converge, or neighbouring residuals are correlated: standard errors
+            are too small, or the model does not describe the data, as in a local minimum. White
+            noise causes this warning in one of 10 000 fits.
 
         Examples
         --------

@@ -323,7 +323,7 @@ def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
     messages += warn_of_estimates(undetermined, at_bounds)
     if minimum.white and success and not at_bounds and degrees > 0:
         scaled, errors = in_units_of_noise(problem.trials, residuals, max(minimum.tolerance, FIT))
-        if text := text_of_correlation(scaled, errors, not problem.noise_is_estimated):
+        if text := text_of_correlation(scaled, errors, not problem.noise_is_estimated, k):
             messages.append(text)
             warn_user(text)
     shared = list(zip(problem.shared, z.tolist(), strict=False))
