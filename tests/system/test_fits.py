@@ -304,7 +304,9 @@ def test_segments_find_what_one_shot_does_not():
     ride = system.simulate(rtol=1e-11, atol=1e-11)
     trial = Trial(times, {"q1": ride["q1"], "u1": ride["u1"]})
     system.constants = {"m0": 1e6, "g": 9.81, "l0": 1.6}
-    with pytest.warns(PyDyUserWarning, match="^The model does not .* residuals of q1 are .*; u1 are corr"):
+    with pytest.warns(
+        PyDyUserWarning, match="^The model does not .* residuals of q1 are .*; u1 are corr"
+    ):
         once = system.fit(["l0"], trial)
     assert abs(once["l0"] - 1.0) > 0.1
     several = system.fit(["l0"], trial, segments=20)
