@@ -212,7 +212,8 @@ def test_relaxation_lengths_of_the_old_versions_differ_in_a_sign():
     c = old.parameters
     Fz, Fz0 = 5000.0, c["FNOMIN"] * c["LFZO"]
     dfz = Fz / Fz0 - 1
-    for tire, sign in ((old, -1), (adams, 1), (tire_of("5.2", relaxation_sign=1), 1)):
+    for tire, sign in ((old, -1), (adams, 1), (tire_of("5.2", relaxation_sign=1), 1),
+                       (tire_of("PAC2002", relaxation_sign=-1), -1)):  # fmt: skip
         kappa, alpha = tire.relaxation_lengths(Fz)
         expected = Fz * (c["PTX1"] + c["PTX2"] * dfz) * np.exp(sign * c["PTX3"] * dfz)
         assert kappa == pytest.approx(expected * c["UNLOADED_RADIUS"] / c["FNOMIN"] * c["LSGKP"])
