@@ -40,6 +40,9 @@ class WheelContact:
     sideways on the torus, while the Magic Formula's M_x (QSX2) refers to the wheel plane: leave
     QSX2 out.
 
+    A wheel that rolls without slip needs no tire: give its `nonholonomic_constraints` to the
+    model. Without a `force` it is rigid, too, and `holonomic_constraints` keep it on the plane.
+
     Below `low_speed` that speed replaces the size of V_x: at rest a tire acts as a damper, and a
     wheel on a slope creeps, unless its slips have relaxation, see `with_relaxation`.
 
@@ -57,9 +60,10 @@ class WheelContact:
         Unit normal of the plane, towards the wheel, constant in `frame`.
     frame : ReferenceFrame
         The inertial frame.
-    force : callable
+    force : callable, optional
         ``force(gap, rate)`` returns the normal force (N), such as a law of `pydy.contact`. The gap
-        is the distance to the plane (m), negative where the tire is deflected.
+        is the distance to the plane (m), negative where the tire is deflected. By default the wheel
+        is rigid and stays on the plane.
     crown_radius : number or expression, optional
         Radius of the cross section (m): that of a torus, 0 for a thin disc.
     low_speed : number or expression, optional
@@ -71,8 +75,8 @@ class WheelContact:
     ----------
     gap, rate : expression
         Distance of the undeformed wheel to the plane (m) and its time derivative.
-    normal_force : expression
-        Load F_z (N).
+    normal_force : expression or None
+        Load F_z (N), None for a rigid wheel.
     loaded_radius : expression
         Distance from the centre to the plane within the wheel plane (m).
     contact : Vector
@@ -85,6 +89,12 @@ class WheelContact:
         Slips and camber, as a tire reads them.
     events : list of Event
         Where the wheel lifts off and touches.
+    holonomic_constraints : list of expressions
+        The gap of a rigid wheel; otherwise none.
+    nonholonomic_constraints : list of expressions
+        Sliding velocity of the wheel's material at C (m/s), forward and to the left: zero if the
+        wheel rolls without slip. A `KanesMethod` takes them after `rate`, among its
+        `velocity_constraints`.
     deflections : tuple of functions of time
         Coordinates that the slips with relaxation need, otherwise none.
     kinematic_equations : list of expressions
@@ -127,6 +137,18 @@ class WheelContact:
     ...                 initial_conditions={vx: 10, z: r}, times=np.linspace(0, 2, 21))
     >>> round(float(system.simulate()['v_x'][-1]), 2)
     6.67
+
+    The same disc is rigid and rolls without slip. A torque of 3 N m accelerates it by
+    τ/(r (m + I/r²)) = 2/3 m/s²:
+
+    >>> rolling = WheelContact(disc, N.y, r, O, N.z, N)
+    >>> system = System(Definition(N, [x, z, q], [vx, vz, w], bodies=[disc],
+    ...                            loads=[(G, -m*g*N.z), (W, 3*N.y)],
+    ...                            holonomic_constraints=rolling.holonomic_constraints,
+    ...                            nonholonomic_constraints=rolling.nonholonomic_constraints),
+    ...                 initial_conditions={z: r})
+    >>> round(float(system.evaluate_ode()[3]), 9)
+    0.666666667
     """
 
     def __init__(
@@ -137,7 +159,7 @@ class WheelContact:
         plane: Point,
         normal: Vector,
         frame: ReferenceFrame,
-        force: Law,
+        force: Law | None = None,
         *,
         crown_radius: Expression | float = 0.0,
         low_speed: Expression | float = 0.1,
@@ -148,8 +170,8 @@ class WheelContact:
         instance(frame, ReferenceFrame, "`frame`")
         for label, vector in (("axis", axis), ("normal", normal)):
             _check_unit(label, vector)
-        if not callable(force):
-            raise TypeError(f"`force` must be a function, got {shown(force)}.")
+        if not (force is None or callable(force)):
+            raise TypeError(f"`force` must be a function or None, got {shown(force)}.")
         sizes = checked_parameters(
             {"radius": radius, "crown_radius": crown_radius, "low_speed": low_speed},
             positive=("radius", "low_speed"),
@@ -172,10 +194,10 @@ class WheelContact:
         lowest = (r - crown) * down - crown * normal
         velocity, rotation = centre.vel(frame), body.frame.ang_vel_in(frame)
         self.rate = (velocity + rotation.cross(lowest)).dot(normal)
-        self.normal_force = _of_law(force, self.gap, self.rate)
+        self.normal_force = None if force is None else _of_law(force, self.gap, self.rate)
         self.loaded_radius = height / upright
         # The deflection is along the wheel plane: C lies on the ground at any camber.
-        self.contact = lowest + self.gap / upright * down
+        self.contact = lowest if force is None else lowest + self.gap / upright * down
         sliding = velocity + rotation.cross(self.contact)
         self.speed = velocity.dot(self.forward)
         self._sliding = SlidingSpeeds(
@@ -186,6 +208,8 @@ class WheelContact:
         self.alpha = sm.atan(self._sliding.left / size)
         self.gamma = sm.asin(lean)
         self.events = [Event(self.gap, name=name)]
+        self.holonomic_constraints = [self.gap] if force is None else []
+        self.nonholonomic_constraints = [self._sliding.forward, self._sliding.left]
         self.deflections: tuple[TimeFunction, ...] = ()
         self.kinematic_equations: list[Expression] = []
 
@@ -261,15 +285,25 @@ class WheelContact:
         """
         if not hasattr(tire, "forces") or isinstance(tire, type):
             raise TypeError(f"`tire` must be a tire, such as MagicFormula, got {shown(tire)}.")
+        if self.normal_force is None:
+            raise ValueError(
+                "`tire` needs a normal force, and this wheel is rigid: give the WheelContact a "
+                "`force`, or use its constraints without a tire."
+            )
         inputs = (self.normal_force, self.kappa, self.alpha, self.gamma)
         return tire.forces(*inputs, speed=self.speed, pressure=pressure)
 
-    def loads(self, tire: Tire, pressure: Expression | float | None = None) -> list[Load]:
+    def loads(
+        self, tire: Tire | None = None, pressure: Expression | float | None = None
+    ) -> list[Load]:
         """Return the force at the wheel's centre and the torque, with what acts at C moved there.
 
         Parameters
         ----------
-        tire, pressure
+        tire : tire, optional
+            As for `forces`. Without one the normal force alone acts at C, none on a rigid wheel:
+            for wheels that roll without slip.
+        pressure : number or expression, optional
             As for `forces`.
 
         Returns
@@ -278,9 +312,13 @@ class WheelContact:
             Pairs for `pydy.mechanics.Definition`, or a method of SymPy: of the centre and the
             force, with the normal force, and of the wheel's frame and the torque.
         """
-        found = self.forces(tire, pressure)
-        force = found.Fx * self.forward + found.Fy * self.left + self.normal_force * self.normal
-        moment = found.Mx * self.forward + found.My * self.left + found.Mz * self.normal
+        if tire is None and pressure is not None:
+            raise ValueError("`pressure` is that of a tire, and `tire` is None.")
+        if tire is None and self.normal_force is None:
+            return []
+        forces = TireForces(0, 0, 0, 0, 0) if tire is None else self.forces(tire, pressure)
+        force = forces.Fx * self.forward + forces.Fy * self.left + self.normal_force * self.normal
+        moment = forces.Mx * self.forward + forces.My * self.left + forces.Mz * self.normal
         torque = moment + self.contact.cross(force)
         return [(self.body.masscenter, force), (self.body.frame, torque)]
 

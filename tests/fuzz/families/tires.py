@@ -269,7 +269,7 @@ def _law(value: Any) -> Any:
 _WHEEL: dict[str, Kind] = {
     **dict.fromkeys(("body", "axis", "plane", "normal", "frame"), nothing("texts", "symbols")),
     "radius": _positive,
-    "force": Kind(_law, ("common", "functions"), compare=False),
+    "force": Kind(_law, ("common", "functions"), compare=False).or_none(),
     "crown_radius": _amount(least=0.0, below=0.3),
     "low_speed": _positive,
     "name": nothing("texts", allowed=lambda v: isinstance(v, str)),
@@ -287,7 +287,7 @@ def _(v):
     return str(WheelContact(**_wheel()).forces(v))
 
 
-@target("WheelContact.loads.tire", nothing("texts", "symbols"))
+@target("WheelContact.loads.tire", nothing("texts", "symbols", allowed=one_of(None)))
 def _(v):
     return str(WheelContact(**_wheel()).loads(v))
 
