@@ -9,6 +9,7 @@ from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import LinearTire, WheelContact
 from zoo import inertial_frame
+from zoo.wheels import free_wheel
 
 M, R, G = 10.0, 0.3, 9.81
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
@@ -16,43 +17,30 @@ TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 
 def rolling(crown=0.0, axial=M * R**2 / 2, diametral=M * R**2 / 4, method="definition", **options):
     """A free wheel with yaw, lean and spin, on the plane, and the outputs of its contact."""
-    names = me.dynamicsymbols("x y z yaw lean spin")
-    rates = me.dynamicsymbols("vx vy vz w1 w2 w3")
-    x, y, z, yaw, lean, spin = names
-    N, O = inertial_frame()
-    A = N.orientnew("A", "Axis", (yaw, N.z))
-    B = A.orientnew("B", "Axis", (lean, A.x))
-    W = me.ReferenceFrame("W")
-    W.orient_axis(B, B.y, spin)
-    turning = W.ang_vel_in(N)
-    W.set_ang_vel(N, sum(w * v for w, v in zip(rates[3:], B, strict=True)))
-    C = O.locatenew("C", x * N.x + y * N.y + z * N.z)
-    C.set_vel(N, sum(v * e for v, e in zip(rates[:3], N, strict=True)))
-    body = me.RigidBody("wheel", C, W, M, (me.inertia(B, diametral, axial, diametral), C))
-    contact = WheelContact(body, B.y, R, O, N.z, N, crown_radius=crown)
-    kinematics = [q.diff() - u for q, u in zip(names[:3], rates[:3], strict=True)]
-    kinematics += [(turning - W.ang_vel_in(N)).dot(e) for e in B]
-    loads = [(C, -M * G * N.z), *contact.loads()]
+    w = free_wheel(M, axial, diametral)
+    contact = WheelContact(w.body, w.B.y, R, w.O, w.N.z, w.N, crown_radius=crown)
+    x, y, z, yaw, lean, spin = w.names
+    loads = [(w.G, -M * G * w.N.z), *contact.loads()]
     if method == "kane":
         kane = me.KanesMethod(
-            N,
+            w.N,
             [x, y, yaw, lean, spin],
-            rates[3:],
-            kd_eqs=kinematics,
+            w.rates[3:],
+            kd_eqs=w.kinematics,
             q_dependent=[z],
-            u_dependent=rates[:3],
+            u_dependent=w.rates[:3],
             configuration_constraints=contact.holonomic_constraints,
             velocity_constraints=[contact.rate, *contact.nonholonomic_constraints],
         )
-        kane.kanes_equations([body], loads)
+        kane.kanes_equations([w.body], loads)
         return System(kane, **options), contact
     definition = Definition(
-        N,
-        names,
-        rates,
-        bodies=[body],
+        w.N,
+        w.names,
+        w.rates,
+        bodies=[w.body],
         loads=loads,
-        kinematic_equations=kinematics,
+        kinematic_equations=w.kinematics,
         holonomic_constraints=contact.holonomic_constraints,
         nonholonomic_constraints=contact.nonholonomic_constraints,
     )

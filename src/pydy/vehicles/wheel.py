@@ -15,6 +15,7 @@ from pydy.solvers import Event
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
 from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
+from pydy.vehicles.tread import WheelMotion, touch_of_cylinder, touch_of_torus
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,7 +27,7 @@ Law: TypeAlias = "Callable[[Expression, Expression], Expression | float]"
 
 
 class WheelContact:
-    """A wheel, a thin disc or a torus, that touches a plane.
+    """A wheel, a thin disc, a torus or a cylinder, that touches a plane.
 
     The contact point C lies on the plane, in the vertical plane through the wheel's axle. Axes at C
     are those of `MagicFormula`: forward along the intersection of the wheel plane with the ground,
@@ -36,9 +37,9 @@ class WheelContact:
         κ = −V_sx/|V_x|    tan α = V_sy/|V_x|    sin γ = axis · normal
 
     A wheel without drive slip thus rolls on its loaded radius. The effective rolling radius of a
-    tire file (BREFF, DREFF, FREFF), a few per cent larger, is not used. With a crown, C moves
-    sideways on the torus, while the Magic Formula's M_x (QSX2) refers to the wheel plane: leave
-    QSX2 out.
+    tire file (BREFF, DREFF, FREFF), a few per cent larger, is not used. With a crown or a width, C
+    moves sideways with the camber, while the Magic Formula's M_x (QSX2) refers to the wheel plane:
+    leave QSX2 out.
 
     A wheel that rolls without slip needs no tire: give its `nonholonomic_constraints` to the
     model. Without a `force` it is rigid, too, and `holonomic_constraints` keep it on the plane.
@@ -55,7 +56,7 @@ class WheelContact:
     radius : number or expression
         Largest radius of the wheel without load (m).
     plane : Point
-        A point of the plane, at rest in `frame`.
+        A point of the plane, which moves with it, without turning; mostly at rest in `frame`.
     normal : Vector
         Unit normal of the plane, towards the wheel, constant in `frame`.
     frame : ReferenceFrame
@@ -66,6 +67,10 @@ class WheelContact:
         is rigid and stays on the plane.
     crown_radius : number or expression, optional
         Radius of the cross section (m): that of a torus, 0 for a thin disc.
+    width : number or expression, optional
+        Width of a cylinder's flat tread (m). Across it the deflection is a trapezoid, or a triangle
+        where camber lifts an edge: `force` gets the mean of it as the gap, C is in its centroid.
+        By default the wheel has no width.
     low_speed : number or expression, optional
         Smallest speed that slips are relative to (m/s).
     name : str, optional
@@ -108,6 +113,9 @@ class WheelContact:
     ----------
     H. B. Pacejka, Tire and Vehicle Dynamics, 3rd ed., Butterworth-Heinemann, 2012, sections 2.2,
     9.3 and 11.2.
+
+    G. Rill, Road Vehicle Dynamics: Fundamentals and Modeling, CRC Press, 2012, chapter 3, for the
+    deflection of a tread that is cambered, and its static contact point.
 
     Examples
     --------
@@ -162,6 +170,7 @@ class WheelContact:
         force: Law | None = None,
         *,
         crown_radius: Expression | float = 0.0,
+        width: Expression | float | None = None,
         low_speed: Expression | float = 0.1,
         name: str = "touch",
     ) -> None:
@@ -172,9 +181,10 @@ class WheelContact:
             _check_unit(label, vector)
         if not (force is None or callable(force)):
             raise TypeError(f"`force` must be a function or None, got {shown(force)}.")
+        given = {"radius": radius, "crown_radius": crown_radius, "low_speed": low_speed}
         sizes = checked_parameters(
-            {"radius": radius, "crown_radius": crown_radius, "low_speed": low_speed},
-            positive=("radius", "low_speed"),
+            given if width is None else {**given, "width": width},
+            positive=("radius", "width", "low_speed"),
             not_negative=("crown_radius",),
         )
         r, crown = sizes["radius"], sizes["crown_radius"]
@@ -182,22 +192,36 @@ class WheelContact:
             raise ValueError(
                 f"`crown_radius` must be smaller than `radius`, got {crown!r} and {r!r}."
             )
+        if width is not None and (force is None or crown != 0.0):
+            raise ValueError(
+                "`width` is that of a flat tread, which is deflected unevenly: give a `force`, and "
+                "no `crown_radius`."
+            )
         self.body, self.normal = body, normal
         centre = body.masscenter
-        lean = axis.dot(normal)
+        turning = normal.dt(frame)
+        wheel = WheelMotion(
+            centre.pos_from(plane),
+            centre.vel(frame) - plane.vel(frame),
+            body.frame.ang_vel_in(frame),
+            axis,
+            normal,
+            None if turning == 0 else turning,
+        )
+        lean = wheel.lean
         upright = sm.sqrt(1 - lean**2)  # cos γ
         self.forward = axis.cross(normal) / upright
         self.left = normal.cross(self.forward)
         down = axis.cross(self.forward)
-        height = centre.pos_from(plane).dot(normal)
-        self.gap = height - (r - crown) * upright - crown
-        lowest = (r - crown) * down - crown * normal
-        velocity, rotation = centre.vel(frame), body.frame.ang_vel_in(frame)
-        self.rate = (velocity + rotation.cross(lowest)).dot(normal)
+        if width is None:
+            touch = touch_of_torus(wheel, r, crown, upright, down)
+        else:
+            touch = touch_of_cylinder(wheel, r, sizes["width"], upright, down)
+        self.gap, self.rate = touch.gap, touch.rate
         self.normal_force = None if force is None else _of_law(force, self.gap, self.rate)
-        self.loaded_radius = height / upright
-        # The deflection is along the wheel plane: C lies on the ground at any camber.
-        self.contact = lowest if force is None else lowest + self.gap / upright * down
+        self.loaded_radius = wheel.position.dot(normal) / upright
+        self.contact = touch.rim if force is None else touch.contact
+        velocity, rotation = wheel.velocity, wheel.rotation
         sliding = velocity + rotation.cross(self.contact)
         self.speed = velocity.dot(self.forward)
         self._sliding = SlidingSpeeds(

@@ -271,6 +271,7 @@ _WHEEL: dict[str, Kind] = {
     "radius": _positive,
     "force": Kind(_law, ("common", "functions"), compare=False).or_none(),
     "crown_radius": _amount(least=0.0, below=0.3),
+    "width": _amount(above=0.0).or_none(),
     "low_speed": _positive,
     "name": nothing("texts", allowed=lambda v: isinstance(v, str)),
 }
