@@ -9,15 +9,18 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
-from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
+from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
 from fuzz.table import expression, mapping, one_of, plotted, target
 from pydy.vehicles import (
     BrushTire,
     LinearTire,
     MagicFormula,
+    RoadProfile,
+    RoadSurface,
     TMeasy,
     WheelContact,
     fit_tire,
+    iso_road,
     plot_tire,
     plot_tire_carpet,
     read_tir,
@@ -320,6 +323,83 @@ for _name, _kind in _RELAXATION.items():
     def _(v, name=_name):
         usual = {"lengths": (0.3, 0.5), "deflections": dynamicsymbols("u v")}
         return str(WheelContact(**_wheel()).with_relaxation(**{**usual, name: v}).kappa)
+
+
+def _surface(**given: Any) -> RoadSurface:
+    N, O = inertial_frame()
+    places = dynamicsymbols("X Y")
+    usual = {"height": places[0] ** 2, "place": places, "origin": O, "frame": N}
+    return RoadSurface(**{**usual, **given})
+
+
+@target("RoadSurface.height", _any)
+def _(v):
+    return str(_surface(height=v).normal)
+
+
+for _name in ("place", "origin", "frame"):
+
+    @target(f"RoadSurface.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return str(_surface(**{name: v}).normal)
+
+
+@target("RoadSurface.residuals.wheel", nothing("texts", "symbols"))
+def _(v):
+    return str(_surface().residuals(v))
+
+
+_three = array((3,), check=lambda a: np.isfinite(a).all())
+
+
+_even = array((3,), check=lambda a: np.isfinite(a).all() and a[1] - a[0] == a[2] - a[1] > 0)
+
+
+@target("RoadProfile.from_samples.x", _even, "`x`")
+def _(v):
+    return RoadProfile.from_samples(v, [0.0, 0.1, 0.0]).height(0.5)
+
+
+@target("RoadProfile.from_samples.heights", _three)
+def _(v):
+    return RoadProfile.from_samples([0.0, 1.0, 2.0], v).height(0.5)
+
+
+_WAVES = {"frequencies": [0.1, 0.2, 0.3], "amplitudes": [0.1, 0.1, 0.1], "phases": [0.0, 0.1, 0.2]}
+for _name in _WAVES:
+
+    @target(f"RoadProfile.{_name}", _three)
+    def _(v, name=_name):
+        return RoadProfile(**{**_WAVES, name: v}).height(0.5)
+
+
+for _name in ("offset", "gradient"):
+
+    @target(f"RoadProfile.{_name}", real())
+    def _(v, name=_name):
+        return RoadProfile(**_WAVES, **{name: v}).height(0.5)
+
+
+for _method in ("height", "slope"):
+
+    @target(f"RoadProfile.{_method}.x", _inputs)
+    def _(v, method=_method):
+        return str(getattr(RoadProfile(**_WAVES), method)(v))
+
+
+_ROAD: dict[str, Kind] = {
+    "road_class": choice(*"ABCDEFGH"),
+    "length": real(least=100.0, most=2000.0),
+    "longest": real(above=0.5, most=200.0),
+    "shortest": real(above=0.0, below=100.0),
+    "seed": integer(0).or_none(),
+}
+for _name, _kind in _ROAD.items():
+
+    @target(f"iso_road.{_name}", _kind)
+    def _(v, name=_name):
+        usual = {"road_class": "C", "length": 200.0, "seed": 1}
+        return iso_road(**{**usual, name: v}).rms
 
 
 _brush = BrushTire(4000.0, 1e5, 1.0, 0.05)
