@@ -6,11 +6,14 @@ import copy
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Self, TypeAlias
 
+import numpy as np
 import sympy as sm
-from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector, dynamicsymbols
 
 from pydy._checks import instance, shown
 from pydy._rank import ROUNDED
+from pydy.contact import Stick
 from pydy.solvers import Event
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
@@ -63,8 +66,9 @@ class WheelContact:
         The inertial frame.
     force : callable, optional
         ``force(gap, rate)`` returns the normal force (N), such as a law of `pydy.contact`. The gap
-        is the distance to the plane (m), negative where the tire is deflected. By default the wheel
-        is rigid and stays on the plane.
+        is the distance to the plane (m), negative where the tire is deflected. Where the law is
+        negative, and where a law that may be negative is not deflected, there is no force. By
+        default the wheel is rigid and stays on the plane.
     crown_radius : number or expression, optional
         Radius of the cross section (m): that of a torus, 0 for a thin disc.
     width : number or expression, optional
@@ -198,6 +202,7 @@ class WheelContact:
                 "no `crown_radius`."
             )
         self.body, self.normal = body, normal
+        self._axis, self._frame = axis, frame
         centre = body.masscenter
         turning = normal.dt(frame)
         wheel = WheelMotion(
@@ -293,6 +298,53 @@ class WheelContact:
         result.deflections, result.kinematic_equations = tuple(deflections), slips.equations
         return result
 
+    def brake(
+        self,
+        torque: Expression | float,
+        carrier: ReferenceFrame | None = None,
+        *,
+        name: str = "brake",
+    ) -> Stick:
+        """Return a brake that holds, dry friction between the wheel and its carrier.
+
+        While the wheel turns the torque acts against it. At rest as much of it acts as holds the
+        wheel: with relaxation a car with a brake stands still on a slope, and starts when the
+        torque falls short. `pydy.contact.Contacts` simulates a System with brakes; its outputs
+        ``brake_friction`` and ``brake_sliding`` are the torque and the angular speed.
+
+        Parameters
+        ----------
+        torque : number or expression
+            Of the brake (N m), not negative: of states, time and constants.
+        carrier : ReferenceFrame, optional
+            What the brake is fixed to, such as the frame of the axle. By default the inertial one.
+        name : str, optional
+            Name of the brake, for outputs and transitions.
+
+        Returns
+        -------
+        pydy.contact.Stick
+
+        Examples
+        --------
+        >>> import sympy as sm
+        >>> import sympy.physics.mechanics as me
+        >>> from pydy.vehicles import WheelContact
+        >>> z, q = me.dynamicsymbols('z q')
+        >>> N, W, O = me.ReferenceFrame('N'), me.ReferenceFrame('W'), me.Point('O')
+        >>> W.orient_axis(N, N.y, q)
+        >>> O.set_vel(N, 0)
+        >>> G = O.locatenew('G', z*N.z)
+        >>> wheel = me.RigidBody('wheel', G, W, 20, (me.inertia(W, 0, 1, 0), G))
+        >>> WheelContact(wheel, N.y, 0.3, O, N.z, N).brake(sm.Symbol('T'), name='front')
+        <Stick front>
+        """
+        if carrier is not None:
+            instance(carrier, ReferenceFrame, "`carrier`")
+        checked = checked_parameters({"torque": torque}, not_negative=("torque",))
+        turning = self.body.frame.ang_vel_in(carrier or self._frame)
+        return Stick(turning.dot(self._axis), mu=1, normal=checked["torque"], name=name)
+
     def forces(self, tire: Tire, pressure: Expression | float | None = None) -> TireForces:
         """Return the forces and moments of a tire on this wheel, for outputs.
 
@@ -348,19 +400,38 @@ class WheelContact:
 
 
 def _of_law(law: Law, gap: Expression, rate: Expression) -> Expression:
-    """Return the normal force that a user's law gives."""
-    try:
-        result = law(gap, rate)
-    except Exception as error:
-        error.add_note("This was raised by `force(gap, rate)`, called with expressions.")
-        raise
-    return sm.sympify(checked_quantity(result, "`force(gap, rate)`", arrays=False))
+    """Return the normal force that a user's law gives, and none where it is negative.
+
+    A law that may be negative, as SymPy knows, may also act before the wheel touches.
+    """
+
+    def of(gap: Expression, rate: Expression) -> Expression:
+        try:
+            result = law(gap, rate)
+        except Exception as error:
+            error.add_note("This was raised by `force(gap, rate)`, called with expressions.")
+            raise
+        return sm.sympify(checked_quantity(result, "`force(gap, rate)`", arrays=False))
+
+    if of(*sm.symbols("gap rate", real=True, cls=sm.Dummy)).is_nonnegative:
+        return of(gap, rate)
+    pressed = sm.Max(of(gap, rate), 0, evaluate=False)
+    return sm.Piecewise((pressed, sm.Lt(gap, 0, evaluate=False)), (0, True), evaluate=False)
 
 
 def _check_unit(label: str, vector: object) -> None:
+    """Refuse a vector whose length is the same at two states, and not 1."""
     instance(vector, Vector, f"`{label}`")
-    length = sm.simplify(vector.dot(vector))  # type: ignore[attr-defined]
-    if length.is_number and not abs(length - 1) <= ROUNDED:
+    square = sm.sympify(vector.dot(vector))  # type: ignore[attr-defined]
+    functions = square.atoms(AppliedUndef)
+    symbols = sorted(functions | square.free_symbols - {dynamicsymbols._t}, key=str)
+    lengths = []
+    for start in (0.3, 0.4):  # SymPy takes long to simplify what a surface's normal is made of
+        state = {s: start + 0.1 * k for k, s in enumerate(symbols)}
+        value = square.subs(state).evalf()
+        lengths.append(float(value) if value.is_number and value.is_real else np.nan)
+    size = lengths[0]
+    if abs(lengths[1] - size) <= ROUNDED * size and not abs(size - 1) <= ROUNDED:
         raise ValueError(
             f"`{label}` must be of unit length, got {vector}. Divide it by its length."
         )

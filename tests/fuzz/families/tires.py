@@ -304,6 +304,21 @@ for _method in ("forces", "loads"):
         return str(getattr(WheelContact(**_wheel()), method)(tire, v))
 
 
+@target("WheelContact.brake.torque", _not_negative)
+def _(v):
+    return str(WheelContact(**_wheel()).brake(v).normal)
+
+
+@target("WheelContact.brake.carrier", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return str(WheelContact(**_wheel()).brake(1.0, v).point)
+
+
+@target("WheelContact.brake.name", nothing("texts", allowed=lambda v: isinstance(v, str)), "`name`")
+def _(v):
+    return repr(WheelContact(**_wheel()).brake(1.0, name=v))
+
+
 def _lengths(value: Any) -> Any:
     if not isinstance(value, (tuple, list)) or len(value) != 2:
         raise RefusedError
