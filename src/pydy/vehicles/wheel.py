@@ -39,10 +39,10 @@ class WheelContact:
 
         κ = −V_sx/|V_x|    tan α = V_sy/|V_x|    sin γ = axis · normal
 
-    A wheel without drive slip thus rolls on its loaded radius. The effective rolling radius of a
-    tire file (BREFF, DREFF, FREFF), a few per cent larger, is not used. With a crown or a width, C
-    moves sideways with the camber, while the Magic Formula's M_x (QSX2) refers to the wheel plane:
-    leave QSX2 out.
+    A wheel without drive slip thus rolls on its loaded radius. The effective rolling radius R_e of
+    a tire file, a few per cent larger, is used with `rolling_radius`: V_sx = V_x − R_e Ω, with the
+    speed of revolution Ω. With a crown or a width, C moves sideways with the camber, while the
+    Magic Formula's M_x (QSX2) refers to the wheel plane: leave QSX2 out.
 
     A wheel that rolls without slip needs no tire: give its `nonholonomic_constraints` to the
     model. Without a `force` it is rigid, too, and `holonomic_constraints` keep it on the plane.
@@ -75,6 +75,9 @@ class WheelContact:
         Width of a cylinder's flat tread (m). Across it the deflection is a trapezoid, or a triangle
         where camber lifts an edge: `force` gets the mean of it as the gap, C is in its centroid.
         By default the wheel has no width.
+    rolling_radius : callable, number or expression, optional
+        ``rolling_radius(normal_force)`` returns R_e (m), such as that of `MagicFormula`. By default
+        the distance to C within the wheel plane.
     low_speed : number or expression, optional
         Smallest speed that slips are relative to (m/s).
     name : str, optional
@@ -175,6 +178,10 @@ class WheelContact:
         *,
         crown_radius: Expression | float = 0.0,
         width: Expression | float | None = None,
+        rolling_radius: Callable[[Expression], Expression | float]
+        | Expression
+        | float
+        | None = None,
         low_speed: Expression | float = 0.1,
         name: str = "touch",
     ) -> None:
@@ -229,9 +236,12 @@ class WheelContact:
         velocity, rotation = wheel.velocity, wheel.rotation
         sliding = velocity + rotation.cross(self.contact)
         self.speed = velocity.dot(self.forward)
-        self._sliding = SlidingSpeeds(
-            r, self.speed, sliding.dot(self.forward), sliding.dot(self.left)
-        )
+        sliding_forward = sliding.dot(self.forward)
+        if rolling_radius is not None:
+            arm = self.contact.cross(axis).dot(self.forward)
+            missing = arm - _rolling_radius(rolling_radius, self.normal_force)
+            sliding_forward += missing * rotation.dot(axis)
+        self._sliding = SlidingSpeeds(r, self.speed, sliding_forward, sliding.dot(self.left))
         size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
         self.kappa = -self._sliding.forward / size
         self.alpha = sm.atan(self._sliding.left / size)
@@ -399,23 +409,38 @@ class WheelContact:
         return [(self.body.masscenter, force), (self.body.frame, torque)]
 
 
+def _rolling_radius(radius: object, load: Expression | None) -> Expression:
+    """Return the effective rolling radius, or what a user's function says of the load."""
+    if load is None:
+        raise ValueError(
+            "`rolling_radius` belongs to a tire that is deflected, and this wheel is rigid: give "
+            "a `force`, or a `radius` of this size."
+        )
+    if callable(radius):
+        return _called("rolling_radius(normal_force)", radius, load)
+    checked = checked_parameters({"rolling_radius": radius}, positive=("rolling_radius",))
+    return sm.sympify(checked["rolling_radius"])
+
+
+def _called(signature: str, function: Callable[..., object], *arguments: Expression) -> Expression:
+    try:
+        result = function(*arguments)
+    except Exception as error:
+        error.add_note(f"This was raised by `{signature}`, called with expressions.")
+        raise
+    return sm.sympify(checked_quantity(result, f"`{signature}`", arrays=False))
+
+
 def _of_law(law: Law, gap: Expression, rate: Expression) -> Expression:
     """Return the normal force that a user's law gives, and none where it is negative.
 
     A law that may be negative, as SymPy knows, may also act before the wheel touches.
     """
-
-    def of(gap: Expression, rate: Expression) -> Expression:
-        try:
-            result = law(gap, rate)
-        except Exception as error:
-            error.add_note("This was raised by `force(gap, rate)`, called with expressions.")
-            raise
-        return sm.sympify(checked_quantity(result, "`force(gap, rate)`", arrays=False))
-
-    if of(*sm.symbols("gap rate", real=True, cls=sm.Dummy)).is_nonnegative:
-        return of(gap, rate)
-    pressed = sm.Max(of(gap, rate), 0, evaluate=False)
+    name = "force(gap, rate)"
+    force = _called(name, law, gap, rate)
+    if _called(name, law, *sm.symbols("gap rate", real=True, cls=sm.Dummy)).is_nonnegative:
+        return force
+    pressed = sm.Max(force, 0, evaluate=False)
     return sm.Piecewise((pressed, sm.Lt(gap, 0, evaluate=False)), (0, True), evaluate=False)
 
 

@@ -144,6 +144,12 @@ for _name in ("gap", "rate"):
         return str(tire.normal_force(**{"gap": -0.01, "rate": 0.0, name: v}))
 
 
+@target("MagicFormula.rolling_radius.Fz", _inputs)
+def _(v):
+    tire = _tire().replace(VERTICAL_STIFFNESS=2e5, BREFF=8.4, DREFF=0.27, FREFF=0.045)
+    return str(tire.rolling_radius(v))
+
+
 for _name in _USUAL:
 
     @target(f"forces.{_name}", _inputs)
@@ -261,12 +267,20 @@ def _wheel() -> Any:
     }  # fmt: skip
 
 
-def _law(value: Any) -> Any:
+def _called(function: Any, *names: str) -> Any:
     try:
-        found = value(sm.Symbol("a"), sm.Symbol("b"))
+        result = function(*map(sm.Symbol, names))
     except Exception as error:
         raise RefusedError from error
-    return _parameter(found)
+    return _parameter(result)
+
+
+def _law(value: Any) -> Any:
+    return _called(value, "a", "b")
+
+
+def _radius(value: Any) -> Any:
+    return _called(value, "a") if callable(value) else _positive.read(value)
 
 
 _WHEEL: dict[str, Kind] = {
@@ -275,6 +289,7 @@ _WHEEL: dict[str, Kind] = {
     "force": Kind(_law, ("common", "functions"), compare=False).or_none(),
     "crown_radius": _amount(least=0.0, below=0.3),
     "width": _amount(above=0.0).or_none(),
+    "rolling_radius": Kind(_radius, ("common", "numbers", "symbols"), compare=False).or_none(),
     "low_speed": _positive,
     "name": nothing("texts", allowed=lambda v: isinstance(v, str)),
 }
