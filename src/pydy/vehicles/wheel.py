@@ -4,29 +4,24 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Self, TypeAlias
+from typing import TYPE_CHECKING, Self
 
-import numpy as np
 import sympy as sm
-from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector, dynamicsymbols
+from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
 
 from pydy._checks import instance, shown
-from pydy._rank import ROUNDED
 from pydy.contact import Stick
 from pydy.solvers import Event
-from pydy.vehicles.algebra import checked_quantity, is_symbolic
+from pydy.vehicles.algebra import is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
 from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
 from pydy.vehicles.tread import WheelMotion, touch_of_cylinder, touch_of_torus
+from pydy.vehicles.wheel_arguments import Law, check_unit, normal_force_of, rolling_radius_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pydy._sympy_types import Expression, Load, TimeFunction
-
-# A law of the normal force: a function of the gap and its rate.
-Law: TypeAlias = "Callable[[Expression, Expression], Expression | float]"
 
 
 class WheelContact:
@@ -61,7 +56,7 @@ class WheelContact:
     plane : Point
         A point of the plane, which moves with it, without turning; mostly at rest in `frame`.
     normal : Vector
-        Unit normal of the plane, towards the wheel, constant in `frame`.
+        Unit normal of the plane, towards the wheel: constant in `frame`, or of a `RoadSurface`.
     frame : ReferenceFrame
         The inertial frame.
     force : callable, optional
@@ -189,7 +184,7 @@ class WheelContact:
         instance(plane, Point, "`plane`")
         instance(frame, ReferenceFrame, "`frame`")
         for label, vector in (("axis", axis), ("normal", normal)):
-            _check_unit(label, vector)
+            check_unit(label, vector)
         if not (force is None or callable(force)):
             raise TypeError(f"`force` must be a function or None, got {shown(force)}.")
         given = {"radius": radius, "crown_radius": crown_radius, "low_speed": low_speed}
@@ -230,7 +225,7 @@ class WheelContact:
         else:
             touch = touch_of_cylinder(wheel, r, sizes["width"], upright, down)
         self.gap, self.rate = touch.gap, touch.rate
-        self.normal_force = None if force is None else _of_law(force, self.gap, self.rate)
+        self.normal_force = None if force is None else normal_force_of(force, self.gap, self.rate)
         self.loaded_radius = wheel.position.dot(normal) / upright
         self.contact = touch.rim if force is None else touch.contact
         velocity, rotation = wheel.velocity, wheel.rotation
@@ -239,7 +234,7 @@ class WheelContact:
         sliding_forward = sliding.dot(self.forward)
         if rolling_radius is not None:
             arm = self.contact.cross(axis).dot(self.forward)
-            missing = arm - _rolling_radius(rolling_radius, self.normal_force)
+            missing = arm - rolling_radius_of(rolling_radius, self.normal_force)
             sliding_forward += missing * rotation.dot(axis)
         self._sliding = SlidingSpeeds(r, self.speed, sliding_forward, sliding.dot(self.left))
         size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
@@ -407,56 +402,3 @@ class WheelContact:
         moment = forces.Mx * self.forward + forces.My * self.left + forces.Mz * self.normal
         torque = moment + self.contact.cross(force)
         return [(self.body.masscenter, force), (self.body.frame, torque)]
-
-
-def _rolling_radius(radius: object, load: Expression | None) -> Expression:
-    """Return the effective rolling radius, or what a user's function says of the load."""
-    if load is None:
-        raise ValueError(
-            "`rolling_radius` belongs to a tire that is deflected, and this wheel is rigid: give "
-            "a `force`, or a `radius` of this size."
-        )
-    if callable(radius):
-        return _called("rolling_radius(normal_force)", radius, load)
-    checked = checked_parameters({"rolling_radius": radius}, positive=("rolling_radius",))
-    return sm.sympify(checked["rolling_radius"])
-
-
-def _called(signature: str, function: Callable[..., object], *arguments: Expression) -> Expression:
-    try:
-        result = function(*arguments)
-    except Exception as error:
-        error.add_note(f"This was raised by `{signature}`, called with expressions.")
-        raise
-    return sm.sympify(checked_quantity(result, f"`{signature}`", arrays=False))
-
-
-def _of_law(law: Law, gap: Expression, rate: Expression) -> Expression:
-    """Return the normal force that a user's law gives, and none where it is negative.
-
-    A law that may be negative, as SymPy knows, may also act before the wheel touches.
-    """
-    name = "force(gap, rate)"
-    force = _called(name, law, gap, rate)
-    if _called(name, law, *sm.symbols("gap rate", real=True, cls=sm.Dummy)).is_nonnegative:
-        return force
-    pressed = sm.Max(force, 0, evaluate=False)
-    return sm.Piecewise((pressed, sm.Lt(gap, 0, evaluate=False)), (0, True), evaluate=False)
-
-
-def _check_unit(label: str, vector: object) -> None:
-    """Refuse a vector whose length is the same at two states, and not 1."""
-    instance(vector, Vector, f"`{label}`")
-    square = sm.sympify(vector.dot(vector))  # type: ignore[attr-defined]
-    functions = square.atoms(AppliedUndef)
-    symbols = sorted(functions | square.free_symbols - {dynamicsymbols._t}, key=str)
-    lengths = []
-    for start in (0.3, 0.4):  # SymPy takes long to simplify what a surface's normal is made of
-        state = {s: start + 0.1 * k for k, s in enumerate(symbols)}
-        value = square.subs(state).evalf()
-        lengths.append(float(value) if value.is_number and value.is_real else np.nan)
-    size = lengths[0]
-    if abs(lengths[1] - size) <= ROUNDED * size and not abs(size - 1) <= ROUNDED:
-        raise ValueError(
-            f"`{label}` must be of unit length, got {vector}. Divide it by its length."
-        )
