@@ -12,7 +12,7 @@ from scipy.optimize import fsolve
 from pydy.contact import kelvin_voigt
 from pydy.mechanics import Definition, Implicit
 from pydy.system import System
-from pydy.vehicles import LinearTire, RoadSurface, WheelContact
+from pydy.vehicles import LinearTire, RoadSurface, WheelContact, iso_road
 from zoo import inertial_frame
 from zoo.wheels import COORDINATES, SPEEDS, free_wheel, values
 
@@ -169,6 +169,73 @@ def test_a_disc_in_a_round_valley_is_a_pendulum():
     np.testing.assert_allclose(motion["w"], arm * rate / R, atol=1e-8)
     force = M * (G * np.cos(angle) + arm * rate**2)
     np.testing.assert_allclose(motion["up"], force, rtol=1e-8)
+
+
+@pytest.mark.parametrize("crown", [0.0, 0.06])
+def test_a_wheel_that_rolls_over_bumps_keeps_its_energy(crown):
+    w = free_wheel(M, M * R**2 / 2, M * R**2 / 4)
+    road = RoadSurface(BUMPS, (X, Y), w.O, w.N)
+    contact = WheelContact(w.body, w.B.y, R, road.point, road.normal, w.N, crown_radius=crown)
+    definition = Definition(
+        w.N,
+        w.names,
+        w.rates,
+        bodies=[w.body],
+        loads=[(w.G, -M * G * w.N.z)],
+        kinematic_equations=w.kinematics,
+        holonomic_constraints=contact.holonomic_constraints,
+        nonholonomic_constraints=contact.nonholonomic_constraints,
+        dependent_coordinates=[w.z],
+        dependent_speeds=w.rates[:3],
+    )
+    system = System(
+        definition,
+        implicit=Implicit(road.residuals(contact)),
+        ode_solver="dop853",
+        initial_conditions={"lean": 0.2, "w1": 0.5, "w2": 8.0, "w3": 0.5},
+        times=np.linspace(0.0, 1.0, 11),
+    )
+    system.set_dependent_initial_conditions()
+    system.outputs = {"gap": contact.gap}
+    motion = system.simulate(rtol=1e-11, atol=1e-11, constraints="project")
+    assert np.abs(motion["gap"]).max() < 1e-13
+    assert np.ptp(motion["lean"]) > 0.1
+    energy = motion.energy[:, 2]
+    np.testing.assert_allclose(energy, energy[0], rtol=1e-10)
+
+
+def test_a_profile_is_an_input_of_the_place_with_its_slope():
+    profile = iso_road("D", 50.0, longest=50.0, shortest=2.0, seed=2)
+    x, z, vx, vz, h = me.dynamicsymbols("x z vx vz h")
+    t = me.dynamicsymbols._t
+    N, O = inertial_frame()
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.y, 0)
+    C = O.locatenew("C", x * N.x + z * N.z)
+    C.set_vel(N, vx * N.x + vz * N.z)
+    ground = O.locatenew("ground", h * N.z)
+    ground.set_vel(N, h.diff(t) * N.z)
+    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, 1, 0), C))
+    contact = WheelContact(body, N.y, R, ground, N.z, N, law)
+    system = System(
+        Definition(
+            N, [x, z], [vx, vz], bodies=[body],
+            loads=[(C, M * (N.x - G * N.z)), *contact.loads()],
+        ),
+        {},
+        {h: profile.height(x), h.diff(t): profile.slope(x) * vx},
+        ode_solver="dop853",
+        initial_conditions={z: R, vx: 3.0},
+        times=np.linspace(0.0, 2.0, 2001),
+    )  # fmt: skip
+    system.outputs = {"gap": contact.gap, "rate": contact.rate}
+    motion = system.simulate(rtol=1e-10, atol=1e-10)
+    heights = profile.height(motion["x"])
+    np.testing.assert_allclose(motion["gap"], motion["z"] - R - heights, atol=1e-12)
+    differences = np.diff(motion["gap"]) / np.diff(system.times)
+    between = (motion["rate"][1:] + motion["rate"][:-1]) / 2
+    assert np.abs(differences - between).max() < 1e-3 * np.abs(between).max()
+    assert motion["vx"][-1] == pytest.approx(5.0)
 
 
 def test_several_wheels_touch_one_road():

@@ -157,7 +157,7 @@ def test_a_sprung_wheel_may_roll_without_slip():
 
 def test_a_rigid_wheel_takes_no_tire():
     contact = rolling()[1]
-    assert (contact.normal_force, contact.loads()) == (None, [])
+    assert (contact.normal_force, contact.loads(), contact.events) == (None, [], [])
     with pytest.raises(ValueError, match="`tire` needs a normal force, and this wheel is rigid"):
         contact.loads(LinearTire(4000, 1e5))
     with pytest.raises(ValueError, match="`pressure` is that of a tire, and `tire` is None"):

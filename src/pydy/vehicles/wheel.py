@@ -95,7 +95,7 @@ class WheelContact:
     kappa, alpha, gamma : expression
         Slips and camber, as a tire reads them.
     events : list of Event
-        Where the wheel lifts off and touches.
+        Where the wheel lifts off and touches; none of a rigid wheel.
     holonomic_constraints : list of expressions
         The gap of a rigid wheel; otherwise none.
     nonholonomic_constraints : list of expressions
@@ -241,7 +241,7 @@ class WheelContact:
         self.kappa = -self._sliding.forward / size
         self.alpha = sm.atan(self._sliding.left / size)
         self.gamma = sm.asin(lean)
-        self.events = [Event(self.gap, name=name)]
+        self.events = [] if force is None else [Event(self.gap, name=name)]
         self.holonomic_constraints = [self.gap] if force is None else []
         self.nonholonomic_constraints = [self._sliding.forward, self._sliding.left]
         self.deflections: tuple[TimeFunction, ...] = ()
