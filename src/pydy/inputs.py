@@ -56,7 +56,8 @@ class SampledInput:
     Notes
     -----
     A step of a native solver ends where an input with the interpolation 'previous' jumps; until
-    there it sees the earlier sample.
+    there it sees the earlier sample. A step across other samples that was rejected is repeated up
+    to one of them.
 
     Outside its times, a SampledInput returns the end values, because solvers step past the last
     time and return. `pydy.system.System.integrate` and the evaluations raise an error for times

@@ -48,6 +48,72 @@ INLINE double sampled(const Equations *e, int64_t k, double t, int64_t *interval
     return a[0] + s * (a[1] + s * (a[2] + s * a[3]));
 }
 
+/* -- knots ---------------------------------------------------------------------------------------
+
+   Between two knots inputs are polynomials. Whether a kink matters, the error of a step across it tells: a
+   step that was rejected is tried again up to a knot, and so is the next one. */
+
+/* Return the first knot of inputs after a time, or INF: one nearer than the shortest step has passed. */
+APART double knot_after(const Equations *e, double t)
+{
+    const double now = t + INSTANT * ROUNDING * LIBRARY(fabs)(t);
+    double first = INF;
+    for (int64_t k = 0; k < e->tables.size; k++) {
+        const int64_t *row = e->tables.at + k * e->tables.columns;
+        const double *knots = e->knots.at + row[1];
+        const int64_t next = knots[0] > now ? 0 : interval_of(knots, row[2], now, 0) + 1;
+        if (next < row[2] && knots[next] < first)
+            first = knots[next];
+    }
+    return first;
+}
+
+/* Return the last knot of inputs until a time, or -INF. */
+APART double knot_until(const Equations *e, double t)
+{
+    double last = -INF;
+    for (int64_t k = 0; k < e->tables.size; k++) {
+        const int64_t *row = e->tables.at + k * e->tables.columns;
+        const double *knots = e->knots.at + row[1];
+        const double knot = knots[0] > t ? last : knots[interval_of(knots, row[2], t, 0)];
+        last = knot > last ? knot : last;
+    }
+    return last;
+}
+
+/* Tell whether a step from t has no knot within it. */
+INLINE int is_smooth(double first_knot, double after)
+{
+    return !(first_knot + INSTANT * ROUNDING * LIBRARY(fabs)(after) < after);
+}
+
+/* Return the size with which a step from t to `after` is tried again after an error that asks for a size
+   `shorter`: up to the last knot that this one reaches, or to the first of all, which is farther. */
+INLINE double size_to_knot(const Equations *e, double t, double after, double shorter)
+{
+    if (e->tables.size == 0)
+        return shorter;
+    const double first = knot_after(e, t), end = t + shorter;
+    if (is_smooth(first, after))
+        return shorter;
+    return (first <= end ? knot_until(e, end) : first) - t;
+}
+
+/* Return the size of the step after one from t to `after` that was tried again: `next`; or, where that one
+   went up to the first knot, up to the following knot, or `longest`. */
+INLINE double size_from_knot(const Equations *e, double t, double after, double next, double longest)
+{
+    if (e->tables.size == 0)
+        return next;
+    const double first = knot_after(e, t);
+    if (!is_smooth(first, after) || first > after + INSTANT * ROUNDING * LIBRARY(fabs)(after))
+        return next;
+    const double size = knot_after(e, after) - after;
+    return size < longest ? size : longest;
+}
+
+/* -- jumps, and values ---------------------------------------------------------------------------- */
+
 /* Return how many jumps are not after t. */
 INLINE int64_t jumps_by(const Equations *e, double t)
 {

@@ -1,4 +1,4 @@
-; sources 1ae7d1bf8ebdbcb0b8ff1bf8a805c26e62a48408c63e68d43ca2ea60090b50a3
+; sources 1f2d689dbe27823db5cade86b4a77ae29fce1c33d9048f087cd85ff5fa61f457
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources d4bd7cef41ab7d265842b867ddb67d5f6e809f49665bcc93ca4b8f4865cf51cb
+; sources 4c46d693861057059d1d27e384c2e4f0ee2facadbef2b9247c3e918b8bd36f36
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {

@@ -1,4 +1,4 @@
-; sources 9c720133c522ddf2589cbfe18cfb523f203422cc91f17e8d8820b4dc1a16f368
+; sources 5ba1eace80745a0a560c7ee9369fe75940739f2911daca99b5823fd6f743effe
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

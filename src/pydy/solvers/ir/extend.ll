@@ -1,4 +1,4 @@
-; sources cd263d620af591505aac18b528eb853547434caa7470de0a3047c2336afa4ec6
+; sources 4efb4fed04a09b6055870435abb4409f8dc2a8e9e73ca42e9d25fe2c6b5e7291
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 8437aa34a50666c282d564ba3370dd761ed38150afd7abb7f1a5f693c8550ea3
+; sources 443fe618297cbe6afcdc6b79d01b6128a62e16166ef2488f7ed1c67365887e69
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

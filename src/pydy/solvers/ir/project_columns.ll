@@ -1,4 +1,4 @@
-; sources a312bf26453308a193f6e4367141fc0bdd680b3d41b7e8e0c38374bdc6bc8454
+; sources 6b397b3cd260d660f1552edb315fad5ab1069b96ce441d581c1bfa8157960530
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 94abe59efabc2b3bd33fe95ee17f4ac11a860756ca3253d9167548cdeb31b9a4
+; sources 9c4ce019b06a4e15c9b72bf5e43d91e528d12d9be068607821b4ff5721f01c1c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 302b4579c0e3f0970e5836ff4faa7f7fed672a852e2d426add5e30d510676288
+; sources f0a2adbd6df5385608e88110cf9e6d8581a8e80c3d33ee8433a72adeedf0eb8d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 69872920d8dc76650f07ebffcf4c0c04ab68b146d89cc5e55ee8f20b38a0c5fe
+; sources 7a9670902dcaf0a587736a2bb1bedb86bf732d5fe6df23aa6c2abf6719eadc0b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
