@@ -335,3 +335,13 @@ def test_a_kink_that_a_step_begins_or_ends_at_is_no_reason_to_repeat_it(solver):
     system.ode_solver = solver
     states = system.integrate(**TIGHT)
     close(states[-1], np.array([1.0 / 6.0, 0.25]), 1e-10)  # v = (s − s² / 2) / 2, with s = t − 1
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+def test_a_kink_just_before_the_end_does_not_stop_the_motion(solver):
+    """A step up to it is stretched to the end, which is nearer than a step may be short."""
+    samples = SampledInput([0.0, 1.0 - 2e-6, 1.0 - 1e-6, 1.0], [0.0, 0.0, 2e4, 2e4])
+    system = free_mass(samples, [0.0, 1.0])
+    system.ode_solver = solver
+    motion = system.simulate(rtol=1e-11, atol=1e-11, max_steps=10_000)
+    close(motion.states[-1, 1], 1.5e-2, 1e-9)  # 1.5e-6 s · 2e4 N / 2 kg

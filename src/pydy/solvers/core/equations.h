@@ -68,35 +68,24 @@ APART double knot_after(const Equations *e, double t)
     return first;
 }
 
-/* Return the last knot of inputs until a time, or -INF. */
-APART double knot_until(const Equations *e, double t)
+/* Tell whether a step from t has no knot within it: one as near to its end as a step may be stretched to
+   reach a goal is at its end. */
+INLINE int is_smooth(double first_knot, double t, double after)
 {
-    double last = -INF;
-    for (int64_t k = 0; k < e->tables.size; k++) {
-        const int64_t *row = e->tables.at + k * e->tables.columns;
-        const double *knots = e->knots.at + row[1];
-        const double knot = knots[0] > t ? last : knots[interval_of(knots, row[2], t, 0)];
-        last = knot > last ? knot : last;
-    }
-    return last;
-}
-
-/* Tell whether a step from t has no knot within it. */
-INLINE int is_smooth(double first_knot, double after)
-{
-    return !(first_knot + INSTANT * ROUNDING * LIBRARY(fabs)(after) < after);
+    return !(first_knot < after - SLIVER * (after - t) - INSTANT * ROUNDING * LIBRARY(fabs)(after));
 }
 
 /* Return the size with which a step from t to `after` is tried again after an error that asks for a size
-   `shorter`: up to the last knot that this one reaches, or to the first of all, which is farther. */
+   `shorter`: up to the first knot, if that is the only one this size reaches, or is farther. Where knots
+   are dense, none of them is the cause. */
 INLINE double size_to_knot(const Equations *e, double t, double after, double shorter)
 {
     if (e->tables.size == 0)
         return shorter;
-    const double first = knot_after(e, t), end = t + shorter;
-    if (is_smooth(first, after))
+    const double first = knot_after(e, t);
+    if (is_smooth(first, t, after) || knot_after(e, first) <= t + shorter)
         return shorter;
-    return (first <= end ? knot_until(e, end) : first) - t;
+    return first - t;
 }
 
 /* Return the size of the step after one from t to `after` that was tried again: `next`; or, where that one
@@ -106,7 +95,7 @@ INLINE double size_from_knot(const Equations *e, double t, double after, double 
     if (e->tables.size == 0)
         return next;
     const double first = knot_after(e, t);
-    if (!is_smooth(first, after) || first > after + INSTANT * ROUNDING * LIBRARY(fabs)(after))
+    if (!is_smooth(first, t, after) || first > after + INSTANT * ROUNDING * LIBRARY(fabs)(after))
         return next;
     const double size = knot_after(e, after) - after;
     return size < longest ? size : longest;

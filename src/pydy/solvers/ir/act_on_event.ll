@@ -1,4 +1,4 @@
-; sources 1f2d689dbe27823db5cade86b4a77ae29fce1c33d9048f087cd85ff5fa61f457
+; sources fe4db6d3ccf2bb72fe4cb592cc2bf064b199fa876113a0f79c0083857df9aebb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 6033a3f3a0d7b1f6c042c911adafaf1ad4dd58ed391cad1f47a7c386951c8cba
+; sources 783ed61051ae737cb559f156f6685c122ed35752f1aa72e0d592075b838b82a0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -206,14 +206,14 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %177 = getelementptr inbounds i8, ptr %0, i64 768
   br label %178
 
-178:                                              ; preds = %2039, %74
+178:                                              ; preds = %2041, %74
   %179 = load ptr, ptr %77, align 8
   %180 = load ptr, ptr %78, align 8
   %181 = load ptr, ptr %79, align 8
   %182 = getelementptr inbounds i8, ptr %181, i64 56
   %183 = load i64, ptr %182, align 8
   %184 = icmp eq i64 %183, 0
-  br i1 %184, label %2024, label %185
+  br i1 %184, label %2026, label %185
 
 185:                                              ; preds = %178
   %186 = load ptr, ptr %80, align 8
@@ -343,7 +343,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store i64 3, ptr %278, align 8
   %279 = icmp slt i32 %275, 0
   %280 = select i1 %279, i64 -4, i64 2
-  br label %2024
+  br label %2026
 
 281:                                              ; preds = %267
   store i64 1, ptr %181, align 8
@@ -407,7 +407,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %322 = getelementptr inbounds i8, ptr %321, i64 48
   store i64 %320, ptr %322, align 8
   %323 = icmp eq i64 %320, %290
-  br i1 %323, label %2024, label %324
+  br i1 %323, label %2026, label %324
 
 324:                                              ; preds = %319
   %325 = fcmp oeq double %216, 0.000000e+00
@@ -639,16 +639,16 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %511 = getelementptr inbounds i8, ptr %179, i64 40
   br label %514
 
-512:                                              ; preds = %2021, %479
-  %513 = phi double [ %480, %479 ], [ %2017, %2021 ]
+512:                                              ; preds = %2023, %479
+  %513 = phi double [ %480, %479 ], [ %2019, %2023 ]
   store double %513, ptr %215, align 8
-  br label %2024
+  br label %2026
 
-514:                                              ; preds = %483, %2021
-  %515 = phi i64 [ %481, %483 ], [ %2022, %2021 ]
-  %516 = phi i64 [ undef, %483 ], [ %2020, %2021 ]
-  %517 = phi double [ %214, %483 ], [ %2018, %2021 ]
-  %518 = phi double [ %480, %483 ], [ %2017, %2021 ]
+514:                                              ; preds = %483, %2023
+  %515 = phi i64 [ %481, %483 ], [ %2024, %2023 ]
+  %516 = phi i64 [ undef, %483 ], [ %2022, %2023 ]
+  %517 = phi double [ %214, %483 ], [ %2020, %2023 ]
+  %518 = phi double [ %480, %483 ], [ %2019, %2023 ]
   %519 = load ptr, ptr %98, align 8
   %520 = getelementptr inbounds i8, ptr %519, i64 8
   %521 = load i64, ptr %520, align 8
@@ -669,7 +669,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 531:                                              ; preds = %528
   store double %518, ptr %215, align 8
-  br label %2024
+  br label %2026
 
 532:                                              ; preds = %528
   %533 = add nsw i64 %515, -1
@@ -683,7 +683,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 539:                                              ; preds = %532
   store double %518, ptr %215, align 8
-  br label %2024
+  br label %2026
 
 540:                                              ; preds = %532
   %541 = load i64, ptr %99, align 8
@@ -785,7 +785,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 609:                                              ; preds = %596
   store double %603, ptr %215, align 8
-  br label %2016
+  br label %2018
 
 610:                                              ; preds = %596
   %611 = load ptr, ptr %0, align 8
@@ -1029,7 +1029,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 796:                                              ; preds = %786, %769
   %797 = phi i64 [ %795, %786 ], [ %770, %769 ]
   %798 = icmp slt i64 %797, 0
-  br i1 %798, label %2016, label %799
+  br i1 %798, label %2018, label %799
 
 799:                                              ; preds = %796
   %800 = icmp eq i64 %797, 0
@@ -1472,7 +1472,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %1140 = tail call i32 %1139(ptr noundef %1135, ptr noundef %180, ptr noundef %1136, ptr noundef %1137, ptr noundef %213) #11
   %1141 = sext i32 %1140 to i64
   %1142 = icmp slt i32 %1140, 0
-  br i1 %1142, label %2016, label %1143
+  br i1 %1142, label %2018, label %1143
 
 1143:                                             ; preds = %1132, %1117, %1101, %799
   %1144 = phi i64 [ 0, %1117 ], [ %1141, %1132 ], [ 0, %1101 ], [ %797, %799 ]
@@ -1560,37 +1560,35 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 1215:                                             ; preds = %1212
   %1216 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %517) #10
-  %1217 = fadd double %517, %1211
-  %1218 = tail call double @llvm.fabs.f64(double %602)
-  %1219 = fmul double %1218, 0x3D10000000000000
-  %1220 = fadd double %1219, %1216
-  %1221 = fcmp olt double %1220, %602
-  br i1 %1221, label %1222, label %1229
+  %1217 = fmul double %603, 1.000000e-03
+  %1218 = fsub double %602, %1217
+  %1219 = tail call double @llvm.fabs.f64(double %602)
+  %1220 = fmul double %1219, 0x3D10000000000000
+  %1221 = fsub double %1218, %1220
+  %1222 = fcmp ogt double %1221, %1216
+  br i1 %1222, label %1223, label %1229
 
-1222:                                             ; preds = %1215
-  %1223 = fcmp ugt double %1216, %1217
-  br i1 %1223, label %1226, label %1224
+1223:                                             ; preds = %1215
+  %1224 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %1216) #10
+  %1225 = fadd double %517, %1211
+  %1226 = fcmp ugt double %1224, %1225
+  br i1 %1226, label %1227, label %1229
 
-1224:                                             ; preds = %1222
-  %1225 = tail call fastcc double @knot_until(ptr noundef nonnull %75, double noundef %1217) #10
-  br label %1226
-
-1226:                                             ; preds = %1224, %1222
-  %1227 = phi double [ %1225, %1224 ], [ %1216, %1222 ]
-  %1228 = fsub double %1227, %517
+1227:                                             ; preds = %1223
+  %1228 = fsub double %1216, %517
   br label %1229
 
-1229:                                             ; preds = %1226, %1215, %1212, %1158
-  %1230 = phi double [ %1211, %1158 ], [ %1211, %1212 ], [ %1228, %1226 ], [ %1211, %1215 ]
+1229:                                             ; preds = %1227, %1223, %1215, %1212, %1158
+  %1230 = phi double [ %1211, %1158 ], [ %1211, %1212 ], [ %1228, %1227 ], [ %1211, %1223 ], [ %1211, %1215 ]
   br i1 %195, label %1231, label %1232
 
 1231:                                             ; preds = %1229
   store double %603, ptr %215, align 8
-  br label %2016
+  br label %2018
 
 1232:                                             ; preds = %1229
   store double 1.000000e+00, ptr %511, align 8
-  br label %2016, !llvm.loop !23
+  br label %2018, !llvm.loop !23
 
 1233:                                             ; preds = %1143
   %1234 = load i64, ptr %484, align 8
@@ -2052,7 +2050,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store double %517, ptr %179, align 8
   %1577 = icmp slt i64 %1574, 0
   %1578 = select i1 %1577, i64 -4, i64 2
-  br label %2016
+  br label %2018
 
 1579:                                             ; preds = %1573
   %1580 = load ptr, ptr %77, align 8
@@ -2351,7 +2349,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store i64 %1775, ptr %506, align 8
   store double 1.000000e+00, ptr %507, align 8
   %1783 = fmul double %603, 2.500000e-01
-  br label %2016, !llvm.loop !23
+  br label %2018, !llvm.loop !23
 
 1784:                                             ; preds = %1770
   %1785 = icmp eq i64 %1768, 0
@@ -2362,10 +2360,10 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %1788 = load i64, ptr %1787, align 8
   %1789 = add nsw i64 %1788, 1
   store i64 %1789, ptr %1787, align 8
-  br label %2016
+  br label %2018
 
 1790:                                             ; preds = %1784, %1420
-  br i1 %195, label %1962, label %1791
+  br i1 %195, label %1964, label %1791
 
 1791:                                             ; preds = %1790
   %1792 = load double, ptr %495, align 8
@@ -2469,7 +2467,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %1886 = select i1 %1885, double %1793, double %1884
   %1887 = fmul double %603, %1886
   %1888 = fcmp oeq double %1793, 1.000000e+00
-  br i1 %1888, label %1889, label %1954
+  br i1 %1888, label %1889, label %1956
 
 1889:                                             ; preds = %1880
   %1890 = load double, ptr %501, align 8
@@ -2526,182 +2524,184 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %1937 = fmul double %603, %1936
   %1938 = load i64, ptr %170, align 8
   %1939 = icmp eq i64 %1938, 0
-  br i1 %1939, label %1954, label %1940
+  br i1 %1939, label %1956, label %1940
 
 1940:                                             ; preds = %1931
   %1941 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %517) #10
-  %1942 = tail call double @llvm.fabs.f64(double %602)
-  %1943 = fmul double %1942, 0x3D10000000000000
-  %1944 = fadd double %1943, %1941
-  %1945 = fcmp olt double %1944, %602
-  %1946 = fadd double %602, %1943
-  %1947 = fcmp ogt double %1941, %1946
-  %1948 = or i1 %1947, %1945
-  br i1 %1948, label %1954, label %1949
+  %1942 = fmul double %603, 1.000000e-03
+  %1943 = fsub double %602, %1942
+  %1944 = tail call double @llvm.fabs.f64(double %602)
+  %1945 = fmul double %1944, 0x3D10000000000000
+  %1946 = fsub double %1943, %1945
+  %1947 = fcmp ogt double %1946, %1941
+  %1948 = fadd double %602, %1945
+  %1949 = fcmp ogt double %1941, %1948
+  %1950 = or i1 %1947, %1949
+  br i1 %1950, label %1956, label %1951
 
-1949:                                             ; preds = %1940
-  %1950 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %602) #10
-  %1951 = fsub double %1950, %602
-  %1952 = fcmp olt double %1951, %1937
-  %1953 = select i1 %1952, double %1951, double %1937
-  br label %1954
+1951:                                             ; preds = %1940
+  %1952 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %602) #10
+  %1953 = fsub double %1952, %602
+  %1954 = fcmp olt double %1953, %1937
+  %1955 = select i1 %1954, double %1953, double %1937
+  br label %1956
 
-1954:                                             ; preds = %1949, %1940, %1931, %1880
-  %1955 = phi double [ %1887, %1880 ], [ %1887, %1931 ], [ %1953, %1949 ], [ %1887, %1940 ]
-  %1956 = fcmp ogt double %518, %1955
-  %1957 = select i1 %1956, double %518, double %1955
-  %1958 = select i1 %607, double %1955, double %1957
-  %1959 = fcmp ogt double %1145, 1.000000e-04
-  %1960 = select i1 %1959, double %1145, double 1.000000e-04
-  store double %1960, ptr %495, align 8
-  %1961 = load double, ptr %502, align 8
-  store double %1961, ptr %496, align 8
-  br label %1962
+1956:                                             ; preds = %1951, %1940, %1931, %1880
+  %1957 = phi double [ %1887, %1880 ], [ %1887, %1931 ], [ %1955, %1951 ], [ %1887, %1940 ]
+  %1958 = fcmp ogt double %518, %1957
+  %1959 = select i1 %1958, double %518, double %1957
+  %1960 = select i1 %607, double %1957, double %1959
+  %1961 = fcmp ogt double %1145, 1.000000e-04
+  %1962 = select i1 %1961, double %1145, double 1.000000e-04
+  store double %1962, ptr %495, align 8
+  %1963 = load double, ptr %502, align 8
+  store double %1963, ptr %496, align 8
+  br label %1964
 
-1962:                                             ; preds = %1954, %1790
-  %1963 = phi double [ %1958, %1954 ], [ %518, %1790 ]
-  br i1 %503, label %1968, label %1964
+1964:                                             ; preds = %1956, %1790
+  %1965 = phi double [ %1960, %1956 ], [ %518, %1790 ]
+  br i1 %503, label %1970, label %1966
 
-1964:                                             ; preds = %1968, %1962
-  %1965 = load i64, ptr %504, align 8
-  %1966 = load i64, ptr %85, align 8
-  %1967 = icmp eq i64 %1965, %1966
-  br i1 %1967, label %1980, label %1981
+1966:                                             ; preds = %1970, %1964
+  %1967 = load i64, ptr %504, align 8
+  %1968 = load i64, ptr %85, align 8
+  %1969 = icmp eq i64 %1967, %1968
+  br i1 %1969, label %1982, label %1983
 
-1968:                                             ; preds = %1962, %1968
-  %1969 = phi i64 [ %1978, %1968 ], [ 0, %1962 ]
-  %1970 = getelementptr inbounds double, ptr %180, i64 %1969
-  %1971 = load double, ptr %1970, align 8
-  %1972 = load ptr, ptr %76, align 8
-  %1973 = getelementptr inbounds double, ptr %1972, i64 %1969
-  store double %1971, ptr %1973, align 8
-  %1974 = getelementptr inbounds double, ptr %213, i64 %1969
-  %1975 = load double, ptr %1974, align 8
-  %1976 = load ptr, ptr %86, align 8
-  %1977 = getelementptr inbounds double, ptr %1976, i64 %1969
-  store double %1975, ptr %1977, align 8
-  %1978 = add nuw nsw i64 %1969, 1
-  %1979 = icmp eq i64 %1978, %189
-  br i1 %1979, label %1964, label %1968, !llvm.loop !34
+1970:                                             ; preds = %1964, %1970
+  %1971 = phi i64 [ %1980, %1970 ], [ 0, %1964 ]
+  %1972 = getelementptr inbounds double, ptr %180, i64 %1971
+  %1973 = load double, ptr %1972, align 8
+  %1974 = load ptr, ptr %76, align 8
+  %1975 = getelementptr inbounds double, ptr %1974, i64 %1971
+  store double %1973, ptr %1975, align 8
+  %1976 = getelementptr inbounds double, ptr %213, i64 %1971
+  %1977 = load double, ptr %1976, align 8
+  %1978 = load ptr, ptr %86, align 8
+  %1979 = getelementptr inbounds double, ptr %1978, i64 %1971
+  store double %1977, ptr %1979, align 8
+  %1980 = add nuw nsw i64 %1971, 1
+  %1981 = icmp eq i64 %1980, %189
+  br i1 %1981, label %1966, label %1970, !llvm.loop !34
 
-1980:                                             ; preds = %1964
-  store double %1963, ptr %215, align 8
-  br label %2016
+1982:                                             ; preds = %1966
+  store double %1965, ptr %215, align 8
+  br label %2018
 
-1981:                                             ; preds = %1964
-  %1982 = fcmp oeq double %602, %577
-  br i1 %1982, label %1983, label %2016
+1983:                                             ; preds = %1966
+  %1984 = fcmp oeq double %602, %577
+  br i1 %1984, label %1985, label %2018
 
-1983:                                             ; preds = %1981
-  %1984 = load i64, ptr %99, align 8
-  %1985 = icmp sgt i64 %1984, 0
-  br i1 %1985, label %1986, label %1988
+1985:                                             ; preds = %1983
+  %1986 = load i64, ptr %99, align 8
+  %1987 = icmp sgt i64 %1986, 0
+  br i1 %1987, label %1988, label %1990
 
-1986:                                             ; preds = %1983
-  %1987 = load ptr, ptr %171, align 8
-  store double 0x7FF0000000000000, ptr %1987, align 8
-  br label %1988
+1988:                                             ; preds = %1985
+  %1989 = load ptr, ptr %171, align 8
+  store double 0x7FF0000000000000, ptr %1989, align 8
+  br label %1990
 
-1988:                                             ; preds = %1983, %1986
-  %1989 = load i64, ptr %489, align 8
-  %1990 = add nsw i64 %1989, 1
-  store i64 %1990, ptr %489, align 8
-  %1991 = load ptr, ptr %76, align 8
-  %1992 = load ptr, ptr %86, align 8
-  %1993 = load ptr, ptr %172, align 8
-  store double %602, ptr %1993, align 8
-  %1994 = load ptr, ptr %75, align 8
-  %1995 = getelementptr inbounds i8, ptr %1994, i64 40
-  %1996 = load i64, ptr %1995, align 8
-  %1997 = icmp eq i64 %1996, 0
-  br i1 %1997, label %1999, label %1998
+1990:                                             ; preds = %1985, %1988
+  %1991 = load i64, ptr %489, align 8
+  %1992 = add nsw i64 %1991, 1
+  store i64 %1992, ptr %489, align 8
+  %1993 = load ptr, ptr %76, align 8
+  %1994 = load ptr, ptr %86, align 8
+  %1995 = load ptr, ptr %172, align 8
+  store double %602, ptr %1995, align 8
+  %1996 = load ptr, ptr %75, align 8
+  %1997 = getelementptr inbounds i8, ptr %1996, i64 40
+  %1998 = load i64, ptr %1997, align 8
+  %1999 = icmp eq i64 %1998, 0
+  br i1 %1999, label %2001, label %2000
 
-1998:                                             ; preds = %1988
+2000:                                             ; preds = %1990
   tail call fastcc void @settle(ptr noundef nonnull %75) #10
-  br label %1999
+  br label %2001
 
-1999:                                             ; preds = %1998, %1988
-  %2000 = load i64, ptr %173, align 8
-  %2001 = icmp sgt i64 %2000, 0
-  br i1 %2001, label %2002, label %2003
+2001:                                             ; preds = %2000, %1990
+  %2002 = load i64, ptr %173, align 8
+  %2003 = icmp sgt i64 %2002, 0
+  br i1 %2003, label %2004, label %2005
 
-2002:                                             ; preds = %1999
+2004:                                             ; preds = %2001
   tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %2003
+  br label %2005
 
-2003:                                             ; preds = %1999, %2002
-  %2004 = load ptr, ptr %75, align 8
-  %2005 = load i64, ptr %2004, align 8
-  %2006 = load ptr, ptr %172, align 8
-  %2007 = load ptr, ptr %174, align 8
-  %2008 = load ptr, ptr %175, align 8
-  %2009 = inttoptr i64 %2005 to ptr
-  %2010 = load ptr, ptr %2009, align 8
-  %2011 = tail call i32 %2010(ptr noundef %2006, ptr noundef %1991, ptr noundef %2007, ptr noundef %2008, ptr noundef %1992) #11
-  %2012 = icmp eq i32 %2011, 0
-  br i1 %2012, label %2016, label %2013
+2005:                                             ; preds = %2001, %2004
+  %2006 = load ptr, ptr %75, align 8
+  %2007 = load i64, ptr %2006, align 8
+  %2008 = load ptr, ptr %172, align 8
+  %2009 = load ptr, ptr %174, align 8
+  %2010 = load ptr, ptr %175, align 8
+  %2011 = inttoptr i64 %2007 to ptr
+  %2012 = load ptr, ptr %2011, align 8
+  %2013 = tail call i32 %2012(ptr noundef %2008, ptr noundef %1993, ptr noundef %2009, ptr noundef %2010, ptr noundef %1994) #11
+  %2014 = icmp eq i32 %2013, 0
+  br i1 %2014, label %2018, label %2015
 
-2013:                                             ; preds = %2003
+2015:                                             ; preds = %2005
   store i64 3, ptr %505, align 8
-  store double %1963, ptr %215, align 8
-  %2014 = icmp slt i32 %2011, 0
-  %2015 = select i1 %2014, i64 -4, i64 2
-  br label %2016
+  store double %1965, ptr %215, align 8
+  %2016 = icmp slt i32 %2013, 0
+  %2017 = select i1 %2016, i64 -4, i64 2
+  br label %2018
 
-2016:                                             ; preds = %2013, %2003, %1981, %1980, %1786, %1774, %1576, %1232, %1231, %1132, %796, %609
-  %2017 = phi double [ %518, %609 ], [ %518, %796 ], [ %518, %1132 ], [ %1230, %1232 ], [ %1230, %1231 ], [ %518, %1576 ], [ %1783, %1774 ], [ %518, %1786 ], [ %1963, %1980 ], [ %1963, %2013 ], [ %1963, %2003 ], [ %1963, %1981 ]
-  %2018 = phi double [ %517, %609 ], [ %517, %796 ], [ %517, %1132 ], [ %517, %1232 ], [ %517, %1231 ], [ %517, %1576 ], [ %517, %1774 ], [ %517, %1786 ], [ %602, %1980 ], [ %602, %2013 ], [ %602, %2003 ], [ %602, %1981 ]
-  %2019 = phi i32 [ 1, %609 ], [ 1, %796 ], [ 1, %1132 ], [ 3, %1232 ], [ 1, %1231 ], [ 1, %1576 ], [ 3, %1774 ], [ 1, %1786 ], [ 1, %1980 ], [ 1, %2013 ], [ 0, %2003 ], [ 0, %1981 ]
-  %2020 = phi i64 [ 2, %609 ], [ -4, %796 ], [ -4, %1132 ], [ %516, %1232 ], [ 2, %1231 ], [ %1578, %1576 ], [ %516, %1774 ], [ %1768, %1786 ], [ 0, %1980 ], [ %2015, %2013 ], [ %516, %2003 ], [ %516, %1981 ]
-  switch i32 %2019, label %2024 [
-    i32 0, label %2021
-    i32 3, label %2021
+2018:                                             ; preds = %2015, %2005, %1983, %1982, %1786, %1774, %1576, %1232, %1231, %1132, %796, %609
+  %2019 = phi double [ %518, %609 ], [ %518, %796 ], [ %518, %1132 ], [ %1230, %1232 ], [ %1230, %1231 ], [ %518, %1576 ], [ %1783, %1774 ], [ %518, %1786 ], [ %1965, %1982 ], [ %1965, %2015 ], [ %1965, %2005 ], [ %1965, %1983 ]
+  %2020 = phi double [ %517, %609 ], [ %517, %796 ], [ %517, %1132 ], [ %517, %1232 ], [ %517, %1231 ], [ %517, %1576 ], [ %517, %1774 ], [ %517, %1786 ], [ %602, %1982 ], [ %602, %2015 ], [ %602, %2005 ], [ %602, %1983 ]
+  %2021 = phi i32 [ 1, %609 ], [ 1, %796 ], [ 1, %1132 ], [ 3, %1232 ], [ 1, %1231 ], [ 1, %1576 ], [ 3, %1774 ], [ 1, %1786 ], [ 1, %1982 ], [ 1, %2015 ], [ 0, %2005 ], [ 0, %1983 ]
+  %2022 = phi i64 [ 2, %609 ], [ -4, %796 ], [ -4, %1132 ], [ %516, %1232 ], [ 2, %1231 ], [ %1578, %1576 ], [ %516, %1774 ], [ %1768, %1786 ], [ 0, %1982 ], [ %2017, %2015 ], [ %516, %2005 ], [ %516, %1983 ]
+  switch i32 %2021, label %2026 [
+    i32 0, label %2023
+    i32 3, label %2023
   ]
 
-2021:                                             ; preds = %2016, %2016
-  %2022 = load i64, ptr %182, align 8
-  %2023 = icmp eq i64 %2022, 0
-  br i1 %2023, label %512, label %514, !llvm.loop !23
+2023:                                             ; preds = %2018, %2018
+  %2024 = load i64, ptr %182, align 8
+  %2025 = icmp eq i64 %2024, 0
+  br i1 %2025, label %512, label %514, !llvm.loop !23
 
-2024:                                             ; preds = %2016, %178, %277, %319, %512, %531, %539
-  %2025 = phi i64 [ -1, %178 ], [ %280, %277 ], [ -1, %512 ], [ -5, %531 ], [ 1, %539 ], [ 0, %319 ], [ %2020, %2016 ]
-  %2026 = load ptr, ptr %177, align 8
-  %2027 = getelementptr inbounds i8, ptr %2026, i64 48
-  %2028 = load i64, ptr %2027, align 8
-  %2029 = icmp ne i64 %2025, -2
-  %2030 = icmp eq i64 %2028, 0
-  %2031 = select i1 %2029, i1 true, i1 %2030
-  br i1 %2031, label %2039, label %2032
+2026:                                             ; preds = %2018, %178, %277, %319, %512, %531, %539
+  %2027 = phi i64 [ -1, %178 ], [ %280, %277 ], [ -1, %512 ], [ -5, %531 ], [ 1, %539 ], [ 0, %319 ], [ %2022, %2018 ]
+  %2028 = load ptr, ptr %177, align 8
+  %2029 = getelementptr inbounds i8, ptr %2028, i64 48
+  %2030 = load i64, ptr %2029, align 8
+  %2031 = icmp ne i64 %2027, -2
+  %2032 = icmp eq i64 %2030, 0
+  %2033 = select i1 %2031, i1 true, i1 %2032
+  br i1 %2033, label %2041, label %2034
 
-2032:                                             ; preds = %2024
-  %2033 = inttoptr i64 %2028 to ptr
-  %2034 = tail call i64 %2033(ptr noundef %0) #11
-  %2035 = icmp eq i64 %2034, 8
-  %2036 = select i1 %2035, i64 8, i64 %2025
-  %2037 = icmp eq i64 %2034, 1
-  %2038 = zext i1 %2037 to i32
-  br label %2039
+2034:                                             ; preds = %2026
+  %2035 = inttoptr i64 %2030 to ptr
+  %2036 = tail call i64 %2035(ptr noundef %0) #11
+  %2037 = icmp eq i64 %2036, 8
+  %2038 = select i1 %2037, i64 8, i64 %2027
+  %2039 = icmp eq i64 %2036, 1
+  %2040 = zext i1 %2039 to i32
+  br label %2041
 
-2039:                                             ; preds = %2024, %2032
-  %2040 = phi i64 [ %2025, %2024 ], [ %2036, %2032 ]
-  %2041 = phi i32 [ 0, %2024 ], [ %2038, %2032 ]
-  %2042 = icmp eq i32 %2041, 0
-  br i1 %2042, label %2043, label %178, !llvm.loop !35
+2041:                                             ; preds = %2026, %2034
+  %2042 = phi i64 [ %2027, %2026 ], [ %2038, %2034 ]
+  %2043 = phi i32 [ 0, %2026 ], [ %2040, %2034 ]
+  %2044 = icmp eq i32 %2043, 0
+  br i1 %2044, label %2045, label %178, !llvm.loop !35
 
-2043:                                             ; preds = %2039
-  %2044 = getelementptr inbounds i8, ptr %0, i64 320
-  %2045 = load i64, ptr %2044, align 8
-  %2046 = icmp sgt i64 %2045, 0
-  br i1 %2046, label %2047, label %2050
+2045:                                             ; preds = %2041
+  %2046 = getelementptr inbounds i8, ptr %0, i64 320
+  %2047 = load i64, ptr %2046, align 8
+  %2048 = icmp sgt i64 %2047, 0
+  br i1 %2048, label %2049, label %2052
 
-2047:                                             ; preds = %2043
-  %2048 = getelementptr inbounds i8, ptr %0, i64 336
-  %2049 = load ptr, ptr %2048, align 8
-  store double 0x7FF0000000000000, ptr %2049, align 8
-  br label %2050
+2049:                                             ; preds = %2045
+  %2050 = getelementptr inbounds i8, ptr %0, i64 336
+  %2051 = load ptr, ptr %2050, align 8
+  store double 0x7FF0000000000000, ptr %2051, align 8
+  br label %2052
 
-2050:                                             ; preds = %2043, %2047
-  ret i64 %2040
+2052:                                             ; preds = %2045, %2049
+  ret i64 %2042
 }
 
 
@@ -3225,91 +3225,6 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   br i1 %71, label %16, label %18, !llvm.loop !43
 }
 
-define internal fastcc double @knot_until(ptr noundef readonly %0, double noundef %1) unnamed_addr #7 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 104
-  %4 = load i64, ptr %3, align 8
-  %5 = icmp sgt i64 %4, 0
-  br i1 %5, label %6, label %13
-
-6:                                                ; preds = %2
-  %7 = getelementptr inbounds i8, ptr %0, i64 96
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %0, i64 112
-  %10 = load i64, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %0, i64 120
-  %12 = load ptr, ptr %11, align 8
-  br label %15
-
-13:                                               ; preds = %56, %2
-  %14 = phi double [ 0xFFF0000000000000, %2 ], [ %59, %56 ]
-  ret double %14
-
-15:                                               ; preds = %6, %56
-  %16 = phi double [ 0xFFF0000000000000, %6 ], [ %59, %56 ]
-  %17 = phi i64 [ 0, %6 ], [ %60, %56 ]
-  %18 = mul nsw i64 %10, %17
-  %19 = getelementptr inbounds i64, ptr %8, i64 %18
-  %20 = getelementptr inbounds i8, ptr %19, i64 8
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr inbounds double, ptr %12, i64 %21
-  %23 = load double, ptr %22, align 8
-  %24 = fcmp ogt double %23, %1
-  br i1 %24, label %56, label %25
-
-25:                                               ; preds = %15
-  %26 = getelementptr inbounds i8, ptr %19, i64 16
-  %27 = load i64, ptr %26, align 8
-  %28 = fcmp ugt double %23, %1
-  br i1 %28, label %37, label %29
-
-29:                                               ; preds = %25
-  %30 = icmp eq i64 %27, 1
-  br i1 %30, label %52, label %31
-
-31:                                               ; preds = %29
-  %32 = getelementptr i8, ptr %22, i64 8
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ule double %33, %1
-  %35 = icmp sgt i64 %27, 1
-  %36 = select i1 %34, i1 %35, i1 false
-  br i1 %36, label %39, label %52
-
-37:                                               ; preds = %25
-  %38 = icmp sgt i64 %27, 1
-  br i1 %38, label %39, label %52
-
-39:                                               ; preds = %37, %31
-  br label %40
-
-40:                                               ; preds = %39, %40
-  %41 = phi i64 [ %49, %40 ], [ %27, %39 ]
-  %42 = phi i64 [ %48, %40 ], [ 0, %39 ]
-  %43 = add nsw i64 %41, %42
-  %44 = sdiv i64 %43, 2
-  %45 = getelementptr inbounds double, ptr %22, i64 %44
-  %46 = load double, ptr %45, align 8
-  %47 = fcmp ugt double %46, %1
-  %48 = select i1 %47, i64 %42, i64 %44
-  %49 = select i1 %47, i64 %44, i64 %41
-  %50 = sub nsw i64 %49, %48
-  %51 = icmp sgt i64 %50, 1
-  br i1 %51, label %40, label %52, !llvm.loop !36
-
-52:                                               ; preds = %40, %37, %29, %31
-  %53 = phi i64 [ 0, %31 ], [ 0, %29 ], [ 0, %37 ], [ %48, %40 ]
-  %54 = getelementptr inbounds double, ptr %22, i64 %53
-  %55 = load double, ptr %54, align 8
-  br label %56
-
-56:                                               ; preds = %15, %52
-  %57 = phi double [ %55, %52 ], [ %16, %15 ]
-  %58 = fcmp ogt double %57, %16
-  %59 = select i1 %58, double %57, double %16
-  %60 = add nuw nsw i64 %17, 1
-  %61 = icmp eq i64 %60, %4
-  br i1 %61, label %13, label %15, !llvm.loop !44
-}
-
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
@@ -3344,7 +3259,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !45
+  br i1 %31, label %20, label %19, !llvm.loop !44
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -3358,7 +3273,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !46
+  br i1 %43, label %32, label %24, !llvm.loop !45
 }
 
 declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #9
@@ -3426,4 +3341,3 @@ attributes #12 = { nounwind }
 !43 = distinct !{!43, !4, !5}
 !44 = distinct !{!44, !4, !5}
 !45 = distinct !{!45, !4, !5}
-!46 = distinct !{!46, !4, !5}

@@ -1,4 +1,4 @@
-; sources 9bfb34b505d845eae2a06ebde67d13d03f387b48df3017315970104f32e99241
+; sources d07328dc3493161394a75329f5eac0fd3f1fcc41f52814ce3f4a51b22a99ac59
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -249,19 +249,19 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %215 = getelementptr inbounds i8, ptr %0, i64 768
   br label %216
 
-216:                                              ; preds = %2670, %80
-  %217 = phi double [ undef, %80 ], [ %2650, %2670 ]
-  %218 = phi double [ undef, %80 ], [ %2651, %2670 ]
-  %219 = phi double [ undef, %80 ], [ %2652, %2670 ]
-  %220 = phi i64 [ undef, %80 ], [ %2653, %2670 ]
-  %221 = phi i64 [ undef, %80 ], [ %2654, %2670 ]
-  %222 = phi i64 [ undef, %80 ], [ %2655, %2670 ]
+216:                                              ; preds = %2672, %80
+  %217 = phi double [ undef, %80 ], [ %2652, %2672 ]
+  %218 = phi double [ undef, %80 ], [ %2653, %2672 ]
+  %219 = phi double [ undef, %80 ], [ %2654, %2672 ]
+  %220 = phi i64 [ undef, %80 ], [ %2655, %2672 ]
+  %221 = phi i64 [ undef, %80 ], [ %2656, %2672 ]
+  %222 = phi i64 [ undef, %80 ], [ %2657, %2672 ]
   %223 = load ptr, ptr %84, align 8
   %224 = load ptr, ptr %85, align 8
   %225 = getelementptr inbounds i8, ptr %224, i64 56
   %226 = load i64, ptr %225, align 8
   %227 = icmp eq i64 %226, 0
-  br i1 %227, label %2649, label %228
+  br i1 %227, label %2651, label %228
 
 228:                                              ; preds = %216
   %229 = load ptr, ptr %81, align 8
@@ -399,7 +399,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   store i64 3, ptr %325, align 8
   %326 = icmp slt i32 %322, 0
   %327 = select i1 %326, i64 -4, i64 2
-  br label %2649
+  br label %2651
 
 328:                                              ; preds = %314
   store i64 1, ptr %224, align 8
@@ -483,7 +483,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %386 = getelementptr inbounds i8, ptr %385, i64 48
   store i64 %384, ptr %386, align 8
   %387 = icmp eq i64 %384, %354
-  br i1 %387, label %2649, label %388
+  br i1 %387, label %2651, label %388
 
 388:                                              ; preds = %383
   %389 = fcmp oeq double %263, 0.000000e+00
@@ -557,28 +557,28 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %446 = getelementptr inbounds i8, ptr %224, i64 72
   br label %455
 
-447:                                              ; preds = %2646, %417
-  %448 = phi double [ %217, %417 ], [ %2636, %2646 ]
-  %449 = phi double [ %218, %417 ], [ %2637, %2646 ]
-  %450 = phi double [ %219, %417 ], [ %2638, %2646 ]
-  %451 = phi i64 [ %220, %417 ], [ %2639, %2646 ]
-  %452 = phi i64 [ %221, %417 ], [ %2640, %2646 ]
-  %453 = phi i64 [ %222, %417 ], [ %2641, %2646 ]
-  %454 = phi double [ %418, %417 ], [ %2642, %2646 ]
+447:                                              ; preds = %2648, %417
+  %448 = phi double [ %217, %417 ], [ %2638, %2648 ]
+  %449 = phi double [ %218, %417 ], [ %2639, %2648 ]
+  %450 = phi double [ %219, %417 ], [ %2640, %2648 ]
+  %451 = phi i64 [ %220, %417 ], [ %2641, %2648 ]
+  %452 = phi i64 [ %221, %417 ], [ %2642, %2648 ]
+  %453 = phi i64 [ %222, %417 ], [ %2643, %2648 ]
+  %454 = phi double [ %418, %417 ], [ %2644, %2648 ]
   store double %454, ptr %262, align 8
-  br label %2649
+  br label %2651
 
-455:                                              ; preds = %421, %2646
-  %456 = phi i64 [ %419, %421 ], [ %2647, %2646 ]
-  %457 = phi i64 [ undef, %421 ], [ %2645, %2646 ]
-  %458 = phi double [ %261, %421 ], [ %2643, %2646 ]
-  %459 = phi double [ %418, %421 ], [ %2642, %2646 ]
-  %460 = phi i64 [ %222, %421 ], [ %2641, %2646 ]
-  %461 = phi i64 [ %221, %421 ], [ %2640, %2646 ]
-  %462 = phi i64 [ %220, %421 ], [ %2639, %2646 ]
-  %463 = phi double [ %219, %421 ], [ %2638, %2646 ]
-  %464 = phi double [ %218, %421 ], [ %2637, %2646 ]
-  %465 = phi double [ %217, %421 ], [ %2636, %2646 ]
+455:                                              ; preds = %421, %2648
+  %456 = phi i64 [ %419, %421 ], [ %2649, %2648 ]
+  %457 = phi i64 [ undef, %421 ], [ %2647, %2648 ]
+  %458 = phi double [ %261, %421 ], [ %2645, %2648 ]
+  %459 = phi double [ %418, %421 ], [ %2644, %2648 ]
+  %460 = phi i64 [ %222, %421 ], [ %2643, %2648 ]
+  %461 = phi i64 [ %221, %421 ], [ %2642, %2648 ]
+  %462 = phi i64 [ %220, %421 ], [ %2641, %2648 ]
+  %463 = phi double [ %219, %421 ], [ %2640, %2648 ]
+  %464 = phi double [ %218, %421 ], [ %2639, %2648 ]
+  %465 = phi double [ %217, %421 ], [ %2638, %2648 ]
   %466 = load ptr, ptr %101, align 8
   %467 = getelementptr inbounds i8, ptr %466, i64 8
   %468 = load i64, ptr %467, align 8
@@ -599,7 +599,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 478:                                              ; preds = %475
   store double %459, ptr %262, align 8
-  br label %2649
+  br label %2651
 
 479:                                              ; preds = %475
   %480 = add nsw i64 %456, -1
@@ -613,7 +613,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 486:                                              ; preds = %479
   store double %459, ptr %262, align 8
-  br label %2649
+  br label %2651
 
 487:                                              ; preds = %479
   %488 = load i64, ptr %102, align 8
@@ -690,7 +690,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 541:                                              ; preds = %523
   store double %535, ptr %262, align 8
-  br label %2635
+  br label %2637
 
 542:                                              ; preds = %523
   %543 = load ptr, ptr %81, align 8, !noalias !15
@@ -2523,7 +2523,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %2007 = add nsw i64 %2006, %1997
   store i64 %2007, ptr %438, align 8
   %2008 = icmp eq i64 %1998, 0
-  br i1 %2008, label %2009, label %2635
+  br i1 %2008, label %2009, label %2637
 
 2009:                                             ; preds = %1985
   %2010 = icmp eq i64 %1999, 0
@@ -2538,34 +2538,32 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %2015 = fcmp ult double %1994, 1.000000e+00
   %2016 = fcmp ueq double %1994, 0x7FF0000000000000
   %2017 = or i1 %2015, %2016
-  br i1 %2017, label %2635, label %2018, !llvm.loop !53
+  br i1 %2017, label %2637, label %2018, !llvm.loop !53
 
 2018:                                             ; preds = %2011
   %2019 = load i64, ptr %214, align 8
   %2020 = icmp eq i64 %2019, 0
-  br i1 %2020, label %2635, label %2021, !llvm.loop !53
+  br i1 %2020, label %2637, label %2021, !llvm.loop !53
 
 2021:                                             ; preds = %2018
   %2022 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %458) #10
-  %2023 = fadd double %458, %1995
-  %2024 = tail call double @llvm.fabs.f64(double %534)
-  %2025 = fmul double %2024, 0x3D10000000000000
-  %2026 = fadd double %2025, %2022
-  %2027 = fcmp olt double %2026, %534
-  br i1 %2027, label %2028, label %2635, !llvm.loop !53
+  %2023 = fmul double %535, 1.000000e-03
+  %2024 = fsub double %534, %2023
+  %2025 = tail call double @llvm.fabs.f64(double %534)
+  %2026 = fmul double %2025, 0x3D10000000000000
+  %2027 = fsub double %2024, %2026
+  %2028 = fcmp ogt double %2027, %2022
+  br i1 %2028, label %2029, label %2637, !llvm.loop !53
 
-2028:                                             ; preds = %2021
-  %2029 = fcmp ugt double %2022, %2023
-  br i1 %2029, label %2032, label %2030
+2029:                                             ; preds = %2021
+  %2030 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %2022) #10
+  %2031 = fadd double %458, %1995
+  %2032 = fcmp ugt double %2030, %2031
+  br i1 %2032, label %2033, label %2637, !llvm.loop !53
 
-2030:                                             ; preds = %2028
-  %2031 = tail call fastcc double @knot_until(ptr noundef nonnull %81, double noundef %2023) #10
-  br label %2032
-
-2032:                                             ; preds = %2030, %2028
-  %2033 = phi double [ %2031, %2030 ], [ %2022, %2028 ]
-  %2034 = fsub double %2033, %458
-  br label %2635, !llvm.loop !53
+2033:                                             ; preds = %2029
+  %2034 = fsub double %2022, %458
+  br label %2637, !llvm.loop !53
 
 2035:                                             ; preds = %2009
   br i1 %256, label %2036, label %2064
@@ -2605,7 +2603,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %2062 = load ptr, ptr %173, align 8
   %2063 = getelementptr inbounds i8, ptr %2062, i64 8
   store double 0.000000e+00, ptr %2063, align 8
-  br label %2635, !llvm.loop !53
+  br label %2637, !llvm.loop !53
 
 2064:                                             ; preds = %2036, %2035
   %2065 = load i64, ptr %422, align 8
@@ -3279,7 +3277,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   store i64 %2555, ptr %423, align 8
   store i64 %2533, ptr %445, align 8
   %2556 = fmul double %535, 2.500000e-01
-  br label %2635, !llvm.loop !53
+  br label %2637, !llvm.loop !53
 
 2557:                                             ; preds = %2529
   %2558 = icmp eq i64 %2527, 0
@@ -3290,187 +3288,189 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %2561 = load i64, ptr %2560, align 8
   %2562 = add nsw i64 %2561, 1
   store i64 %2562, ptr %2560, align 8
-  br label %2635
+  br label %2637
 
 2563:                                             ; preds = %2557, %2333
   %2564 = icmp eq i64 %552, 0
-  br i1 %2564, label %2582, label %2565
+  br i1 %2564, label %2584, label %2565
 
 2565:                                             ; preds = %2563
   %2566 = load i64, ptr %206, align 8
   %2567 = icmp eq i64 %2566, 0
-  br i1 %2567, label %2582, label %2568
+  br i1 %2567, label %2584, label %2568
 
 2568:                                             ; preds = %2565
   %2569 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %458) #10
-  %2570 = tail call double @llvm.fabs.f64(double %534)
-  %2571 = fmul double %2570, 0x3D10000000000000
-  %2572 = fadd double %2571, %2569
-  %2573 = fcmp olt double %2572, %534
-  %2574 = fadd double %534, %2571
-  %2575 = fcmp ogt double %2569, %2574
-  %2576 = or i1 %2575, %2573
-  br i1 %2576, label %2582, label %2577
+  %2570 = fmul double %535, 1.000000e-03
+  %2571 = fsub double %534, %2570
+  %2572 = tail call double @llvm.fabs.f64(double %534)
+  %2573 = fmul double %2572, 0x3D10000000000000
+  %2574 = fsub double %2571, %2573
+  %2575 = fcmp ogt double %2574, %2569
+  %2576 = fadd double %534, %2573
+  %2577 = fcmp ogt double %2569, %2576
+  %2578 = or i1 %2575, %2577
+  br i1 %2578, label %2584, label %2579
 
-2577:                                             ; preds = %2568
-  %2578 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %534) #10
-  %2579 = fsub double %2578, %534
-  %2580 = fcmp olt double %2579, %1995
-  %2581 = select i1 %2580, double %2579, double %1995
-  br label %2582
+2579:                                             ; preds = %2568
+  %2580 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %534) #10
+  %2581 = fsub double %2580, %534
+  %2582 = fcmp olt double %2581, %1995
+  %2583 = select i1 %2582, double %2581, double %1995
+  br label %2584
 
-2582:                                             ; preds = %2577, %2568, %2565, %2563
-  %2583 = phi double [ %1995, %2563 ], [ %1995, %2565 ], [ %2581, %2577 ], [ %1995, %2568 ]
-  br i1 %442, label %2614, label %2584
+2584:                                             ; preds = %2579, %2568, %2565, %2563
+  %2585 = phi double [ %1995, %2563 ], [ %1995, %2565 ], [ %2583, %2579 ], [ %1995, %2568 ]
+  br i1 %442, label %2616, label %2586
 
-2584:                                             ; preds = %2614, %2582
-  %2585 = load i64, ptr %102, align 8
-  %2586 = icmp sgt i64 %2585, 0
-  br i1 %2586, label %2587, label %2589
+2586:                                             ; preds = %2616, %2584
+  %2587 = load i64, ptr %102, align 8
+  %2588 = icmp sgt i64 %2587, 0
+  br i1 %2588, label %2589, label %2591
 
-2587:                                             ; preds = %2584
-  %2588 = load ptr, ptr %208, align 8
-  store double 0x7FF0000000000000, ptr %2588, align 8
-  br label %2589
+2589:                                             ; preds = %2586
+  %2590 = load ptr, ptr %208, align 8
+  store double 0x7FF0000000000000, ptr %2590, align 8
+  br label %2591
 
-2589:                                             ; preds = %2584, %2587
-  %2590 = load i64, ptr %436, align 8
-  %2591 = add nsw i64 %2590, 1
-  store i64 %2591, ptr %436, align 8
-  %2592 = load ptr, ptr %82, align 8
-  %2593 = load ptr, ptr %209, align 8
-  %2594 = load ptr, ptr %210, align 8
-  store double %534, ptr %2594, align 8
-  %2595 = load ptr, ptr %81, align 8
-  %2596 = getelementptr inbounds i8, ptr %2595, i64 40
-  %2597 = load i64, ptr %2596, align 8
-  %2598 = icmp eq i64 %2597, 0
-  br i1 %2598, label %2600, label %2599
+2591:                                             ; preds = %2586, %2589
+  %2592 = load i64, ptr %436, align 8
+  %2593 = add nsw i64 %2592, 1
+  store i64 %2593, ptr %436, align 8
+  %2594 = load ptr, ptr %82, align 8
+  %2595 = load ptr, ptr %209, align 8
+  %2596 = load ptr, ptr %210, align 8
+  store double %534, ptr %2596, align 8
+  %2597 = load ptr, ptr %81, align 8
+  %2598 = getelementptr inbounds i8, ptr %2597, i64 40
+  %2599 = load i64, ptr %2598, align 8
+  %2600 = icmp eq i64 %2599, 0
+  br i1 %2600, label %2602, label %2601
 
-2599:                                             ; preds = %2589
+2601:                                             ; preds = %2591
   tail call fastcc void @settle(ptr noundef nonnull %81) #10
-  br label %2600
+  br label %2602
 
-2600:                                             ; preds = %2599, %2589
-  %2601 = load i64, ptr %211, align 8
-  %2602 = icmp sgt i64 %2601, 0
-  br i1 %2602, label %2603, label %2604
+2602:                                             ; preds = %2601, %2591
+  %2603 = load i64, ptr %211, align 8
+  %2604 = icmp sgt i64 %2603, 0
+  br i1 %2604, label %2605, label %2606
 
-2603:                                             ; preds = %2600
+2605:                                             ; preds = %2602
   tail call fastcc void @sample(ptr noundef nonnull %81) #10
-  br label %2604
+  br label %2606
 
-2604:                                             ; preds = %2600, %2603
-  %2605 = load ptr, ptr %81, align 8
-  %2606 = load i64, ptr %2605, align 8
-  %2607 = load ptr, ptr %210, align 8
-  %2608 = load ptr, ptr %212, align 8
-  %2609 = load ptr, ptr %213, align 8
-  %2610 = inttoptr i64 %2606 to ptr
-  %2611 = load ptr, ptr %2610, align 8
-  %2612 = tail call i32 %2611(ptr noundef %2607, ptr noundef %2592, ptr noundef %2608, ptr noundef %2609, ptr noundef %2593) #11
-  %2613 = icmp eq i32 %2612, 0
-  br i1 %2613, label %2626, label %2623
+2606:                                             ; preds = %2602, %2605
+  %2607 = load ptr, ptr %81, align 8
+  %2608 = load i64, ptr %2607, align 8
+  %2609 = load ptr, ptr %210, align 8
+  %2610 = load ptr, ptr %212, align 8
+  %2611 = load ptr, ptr %213, align 8
+  %2612 = inttoptr i64 %2608 to ptr
+  %2613 = load ptr, ptr %2612, align 8
+  %2614 = tail call i32 %2613(ptr noundef %2609, ptr noundef %2594, ptr noundef %2610, ptr noundef %2611, ptr noundef %2595) #11
+  %2615 = icmp eq i32 %2614, 0
+  br i1 %2615, label %2628, label %2625
 
-2614:                                             ; preds = %2582, %2614
-  %2615 = phi i64 [ %2621, %2614 ], [ 0, %2582 ]
-  %2616 = load ptr, ptr %207, align 8
-  %2617 = getelementptr inbounds double, ptr %2616, i64 %2615
-  %2618 = load double, ptr %2617, align 8
-  %2619 = load ptr, ptr %82, align 8
-  %2620 = getelementptr inbounds double, ptr %2619, i64 %2615
-  store double %2618, ptr %2620, align 8
-  %2621 = add nuw nsw i64 %2615, 1
-  %2622 = icmp eq i64 %2621, %231
-  br i1 %2622, label %2584, label %2614, !llvm.loop !64
+2616:                                             ; preds = %2584, %2616
+  %2617 = phi i64 [ %2623, %2616 ], [ 0, %2584 ]
+  %2618 = load ptr, ptr %207, align 8
+  %2619 = getelementptr inbounds double, ptr %2618, i64 %2617
+  %2620 = load double, ptr %2619, align 8
+  %2621 = load ptr, ptr %82, align 8
+  %2622 = getelementptr inbounds double, ptr %2621, i64 %2617
+  store double %2620, ptr %2622, align 8
+  %2623 = add nuw nsw i64 %2617, 1
+  %2624 = icmp eq i64 %2623, %231
+  br i1 %2624, label %2586, label %2616, !llvm.loop !64
 
-2623:                                             ; preds = %2604
+2625:                                             ; preds = %2606
   store i64 3, ptr %443, align 8
   store double %535, ptr %262, align 8
-  %2624 = icmp slt i32 %2612, 0
-  %2625 = select i1 %2624, i64 -4, i64 2
-  br label %2635
+  %2626 = icmp slt i32 %2614, 0
+  %2627 = select i1 %2626, i64 -4, i64 2
+  br label %2637
 
-2626:                                             ; preds = %2604
-  %2627 = fcmp oeq double %534, %524
-  %2628 = fcmp ogt double %459, %2583
-  %2629 = select i1 %2627, i1 %2628, i1 false
-  %2630 = select i1 %2629, double %459, double %2583
-  %2631 = load i64, ptr %444, align 8
-  %2632 = load i64, ptr %87, align 8
-  %2633 = icmp eq i64 %2631, %2632
-  br i1 %2633, label %2634, label %2635
+2628:                                             ; preds = %2606
+  %2629 = fcmp oeq double %534, %524
+  %2630 = fcmp ogt double %459, %2585
+  %2631 = select i1 %2629, i1 %2630, i1 false
+  %2632 = select i1 %2631, double %459, double %2585
+  %2633 = load i64, ptr %444, align 8
+  %2634 = load i64, ptr %87, align 8
+  %2635 = icmp eq i64 %2633, %2634
+  br i1 %2635, label %2636, label %2637
 
-2634:                                             ; preds = %2626
-  store double %2630, ptr %262, align 8
-  br label %2635
+2636:                                             ; preds = %2628
+  store double %2632, ptr %262, align 8
+  br label %2637
 
-2635:                                             ; preds = %1985, %2011, %2045, %2532, %2559, %2623, %2626, %2634, %2018, %2021, %2032, %541
-  %2636 = phi double [ %465, %541 ], [ %1986, %2032 ], [ %1986, %2021 ], [ %1986, %2018 ], [ %1986, %2634 ], [ %1986, %2626 ], [ %1986, %2623 ], [ %1986, %2559 ], [ %1986, %2532 ], [ %1986, %2045 ], [ %1986, %2011 ], [ %1986, %1985 ]
-  %2637 = phi double [ %464, %541 ], [ %1987, %2032 ], [ %1987, %2021 ], [ %1987, %2018 ], [ %1987, %2634 ], [ %1987, %2626 ], [ %1987, %2623 ], [ %1987, %2559 ], [ %1987, %2532 ], [ %1987, %2045 ], [ %1987, %2011 ], [ %1987, %1985 ]
-  %2638 = phi double [ %463, %541 ], [ %1988, %2032 ], [ %1988, %2021 ], [ %1988, %2018 ], [ %1988, %2634 ], [ %1988, %2626 ], [ %1988, %2623 ], [ %1988, %2559 ], [ %1988, %2532 ], [ %1988, %2045 ], [ %1988, %2011 ], [ %1988, %1985 ]
-  %2639 = phi i64 [ %462, %541 ], [ %1989, %2032 ], [ %1989, %2021 ], [ %1989, %2018 ], [ %1989, %2634 ], [ %1989, %2626 ], [ %1989, %2623 ], [ %1989, %2559 ], [ %1989, %2532 ], [ %1989, %2045 ], [ %1989, %2011 ], [ %1989, %1985 ]
-  %2640 = phi i64 [ %461, %541 ], [ %1990, %2032 ], [ %1990, %2021 ], [ %1990, %2018 ], [ %1990, %2634 ], [ %1990, %2626 ], [ %1990, %2623 ], [ %1990, %2559 ], [ %1990, %2532 ], [ %1990, %2045 ], [ %1990, %2011 ], [ %1990, %1985 ]
-  %2641 = phi i64 [ %460, %541 ], [ %1991, %2032 ], [ %1991, %2021 ], [ %1991, %2018 ], [ %1991, %2634 ], [ %1991, %2626 ], [ %1991, %2623 ], [ %1991, %2559 ], [ %1991, %2532 ], [ %1991, %2045 ], [ %1991, %2011 ], [ %1991, %1985 ]
-  %2642 = phi double [ %459, %541 ], [ %2034, %2032 ], [ %1995, %2021 ], [ %1995, %2018 ], [ %2630, %2634 ], [ %2630, %2626 ], [ %2583, %2623 ], [ %1995, %2559 ], [ %2556, %2532 ], [ %2048, %2045 ], [ %1995, %2011 ], [ %459, %1985 ]
-  %2643 = phi double [ %458, %541 ], [ %458, %2032 ], [ %458, %2021 ], [ %458, %2018 ], [ %534, %2634 ], [ %534, %2626 ], [ %534, %2623 ], [ %458, %2559 ], [ %458, %2532 ], [ %458, %2045 ], [ %458, %2011 ], [ %458, %1985 ]
-  %2644 = phi i32 [ 1, %541 ], [ 3, %2032 ], [ 3, %2021 ], [ 3, %2018 ], [ 1, %2634 ], [ 0, %2626 ], [ 1, %2623 ], [ 1, %2559 ], [ 3, %2532 ], [ 3, %2045 ], [ 3, %2011 ], [ 1, %1985 ]
-  %2645 = phi i64 [ 2, %541 ], [ %457, %2032 ], [ %457, %2021 ], [ %457, %2018 ], [ 0, %2634 ], [ %457, %2626 ], [ %2625, %2623 ], [ %2527, %2559 ], [ %457, %2532 ], [ %457, %2045 ], [ %457, %2011 ], [ -4, %1985 ]
-  switch i32 %2644, label %2649 [
-    i32 0, label %2646
-    i32 3, label %2646
+2637:                                             ; preds = %1985, %2011, %2045, %2532, %2559, %2625, %2628, %2636, %2018, %2021, %2029, %2033, %541
+  %2638 = phi double [ %465, %541 ], [ %1986, %2033 ], [ %1986, %2029 ], [ %1986, %2021 ], [ %1986, %2018 ], [ %1986, %2636 ], [ %1986, %2628 ], [ %1986, %2625 ], [ %1986, %2559 ], [ %1986, %2532 ], [ %1986, %2045 ], [ %1986, %2011 ], [ %1986, %1985 ]
+  %2639 = phi double [ %464, %541 ], [ %1987, %2033 ], [ %1987, %2029 ], [ %1987, %2021 ], [ %1987, %2018 ], [ %1987, %2636 ], [ %1987, %2628 ], [ %1987, %2625 ], [ %1987, %2559 ], [ %1987, %2532 ], [ %1987, %2045 ], [ %1987, %2011 ], [ %1987, %1985 ]
+  %2640 = phi double [ %463, %541 ], [ %1988, %2033 ], [ %1988, %2029 ], [ %1988, %2021 ], [ %1988, %2018 ], [ %1988, %2636 ], [ %1988, %2628 ], [ %1988, %2625 ], [ %1988, %2559 ], [ %1988, %2532 ], [ %1988, %2045 ], [ %1988, %2011 ], [ %1988, %1985 ]
+  %2641 = phi i64 [ %462, %541 ], [ %1989, %2033 ], [ %1989, %2029 ], [ %1989, %2021 ], [ %1989, %2018 ], [ %1989, %2636 ], [ %1989, %2628 ], [ %1989, %2625 ], [ %1989, %2559 ], [ %1989, %2532 ], [ %1989, %2045 ], [ %1989, %2011 ], [ %1989, %1985 ]
+  %2642 = phi i64 [ %461, %541 ], [ %1990, %2033 ], [ %1990, %2029 ], [ %1990, %2021 ], [ %1990, %2018 ], [ %1990, %2636 ], [ %1990, %2628 ], [ %1990, %2625 ], [ %1990, %2559 ], [ %1990, %2532 ], [ %1990, %2045 ], [ %1990, %2011 ], [ %1990, %1985 ]
+  %2643 = phi i64 [ %460, %541 ], [ %1991, %2033 ], [ %1991, %2029 ], [ %1991, %2021 ], [ %1991, %2018 ], [ %1991, %2636 ], [ %1991, %2628 ], [ %1991, %2625 ], [ %1991, %2559 ], [ %1991, %2532 ], [ %1991, %2045 ], [ %1991, %2011 ], [ %1991, %1985 ]
+  %2644 = phi double [ %459, %541 ], [ %2034, %2033 ], [ %1995, %2029 ], [ %1995, %2021 ], [ %1995, %2018 ], [ %2632, %2636 ], [ %2632, %2628 ], [ %2585, %2625 ], [ %1995, %2559 ], [ %2556, %2532 ], [ %2048, %2045 ], [ %1995, %2011 ], [ %459, %1985 ]
+  %2645 = phi double [ %458, %541 ], [ %458, %2033 ], [ %458, %2029 ], [ %458, %2021 ], [ %458, %2018 ], [ %534, %2636 ], [ %534, %2628 ], [ %534, %2625 ], [ %458, %2559 ], [ %458, %2532 ], [ %458, %2045 ], [ %458, %2011 ], [ %458, %1985 ]
+  %2646 = phi i32 [ 1, %541 ], [ 3, %2033 ], [ 3, %2029 ], [ 3, %2021 ], [ 3, %2018 ], [ 1, %2636 ], [ 0, %2628 ], [ 1, %2625 ], [ 1, %2559 ], [ 3, %2532 ], [ 3, %2045 ], [ 3, %2011 ], [ 1, %1985 ]
+  %2647 = phi i64 [ 2, %541 ], [ %457, %2033 ], [ %457, %2029 ], [ %457, %2021 ], [ %457, %2018 ], [ 0, %2636 ], [ %457, %2628 ], [ %2627, %2625 ], [ %2527, %2559 ], [ %457, %2532 ], [ %457, %2045 ], [ %457, %2011 ], [ -4, %1985 ]
+  switch i32 %2646, label %2651 [
+    i32 0, label %2648
+    i32 3, label %2648
   ]
 
-2646:                                             ; preds = %2635, %2635
-  %2647 = load i64, ptr %225, align 8
-  %2648 = icmp eq i64 %2647, 0
-  br i1 %2648, label %447, label %455, !llvm.loop !53
+2648:                                             ; preds = %2637, %2637
+  %2649 = load i64, ptr %225, align 8
+  %2650 = icmp eq i64 %2649, 0
+  br i1 %2650, label %447, label %455, !llvm.loop !53
 
-2649:                                             ; preds = %2635, %324, %383, %447, %478, %486, %216
-  %2650 = phi double [ %217, %216 ], [ %448, %447 ], [ %465, %486 ], [ %465, %478 ], [ %217, %383 ], [ %217, %324 ], [ %2636, %2635 ]
-  %2651 = phi double [ %218, %216 ], [ %449, %447 ], [ %464, %486 ], [ %464, %478 ], [ %218, %383 ], [ %218, %324 ], [ %2637, %2635 ]
-  %2652 = phi double [ %219, %216 ], [ %450, %447 ], [ %463, %486 ], [ %463, %478 ], [ %219, %383 ], [ %219, %324 ], [ %2638, %2635 ]
-  %2653 = phi i64 [ %220, %216 ], [ %451, %447 ], [ %462, %486 ], [ %462, %478 ], [ %220, %383 ], [ %220, %324 ], [ %2639, %2635 ]
-  %2654 = phi i64 [ %221, %216 ], [ %452, %447 ], [ %461, %486 ], [ %461, %478 ], [ %221, %383 ], [ %221, %324 ], [ %2640, %2635 ]
-  %2655 = phi i64 [ %222, %216 ], [ %453, %447 ], [ %460, %486 ], [ %460, %478 ], [ %222, %383 ], [ %222, %324 ], [ %2641, %2635 ]
-  %2656 = phi i64 [ -1, %216 ], [ -1, %447 ], [ 1, %486 ], [ -5, %478 ], [ 0, %383 ], [ %327, %324 ], [ %2645, %2635 ]
-  %2657 = load ptr, ptr %215, align 8
-  %2658 = getelementptr inbounds i8, ptr %2657, i64 48
-  %2659 = load i64, ptr %2658, align 8
-  %2660 = icmp ne i64 %2656, -2
-  %2661 = icmp eq i64 %2659, 0
-  %2662 = select i1 %2660, i1 true, i1 %2661
-  br i1 %2662, label %2670, label %2663
+2651:                                             ; preds = %2637, %324, %383, %447, %478, %486, %216
+  %2652 = phi double [ %217, %216 ], [ %448, %447 ], [ %465, %486 ], [ %465, %478 ], [ %217, %383 ], [ %217, %324 ], [ %2638, %2637 ]
+  %2653 = phi double [ %218, %216 ], [ %449, %447 ], [ %464, %486 ], [ %464, %478 ], [ %218, %383 ], [ %218, %324 ], [ %2639, %2637 ]
+  %2654 = phi double [ %219, %216 ], [ %450, %447 ], [ %463, %486 ], [ %463, %478 ], [ %219, %383 ], [ %219, %324 ], [ %2640, %2637 ]
+  %2655 = phi i64 [ %220, %216 ], [ %451, %447 ], [ %462, %486 ], [ %462, %478 ], [ %220, %383 ], [ %220, %324 ], [ %2641, %2637 ]
+  %2656 = phi i64 [ %221, %216 ], [ %452, %447 ], [ %461, %486 ], [ %461, %478 ], [ %221, %383 ], [ %221, %324 ], [ %2642, %2637 ]
+  %2657 = phi i64 [ %222, %216 ], [ %453, %447 ], [ %460, %486 ], [ %460, %478 ], [ %222, %383 ], [ %222, %324 ], [ %2643, %2637 ]
+  %2658 = phi i64 [ -1, %216 ], [ -1, %447 ], [ 1, %486 ], [ -5, %478 ], [ 0, %383 ], [ %327, %324 ], [ %2647, %2637 ]
+  %2659 = load ptr, ptr %215, align 8
+  %2660 = getelementptr inbounds i8, ptr %2659, i64 48
+  %2661 = load i64, ptr %2660, align 8
+  %2662 = icmp ne i64 %2658, -2
+  %2663 = icmp eq i64 %2661, 0
+  %2664 = select i1 %2662, i1 true, i1 %2663
+  br i1 %2664, label %2672, label %2665
 
-2663:                                             ; preds = %2649
-  %2664 = inttoptr i64 %2659 to ptr
-  %2665 = tail call i64 %2664(ptr noundef %0) #11
-  %2666 = icmp eq i64 %2665, 8
-  %2667 = select i1 %2666, i64 8, i64 %2656
-  %2668 = icmp eq i64 %2665, 1
-  %2669 = zext i1 %2668 to i32
-  br label %2670
+2665:                                             ; preds = %2651
+  %2666 = inttoptr i64 %2661 to ptr
+  %2667 = tail call i64 %2666(ptr noundef %0) #11
+  %2668 = icmp eq i64 %2667, 8
+  %2669 = select i1 %2668, i64 8, i64 %2658
+  %2670 = icmp eq i64 %2667, 1
+  %2671 = zext i1 %2670 to i32
+  br label %2672
 
-2670:                                             ; preds = %2649, %2663
-  %2671 = phi i64 [ %2656, %2649 ], [ %2667, %2663 ]
-  %2672 = phi i32 [ 0, %2649 ], [ %2669, %2663 ]
-  %2673 = icmp eq i32 %2672, 0
-  br i1 %2673, label %2674, label %216, !llvm.loop !65
+2672:                                             ; preds = %2651, %2665
+  %2673 = phi i64 [ %2658, %2651 ], [ %2669, %2665 ]
+  %2674 = phi i32 [ 0, %2651 ], [ %2671, %2665 ]
+  %2675 = icmp eq i32 %2674, 0
+  br i1 %2675, label %2676, label %216, !llvm.loop !65
 
-2674:                                             ; preds = %2670
-  %2675 = getelementptr inbounds i8, ptr %0, i64 320
-  %2676 = load i64, ptr %2675, align 8
-  %2677 = icmp sgt i64 %2676, 0
-  br i1 %2677, label %2678, label %2681
+2676:                                             ; preds = %2672
+  %2677 = getelementptr inbounds i8, ptr %0, i64 320
+  %2678 = load i64, ptr %2677, align 8
+  %2679 = icmp sgt i64 %2678, 0
+  br i1 %2679, label %2680, label %2683
 
-2678:                                             ; preds = %2674
-  %2679 = getelementptr inbounds i8, ptr %0, i64 336
-  %2680 = load ptr, ptr %2679, align 8
-  store double 0x7FF0000000000000, ptr %2680, align 8
-  br label %2681
+2680:                                             ; preds = %2676
+  %2681 = getelementptr inbounds i8, ptr %0, i64 336
+  %2682 = load ptr, ptr %2681, align 8
+  store double 0x7FF0000000000000, ptr %2682, align 8
+  br label %2683
 
-2681:                                             ; preds = %2674, %2678
-  ret i64 %2671
+2683:                                             ; preds = %2676, %2680
+  ret i64 %2673
 }
 
 
@@ -4831,91 +4831,6 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   br i1 %71, label %16, label %18, !llvm.loop !104
 }
 
-define internal fastcc double @knot_until(ptr noundef readonly %0, double noundef %1) unnamed_addr #7 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 104
-  %4 = load i64, ptr %3, align 8
-  %5 = icmp sgt i64 %4, 0
-  br i1 %5, label %6, label %13
-
-6:                                                ; preds = %2
-  %7 = getelementptr inbounds i8, ptr %0, i64 96
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %0, i64 112
-  %10 = load i64, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %0, i64 120
-  %12 = load ptr, ptr %11, align 8
-  br label %15
-
-13:                                               ; preds = %56, %2
-  %14 = phi double [ 0xFFF0000000000000, %2 ], [ %59, %56 ]
-  ret double %14
-
-15:                                               ; preds = %6, %56
-  %16 = phi double [ 0xFFF0000000000000, %6 ], [ %59, %56 ]
-  %17 = phi i64 [ 0, %6 ], [ %60, %56 ]
-  %18 = mul nsw i64 %10, %17
-  %19 = getelementptr inbounds i64, ptr %8, i64 %18
-  %20 = getelementptr inbounds i8, ptr %19, i64 8
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr inbounds double, ptr %12, i64 %21
-  %23 = load double, ptr %22, align 8
-  %24 = fcmp ogt double %23, %1
-  br i1 %24, label %56, label %25
-
-25:                                               ; preds = %15
-  %26 = getelementptr inbounds i8, ptr %19, i64 16
-  %27 = load i64, ptr %26, align 8
-  %28 = fcmp ugt double %23, %1
-  br i1 %28, label %37, label %29
-
-29:                                               ; preds = %25
-  %30 = icmp eq i64 %27, 1
-  br i1 %30, label %52, label %31
-
-31:                                               ; preds = %29
-  %32 = getelementptr i8, ptr %22, i64 8
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ule double %33, %1
-  %35 = icmp sgt i64 %27, 1
-  %36 = select i1 %34, i1 %35, i1 false
-  br i1 %36, label %39, label %52
-
-37:                                               ; preds = %25
-  %38 = icmp sgt i64 %27, 1
-  br i1 %38, label %39, label %52
-
-39:                                               ; preds = %37, %31
-  br label %40
-
-40:                                               ; preds = %39, %40
-  %41 = phi i64 [ %49, %40 ], [ %27, %39 ]
-  %42 = phi i64 [ %48, %40 ], [ 0, %39 ]
-  %43 = add nsw i64 %41, %42
-  %44 = sdiv i64 %43, 2
-  %45 = getelementptr inbounds double, ptr %22, i64 %44
-  %46 = load double, ptr %45, align 8
-  %47 = fcmp ugt double %46, %1
-  %48 = select i1 %47, i64 %42, i64 %44
-  %49 = select i1 %47, i64 %44, i64 %41
-  %50 = sub nsw i64 %49, %48
-  %51 = icmp sgt i64 %50, 1
-  br i1 %51, label %40, label %52, !llvm.loop !66
-
-52:                                               ; preds = %40, %37, %29, %31
-  %53 = phi i64 [ 0, %31 ], [ 0, %29 ], [ 0, %37 ], [ %48, %40 ]
-  %54 = getelementptr inbounds double, ptr %22, i64 %53
-  %55 = load double, ptr %54, align 8
-  br label %56
-
-56:                                               ; preds = %15, %52
-  %57 = phi double [ %55, %52 ], [ %16, %15 ]
-  %58 = fcmp ogt double %57, %16
-  %59 = select i1 %58, double %57, double %16
-  %60 = add nuw nsw i64 %17, 1
-  %61 = icmp eq i64 %60, %4
-  br i1 %61, label %13, label %15, !llvm.loop !105
-}
-
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
@@ -4950,7 +4865,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !106
+  br i1 %31, label %20, label %19, !llvm.loop !105
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4964,7 +4879,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !107
+  br i1 %43, label %32, label %24, !llvm.loop !106
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
@@ -5097,4 +5012,3 @@ attributes #12 = { nounwind }
 !104 = distinct !{!104, !4, !5}
 !105 = distinct !{!105, !4, !5}
 !106 = distinct !{!106, !4, !5}
-!107 = distinct !{!107, !4, !5}

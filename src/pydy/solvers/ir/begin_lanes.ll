@@ -1,4 +1,4 @@
-; sources 4c46d693861057059d1d27e384c2e4f0ee2facadbef2b9247c3e918b8bd36f36
+; sources d392c8dd76895548176e6df4ec438ca41b8a8b8a72ed19fdc5f7b744650ff87f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {

@@ -1,4 +1,4 @@
-; sources 5ba1eace80745a0a560c7ee9369fe75940739f2911daca99b5823fd6f743effe
+; sources 0d7605643f2f4673e17e8466f6541de0da09cdd67aa026415344ddfb9f8654d1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

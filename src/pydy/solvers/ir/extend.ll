@@ -1,4 +1,4 @@
-; sources 4efb4fed04a09b6055870435abb4409f8dc2a8e9e73ca42e9d25fe2c6b5e7291
+; sources deeab55c84562b6ac640de85012b35a48a50139b97700ca9436ea15e4b1a022d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 443fe618297cbe6afcdc6b79d01b6128a62e16166ef2488f7ed1c67365887e69
+; sources 3a4a678cb054cff83b22f14ca89d20bf4590b914cbf3972cd80a85838e4667f3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 6b397b3cd260d660f1552edb315fad5ab1069b96ce441d581c1bfa8157960530
+; sources c177d95d9621a9e3ad7cefc22cd7bf7a8991faa354ae038e967d63aef259b874
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 9c4ce019b06a4e15c9b72bf5e43d91e528d12d9be068607821b4ff5721f01c1c
+; sources 037e54ac04a487705df9c13cd2e94e684034331044bf2c927da0e221bc7fd3ac
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

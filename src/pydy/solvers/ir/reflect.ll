@@ -1,4 +1,4 @@
-; sources 27e51755fdd50982470ae81c4ac23c56e2b44df350bfeea083b651cdb1fea662
+; sources 8a2819da873f0747ba18a73d33b0d3ee5efc8cd4c9f743bb51e0e6fb6c8fb8b7
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @reflect(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef %4) #0 {

@@ -1,4 +1,4 @@
-; sources f0a2adbd6df5385608e88110cf9e6d8581a8e80c3d33ee8433a72adeedf0eb8d
+; sources 071fb5939804b170e978d345350793d3b3eeb191fe0ab5432695dacd2bed3c13
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 7a9670902dcaf0a587736a2bb1bedb86bf732d5fe6df23aa6c2abf6719eadc0b
+; sources a7fdae40622d3269199f163203549e8d98e22f3a6613e253084e8c756106bea6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

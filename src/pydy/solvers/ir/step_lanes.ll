@@ -1,4 +1,4 @@
-; sources 411d6ce51dc762531429d85151e99ff8c7270ae35e4e3596a9ec7e602eb8a8de
+; sources 72c2629e25e48aeff376870fa33cb497b481191adc88bf5f83bf20c5f38fa120
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -211,14 +211,14 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %174 = phi i32 [ 1, %151 ], [ 8, %155 ], [ 0, %168 ]
   %175 = phi i32 [ %143, %151 ], [ 0, %155 ], [ %170, %168 ]
   %176 = phi i64 [ %144, %151 ], [ %144, %155 ], [ 0, %168 ]
-  switch i32 %174, label %1453 [
+  switch i32 %174, label %1457 [
     i32 0, label %177
     i32 8, label %180
   ]
 
-177:                                              ; preds = %173, %1451, %260
-  %178 = phi i32 [ %175, %173 ], [ %1452, %1451 ], [ 1, %260 ]
-  %179 = phi i64 [ %176, %173 ], [ %1429, %1451 ], [ %182, %260 ]
+177:                                              ; preds = %173, %1455, %260
+  %178 = phi i32 [ %175, %173 ], [ %1456, %1455 ], [ 1, %260 ]
+  %179 = phi i64 [ %176, %173 ], [ %1433, %1455 ], [ %182, %260 ]
   br label %142, !llvm.loop !7
 
 180:                                              ; preds = %173, %142
@@ -228,7 +228,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %184 = getelementptr inbounds i8, ptr %183, i64 8
   %185 = load i64, ptr %184, align 8
   %186 = icmp slt i64 %185, 1
-  br i1 %186, label %1453, label %187
+  br i1 %186, label %1457, label %187
 
 187:                                              ; preds = %180
   br i1 %52, label %188, label %208
@@ -257,7 +257,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
 205:                                              ; preds = %188, %191
   %206 = phi i32 [ 0, %188 ], [ %204, %191 ]
   %207 = icmp eq i32 %206, 0
-  br i1 %207, label %208, label %1453
+  br i1 %207, label %208, label %1457
 
 208:                                              ; preds = %205, %187
   %209 = add nsw i64 %185, -1
@@ -1235,9 +1235,9 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %976 = zext i8 %975 to i64
   %977 = and i64 %970, %976
   %978 = icmp eq i64 %977, 0
-  br i1 %978, label %979, label %1374
+  br i1 %978, label %979, label %1378
 
-979:                                              ; preds = %1374, %965
+979:                                              ; preds = %1378, %965
   %980 = trunc nuw i64 %970 to i8
   %981 = bitcast i8 %980 to <8 x i1>
   %982 = load ptr, ptr %63, align 8
@@ -1263,7 +1263,7 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %1000 = bitcast i8 %999 to <8 x i1>
   %1001 = load ptr, ptr %118, align 8
   %1002 = load <8 x double>, ptr %1001, align 8
-  br i1 %996, label %1235, label %1003
+  br i1 %996, label %1238, label %1003
 
 1003:                                             ; preds = %979
   %1004 = load ptr, ptr %119, align 8
@@ -1391,12 +1391,12 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %1122 = zext i8 %1121 to i64
   %1123 = and i64 %970, %1122
   %1124 = icmp eq i64 %1123, 0
-  br i1 %1124, label %1219, label %1125
+  br i1 %1124, label %1222, label %1125
 
 1125:                                             ; preds = %1109
   %1126 = load i64, ptr %121, align 8
   %1127 = icmp sgt i64 %1126, 0
-  br i1 %1127, label %1128, label %1219
+  br i1 %1127, label %1128, label %1222
 
 1128:                                             ; preds = %1125
   %1129 = getelementptr inbounds i8, ptr %992, i64 40
@@ -1462,12 +1462,12 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   store <8 x double> %1119, ptr %3, align 16
   br label %1185
 
-1185:                                             ; preds = %1178, %1214
-  %1186 = phi i64 [ 0, %1178 ], [ %1215, %1214 ]
+1185:                                             ; preds = %1178, %1217
+  %1186 = phi i64 [ 0, %1178 ], [ %1218, %1217 ]
   %1187 = shl nuw nsw i64 1, %1186
   %1188 = and i64 %1187, %1123
   %1189 = icmp eq i64 %1188, 0
-  br i1 %1189, label %1214, label %1190
+  br i1 %1189, label %1217, label %1190
 
 1190:                                             ; preds = %1185
   %1191 = extractelement <8 x double> %966, i64 %1186
@@ -1475,349 +1475,351 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %1193 = extractelement <8 x double> %1184, i64 %1186
   %1194 = load i64, ptr %122, align 8
   %1195 = icmp eq i64 %1194, 0
-  br i1 %1195, label %1211, label %1196
+  br i1 %1195, label %1214, label %1196
 
 1196:                                             ; preds = %1190
   %1197 = extractelement <8 x double> %214, i64 %1186
   %1198 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1197) #12
-  %1199 = call double @llvm.fabs.f64(double %1191)
-  %1200 = fmul double %1199, 0x3D10000000000000
-  %1201 = fadd double %1200, %1198
-  %1202 = fcmp olt double %1201, %1191
-  %1203 = fadd double %1191, %1200
-  %1204 = fcmp ogt double %1198, %1203
-  %1205 = or i1 %1204, %1202
-  br i1 %1205, label %1211, label %1206
+  %1199 = fsub double %1191, %1197
+  %1200 = fmul double %1199, 1.000000e-03
+  %1201 = fsub double %1191, %1200
+  %1202 = call double @llvm.fabs.f64(double %1191)
+  %1203 = fmul double %1202, 0x3D10000000000000
+  %1204 = fsub double %1201, %1203
+  %1205 = fcmp ogt double %1204, %1198
+  %1206 = fadd double %1191, %1203
+  %1207 = fcmp ogt double %1198, %1206
+  %1208 = select i1 %1205, i1 true, i1 %1207
+  br i1 %1208, label %1214, label %1209
 
-1206:                                             ; preds = %1196
-  %1207 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1191) #12
-  %1208 = fsub double %1207, %1191
-  %1209 = fcmp olt double %1208, %1193
-  %1210 = select i1 %1209, double %1208, double %1193
-  br label %1211
-
-1211:                                             ; preds = %1190, %1196, %1206
-  %1212 = phi double [ %1192, %1190 ], [ %1210, %1206 ], [ %1192, %1196 ]
-  %1213 = getelementptr inbounds [8 x double], ptr %3, i64 0, i64 %1186
-  store double %1212, ptr %1213, align 8
+1209:                                             ; preds = %1196
+  %1210 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1191) #12
+  %1211 = fsub double %1210, %1191
+  %1212 = fcmp olt double %1211, %1193
+  %1213 = select i1 %1212, double %1211, double %1193
   br label %1214
 
-1214:                                             ; preds = %1211, %1185
-  %1215 = add nuw nsw i64 %1186, 1
-  %1216 = icmp eq i64 %1215, 8
-  br i1 %1216, label %1217, label %1185, !llvm.loop !22
+1214:                                             ; preds = %1190, %1196, %1209
+  %1215 = phi double [ %1192, %1190 ], [ %1213, %1209 ], [ %1192, %1196 ]
+  %1216 = getelementptr inbounds [8 x double], ptr %3, i64 0, i64 %1186
+  store double %1215, ptr %1216, align 8
+  br label %1217
 
-1217:                                             ; preds = %1214
-  %1218 = load <8 x double>, ptr %3, align 16
-  br label %1219
+1217:                                             ; preds = %1214, %1185
+  %1218 = add nuw nsw i64 %1186, 1
+  %1219 = icmp eq i64 %1218, 8
+  br i1 %1219, label %1220, label %1185, !llvm.loop !22
 
-1219:                                             ; preds = %1217, %1125, %1109
-  %1220 = phi <8 x double> [ %1119, %1109 ], [ %1218, %1217 ], [ %1119, %1125 ]
-  %1221 = fcmp oeq <8 x double> %966, %222
-  %1222 = fcmp ogt <8 x double> %1002, %1220
-  %1223 = select <8 x i1> %1221, <8 x i1> %1222, <8 x i1> zeroinitializer
-  %1224 = select <8 x i1> %1223, <8 x double> %1002, <8 x double> %1220
-  %1225 = fcmp ogt <8 x double> %675, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %1226 = select <8 x i1> %1225, <8 x i64> %1009, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %1227 = bitcast <8 x double> %1005 to <8 x i64>
-  %1228 = select <8 x i1> %981, <8 x i64> %1226, <8 x i64> %1227
-  store <8 x i64> %1228, ptr %1004, align 8
-  %1229 = load ptr, ptr %120, align 8
-  %1230 = getelementptr inbounds i8, ptr %992, i64 40
-  %1231 = load double, ptr %1230, align 8
-  %1232 = insertelement <8 x double> poison, double %1231, i64 0
-  %1233 = shufflevector <8 x double> %1232, <8 x double> poison, <8 x i32> zeroinitializer
-  %1234 = select <8 x i1> %1000, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %1233
-  store <8 x double> %1234, ptr %1229, align 8
-  br label %1235
+1220:                                             ; preds = %1217
+  %1221 = load <8 x double>, ptr %3, align 16
+  br label %1222
 
-1235:                                             ; preds = %1219, %979
-  %1236 = phi <8 x double> [ %1002, %979 ], [ %1224, %1219 ]
-  %1237 = and i64 %998, 255
-  %1238 = icmp eq i64 %1237, 0
-  br i1 %1238, label %1369, label %1239
+1222:                                             ; preds = %1220, %1125, %1109
+  %1223 = phi <8 x double> [ %1119, %1109 ], [ %1221, %1220 ], [ %1119, %1125 ]
+  %1224 = fcmp oeq <8 x double> %966, %222
+  %1225 = fcmp ogt <8 x double> %1002, %1223
+  %1226 = select <8 x i1> %1224, <8 x i1> %1225, <8 x i1> zeroinitializer
+  %1227 = select <8 x i1> %1226, <8 x double> %1002, <8 x double> %1223
+  %1228 = fcmp ogt <8 x double> %675, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %1229 = select <8 x i1> %1228, <8 x i64> %1009, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %1230 = bitcast <8 x double> %1005 to <8 x i64>
+  %1231 = select <8 x i1> %981, <8 x i64> %1229, <8 x i64> %1230
+  store <8 x i64> %1231, ptr %1004, align 8
+  %1232 = load ptr, ptr %120, align 8
+  %1233 = getelementptr inbounds i8, ptr %992, i64 40
+  %1234 = load double, ptr %1233, align 8
+  %1235 = insertelement <8 x double> poison, double %1234, i64 0
+  %1236 = shufflevector <8 x double> %1235, <8 x double> poison, <8 x i32> zeroinitializer
+  %1237 = select <8 x i1> %1000, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %1236
+  store <8 x double> %1237, ptr %1232, align 8
+  br label %1238
 
-1239:                                             ; preds = %1235
-  %1240 = trunc i64 %747 to i8
-  %1241 = bitcast i8 %1240 to <8 x i1>
-  %1242 = trunc i64 %968 to i8
-  %1243 = bitcast i8 %1242 to <8 x i1>
-  %1244 = trunc i64 %967 to i8
-  %1245 = bitcast i8 %1244 to <8 x i1>
-  %1246 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %675)
-  %1247 = fcmp one <8 x double> %1246, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1248 = xor <8 x i1> %1241, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1249 = select <8 x i1> %1247, <8 x i1> %1248, <8 x i1> zeroinitializer
-  %1250 = or <8 x i1> %1243, %1245
-  %1251 = xor <8 x i1> %1250, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1252 = and <8 x i1> %1249, %1251
-  br i1 %996, label %1314, label %1253
+1238:                                             ; preds = %1222, %979
+  %1239 = phi <8 x double> [ %1002, %979 ], [ %1227, %1222 ]
+  %1240 = and i64 %998, 255
+  %1241 = icmp eq i64 %1240, 0
+  br i1 %1241, label %1373, label %1242
 
-1253:                                             ; preds = %1239
-  %1254 = fcmp ogt <8 x double> %675, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1255 = bitcast <8 x double> %675 to <8 x i64>
-  %1256 = select <8 x i1> %1254, <8 x i64> %1255, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %1257 = getelementptr inbounds i8, ptr %992, i64 24
-  %1258 = load double, ptr %1257, align 8
-  %1259 = insertelement <8 x double> poison, double %1258, i64 0
-  %1260 = shufflevector <8 x double> %1259, <8 x double> poison, <8 x i32> zeroinitializer
-  %1261 = load double, ptr %992, align 8
-  %1262 = fneg double %1261
-  %1263 = add <8 x i64> %1256, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %1264 = ashr <8 x i64> %1263, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1265 = and <8 x i64> %1263, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1266 = sub <8 x i64> %1256, %1265
-  %1267 = bitcast <8 x i64> %1266 to <8 x double>
-  %1268 = fadd <8 x double> %1267, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1269 = fadd <8 x double> %1267, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1270 = fdiv <8 x double> %1268, %1269
-  %1271 = fmul <8 x double> %1270, %1270
-  %1272 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1271, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1273 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1272, <8 x double> %1271, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1274 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1273, <8 x double> %1271, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1275 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1274, <8 x double> %1271, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1276 = trunc nsw <8 x i64> %1264 to <8 x i32>
-  %1277 = sitofp <8 x i32> %1276 to <8 x double>
-  %1278 = fmul <8 x double> %1270, %1275
-  %1279 = fadd <8 x double> %1278, %1277
-  %1280 = insertelement <8 x double> poison, double %1262, i64 0
-  %1281 = shufflevector <8 x double> %1280, <8 x double> poison, <8 x i32> zeroinitializer
-  %1282 = fmul <8 x double> %1279, %1281
-  %1283 = fcmp ogt <8 x double> %1282, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1284 = bitcast <8 x double> %1282 to <8 x i64>
-  %1285 = select <8 x i1> %1283, <8 x i64> %1284, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1286 = bitcast <8 x i64> %1285 to <8 x double>
-  %1287 = fcmp olt <8 x double> %1286, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1288 = bitcast <8 x i64> %1285 to <8 x double>
-  %1289 = select <8 x i1> %1287, <8 x double> %1288, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1290 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1289)
-  %1291 = fsub <8 x double> %1289, %1290
-  %1292 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1291, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1293 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1292, <8 x double> %1291, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1294 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1293, <8 x double> %1291, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1295 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1294, <8 x double> %1291, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1296 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1295, <8 x double> %1291, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1297 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1296, <8 x double> %1291, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1298 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1297, <8 x double> %1291, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1299 = bitcast <8 x double> %1298 to <8 x i64>
-  %1300 = fptosi <8 x double> %1290 to <8 x i32>
-  %1301 = zext <8 x i32> %1300 to <8 x i64>
-  %1302 = shl <8 x i64> %1301, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1303 = add <8 x i64> %1302, %1299
-  %1304 = bitcast <8 x i64> %1303 to <8 x double>
-  %1305 = fmul <8 x double> %1260, %1304
-  %1306 = getelementptr inbounds i8, ptr %992, i64 32
-  %1307 = load double, ptr %1306, align 8
-  %1308 = insertelement <8 x double> poison, double %1307, i64 0
-  %1309 = shufflevector <8 x double> %1308, <8 x double> poison, <8 x i32> zeroinitializer
-  %1310 = fcmp ogt <8 x double> %1305, %1309
-  %1311 = select <8 x i1> %1310, <8 x double> %1305, <8 x double> %1309
-  %1312 = select <8 x i1> %1252, <8 x double> %1311, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1313 = fmul <8 x double> %244, %1312
-  br label %1314
+1242:                                             ; preds = %1238
+  %1243 = trunc i64 %747 to i8
+  %1244 = bitcast i8 %1243 to <8 x i1>
+  %1245 = trunc i64 %968 to i8
+  %1246 = bitcast i8 %1245 to <8 x i1>
+  %1247 = trunc i64 %967 to i8
+  %1248 = bitcast i8 %1247 to <8 x i1>
+  %1249 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %675)
+  %1250 = fcmp one <8 x double> %1249, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1251 = xor <8 x i1> %1244, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1252 = select <8 x i1> %1250, <8 x i1> %1251, <8 x i1> zeroinitializer
+  %1253 = or <8 x i1> %1246, %1248
+  %1254 = xor <8 x i1> %1253, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1255 = and <8 x i1> %1252, %1254
+  br i1 %996, label %1317, label %1256
 
-1314:                                             ; preds = %1253, %1239
-  %1315 = phi <8 x double> [ zeroinitializer, %1239 ], [ %1313, %1253 ]
-  %1316 = or <8 x i1> %1252, %1245
-  %1317 = select <8 x i1> %1316, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1318 = select <8 x i1> %1000, <8 x double> %1315, <8 x double> %1236
-  br i1 %996, label %1359, label %1319
+1256:                                             ; preds = %1242
+  %1257 = fcmp ogt <8 x double> %675, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1258 = bitcast <8 x double> %675 to <8 x i64>
+  %1259 = select <8 x i1> %1257, <8 x i64> %1258, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1260 = getelementptr inbounds i8, ptr %992, i64 24
+  %1261 = load double, ptr %1260, align 8
+  %1262 = insertelement <8 x double> poison, double %1261, i64 0
+  %1263 = shufflevector <8 x double> %1262, <8 x double> poison, <8 x i32> zeroinitializer
+  %1264 = load double, ptr %992, align 8
+  %1265 = fneg double %1264
+  %1266 = add <8 x i64> %1259, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1267 = ashr <8 x i64> %1266, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1268 = and <8 x i64> %1266, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1269 = sub <8 x i64> %1259, %1268
+  %1270 = bitcast <8 x i64> %1269 to <8 x double>
+  %1271 = fadd <8 x double> %1270, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1272 = fadd <8 x double> %1270, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1273 = fdiv <8 x double> %1271, %1272
+  %1274 = fmul <8 x double> %1273, %1273
+  %1275 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1274, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1276 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1275, <8 x double> %1274, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1277 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1276, <8 x double> %1274, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1278 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1277, <8 x double> %1274, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1279 = trunc nsw <8 x i64> %1267 to <8 x i32>
+  %1280 = sitofp <8 x i32> %1279 to <8 x double>
+  %1281 = fmul <8 x double> %1273, %1278
+  %1282 = fadd <8 x double> %1281, %1280
+  %1283 = insertelement <8 x double> poison, double %1265, i64 0
+  %1284 = shufflevector <8 x double> %1283, <8 x double> poison, <8 x i32> zeroinitializer
+  %1285 = fmul <8 x double> %1282, %1284
+  %1286 = fcmp ogt <8 x double> %1285, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1287 = bitcast <8 x double> %1285 to <8 x i64>
+  %1288 = select <8 x i1> %1286, <8 x i64> %1287, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1289 = bitcast <8 x i64> %1288 to <8 x double>
+  %1290 = fcmp olt <8 x double> %1289, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1291 = bitcast <8 x i64> %1288 to <8 x double>
+  %1292 = select <8 x i1> %1290, <8 x double> %1291, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1293 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1292)
+  %1294 = fsub <8 x double> %1292, %1293
+  %1295 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1294, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1296 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1295, <8 x double> %1294, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1297 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1296, <8 x double> %1294, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1298 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1297, <8 x double> %1294, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1299 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1298, <8 x double> %1294, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1300 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1299, <8 x double> %1294, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1301 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1300, <8 x double> %1294, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1302 = bitcast <8 x double> %1301 to <8 x i64>
+  %1303 = fptosi <8 x double> %1293 to <8 x i32>
+  %1304 = zext <8 x i32> %1303 to <8 x i64>
+  %1305 = shl <8 x i64> %1304, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1306 = add <8 x i64> %1305, %1302
+  %1307 = bitcast <8 x i64> %1306 to <8 x double>
+  %1308 = fmul <8 x double> %1263, %1307
+  %1309 = getelementptr inbounds i8, ptr %992, i64 32
+  %1310 = load double, ptr %1309, align 8
+  %1311 = insertelement <8 x double> poison, double %1310, i64 0
+  %1312 = shufflevector <8 x double> %1311, <8 x double> poison, <8 x i32> zeroinitializer
+  %1313 = fcmp ogt <8 x double> %1308, %1312
+  %1314 = select <8 x i1> %1313, <8 x double> %1308, <8 x double> %1312
+  %1315 = select <8 x i1> %1255, <8 x double> %1314, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1316 = fmul <8 x double> %244, %1315
+  br label %1317
 
-1319:                                             ; preds = %1314
-  %1320 = load i64, ptr %123, align 8
-  %1321 = icmp sgt i64 %1320, 0
-  br i1 %1321, label %1322, label %1359
+1317:                                             ; preds = %1256, %1242
+  %1318 = phi <8 x double> [ zeroinitializer, %1242 ], [ %1316, %1256 ]
+  %1319 = or <8 x i1> %1255, %1248
+  %1320 = select <8 x i1> %1319, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1321 = select <8 x i1> %1000, <8 x double> %1318, <8 x double> %1239
+  br i1 %996, label %1363, label %1322
 
-1322:                                             ; preds = %1319
-  %1323 = and <8 x i1> %1252, %1000
-  %1324 = bitcast <8 x i1> %1323 to i8
-  %1325 = zext i8 %1324 to i64
-  store <8 x double> %1318, ptr %2, align 16
-  br label %1326
+1322:                                             ; preds = %1317
+  %1323 = load i64, ptr %123, align 8
+  %1324 = icmp sgt i64 %1323, 0
+  br i1 %1324, label %1325, label %1363
 
-1326:                                             ; preds = %1322, %1354
-  %1327 = phi i64 [ 0, %1322 ], [ %1355, %1354 ]
-  %1328 = shl nuw nsw i64 1, %1327
-  %1329 = and i64 %1328, %1325
-  %1330 = icmp eq i64 %1329, 0
-  br i1 %1330, label %1354, label %1331
+1325:                                             ; preds = %1322
+  %1326 = and <8 x i1> %1255, %1000
+  %1327 = bitcast <8 x i1> %1326 to i8
+  %1328 = zext i8 %1327 to i64
+  store <8 x double> %1321, ptr %2, align 16
+  br label %1329
 
-1331:                                             ; preds = %1326
-  %1332 = extractelement <8 x double> %214, i64 %1327
-  %1333 = extractelement <8 x double> %1318, i64 %1327
-  %1334 = load i64, ptr %124, align 8
-  %1335 = icmp eq i64 %1334, 0
-  br i1 %1335, label %1351, label %1336
+1329:                                             ; preds = %1325, %1358
+  %1330 = phi i64 [ 0, %1325 ], [ %1359, %1358 ]
+  %1331 = shl nuw nsw i64 1, %1330
+  %1332 = and i64 %1331, %1328
+  %1333 = icmp eq i64 %1332, 0
+  br i1 %1333, label %1358, label %1334
 
-1336:                                             ; preds = %1331
-  %1337 = extractelement <8 x double> %966, i64 %1327
-  %1338 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1332) #12
-  %1339 = fadd double %1332, %1333
-  %1340 = call double @llvm.fabs.f64(double %1337)
-  %1341 = fmul double %1340, 0x3D10000000000000
-  %1342 = fadd double %1341, %1338
-  %1343 = fcmp olt double %1342, %1337
-  br i1 %1343, label %1344, label %1351
+1334:                                             ; preds = %1329
+  %1335 = extractelement <8 x double> %214, i64 %1330
+  %1336 = extractelement <8 x double> %1321, i64 %1330
+  %1337 = load i64, ptr %124, align 8
+  %1338 = icmp eq i64 %1337, 0
+  br i1 %1338, label %1355, label %1339
 
-1344:                                             ; preds = %1336
-  %1345 = fcmp ugt double %1338, %1339
-  br i1 %1345, label %1348, label %1346
+1339:                                             ; preds = %1334
+  %1340 = extractelement <8 x double> %966, i64 %1330
+  %1341 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1335) #12
+  %1342 = fsub double %1340, %1335
+  %1343 = fmul double %1342, 1.000000e-03
+  %1344 = fsub double %1340, %1343
+  %1345 = call double @llvm.fabs.f64(double %1340)
+  %1346 = fmul double %1345, 0x3D10000000000000
+  %1347 = fsub double %1344, %1346
+  %1348 = fcmp ogt double %1347, %1341
+  br i1 %1348, label %1349, label %1355
 
-1346:                                             ; preds = %1344
-  %1347 = call fastcc double @knot_until(ptr noundef nonnull %14, double noundef %1339) #12
-  br label %1348
+1349:                                             ; preds = %1339
+  %1350 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1341) #12
+  %1351 = fadd double %1335, %1336
+  %1352 = fcmp ugt double %1350, %1351
+  br i1 %1352, label %1353, label %1355
 
-1348:                                             ; preds = %1346, %1344
-  %1349 = phi double [ %1347, %1346 ], [ %1338, %1344 ]
-  %1350 = fsub double %1349, %1332
-  br label %1351
+1353:                                             ; preds = %1349
+  %1354 = fsub double %1341, %1335
+  br label %1355
 
-1351:                                             ; preds = %1331, %1336, %1348
-  %1352 = phi double [ %1333, %1331 ], [ %1350, %1348 ], [ %1333, %1336 ]
-  %1353 = getelementptr inbounds [8 x double], ptr %2, i64 0, i64 %1327
-  store double %1352, ptr %1353, align 8
-  br label %1354
+1355:                                             ; preds = %1334, %1339, %1349, %1353
+  %1356 = phi double [ %1336, %1334 ], [ %1354, %1353 ], [ %1336, %1349 ], [ %1336, %1339 ]
+  %1357 = getelementptr inbounds [8 x double], ptr %2, i64 0, i64 %1330
+  store double %1356, ptr %1357, align 8
+  br label %1358
 
-1354:                                             ; preds = %1326, %1351
-  %1355 = add nuw nsw i64 %1327, 1
-  %1356 = icmp eq i64 %1355, 8
-  br i1 %1356, label %1357, label %1326, !llvm.loop !22
+1358:                                             ; preds = %1329, %1355
+  %1359 = add nuw nsw i64 %1330, 1
+  %1360 = icmp eq i64 %1359, 8
+  br i1 %1360, label %1361, label %1329, !llvm.loop !22
 
-1357:                                             ; preds = %1354
-  %1358 = load <8 x double>, ptr %2, align 16
-  br label %1359
+1361:                                             ; preds = %1358
+  %1362 = load <8 x double>, ptr %2, align 16
+  br label %1363
 
-1359:                                             ; preds = %1357, %1319, %1314
-  %1360 = phi <8 x double> [ %1358, %1357 ], [ %1318, %1319 ], [ %1318, %1314 ]
-  %1361 = load ptr, ptr %125, align 8
-  %1362 = select <8 x i1> %1243, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1317
-  %1363 = load <8 x i64>, ptr %1361, align 8
-  %1364 = select <8 x i1> %1000, <8 x i64> %1362, <8 x i64> %1363
-  store <8 x i64> %1364, ptr %1361, align 8
+1363:                                             ; preds = %1361, %1322, %1317
+  %1364 = phi <8 x double> [ %1362, %1361 ], [ %1321, %1322 ], [ %1321, %1317 ]
   %1365 = load ptr, ptr %125, align 8
-  %1366 = select <8 x i1> %1241, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1317
+  %1366 = select <8 x i1> %1246, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1320
   %1367 = load <8 x i64>, ptr %1365, align 8
   %1368 = select <8 x i1> %1000, <8 x i64> %1366, <8 x i64> %1367
   store <8 x i64> %1368, ptr %1365, align 8
-  br label %1369
+  %1369 = load ptr, ptr %125, align 8
+  %1370 = select <8 x i1> %1244, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1320
+  %1371 = load <8 x i64>, ptr %1369, align 8
+  %1372 = select <8 x i1> %1000, <8 x i64> %1370, <8 x i64> %1371
+  store <8 x i64> %1372, ptr %1369, align 8
+  br label %1373
 
-1369:                                             ; preds = %1235, %1359
-  %1370 = phi <8 x double> [ %1236, %1235 ], [ %1360, %1359 ]
-  %1371 = load ptr, ptr %118, align 8
-  store <8 x double> %1370, ptr %1371, align 8
-  %1372 = load ptr, ptr %48, align 8
-  %1373 = select <8 x i1> %981, <8 x double> %966, <8 x double> %214
-  store <8 x double> %1373, ptr %1372, align 8
-  br i1 %126, label %1391, label %1384
+1373:                                             ; preds = %1238, %1363
+  %1374 = phi <8 x double> [ %1239, %1238 ], [ %1364, %1363 ]
+  %1375 = load ptr, ptr %118, align 8
+  store <8 x double> %1374, ptr %1375, align 8
+  %1376 = load ptr, ptr %48, align 8
+  %1377 = select <8 x i1> %981, <8 x double> %966, <8 x double> %214
+  store <8 x double> %1377, ptr %1376, align 8
+  br i1 %126, label %1395, label %1388
 
-1374:                                             ; preds = %965, %1374
-  %1375 = phi i64 [ %1382, %1374 ], [ %977, %965 ]
-  %1376 = load ptr, ptr %116, align 8
-  call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %1376, i64 noundef %1375) #12
-  %1377 = load ptr, ptr %106, align 8
-  %1378 = load <8 x double>, ptr %1377, align 8
-  %1379 = fcmp oeq <8 x double> %1378, %966
-  %1380 = bitcast <8 x i1> %1379 to i8
-  %1381 = zext i8 %1380 to i64
-  %1382 = and i64 %1375, %1381
-  %1383 = icmp eq i64 %1382, 0
-  br i1 %1383, label %979, label %1374, !llvm.loop !24
+1378:                                             ; preds = %965, %1378
+  %1379 = phi i64 [ %1386, %1378 ], [ %977, %965 ]
+  %1380 = load ptr, ptr %116, align 8
+  call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %1380, i64 noundef %1379) #12
+  %1381 = load ptr, ptr %106, align 8
+  %1382 = load <8 x double>, ptr %1381, align 8
+  %1383 = fcmp oeq <8 x double> %1382, %966
+  %1384 = bitcast <8 x i1> %1383 to i8
+  %1385 = zext i8 %1384 to i64
+  %1386 = and i64 %1379, %1385
+  %1387 = icmp eq i64 %1386, 0
+  br i1 %1387, label %979, label %1378, !llvm.loop !24
 
-1384:                                             ; preds = %1391, %1369
-  %1385 = load ptr, ptr %128, align 8
-  %1386 = load ptr, ptr %68, align 8
-  %1387 = load i64, ptr %1386, align 8
-  %1388 = load i64, ptr %129, align 8
-  %1389 = mul nsw i64 %1388, %1387
-  %1390 = getelementptr inbounds double, ptr %1385, i64 %1389
-  br i1 %130, label %1405, label %1403
+1388:                                             ; preds = %1395, %1373
+  %1389 = load ptr, ptr %128, align 8
+  %1390 = load ptr, ptr %68, align 8
+  %1391 = load i64, ptr %1390, align 8
+  %1392 = load i64, ptr %129, align 8
+  %1393 = mul nsw i64 %1392, %1391
+  %1394 = getelementptr inbounds double, ptr %1389, i64 %1393
+  br i1 %130, label %1409, label %1407
 
-1391:                                             ; preds = %1369, %1391
-  %1392 = phi i64 [ %1401, %1391 ], [ 0, %1369 ]
-  %1393 = load ptr, ptr %16, align 8
-  %1394 = load ptr, ptr %127, align 8
-  %1395 = shl nsw i64 %1392, 6
-  %1396 = getelementptr inbounds i8, ptr %1394, i64 %1395
-  %1397 = load <8 x i64>, ptr %1396, align 8
-  %1398 = getelementptr inbounds i8, ptr %1393, i64 %1395
-  %1399 = load <8 x i64>, ptr %1398, align 8
-  %1400 = select <8 x i1> %981, <8 x i64> %1397, <8 x i64> %1399
-  store <8 x i64> %1400, ptr %1398, align 8
-  %1401 = add nuw nsw i64 %1392, 1
-  %1402 = icmp eq i64 %1401, %20
-  br i1 %1402, label %1384, label %1391, !llvm.loop !25
+1395:                                             ; preds = %1373, %1395
+  %1396 = phi i64 [ %1405, %1395 ], [ 0, %1373 ]
+  %1397 = load ptr, ptr %16, align 8
+  %1398 = load ptr, ptr %127, align 8
+  %1399 = shl nsw i64 %1396, 6
+  %1400 = getelementptr inbounds i8, ptr %1398, i64 %1399
+  %1401 = load <8 x i64>, ptr %1400, align 8
+  %1402 = getelementptr inbounds i8, ptr %1397, i64 %1399
+  %1403 = load <8 x i64>, ptr %1402, align 8
+  %1404 = select <8 x i1> %981, <8 x i64> %1401, <8 x i64> %1403
+  store <8 x i64> %1404, ptr %1402, align 8
+  %1405 = add nuw nsw i64 %1396, 1
+  %1406 = icmp eq i64 %1405, %20
+  br i1 %1406, label %1388, label %1395, !llvm.loop !25
 
-1403:                                             ; preds = %1405, %1384
-  %1404 = icmp eq i64 %971, 0
-  br i1 %1404, label %1426, label %1416
+1407:                                             ; preds = %1409, %1388
+  %1408 = icmp eq i64 %971, 0
+  br i1 %1408, label %1430, label %1420
 
-1405:                                             ; preds = %1384, %1405
-  %1406 = phi i64 [ %1414, %1405 ], [ 0, %1384 ]
-  %1407 = load ptr, ptr %128, align 8
-  %1408 = shl nsw i64 %1406, 6
-  %1409 = getelementptr inbounds i8, ptr %1390, i64 %1408
-  %1410 = load <8 x i64>, ptr %1409, align 8
-  %1411 = getelementptr inbounds i8, ptr %1407, i64 %1408
-  %1412 = load <8 x i64>, ptr %1411, align 8
-  %1413 = select <8 x i1> %981, <8 x i64> %1410, <8 x i64> %1412
-  store <8 x i64> %1413, ptr %1411, align 8
-  %1414 = add nuw nsw i64 %1406, 1
-  %1415 = icmp eq i64 %1414, %20
-  br i1 %1415, label %1403, label %1405, !llvm.loop !26
+1409:                                             ; preds = %1388, %1409
+  %1410 = phi i64 [ %1418, %1409 ], [ 0, %1388 ]
+  %1411 = load ptr, ptr %128, align 8
+  %1412 = shl nsw i64 %1410, 6
+  %1413 = getelementptr inbounds i8, ptr %1394, i64 %1412
+  %1414 = load <8 x i64>, ptr %1413, align 8
+  %1415 = getelementptr inbounds i8, ptr %1411, i64 %1412
+  %1416 = load <8 x i64>, ptr %1415, align 8
+  %1417 = select <8 x i1> %981, <8 x i64> %1414, <8 x i64> %1416
+  store <8 x i64> %1417, ptr %1415, align 8
+  %1418 = add nuw nsw i64 %1410, 1
+  %1419 = icmp eq i64 %1418, %20
+  br i1 %1419, label %1407, label %1409, !llvm.loop !26
 
-1416:                                             ; preds = %1403
-  %1417 = call fastcc i64 @act_in_lanes(ptr noundef nonnull %0, i64 noundef %971, ptr noundef nonnull %11) #12
-  %1418 = icmp ne i32 %969, 0
-  %1419 = icmp ne i64 %1417, %971
-  %1420 = select i1 %1418, i1 true, i1 %1419
-  %1421 = zext i1 %1420 to i32
-  %1422 = trunc i64 %971 to i8
-  %1423 = bitcast i8 %1422 to <8 x i1>
-  %1424 = xor <8 x i1> %1423, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1425 = and <8 x i1> %1424, %981
-  br label %1426
+1420:                                             ; preds = %1407
+  %1421 = call fastcc i64 @act_in_lanes(ptr noundef nonnull %0, i64 noundef %971, ptr noundef nonnull %11) #12
+  %1422 = icmp ne i32 %969, 0
+  %1423 = icmp ne i64 %1421, %971
+  %1424 = select i1 %1422, i1 true, i1 %1423
+  %1425 = zext i1 %1424 to i32
+  %1426 = trunc i64 %971 to i8
+  %1427 = bitcast i8 %1426 to <8 x i1>
+  %1428 = xor <8 x i1> %1427, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1429 = and <8 x i1> %1428, %981
+  br label %1430
 
-1426:                                             ; preds = %1416, %1403
-  %1427 = phi i32 [ %1421, %1416 ], [ %969, %1403 ]
-  %1428 = phi <8 x i1> [ %1425, %1416 ], [ %981, %1403 ]
-  %1429 = phi i64 [ %1417, %1416 ], [ %182, %1403 ]
-  %1430 = load ptr, ptr %106, align 8
-  %1431 = load <8 x double>, ptr %1430, align 8
-  %1432 = fcmp oeq <8 x double> %1431, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1433 = select <8 x i1> %1432, <8 x i1> %1428, <8 x i1> zeroinitializer
-  %1434 = bitcast <8 x i1> %1433 to i8
-  %1435 = zext i8 %1434 to i64
-  %1436 = icmp eq i8 %1434, 0
-  br i1 %1436, label %1438, label %1437
+1430:                                             ; preds = %1420, %1407
+  %1431 = phi i32 [ %1425, %1420 ], [ %969, %1407 ]
+  %1432 = phi <8 x i1> [ %1429, %1420 ], [ %981, %1407 ]
+  %1433 = phi i64 [ %1421, %1420 ], [ %182, %1407 ]
+  %1434 = load ptr, ptr %106, align 8
+  %1435 = load <8 x double>, ptr %1434, align 8
+  %1436 = fcmp oeq <8 x double> %1435, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1437 = select <8 x i1> %1436, <8 x i1> %1432, <8 x i1> zeroinitializer
+  %1438 = bitcast <8 x i1> %1437 to i8
+  %1439 = zext i8 %1438 to i64
+  %1440 = icmp eq i8 %1438, 0
+  br i1 %1440, label %1442, label %1441
 
-1437:                                             ; preds = %1426
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %1435, i64 noundef 0) #12
-  br label %1438
+1441:                                             ; preds = %1430
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %1439, i64 noundef 0) #12
+  br label %1442
 
-1438:                                             ; preds = %1437, %1426
-  %1439 = phi i32 [ 1, %1437 ], [ %1427, %1426 ]
-  %1440 = fcmp oeq <8 x double> %966, %220
-  %1441 = select <8 x i1> %1440, <8 x i1> %1428, <8 x i1> zeroinitializer
-  %1442 = bitcast <8 x i1> %1441 to i8
-  %1443 = zext i8 %1442 to i64
-  %1444 = xor i64 %1435, -1
-  %1445 = and i64 %1444, %1443
-  %1446 = icmp eq i64 %1445, 0
-  br i1 %1446, label %1451, label %1447
+1442:                                             ; preds = %1441, %1430
+  %1443 = phi i32 [ 1, %1441 ], [ %1431, %1430 ]
+  %1444 = fcmp oeq <8 x double> %966, %220
+  %1445 = select <8 x i1> %1444, <8 x i1> %1432, <8 x i1> zeroinitializer
+  %1446 = bitcast <8 x i1> %1445 to i8
+  %1447 = zext i8 %1446 to i64
+  %1448 = xor i64 %1439, -1
+  %1449 = and i64 %1448, %1447
+  %1450 = icmp eq i64 %1449, 0
+  br i1 %1450, label %1455, label %1451
 
-1447:                                             ; preds = %1438
-  %1448 = call fastcc i64 @start_again(ptr noundef nonnull %0, ptr noundef nonnull %6, i64 noundef %1445) #12
-  %1449 = icmp eq i64 %1448, 0
-  %1450 = select i1 %1449, i32 %1439, i32 1
-  br label %1451
+1451:                                             ; preds = %1442
+  %1452 = call fastcc i64 @start_again(ptr noundef nonnull %0, ptr noundef nonnull %6, i64 noundef %1449) #12
+  %1453 = icmp eq i64 %1452, 0
+  %1454 = select i1 %1453, i32 %1443, i32 1
+  br label %1455
 
-1451:                                             ; preds = %1447, %1438
-  %1452 = phi i32 [ %1439, %1438 ], [ %1450, %1447 ]
+1455:                                             ; preds = %1451, %1442
+  %1456 = phi i32 [ %1443, %1442 ], [ %1454, %1451 ]
   br label %177
 
-1453:                                             ; preds = %180, %205, %173
-  %1454 = phi i64 [ 1, %173 ], [ 0, %205 ], [ 0, %180 ]
-  ret i64 %1454
+1457:                                             ; preds = %180, %205, %173
+  %1458 = phi i64 [ 1, %173 ], [ 0, %205 ], [ 0, %180 ]
+  ret i64 %1458
 }
 
 
@@ -5446,91 +5448,6 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   br i1 %71, label %16, label %18, !llvm.loop !88
 }
 
-define internal fastcc double @knot_until(ptr noundef readonly %0, double noundef %1) unnamed_addr #9 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 152
-  %4 = load i64, ptr %3, align 8
-  %5 = icmp sgt i64 %4, 0
-  br i1 %5, label %6, label %13
-
-6:                                                ; preds = %2
-  %7 = getelementptr inbounds i8, ptr %0, i64 144
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %0, i64 160
-  %10 = load i64, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %0, i64 192
-  %12 = load ptr, ptr %11, align 8
-  br label %15
-
-13:                                               ; preds = %56, %2
-  %14 = phi double [ 0xFFF0000000000000, %2 ], [ %59, %56 ]
-  ret double %14
-
-15:                                               ; preds = %6, %56
-  %16 = phi double [ 0xFFF0000000000000, %6 ], [ %59, %56 ]
-  %17 = phi i64 [ 0, %6 ], [ %60, %56 ]
-  %18 = mul nsw i64 %10, %17
-  %19 = getelementptr inbounds i64, ptr %8, i64 %18
-  %20 = getelementptr inbounds i8, ptr %19, i64 8
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr inbounds double, ptr %12, i64 %21
-  %23 = load double, ptr %22, align 8
-  %24 = fcmp ogt double %23, %1
-  br i1 %24, label %56, label %25
-
-25:                                               ; preds = %15
-  %26 = getelementptr inbounds i8, ptr %19, i64 16
-  %27 = load i64, ptr %26, align 8
-  %28 = fcmp ugt double %23, %1
-  br i1 %28, label %37, label %29
-
-29:                                               ; preds = %25
-  %30 = icmp eq i64 %27, 1
-  br i1 %30, label %52, label %31
-
-31:                                               ; preds = %29
-  %32 = getelementptr i8, ptr %22, i64 8
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ule double %33, %1
-  %35 = icmp sgt i64 %27, 1
-  %36 = select i1 %34, i1 %35, i1 false
-  br i1 %36, label %39, label %52
-
-37:                                               ; preds = %25
-  %38 = icmp sgt i64 %27, 1
-  br i1 %38, label %39, label %52
-
-39:                                               ; preds = %37, %31
-  br label %40
-
-40:                                               ; preds = %39, %40
-  %41 = phi i64 [ %49, %40 ], [ %27, %39 ]
-  %42 = phi i64 [ %48, %40 ], [ 0, %39 ]
-  %43 = add nsw i64 %41, %42
-  %44 = sdiv i64 %43, 2
-  %45 = getelementptr inbounds double, ptr %22, i64 %44
-  %46 = load double, ptr %45, align 8
-  %47 = fcmp ugt double %46, %1
-  %48 = select i1 %47, i64 %42, i64 %44
-  %49 = select i1 %47, i64 %44, i64 %41
-  %50 = sub nsw i64 %49, %48
-  %51 = icmp sgt i64 %50, 1
-  br i1 %51, label %40, label %52, !llvm.loop !70
-
-52:                                               ; preds = %40, %37, %29, %31
-  %53 = phi i64 [ 0, %31 ], [ 0, %29 ], [ 0, %37 ], [ %48, %40 ]
-  %54 = getelementptr inbounds double, ptr %22, i64 %53
-  %55 = load double, ptr %54, align 8
-  br label %56
-
-56:                                               ; preds = %15, %52
-  %57 = phi double [ %55, %52 ], [ %16, %15 ]
-  %58 = fcmp ogt double %57, %16
-  %59 = select i1 %58, double %57, double %16
-  %60 = add nuw nsw i64 %17, 1
-  %61 = icmp eq i64 %60, %4
-  br i1 %61, label %13, label %15, !llvm.loop !89
-}
-
 declare double @llvm.fabs.f64(double) #5
 
 declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #10
@@ -5640,4 +5557,3 @@ attributes #13 = { nounwind }
 !86 = distinct !{!86, !4, !5}
 !87 = distinct !{!87, !4, !5}
 !88 = distinct !{!88, !4, !5}
-!89 = distinct !{!89, !4, !5}

@@ -1,4 +1,4 @@
-; sources 73392bb5491603544e6f2ff923fe7637e5ca631a9542e62849cbc18e85a6778e
+; sources fed96ebb3a54eed9365b06b249fb0d696f6852447e56c0608caf57b4124f7e10
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -162,14 +162,14 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %144 = getelementptr inbounds i8, ptr %0, i64 456
   br label %145
 
-145:                                              ; preds = %2122, %49
-  %146 = phi i64 [ %1712, %2122 ], [ undef, %49 ]
-  %147 = phi i64 [ %1713, %2122 ], [ undef, %49 ]
-  %148 = phi <8 x double> [ %1714, %2122 ], [ undef, %49 ]
-  %149 = phi <8 x double> [ %1715, %2122 ], [ undef, %49 ]
-  %150 = phi <8 x double> [ %1716, %2122 ], [ undef, %49 ]
-  %151 = phi i32 [ %2123, %2122 ], [ 1, %49 ]
-  %152 = phi i64 [ %2098, %2122 ], [ 0, %49 ]
+145:                                              ; preds = %2126, %49
+  %146 = phi i64 [ %1712, %2126 ], [ undef, %49 ]
+  %147 = phi i64 [ %1713, %2126 ], [ undef, %49 ]
+  %148 = phi <8 x double> [ %1714, %2126 ], [ undef, %49 ]
+  %149 = phi <8 x double> [ %1715, %2126 ], [ undef, %49 ]
+  %150 = phi <8 x double> [ %1716, %2126 ], [ undef, %49 ]
+  %151 = phi i32 [ %2127, %2126 ], [ 1, %49 ]
+  %152 = phi i64 [ %2102, %2126 ], [ 0, %49 ]
   br label %164
 
 153:                                              ; preds = %1, %153
@@ -244,7 +244,7 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %199 = phi i32 [ 1, %176 ], [ 8, %180 ], [ 0, %193 ]
   %200 = phi i32 [ %168, %176 ], [ 0, %180 ], [ %195, %193 ]
   %201 = phi i64 [ %169, %176 ], [ %169, %180 ], [ 0, %193 ]
-  switch i32 %199, label %2124 [
+  switch i32 %199, label %2128 [
     i32 0, label %167
     i32 8, label %202
   ], !llvm.loop !7
@@ -256,7 +256,7 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %206 = getelementptr inbounds i8, ptr %205, i64 8
   %207 = load i64, ptr %206, align 8
   %208 = icmp slt i64 %207, 1
-  br i1 %208, label %2124, label %209
+  br i1 %208, label %2128, label %209
 
 209:                                              ; preds = %202
   br i1 %53, label %210, label %230
@@ -285,7 +285,7 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
 227:                                              ; preds = %210, %213
   %228 = phi i32 [ 0, %210 ], [ %226, %213 ]
   %229 = icmp eq i32 %228, 0
-  br i1 %229, label %230, label %2124
+  br i1 %229, label %230, label %2128
 
 230:                                              ; preds = %227, %209
   %231 = add nsw i64 %207, -1
@@ -2375,9 +2375,9 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %1929 = zext i8 %1928 to i64
   %1930 = and i64 %1923, %1929
   %1931 = icmp eq i64 %1930, 0
-  br i1 %1931, label %1932, label %2061
+  br i1 %1931, label %1932, label %2065
 
-1932:                                             ; preds = %2061, %1918
+1932:                                             ; preds = %2065, %1918
   %1933 = trunc nuw i64 %1923 to i8
   %1934 = bitcast i8 %1933 to <8 x i1>
   %1935 = load ptr, ptr %62, align 8
@@ -2402,7 +2402,7 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   %1952 = bitcast i8 %1951 to <8 x i1>
   %1953 = load i64, ptr %139, align 8
   %1954 = icmp sgt i64 %1953, 0
-  br i1 %1954, label %1955, label %2021
+  br i1 %1954, label %1955, label %2025
 
 1955:                                             ; preds = %1932
   %1956 = fcmp oge <8 x double> %1719, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
@@ -2417,224 +2417,226 @@ define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
   store <8 x double> %1720, ptr %2, align 16
   br label %1965
 
-1965:                                             ; preds = %1955, %2016
-  %1966 = phi i64 [ 0, %1955 ], [ %2017, %2016 ]
+1965:                                             ; preds = %1955, %2020
+  %1966 = phi i64 [ 0, %1955 ], [ %2021, %2020 ]
   %1967 = shl nuw nsw i64 1, %1966
   %1968 = and i64 %1963, %1967
   %1969 = icmp eq i64 %1968, 0
-  br i1 %1969, label %1990, label %1970
+  br i1 %1969, label %1991, label %1970
 
 1970:                                             ; preds = %1965
   %1971 = extractelement <8 x double> %236, i64 %1966
   %1972 = extractelement <8 x double> %1720, i64 %1966
   %1973 = load i64, ptr %140, align 8
   %1974 = icmp eq i64 %1973, 0
-  br i1 %1974, label %2013, label %1975
+  br i1 %1974, label %2017, label %1975
 
 1975:                                             ; preds = %1970
   %1976 = extractelement <8 x double> %1919, i64 %1966
   %1977 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1971) #12
-  %1978 = fadd double %1971, %1972
-  %1979 = call double @llvm.fabs.f64(double %1976)
-  %1980 = fmul double %1979, 0x3D10000000000000
-  %1981 = fadd double %1980, %1977
-  %1982 = fcmp olt double %1981, %1976
-  br i1 %1982, label %1983, label %2013
+  %1978 = fsub double %1976, %1971
+  %1979 = fmul double %1978, 1.000000e-03
+  %1980 = fsub double %1976, %1979
+  %1981 = call double @llvm.fabs.f64(double %1976)
+  %1982 = fmul double %1981, 0x3D10000000000000
+  %1983 = fsub double %1980, %1982
+  %1984 = fcmp ogt double %1983, %1977
+  br i1 %1984, label %1985, label %2017
 
-1983:                                             ; preds = %1975
-  %1984 = fcmp ugt double %1977, %1978
-  br i1 %1984, label %1987, label %1985
+1985:                                             ; preds = %1975
+  %1986 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1977) #12
+  %1987 = fadd double %1971, %1972
+  %1988 = fcmp ugt double %1986, %1987
+  br i1 %1988, label %1989, label %2017
 
-1985:                                             ; preds = %1983
-  %1986 = call fastcc double @knot_until(ptr noundef nonnull %20, double noundef %1978) #12
-  br label %1987
+1989:                                             ; preds = %1985
+  %1990 = fsub double %1977, %1971
+  br label %2017
 
-1987:                                             ; preds = %1985, %1983
-  %1988 = phi double [ %1986, %1985 ], [ %1977, %1983 ]
-  %1989 = fsub double %1988, %1971
-  br label %2013
+1991:                                             ; preds = %1965
+  %1992 = and i64 %1964, %1967
+  %1993 = icmp eq i64 %1992, 0
+  br i1 %1993, label %2020, label %1994
 
-1990:                                             ; preds = %1965
-  %1991 = and i64 %1964, %1967
-  %1992 = icmp eq i64 %1991, 0
-  br i1 %1992, label %2016, label %1993
+1994:                                             ; preds = %1991
+  %1995 = extractelement <8 x double> %1919, i64 %1966
+  %1996 = extractelement <8 x double> %1720, i64 %1966
+  %1997 = load i64, ptr %141, align 8
+  %1998 = icmp eq i64 %1997, 0
+  br i1 %1998, label %2017, label %1999
 
-1993:                                             ; preds = %1990
-  %1994 = extractelement <8 x double> %1919, i64 %1966
-  %1995 = extractelement <8 x double> %1720, i64 %1966
-  %1996 = load i64, ptr %141, align 8
-  %1997 = icmp eq i64 %1996, 0
-  br i1 %1997, label %2013, label %1998
+1999:                                             ; preds = %1994
+  %2000 = extractelement <8 x double> %236, i64 %1966
+  %2001 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %2000) #12
+  %2002 = fsub double %1995, %2000
+  %2003 = fmul double %2002, 1.000000e-03
+  %2004 = fsub double %1995, %2003
+  %2005 = call double @llvm.fabs.f64(double %1995)
+  %2006 = fmul double %2005, 0x3D10000000000000
+  %2007 = fsub double %2004, %2006
+  %2008 = fcmp ogt double %2007, %2001
+  %2009 = fadd double %1995, %2006
+  %2010 = fcmp ogt double %2001, %2009
+  %2011 = select i1 %2008, i1 true, i1 %2010
+  br i1 %2011, label %2017, label %2012
 
-1998:                                             ; preds = %1993
-  %1999 = extractelement <8 x double> %236, i64 %1966
-  %2000 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1999) #12
-  %2001 = call double @llvm.fabs.f64(double %1994)
-  %2002 = fmul double %2001, 0x3D10000000000000
-  %2003 = fadd double %2002, %2000
-  %2004 = fcmp olt double %2003, %1994
-  %2005 = fadd double %1994, %2002
-  %2006 = fcmp ogt double %2000, %2005
-  %2007 = or i1 %2006, %2004
-  br i1 %2007, label %2013, label %2008
+2012:                                             ; preds = %1999
+  %2013 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1995) #12
+  %2014 = fsub double %2013, %1995
+  %2015 = fcmp olt double %2014, %1996
+  %2016 = select i1 %2015, double %2014, double %1996
+  br label %2017
 
-2008:                                             ; preds = %1998
-  %2009 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1994) #12
-  %2010 = fsub double %2009, %1994
-  %2011 = fcmp olt double %2010, %1995
-  %2012 = select i1 %2011, double %2010, double %1995
-  br label %2013
+2017:                                             ; preds = %2012, %1999, %1994, %1989, %1985, %1975, %1970
+  %2018 = phi double [ %1972, %1970 ], [ %1990, %1989 ], [ %1972, %1985 ], [ %1972, %1975 ], [ %1996, %1994 ], [ %2016, %2012 ], [ %1996, %1999 ]
+  %2019 = getelementptr inbounds [8 x double], ptr %2, i64 0, i64 %1966
+  store double %2018, ptr %2019, align 8
+  br label %2020
 
-2013:                                             ; preds = %2008, %1998, %1993, %1987, %1975, %1970
-  %2014 = phi double [ %1972, %1970 ], [ %1989, %1987 ], [ %1972, %1975 ], [ %1995, %1993 ], [ %2012, %2008 ], [ %1995, %1998 ]
-  %2015 = getelementptr inbounds [8 x double], ptr %2, i64 0, i64 %1966
-  store double %2014, ptr %2015, align 8
-  br label %2016
+2020:                                             ; preds = %2017, %1991
+  %2021 = add nuw nsw i64 %1966, 1
+  %2022 = icmp eq i64 %2021, 8
+  br i1 %2022, label %2023, label %1965, !llvm.loop !66
 
-2016:                                             ; preds = %2013, %1990
-  %2017 = add nuw nsw i64 %1966, 1
-  %2018 = icmp eq i64 %2017, 8
-  br i1 %2018, label %2019, label %1965, !llvm.loop !66
+2023:                                             ; preds = %2020
+  %2024 = load <8 x double>, ptr %2, align 16
+  br label %2025
 
-2019:                                             ; preds = %2016
-  %2020 = load <8 x double>, ptr %2, align 16
-  br label %2021
-
-2021:                                             ; preds = %1932, %2019
-  %2022 = phi <8 x double> [ %2020, %2019 ], [ %1720, %1932 ]
-  %2023 = fcmp oeq <8 x double> %1919, %239
-  %2024 = load ptr, ptr %59, align 8
-  %2025 = load <8 x double>, ptr %2024, align 8
-  %2026 = fcmp ogt <8 x double> %2025, %2022
-  %2027 = and <8 x i1> %2023, %1934
-  %2028 = select <8 x i1> %2027, <8 x i1> %2026, <8 x i1> zeroinitializer
-  %2029 = select <8 x i1> %2028, <8 x double> %2025, <8 x double> %2022
-  %2030 = fmul <8 x double> %252, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %2031 = select <8 x i1> %1952, <8 x double> %2030, <8 x double> %2029
-  %2032 = select <8 x i1> %1950, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
-  %2033 = bitcast <8 x double> %1718 to <8 x i64>
-  %2034 = select <8 x i1> %1952, <8 x i64> %2032, <8 x i64> %2033
-  %2035 = load ptr, ptr %142, align 8
-  %2036 = trunc i64 %1946 to i8
-  %2037 = bitcast i8 %2036 to <8 x i1>
-  %2038 = load <8 x i64>, ptr %2035, align 8
-  %2039 = select <8 x i1> %2037, <8 x i64> %2034, <8 x i64> %2038
-  store <8 x i64> %2039, ptr %2035, align 8
-  %2040 = load ptr, ptr %66, align 8
-  %2041 = getelementptr inbounds i8, ptr %2040, i64 32
-  %2042 = load i64, ptr %2041, align 8
-  %2043 = or i64 %2042, %1948
-  store i64 %2043, ptr %2041, align 8
+2025:                                             ; preds = %1932, %2023
+  %2026 = phi <8 x double> [ %2024, %2023 ], [ %1720, %1932 ]
+  %2027 = fcmp oeq <8 x double> %1919, %239
+  %2028 = load ptr, ptr %59, align 8
+  %2029 = load <8 x double>, ptr %2028, align 8
+  %2030 = fcmp ogt <8 x double> %2029, %2026
+  %2031 = and <8 x i1> %2027, %1934
+  %2032 = select <8 x i1> %2031, <8 x i1> %2030, <8 x i1> zeroinitializer
+  %2033 = select <8 x i1> %2032, <8 x double> %2029, <8 x double> %2026
+  %2034 = fmul <8 x double> %252, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %2035 = select <8 x i1> %1952, <8 x double> %2034, <8 x double> %2033
+  %2036 = select <8 x i1> %1950, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
+  %2037 = bitcast <8 x double> %1718 to <8 x i64>
+  %2038 = select <8 x i1> %1952, <8 x i64> %2036, <8 x i64> %2037
+  %2039 = load ptr, ptr %142, align 8
+  %2040 = trunc i64 %1946 to i8
+  %2041 = bitcast i8 %2040 to <8 x i1>
+  %2042 = load <8 x i64>, ptr %2039, align 8
+  %2043 = select <8 x i1> %2041, <8 x i64> %2038, <8 x i64> %2042
+  store <8 x i64> %2043, ptr %2039, align 8
   %2044 = load ptr, ptr %66, align 8
-  %2045 = getelementptr inbounds i8, ptr %2044, i64 8
+  %2045 = getelementptr inbounds i8, ptr %2044, i64 32
   %2046 = load i64, ptr %2045, align 8
-  %2047 = xor i64 %1948, -1
-  %2048 = and i64 %2046, %2047
-  %2049 = getelementptr inbounds i8, ptr %2044, i64 16
+  %2047 = or i64 %2046, %1948
+  store i64 %2047, ptr %2045, align 8
+  %2048 = load ptr, ptr %66, align 8
+  %2049 = getelementptr inbounds i8, ptr %2048, i64 8
   %2050 = load i64, ptr %2049, align 8
-  %2051 = xor i64 %2050, -1
-  %2052 = and i64 %1948, %2051
-  %2053 = or disjoint i64 %2052, %2048
-  store i64 %2053, ptr %2045, align 8
-  %2054 = load ptr, ptr %131, align 8
-  %2055 = getelementptr inbounds i8, ptr %2054, i64 64
-  %2056 = load <8 x double>, ptr %2055, align 8
-  %2057 = select <8 x i1> %1952, <8 x double> zeroinitializer, <8 x double> %2056
-  store <8 x double> %2057, ptr %2055, align 8
-  %2058 = load ptr, ptr %59, align 8
-  store <8 x double> %2031, ptr %2058, align 8
-  %2059 = load ptr, ptr %50, align 8
-  %2060 = select <8 x i1> %1934, <8 x double> %1919, <8 x double> %236
-  store <8 x double> %2060, ptr %2059, align 8
-  br i1 %143, label %2073, label %2071
+  %2051 = xor i64 %1948, -1
+  %2052 = and i64 %2050, %2051
+  %2053 = getelementptr inbounds i8, ptr %2048, i64 16
+  %2054 = load i64, ptr %2053, align 8
+  %2055 = xor i64 %2054, -1
+  %2056 = and i64 %1948, %2055
+  %2057 = or disjoint i64 %2056, %2052
+  store i64 %2057, ptr %2049, align 8
+  %2058 = load ptr, ptr %131, align 8
+  %2059 = getelementptr inbounds i8, ptr %2058, i64 64
+  %2060 = load <8 x double>, ptr %2059, align 8
+  %2061 = select <8 x i1> %1952, <8 x double> zeroinitializer, <8 x double> %2060
+  store <8 x double> %2061, ptr %2059, align 8
+  %2062 = load ptr, ptr %59, align 8
+  store <8 x double> %2035, ptr %2062, align 8
+  %2063 = load ptr, ptr %50, align 8
+  %2064 = select <8 x i1> %1934, <8 x double> %1919, <8 x double> %236
+  store <8 x double> %2064, ptr %2063, align 8
+  br i1 %143, label %2077, label %2075
 
-2061:                                             ; preds = %1918, %2061
-  %2062 = phi i64 [ %2069, %2061 ], [ %1930, %1918 ]
-  %2063 = load ptr, ptr %138, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %2063, i64 noundef %2062) #12
-  %2064 = load ptr, ptr %137, align 8
-  %2065 = load <8 x double>, ptr %2064, align 8
-  %2066 = fcmp oeq <8 x double> %2065, %1919
-  %2067 = bitcast <8 x i1> %2066 to i8
-  %2068 = zext i8 %2067 to i64
-  %2069 = and i64 %2062, %2068
-  %2070 = icmp eq i64 %2069, 0
-  br i1 %2070, label %1932, label %2061, !llvm.loop !68
+2065:                                             ; preds = %1918, %2065
+  %2066 = phi i64 [ %2073, %2065 ], [ %1930, %1918 ]
+  %2067 = load ptr, ptr %138, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %2067, i64 noundef %2066) #12
+  %2068 = load ptr, ptr %137, align 8
+  %2069 = load <8 x double>, ptr %2068, align 8
+  %2070 = fcmp oeq <8 x double> %2069, %1919
+  %2071 = bitcast <8 x i1> %2070 to i8
+  %2072 = zext i8 %2071 to i64
+  %2073 = and i64 %2066, %2072
+  %2074 = icmp eq i64 %2073, 0
+  br i1 %2074, label %1932, label %2065, !llvm.loop !68
 
-2071:                                             ; preds = %2073, %2021
-  %2072 = icmp eq i64 %1924, 0
-  br i1 %2072, label %2095, label %2085
+2075:                                             ; preds = %2077, %2025
+  %2076 = icmp eq i64 %1924, 0
+  br i1 %2076, label %2099, label %2089
 
-2073:                                             ; preds = %2021, %2073
-  %2074 = phi i64 [ %2083, %2073 ], [ 0, %2021 ]
-  %2075 = load ptr, ptr %22, align 8
-  %2076 = load ptr, ptr %144, align 8
-  %2077 = shl nsw i64 %2074, 6
-  %2078 = getelementptr inbounds i8, ptr %2076, i64 %2077
-  %2079 = load <8 x i64>, ptr %2078, align 8
-  %2080 = getelementptr inbounds i8, ptr %2075, i64 %2077
-  %2081 = load <8 x i64>, ptr %2080, align 8
-  %2082 = select <8 x i1> %1934, <8 x i64> %2079, <8 x i64> %2081
-  store <8 x i64> %2082, ptr %2080, align 8
-  %2083 = add nuw nsw i64 %2074, 1
-  %2084 = icmp eq i64 %2083, %26
-  br i1 %2084, label %2071, label %2073, !llvm.loop !69
+2077:                                             ; preds = %2025, %2077
+  %2078 = phi i64 [ %2087, %2077 ], [ 0, %2025 ]
+  %2079 = load ptr, ptr %22, align 8
+  %2080 = load ptr, ptr %144, align 8
+  %2081 = shl nsw i64 %2078, 6
+  %2082 = getelementptr inbounds i8, ptr %2080, i64 %2081
+  %2083 = load <8 x i64>, ptr %2082, align 8
+  %2084 = getelementptr inbounds i8, ptr %2079, i64 %2081
+  %2085 = load <8 x i64>, ptr %2084, align 8
+  %2086 = select <8 x i1> %1934, <8 x i64> %2083, <8 x i64> %2085
+  store <8 x i64> %2086, ptr %2084, align 8
+  %2087 = add nuw nsw i64 %2078, 1
+  %2088 = icmp eq i64 %2087, %26
+  br i1 %2088, label %2075, label %2077, !llvm.loop !69
 
-2085:                                             ; preds = %2071
-  %2086 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1924, ptr noundef nonnull %17) #12
-  %2087 = icmp ne i32 %1922, 0
-  %2088 = icmp ne i64 %2086, %1924
-  %2089 = select i1 %2087, i1 true, i1 %2088
-  %2090 = zext i1 %2089 to i32
-  %2091 = trunc i64 %1924 to i8
-  %2092 = bitcast i8 %2091 to <8 x i1>
-  %2093 = xor <8 x i1> %2092, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %2094 = and <8 x i1> %2093, %1934
-  br label %2095
+2089:                                             ; preds = %2075
+  %2090 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1924, ptr noundef nonnull %17) #12
+  %2091 = icmp ne i32 %1922, 0
+  %2092 = icmp ne i64 %2090, %1924
+  %2093 = select i1 %2091, i1 true, i1 %2092
+  %2094 = zext i1 %2093 to i32
+  %2095 = trunc i64 %1924 to i8
+  %2096 = bitcast i8 %2095 to <8 x i1>
+  %2097 = xor <8 x i1> %2096, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %2098 = and <8 x i1> %2097, %1934
+  br label %2099
 
-2095:                                             ; preds = %2085, %2071
-  %2096 = phi i32 [ %2090, %2085 ], [ %1922, %2071 ]
-  %2097 = phi <8 x i1> [ %2094, %2085 ], [ %1934, %2071 ]
-  %2098 = phi i64 [ %2086, %2085 ], [ %204, %2071 ]
-  %2099 = bitcast <8 x i1> %2097 to i8
-  %2100 = icmp eq i8 %2099, 0
-  br i1 %2100, label %2104, label %2101
+2099:                                             ; preds = %2089, %2075
+  %2100 = phi i32 [ %2094, %2089 ], [ %1922, %2075 ]
+  %2101 = phi <8 x i1> [ %2098, %2089 ], [ %1934, %2075 ]
+  %2102 = phi i64 [ %2090, %2089 ], [ %204, %2075 ]
+  %2103 = bitcast <8 x i1> %2101 to i8
+  %2104 = icmp eq i8 %2103, 0
+  br i1 %2104, label %2108, label %2105
 
-2101:                                             ; preds = %2095
-  %2102 = zext i8 %2099 to i64
-  %2103 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %12, i64 noundef %2102) #12
-  br label %2104
+2105:                                             ; preds = %2099
+  %2106 = zext i8 %2103 to i64
+  %2107 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %12, i64 noundef %2106) #12
+  br label %2108
 
-2104:                                             ; preds = %2095, %2101
-  %2105 = phi i64 [ %2103, %2101 ], [ 0, %2095 ]
-  %2106 = icmp ne i32 %2096, 0
-  %2107 = icmp ne i64 %2105, 0
-  %2108 = or i1 %2106, %2107
-  %2109 = zext i1 %2108 to i32
-  %2110 = trunc nuw i64 %2105 to i8
-  %2111 = bitcast i8 %2110 to <8 x i1>
-  %2112 = xor <8 x i1> %2111, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %2113 = and <8 x i1> %2097, %2112
-  %2114 = load ptr, ptr %137, align 8
-  %2115 = load <8 x double>, ptr %2114, align 8
-  %2116 = fcmp oeq <8 x double> %2115, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %2117 = select <8 x i1> %2116, <8 x i1> %2113, <8 x i1> zeroinitializer
-  %2118 = bitcast <8 x i1> %2117 to i8
-  %2119 = icmp eq i8 %2118, 0
-  br i1 %2119, label %2122, label %2120
+2108:                                             ; preds = %2099, %2105
+  %2109 = phi i64 [ %2107, %2105 ], [ 0, %2099 ]
+  %2110 = icmp ne i32 %2100, 0
+  %2111 = icmp ne i64 %2109, 0
+  %2112 = or i1 %2110, %2111
+  %2113 = zext i1 %2112 to i32
+  %2114 = trunc nuw i64 %2109 to i8
+  %2115 = bitcast i8 %2114 to <8 x i1>
+  %2116 = xor <8 x i1> %2115, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %2117 = and <8 x i1> %2101, %2116
+  %2118 = load ptr, ptr %137, align 8
+  %2119 = load <8 x double>, ptr %2118, align 8
+  %2120 = fcmp oeq <8 x double> %2119, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %2121 = select <8 x i1> %2120, <8 x i1> %2117, <8 x i1> zeroinitializer
+  %2122 = bitcast <8 x i1> %2121 to i8
+  %2123 = icmp eq i8 %2122, 0
+  br i1 %2123, label %2126, label %2124
 
-2120:                                             ; preds = %2104
-  %2121 = zext i8 %2118 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %2121, i64 noundef 0) #12
-  br label %2122
+2124:                                             ; preds = %2108
+  %2125 = zext i8 %2122 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %2125, i64 noundef 0) #12
+  br label %2126
 
-2122:                                             ; preds = %2120, %2104
-  %2123 = phi i32 [ 1, %2120 ], [ %2109, %2104 ]
+2126:                                             ; preds = %2124, %2108
+  %2127 = phi i32 [ 1, %2124 ], [ %2113, %2108 ]
   br label %145
 
-2124:                                             ; preds = %202, %227, %198
-  %2125 = phi i64 [ 1, %198 ], [ 0, %227 ], [ 0, %202 ]
-  ret i64 %2125
+2128:                                             ; preds = %202, %227, %198
+  %2129 = phi i64 [ 1, %198 ], [ 0, %227 ], [ 0, %202 ]
+  ret i64 %2129
 }
 
 
@@ -7086,91 +7088,6 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   br i1 %71, label %16, label %18, !llvm.loop !230
 }
 
-define internal fastcc double @knot_until(ptr noundef readonly %0, double noundef %1) unnamed_addr #9 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 152
-  %4 = load i64, ptr %3, align 8
-  %5 = icmp sgt i64 %4, 0
-  br i1 %5, label %6, label %13
-
-6:                                                ; preds = %2
-  %7 = getelementptr inbounds i8, ptr %0, i64 144
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %0, i64 160
-  %10 = load i64, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %0, i64 192
-  %12 = load ptr, ptr %11, align 8
-  br label %15
-
-13:                                               ; preds = %56, %2
-  %14 = phi double [ 0xFFF0000000000000, %2 ], [ %59, %56 ]
-  ret double %14
-
-15:                                               ; preds = %6, %56
-  %16 = phi double [ 0xFFF0000000000000, %6 ], [ %59, %56 ]
-  %17 = phi i64 [ 0, %6 ], [ %60, %56 ]
-  %18 = mul nsw i64 %10, %17
-  %19 = getelementptr inbounds i64, ptr %8, i64 %18
-  %20 = getelementptr inbounds i8, ptr %19, i64 8
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr inbounds double, ptr %12, i64 %21
-  %23 = load double, ptr %22, align 8
-  %24 = fcmp ogt double %23, %1
-  br i1 %24, label %56, label %25
-
-25:                                               ; preds = %15
-  %26 = getelementptr inbounds i8, ptr %19, i64 16
-  %27 = load i64, ptr %26, align 8
-  %28 = fcmp ugt double %23, %1
-  br i1 %28, label %37, label %29
-
-29:                                               ; preds = %25
-  %30 = icmp eq i64 %27, 1
-  br i1 %30, label %52, label %31
-
-31:                                               ; preds = %29
-  %32 = getelementptr i8, ptr %22, i64 8
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp ule double %33, %1
-  %35 = icmp sgt i64 %27, 1
-  %36 = select i1 %34, i1 %35, i1 false
-  br i1 %36, label %39, label %52
-
-37:                                               ; preds = %25
-  %38 = icmp sgt i64 %27, 1
-  br i1 %38, label %39, label %52
-
-39:                                               ; preds = %37, %31
-  br label %40
-
-40:                                               ; preds = %39, %40
-  %41 = phi i64 [ %49, %40 ], [ %27, %39 ]
-  %42 = phi i64 [ %48, %40 ], [ 0, %39 ]
-  %43 = add nsw i64 %41, %42
-  %44 = sdiv i64 %43, 2
-  %45 = getelementptr inbounds double, ptr %22, i64 %44
-  %46 = load double, ptr %45, align 8
-  %47 = fcmp ugt double %46, %1
-  %48 = select i1 %47, i64 %42, i64 %44
-  %49 = select i1 %47, i64 %44, i64 %41
-  %50 = sub nsw i64 %49, %48
-  %51 = icmp sgt i64 %50, 1
-  br i1 %51, label %40, label %52, !llvm.loop !111
-
-52:                                               ; preds = %40, %37, %29, %31
-  %53 = phi i64 [ 0, %31 ], [ 0, %29 ], [ 0, %37 ], [ %48, %40 ]
-  %54 = getelementptr inbounds double, ptr %22, i64 %53
-  %55 = load double, ptr %54, align 8
-  br label %56
-
-56:                                               ; preds = %15, %52
-  %57 = phi double [ %55, %52 ], [ %16, %15 ]
-  %58 = fcmp ogt double %57, %16
-  %59 = select i1 %58, double %57, double %16
-  %60 = add nuw nsw i64 %17, 1
-  %61 = icmp eq i64 %60, %4
-  br i1 %61, label %13, label %15, !llvm.loop !231
-}
-
 declare double @llvm.fabs.f64(double) #5
 
 declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #10
@@ -7422,4 +7339,3 @@ attributes #13 = { nounwind }
 !228 = distinct !{!228, !4, !5}
 !229 = distinct !{!229, !4, !5}
 !230 = distinct !{!230, !4, !5}
-!231 = distinct !{!231, !4, !5}
