@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = ["SampledInput"]
+__dir__ = __all__.copy
 
 _INTERPOLATIONS = ("linear", "previous", "pchip")
 _SLACK = 1e-9  # of the time span of samples: times may be accumulated sums

@@ -33,17 +33,10 @@ if TYPE_CHECKING:
     from pydy._sympy_types import BySymbol, SymbolOrName
 
 __all__ = [
-    "plot_constraints",
-    "plot_coordinates",
-    "plot_energy",
-    "plot_fit",
-    "plot_outputs",
-    "plot_phase",
-    "plot_quantities",
-    "plot_sensitivities",
-    "plot_speeds",
-    "plot_states",
-]
+    "plot_constraints", "plot_coordinates", "plot_energy", "plot_fit", "plot_outputs",
+    "plot_phase", "plot_quantities", "plot_sensitivities", "plot_speeds", "plot_states",
+]  # fmt: skip
+__dir__ = __all__.copy
 
 # -- Curves from trajectories, ensembles, or several of them: what `pydy.plot` draws ---------------
 
@@ -649,11 +642,8 @@ def _draw(
         unit_axes.margins(x=0)
     _place_beside_each_other(ax, [*axes.values()])
     ax.grid(alpha=0.3)
-    counts = [len(c.values) for c in curves if c.values.ndim > 1]
-    if counts:
-        count = max(counts)
-        many = count > LINES_OF_SAMPLES
-        title = "median, 5 to 95 %" if many else f"{count} sample{'s' if count > 1 else ''}"
+    if count := max((len(c.values) for c in curves if c.values.ndim > 1), default=0):
+        title = f"{count} samples" if count <= LINES_OF_SAMPLES else "median, 5 to 95 %"
     options: dict[str, Any] = {"title": title or None}
     if len({*axes.values()}) == 1:
         # Curves that the Axes had before, such as another run, are in the legend, too.

@@ -80,6 +80,7 @@ from pydy._motion import (
     resolve_ode_solver,
 )
 from pydy._names import name_of, nearest, some
+from pydy._option_checks import refuse_solver
 from pydy._optional import progress_of
 from pydy._problem import (
     DefinitionBuilder,
@@ -158,6 +159,7 @@ if TYPE_CHECKING:
     Contacts: TypeAlias = Any  # `pydy.contact.Contacts`, whose module imports this one
 
 __all__ = ["System"]
+__dir__ = __all__.copy
 
 
 # Names in other versions of PyDy, and what has their place.
@@ -166,6 +168,12 @@ _OF_OTHER_VERSIONS = {
     "evaluate_nonholonomic": "`evaluate_constraints`, whose last `num_nonholonomic_constraints` "
     "entries are the nonholonomic ones; `evaluate_velocity_constraints` has these after the "
     "differentiated holonomic ones",
+    "lqr": "`system.linearize().to_control()` with python-control, as in `control.lqr`",
+    "bode": "`system.linearize().plot_bode(input, output)`",
+    "natural_frequencies": "`abs(system.linearize().eigenvalues)`, in rad/s",
+    "eigenvectors": "`numpy.linalg.eig(system.linearize().A)`",
+    "energy": "`evaluate_energy()`, `kinetic_energy` or `potential_energy`; along a motion "
+    "`system.simulate().energy`",
 }
 _NAMES_OF_METHODS = dict.fromkeys(
     (
@@ -626,7 +634,8 @@ class System:
 
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: BySymbol[float] | None) -> None:
-        values = check_mapping("initial_conditions", initial_conditions)
+        remedy = "Use `dict(zip(system.states, values))`."
+        values = check_mapping("initial_conditions", initial_conditions, remedy)
         definition = self._definition
         told = self._told_again(definition, "states")
         read_numbers(definition, "initial_conditions", values, told)
@@ -924,6 +933,7 @@ class System:
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
+        refuse_solver(solver_kwargs)
         return integrate_states(
             problem, self._times, solver=solver, checked=not full, **solver_kwargs
         )
@@ -990,6 +1000,7 @@ class System:
             solver_kwargs["events"] = [*solver_kwargs["events"]]
         shown = solver_kwargs.get("progress") is True
         problem = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
+        refuse_solver(solver_kwargs)
         motion = simulate(
             problem,
             self._times,

@@ -139,6 +139,16 @@ def test_an_unknown_option_names_the_nearest(system, solver, option, meant):
         system.integrate(**{option: 1e-3})
 
 
+@pytest.mark.parametrize("solver", ["odeint", "dop853"])
+@pytest.mark.parametrize("option", ["method", "solver"])
+def test_a_solver_is_no_option(system, solver, option):
+    system.ode_solver = solver
+    with pytest.raises(TypeError, match=f"no option `{option}`.* `system.ode_solver = 'RK45'`"):
+        system.integrate(**{option: "RK45"})
+    with pytest.raises(TypeError, match=f"no option `{option}`.* `system.ode_solver = 'RK45'`"):
+        system.simulate(**{option: "RK45"})
+
+
 @pytest.mark.parametrize(
     ("solver", "option", "meant"),
     [

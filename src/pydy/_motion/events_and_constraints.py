@@ -69,6 +69,7 @@ def check_events(events: object, states: SymbolIndex) -> tuple[Event, ...]:
         if not isinstance(event, Event):
             raise TypeError(
                 f"`events` must hold objects of pydy.solvers.Event, got {typed(event)}."
+                + (f" Use `Event({event})`." if hasattr(event, "free_symbols") else "")
             )
         reset = {}
         for key, after in event.reset.items():
