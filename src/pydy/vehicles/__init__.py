@@ -7,6 +7,7 @@ for a wheel that moves freely. `fit_tire` fits the parameters of a tire to measu
 
 `single_track` makes a System of a car, `CARS` has constants of some, `linear_handling` the closed
 forms of the linear one. `step_steer` and `steady_turn` are manoeuvres of a System.
+`commonroad_car` has models of the CommonRoad benchmarks.
 """
 
 import lazy_loader
@@ -15,6 +16,7 @@ __getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "CARS",
     "BrushTire",
+    "DoubleTrackCar",
     "LinearHandling",
     "LinearTire",
     "MagicFormula",
@@ -26,6 +28,7 @@ __all__ = [
     "TireFit",
     "TireForces",
     "WheelContact",
+    "commonroad_car",
     "fit_tire",
     "linear_handling",
     "plot_tire",

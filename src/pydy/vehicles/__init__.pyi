@@ -1,4 +1,10 @@
 from .brush import BrushTire as BrushTire
+from .cars import (
+    CARS as CARS,
+    DoubleTrackCar as DoubleTrackCar,
+    SingleTrackCar as SingleTrackCar,
+)
+from .commonroad import commonroad_car as commonroad_car
 from .fit import TireFit as TireFit, fit_tire as fit_tire
 from .forces import TireForces as TireForces
 from .handling import LinearHandling as LinearHandling, linear_handling as linear_handling
@@ -11,11 +17,7 @@ from .manoeuvres import (
     step_steer as step_steer,
 )
 from .plots import plot_tire as plot_tire, plot_tire_carpet as plot_tire_carpet
-from .single_track import (
-    CARS as CARS,
-    SingleTrackCar as SingleTrackCar,
-    single_track as single_track,
-)
+from .single_track import single_track as single_track
 from .tir import TireFile as TireFile, read_tir as read_tir
 from .tmeasy import TMeasy as TMeasy
 from .wheel import WheelContact as WheelContact

@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._checks import instance, real_array, shown
 from pydy.plot import rows_of_axes
-from pydy.vehicles.single_track import SingleTrackCar
+from pydy.vehicles.cars import SingleTrackCar
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,15 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from fuzz.kinds import Kind, RefusedError, array, nothing, real
+from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
 from fuzz.table import flags, one_of, plotted, target
 from pydy.system import System
 from pydy.vehicles import (
     CARS,
+    DoubleTrackCar,
     LinearHandling,
     SingleTrackCar,
     SteadyTurn,
     StepResponse,
+    commonroad_car,
     linear_handling,
     single_track,
     steady_turn,
@@ -25,6 +27,12 @@ from pydy.vehicles import (
 _FIELDS = {
     "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,
     "front_stiffness": 9e4, "rear_stiffness": 1.1e5,
+}  # fmt: skip
+_DOUBLE = {
+    **_FIELDS,
+    "height": 0.6, "front_track": 1.4, "rear_track": 1.4, "wheel_radius": 0.3,
+    "wheel_inertia": 1.5, "front_roll_share": 0.5, "front_drive_share": 0.0,
+    "front_brake_share": 0.7,
 }  # fmt: skip
 _car = CARS["bmw_320i"]
 _things = nothing("texts", "symbols")
@@ -43,6 +51,30 @@ for _name in _FIELDS:
     @target(f"SingleTrackCar.{_name}", _positive)
     def _(v, name=_name):
         return repr(SingleTrackCar(**{**_FIELDS, name: v}))
+
+
+_share = Kind(real(least=0.0, most=1.0).read, ("common", "numbers"), compare=False)
+
+for _name in _DOUBLE:
+
+    @target(f"DoubleTrackCar.{_name}", _share if _name.endswith("share") else _positive)
+    def _(v, name=_name):
+        return repr(DoubleTrackCar(**{**_DOUBLE, name: v}))
+
+
+@target("commonroad_car.vehicle", choice(*CARS))
+def _(v):
+    return str(commonroad_car(v))
+
+
+@target("commonroad_car.model", choice("ST", "STD"))
+def _(v):
+    return str(commonroad_car("bmw_320i", v))
+
+
+@target("commonroad_car.speed", _positive)
+def _(v):
+    return str(commonroad_car("bmw_320i", speed=v).initial_conditions)
 
 
 @target("single_track.car", _things)
