@@ -6,8 +6,8 @@ SymPy expressions, which go into loads, outputs and specifieds. `WheelContact` m
 for a wheel that moves freely. `fit_tire` fits the parameters of a tire to measurements.
 
 `single_track` makes a System of a car, `CARS` has constants of some, `linear_handling` the closed
-forms of the linear one. `step_steer` and `steady_turn` are manoeuvres of a System.
-`commonroad_car` has models of the CommonRoad benchmarks.
+forms of the linear one. `step_steer`, `steady_turn` and `lane_change` are manoeuvres of a
+System. `commonroad_car` has models of the CommonRoad benchmarks.
 """
 
 import lazy_loader
@@ -17,6 +17,7 @@ __all__ = [
     "CARS",
     "BrushTire",
     "DoubleTrackCar",
+    "LaneChange",
     "LinearHandling",
     "LinearTire",
     "MagicFormula",
@@ -30,6 +31,7 @@ __all__ = [
     "WheelContact",
     "commonroad_car",
     "fit_tire",
+    "lane_change",
     "linear_handling",
     "plot_tire",
     "plot_tire_carpet",

@@ -8,6 +8,7 @@ from .commonroad import commonroad_car as commonroad_car
 from .fit import TireFit as TireFit, fit_tire as fit_tire
 from .forces import TireForces as TireForces
 from .handling import LinearHandling as LinearHandling, linear_handling as linear_handling
+from .lane_change import LaneChange as LaneChange, lane_change as lane_change
 from .linear import LinearTire as LinearTire
 from .magic_formula import MagicFormula as MagicFormula
 from .manoeuvres import (

@@ -137,8 +137,8 @@ def step_steer(
             f"more, got {angle!r}."
         )
     duration = positive(duration, "`duration`", finite=True)
-    _check_name(quantity, "quantity", [*_names(system.states), *map(str, system.outputs)])
-    _check_name(steering, "steering", _names(system.specifieds_symbols))
+    check_name(quantity, "quantity", [*names_of(system.states), *map(str, system.outputs)])
+    check_name(steering, "steering", names_of(system.specifieds_symbols))
     car = copy(system)
     car.specifieds = {**car.specifieds, steering: angle}
     car.times = np.linspace(0.0, duration, _SAMPLES)
@@ -294,11 +294,11 @@ def steady_turn(
             "`accelerations` must be at least three positive ascending numbers, got "
             f"{shown(accelerations)}."
         )
-    inputs = _names(system.specifieds_symbols)
-    states = _names(system.speeds)
-    _check_name(steering, "steering", inputs)
-    _check_name(yaw_rate, "yaw_rate", states)
-    _check_name(speed, "speed", [*states, *_names(system.constants_symbols)])
+    inputs = names_of(system.specifieds_symbols)
+    states = names_of(system.speeds)
+    check_name(steering, "steering", inputs)
+    check_name(yaw_rate, "yaw_rate", states)
+    check_name(speed, "speed", [*states, *names_of(system.constants_symbols)])
     unknowns = [name for name in states if name not in (speed, yaw_rate)] + sorted(inputs)
     speeds = np.sqrt(targets * radius)
     start: dict[Any, float] = {}
@@ -329,10 +329,12 @@ def steady_turn(
     )
 
 
-def _names(symbols: Any) -> list[str]:
+def names_of(symbols: Any) -> list[str]:
+    """Return the names of symbols, without (t)."""
     return [str(symbol).removesuffix("(t)") for symbol in symbols]
 
 
-def _check_name(name: Any, argument: str, known: Sequence[str]) -> None:
+def check_name(name: Any, argument: str, known: Sequence[str]) -> None:
+    """Refuse what is none of the known names."""
     if not isinstance(name, str) or name not in known:
         raise ValueError(f"`{argument}` must be one of {some(known)}, got {shown(name)}.")

@@ -18,6 +18,7 @@ from pydy.vehicles import (
     SteadyTurn,
     StepResponse,
     commonroad_car,
+    lane_change,
     linear_handling,
     single_track,
     steady_turn,
@@ -177,6 +178,41 @@ for _name in ("steering", "speed", "yaw_rate"):
         return _turn(**{name: v}).angles
 
 
+def _change(**arguments: Any) -> Any:
+    return lane_change(**{"system": _system(), "width": 1.6, **arguments}).clearances
+
+
+for _name in ("width", "length", "preview"):
+
+    @target(f"lane_change.{_name}", Kind(real(above=0.0, below=1e6).read, _common, compare=False))
+    def _(v, name=_name):
+        return _change(**{name: v})
+
+
+@target("lane_change.gain", Kind(real().read, _common, compare=False).or_none())
+def _(v):
+    return _change(gain=v)
+
+
+@target("lane_change.track", choice("ISO 3888-1", "ISO 3888-2"))
+def _(v):
+    return _change(track=v)
+
+
+for _name in ("system", "position"):
+
+    @target(f"lane_change.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return _change(**{name: v})
+
+
+for _name in ("steering", "speed", "yaw_rate"):
+
+    @target(f"lane_change.{_name}", _names)
+    def _(v, name=_name):
+        return _change(**{name: v})
+
+
 @cache
 def _handling() -> LinearHandling:
     return linear_handling(_car, [10.0, 20.0])
@@ -195,6 +231,16 @@ def _turns() -> SteadyTurn:
 @target("LinearHandling.plot.axes", _ax)
 def _(v):
     return str(plotted(_handling().plot, v))
+
+
+@target("LinearHandling.plot_eigenvalues.ax", _ax)
+def _(v):
+    return str(plotted(_handling().plot_eigenvalues, v))
+
+
+@target("LaneChange.plot.ax", _ax)
+def _(v):
+    return str(plotted(lane_change(_system(), 1.6).plot, v))
 
 
 @target("StepResponse.plot.ax", _ax)
