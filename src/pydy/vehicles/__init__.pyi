@@ -1,3 +1,4 @@
+from .aerodynamics import aerodynamic_loads as aerodynamic_loads
 from .brush import BrushTire as BrushTire
 from .cars import (
     CARS as CARS,
@@ -5,6 +6,11 @@ from .cars import (
     SingleTrackCar as SingleTrackCar,
 )
 from .commonroad import commonroad_car as commonroad_car
+from .double_track import double_track as double_track
+from .drivetrain import (
+    differential_torques as differential_torques,
+    motor_torque as motor_torque,
+)
 from .fit import TireFit as TireFit, fit_tire as fit_tire
 from .forces import TireForces as TireForces
 from .handling import LinearHandling as LinearHandling, linear_handling as linear_handling
@@ -21,4 +27,5 @@ from .plots import plot_tire as plot_tire, plot_tire_carpet as plot_tire_carpet
 from .single_track import single_track as single_track
 from .tir import TireFile as TireFile, read_tir as read_tir
 from .tmeasy import TMeasy as TMeasy
+from .trailer import car_trailer as car_trailer
 from .wheel import WheelContact as WheelContact

@@ -69,7 +69,7 @@ def single_track(
     instance(car, SingleTrackCar, "`car`", "a SingleTrackCar, such as one of CARS")
     speed = positive(speed, "`speed`", finite=True)
     free_speed = flag(free_speed, "`free_speed`")
-    axle_tires = _pair(tires)
+    axle_tires = tires_of_axles(tires)
     x, y, psi, v, r, delta, F_x = me.dynamicsymbols("x y psi v r delta F_x")
     m, inertia, a, b, C_f, C_r, g = sm.symbols("m I a b C_f C_r g")
     u = me.dynamicsymbols("u") if free_speed else sm.Symbol("u")
@@ -132,7 +132,8 @@ def single_track(
     )
 
 
-def _pair(tires: Any) -> tuple[Any, Any] | None:
+def tires_of_axles(tires: Any) -> tuple[Any, Any] | None:
+    """Return the tires of the front and the rear axle, or None."""
     if tires is None:
         return None
     pair = (tires, tires) if hasattr(tires, "forces") else tires

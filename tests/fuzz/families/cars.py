@@ -6,7 +6,9 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from fuzz.families.tires import _amount as amount, _inputs as inputs
 from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
 from fuzz.table import flags, one_of, plotted, target
 from pydy.system import System
@@ -17,9 +19,14 @@ from pydy.vehicles import (
     SingleTrackCar,
     SteadyTurn,
     StepResponse,
+    aerodynamic_loads,
+    car_trailer,
     commonroad_car,
+    differential_torques,
+    double_track,
     lane_change,
     linear_handling,
+    motor_torque,
     single_track,
     steady_turn,
     step_steer,
@@ -176,6 +183,117 @@ for _name in ("steering", "speed", "yaw_rate"):
     @target(f"steady_turn.{_name}", _names)
     def _(v, name=_name):
         return _turn(**{name: v}).angles
+
+
+@target("double_track.car", _things)
+def _(v):
+    return str(double_track(v))
+
+
+@target("double_track.tires", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return str(double_track(_car, v))
+
+
+@target("double_track.differential", choice("open", "locked"))
+def _(v):
+    return str(double_track(_car, differential=v))
+
+
+@target("double_track.speed", _positive)
+def _(v):
+    return str(double_track(_car, speed=v).initial_conditions)
+
+
+_not_negative = Kind(real(least=0.0).read, ("common", "numbers"), compare=False)
+
+
+@target("double_track.drag_area", _not_negative)
+def _(v):
+    return str(double_track(_car, drag_area=v).constants)
+
+
+def _two(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise RefusedError
+    return [_not_negative.read(x) for x in value]
+
+
+@target("double_track.downforce_areas", Kind(_two, _common, compare=False))
+def _(v):
+    return str(double_track(_car, downforce_areas=v).constants)
+
+
+_TRAILER = {
+    "mass": 1200.0, "yaw_inertia": 2500.0, "length": 4.0, "stiffness": 7e4, "speed": 20.0,
+    "hitch": 2.5, "centre": 4.2,
+}  # fmt: skip
+_finite = Kind(real().read, ("common", "numbers"), compare=False)
+
+for _name in _TRAILER:
+
+    @target(f"car_trailer.{_name}", _finite if _name in ("hitch", "centre") else _positive)
+    def _(v, name=_name):
+        return str(car_trailer(_car, **{**_TRAILER, name: v}).constants)
+
+
+@target("car_trailer.car", _things)
+def _(v):
+    return str(car_trailer(v, **_TRAILER))
+
+
+for _name in ("torque", "left", "right"):
+
+    @target(f"differential_torques.{_name}", inputs)
+    def _(v, name=_name):
+        return str(differential_torques(**{"torque": 1.0, "left": 2.0, "right": 3.0, name: v}))
+
+
+for _name, _kind in {
+    **dict.fromkeys(("preload", "viscosity"), amount(least=0.0)),
+    "bias": amount(least=0.0, most=1.0),
+    "transition": amount(above=0.0),
+}.items():
+
+    @target(f"differential_torques.{_name}", _kind)
+    def _(v, name=_name):
+        return str(differential_torques(1.0, 2.0, 3.0, **{name: v}))
+
+
+@target("motor_torque.speed", inputs)
+def _(v):
+    return str(motor_torque(v, [0.0, 1.0], [2.0, 3.0]))
+
+
+@target("motor_torque.ratio", _positive)
+def _(v):
+    return str(motor_torque(0.5, [0.0, 1.0], [2.0, 3.0], ratio=v))
+
+
+for _name in ("speeds", "torques"):
+
+    @target(f"motor_torque.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return motor_torque(0.5, **{"speeds": [0.0, 1.0], "torques": [2.0, 3.0], name: v})
+
+
+@cache
+def _moving() -> Any:
+    N, P = ReferenceFrame("N"), Point("P")
+    P.set_vel(N, dynamicsymbols("u") * N.x)
+    return {"point": P, "forward": N.x, "up": N.z, "frame": N, "drag_area": 0.6}
+
+
+for _name, _kind in {
+    **dict.fromkeys(("point", "forward", "up", "frame"), _things),
+    "drag_area": amount(least=0.0),
+    "lift_area": amount(),
+    "density": amount(above=0.0),
+}.items():
+
+    @target(f"aerodynamic_loads.{_name}", _kind)
+    def _(v, name=_name):
+        return str(aerodynamic_loads(**{**_moving(), name: v}))
 
 
 def _change(**arguments: Any) -> Any:
