@@ -1,4 +1,4 @@
-"""Vehicles: tires and their forces at the road, single-track cars and their handling.
+"""Vehicles: tires and their forces at the road, cars and their handling.
 
 `read_tir` reads a tire property file, `MagicFormula` makes a tire of it; `LinearTire`, `BrushTire`
 and `TMeasy` need a few parameters only. A tire is asked for its forces with numbers, arrays, or
@@ -7,7 +7,9 @@ for a wheel that moves freely. `fit_tire` fits the parameters of a tire to measu
 
 `single_track` makes a System of a car, `CARS` has constants of some, `linear_handling` the closed
 forms of the linear one. `step_steer`, `steady_turn` and `lane_change` are manoeuvres of a
-System. `commonroad_car` has models of the CommonRoad benchmarks.
+System. `commonroad_car` has models of the CommonRoad benchmarks. `double_track` makes a System of a
+car with four wheels that spin, `car_trailer` one with a trailer; `motor_torque`,
+`differential_torques` and `aerodynamic_loads` are laws for models of your own.
 """
 
 import lazy_loader

@@ -78,7 +78,7 @@ def double_track(
     >>> system.specifieds = {'delta': 0.03, 'T_drive': 300.0, 'T_brake': 0.0}
     >>> motion = system.simulate()
     >>> [round(float(motion[name][-1])) for name in ('Fz_fl', 'Fz_fr')]
-    [2215, 3641]
+    [1541, 4210]
     """
     instance(car, DoubleTrackCar, "`car`", "a DoubleTrackCar, such as one of CARS")
     speed = positive(speed, "`speed`", finite=True)

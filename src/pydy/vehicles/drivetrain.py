@@ -41,8 +41,8 @@ def motor_torque(
     An electric motor of 100 N m up to 300 rad/s, with a gear of 8:
 
     >>> from pydy.vehicles import motor_torque
-    >>> motor_torque(50.0, [0, 300, 900], [100, 100, 0], ratio=8.0)
-    666.6666666666666
+    >>> motor_torque(25.0, [0, 300, 900], [100, 100, 0], ratio=8.0)
+    800.0
 
     >>> from sympy.physics.mechanics import dynamicsymbols
     >>> omega, pedal = dynamicsymbols('omega pedal')

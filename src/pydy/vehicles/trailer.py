@@ -61,16 +61,16 @@ def car_trailer(
 
     Examples
     --------
-    A caravan that is heavy at its rear sways faster and faster above some speed:
+    A caravan that is heavy at its rear sways more and more above some speed:
 
     >>> from pydy.vehicles import SingleTrackCar, car_trailer
     >>> car = SingleTrackCar(1500, 2500, 1.2, 1.5, 90e3, 110e3)
     >>> system = car_trailer(car, mass=1200, yaw_inertia=2500, hitch=2.5, length=4.0, centre=4.2,
     ...                      stiffness=70e3, speed=20.0)
-    >>> bool(system.linearize().eigenvalues.real.max() > 0.0)
+    >>> bool(system.linearize().eigenvalues.real.max().round(3) > 0.0)
     False
     >>> system.constants['u'] = 40.0
-    >>> bool(system.linearize().eigenvalues.real.max() > 0.0)
+    >>> bool(system.linearize().eigenvalues.real.max().round(3) > 0.0)
     True
     """
     instance(car, SingleTrackCar, "`car`", "a SingleTrackCar, such as one of CARS")

@@ -270,9 +270,12 @@ def _(v):
     return str(motor_torque(0.5, [0.0, 1.0], [2.0, 3.0], ratio=v))
 
 
-for _name in ("speeds", "torques"):
+_ascending = array((2,), check=lambda a: np.isfinite(a).all() and a[0] < a[1])
+_numbers = array((2,), check=lambda a: np.isfinite(a).all())
 
-    @target(f"motor_torque.{_name}", nothing("texts", "symbols"))
+for _name, _kind in (("speeds", _ascending), ("torques", _numbers)):
+
+    @target(f"motor_torque.{_name}", _kind)
     def _(v, name=_name):
         return motor_torque(0.5, **{"speeds": [0.0, 1.0], "torques": [2.0, 3.0], name: v})
 
