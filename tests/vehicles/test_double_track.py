@@ -11,8 +11,11 @@ from pydy.vehicles import (
     DoubleTrackCar,
     LinearTire,
     double_track,
+    lane_change,
     linear_handling,
     single_track,
+    steady_turn,
+    step_steer,
 )
 
 CAR = DoubleTrackCar(
@@ -54,7 +57,7 @@ def test_the_normal_forces_balance_weight_and_accelerations(tires):
     system = driven(double_track(CAR, tires), delta=0.04, T_drive=-300.0, T_brake=200.0)
     motion = system.simulate()
     fl, fr, rl, rr = state_at(motion, [f"Fz_{wheel}" for wheel in ("fl", "fr", "rl", "rr")])
-    a_x, a_y = state_at(motion, ["a_x", "a_y"])
+    a_x, a_y = state_at(motion, ["a_x_load", "a_y_load"])
     assert a_x < -0.3
     assert a_y > 2.0
     assert fl + fr + rl + rr == pytest.approx(WEIGHT)
@@ -66,7 +69,7 @@ def test_the_normal_forces_balance_weight_and_accelerations(tires):
     assert front / (front + rear) == pytest.approx(CAR.front_roll_share)
 
 
-def test_the_implicit_accelerations_are_those_of_the_mass_centre():
+def test_the_accelerations_are_those_of_the_mass_centre():
     system = driven(double_track(CAR, BRUSH), delta=0.05, T_drive=400.0)
     motion = system.simulate()
     names = [str(s).removesuffix("(t)") for s in system.states]
@@ -74,6 +77,10 @@ def test_the_implicit_accelerations_are_those_of_the_mass_centre():
     u, v, r, a_x, a_y = state_at(motion, ["u", "v", "r", "a_x", "a_y"])
     assert rates["u"] - v * r == pytest.approx(a_x, rel=1e-9)
     assert rates["v"] + u * r == pytest.approx(a_y, rel=1e-9)
+    # The loads follow with a lag of 0.05 s.
+    followers = state_at(motion, ["a_x_load", "a_y_load"])
+    lagging = [rates["a_x_load"], rates["a_y_load"]]
+    assert lagging == pytest.approx((np.array([a_x, a_y]) - followers) / 0.05, rel=1e-6)
     # The forces of the wheels, turned into the axes of the body.
     steered = {"fl": 0.05, "fr": 0.05, "rl": 0.0, "rr": 0.0}
     forces = {w: state_at(motion, [f"Fx_{w}", f"Fy_{w}"]) for w in steered}
@@ -133,6 +140,29 @@ def test_mirrored_steering_gives_the_mirrored_motion():
     for one, other in (("r", "r"), ("v", "v"), ("a_y", "a_y")):
         assert left[one] == pytest.approx(-np.asarray(right[other]), rel=1e-6, abs=1e-8)
     assert left["Fz_fl"] == pytest.approx(np.asarray(right["Fz_fr"]), rel=1e-6)
+
+
+@pytest.mark.parametrize("differential", ["open", "locked"])
+def test_it_is_driven_by_the_manoeuvres(differential):
+    system = double_track(CAR, BRUSH, speed=15.0, differential=differential)
+    assert lane_change(system, 1.7).passed
+    response = step_steer(system, 0.02, duration=2.0)
+    assert response.steady == pytest.approx(response.trajectory["r"][-1])
+    accelerations = np.linspace(0.5, 4.0, 5)
+    turn = steady_turn(system, 60.0, accelerations, inputs=("delta", "T_drive"))
+    a_x, a_y, v = (turn.states[:, k] for k in (3, 4, 6))
+    # The path of the mass centre curves by its course, which differs from its heading by β.
+    beta = v / turn.speeds
+    assert a_y == pytest.approx(accelerations, rel=1e-6)
+    assert a_x == pytest.approx(-accelerations * beta, rel=1e-6)
+
+
+def test_its_understeer_gradient_is_that_of_the_linear_car():
+    # Loads and slips of the turn change it by their squares: small turns.
+    system = double_track(replace(CAR, height=1e-6), speed=15.0)
+    turn = steady_turn(system, 500.0, [0.1, 0.2, 0.3], inputs=("delta", "T_drive"))
+    expected = linear_handling(CAR, 10.0).understeer_gradient
+    assert turn.understeer_gradient[1] == pytest.approx(expected, rel=0.02)
 
 
 def test_other_cars_are_refused():

@@ -10,7 +10,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._checks import choice, instance, positive
-from pydy.mechanics import Definition, Implicit
+from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles.aerodynamics import AIR_DENSITY, aerodynamic_loads
 from pydy.vehicles.cars import GRAVITY, DoubleTrackCar
@@ -30,18 +30,19 @@ def double_track(
     differential: str = "open",
     drag_area: float = 0.0,
     downforce_areas: Sequence[float] = (0.0, 0.0),
+    lag: float = 0.05,
 ) -> System:
     """Return the System of a car with four wheels that spin: seven degrees of freedom.
 
-    The body moves in the plane. The normal forces of the wheels follow its accelerations at once,
-    as if the suspension were stiff; with the share φ of the front axle in the roll stiffness ::
+    The body moves in the plane. The normal forces of the wheels follow its accelerations with a lag
+    τ, as those of a car that pitches and rolls a little; with the share φ of the front axle in the
+    roll stiffness ::
 
-        F_z,fl, F_z,fr = m (g b − a_x h)/(2 L) ∓ φ m a_y h/T_f
-        F_z,rl, F_z,rr = m (g a + a_x h)/(2 L) ∓ (1 − φ) m a_y h/T_r
+        F_z,fl, F_z,fr = m (g b − a_x* h)/(2 L) ∓ φ m a_y* h/T_f        τ a_x*' = a_x − a_x*
+        F_z,rl, F_z,rr = m (g a + a_x* h)/(2 L) ∓ (1 − φ) m a_y* h/T_r  τ a_y*' = a_y − a_y*
 
-    and half of the downforce of an axle on each of its wheels. As tires push the body by these
-    normal forces, a_x and a_y are quantities that an equation determines (`Implicit`). The axles
-    roll about points on the road; both front wheels have one steering angle.
+    and half of the downforce of an axle on each of its wheels. The axles roll about points on the
+    road; both front wheels have one steering angle.
 
     Parameters
     ----------
@@ -58,14 +59,16 @@ def double_track(
         c_d A (m²).
     downforce_areas : pair of float, optional
         −c_l A (m²) of the front and the rear axle.
+    lag : float, optional
+        τ (s).
 
     Returns
     -------
     System
-        Coordinates x, y, psi, and the implicit a_x and a_y (m/s²); speeds u, v, r and the spins
-        omega_fl, omega_fr, omega_rl, omega_rr (rad/s). Specifieds are delta (rad), and the torques
-        T_drive and T_brake (N m) of all wheels together, T_brake not negative. Outputs are beta,
-        and kappa, alpha, Fx, Fy and Fz of each wheel.
+        Coordinates x, y, psi, and a_x_load and a_y_load (m/s²), which the normal forces follow;
+        speeds u, v, r and the spins omega_fl, omega_fr, omega_rl, omega_rr (rad/s). Specifieds are
+        delta (rad), and the torques T_drive and T_brake (N m) of all wheels together, T_brake not
+        negative. Outputs are a_x, a_y, beta, and kappa, alpha, Fx, Fy and Fz of each wheel.
 
     References
     ----------
@@ -78,7 +81,7 @@ def double_track(
     >>> system.specifieds = {'delta': 0.03, 'T_drive': 300.0, 'T_brake': 0.0}
     >>> motion = system.simulate()
     >>> [round(float(motion[name][-1])) for name in ('Fz_fl', 'Fz_fr')]
-    [1541, 4210]
+    [1544, 4207]
     """
     instance(car, DoubleTrackCar, "`car`", "a DoubleTrackCar, such as one of CARS")
     speed = positive(speed, "`speed`", finite=True)
@@ -86,8 +89,11 @@ def double_track(
     drag = positive(drag_area, "`drag_area`", zero=True, finite=True)
     areas = _areas(downforce_areas)
     front_tire, rear_tire = tires_of_axles(tires) or _linear_tires(car)
+    lag = positive(lag, "`lag`", finite=True)
 
-    u, delta, T_drive, T_brake, a_x, a_y = me.dynamicsymbols("u delta T_drive T_brake a_x a_y")
+    u, delta, T_drive, T_brake = me.dynamicsymbols("u delta T_drive T_brake")
+    a_x, a_y = me.dynamicsymbols("a_x_load a_y_load")
+    tau = sm.Symbol("tau")
     m, inertia, a, b, h, g, T_f, T_r, R, J = sm.symbols("m I a b h g T_f T_r R J")
     roll, drive, brake, rho, c_dA, c_lf, c_lr = sm.symbols("phi k_d k_b rho c_dA c_lA_f c_lA_r")
     chassis = Chassis(m, inertia, u)
@@ -125,14 +131,20 @@ def double_track(
     )
     acting.append((chassis.G, drag_force))
     force += drag_force
+    accelerations = force.dot(chassis.B.x) / m, force.dot(chassis.B.y) / m
+    outputs |= zip(("a_x", "a_y"), accelerations, strict=True)
+    following = [
+        load.diff() - (acceleration - load) / tau
+        for load, acceleration in zip((a_x, a_y), accelerations, strict=True)
+    ]
     spins = [wheel.spin for wheel in wheels]
     definition = Definition(
         chassis.N,
-        chassis.coordinates,
+        [*chassis.coordinates, a_x, a_y],
         [u, chassis.v, chassis.r, *spins],
         bodies=[chassis.body, *(wheel.body for wheel in wheels)],
         loads=acting,
-        kinematic_equations=chassis.kinematic_equations,
+        kinematic_equations=[*chassis.kinematic_equations, *following],
         nonholonomic_constraints=_locked(car, spins) if kind == "locked" else (),
     )
     constants = {
@@ -140,6 +152,7 @@ def double_track(
         T_f: car.front_track, T_r: car.rear_track, R: car.wheel_radius, J: car.wheel_inertia,
         roll: car.front_roll_share, drive: car.front_drive_share, brake: car.front_brake_share,
         rho: AIR_DENSITY, c_dA: drag, c_lf: areas[0], c_lr: areas[1],
+        tau: lag,
     }  # fmt: skip
     return System(
         definition,
@@ -149,9 +162,6 @@ def double_track(
         initial_conditions={u: speed, **dict.fromkeys(spins, speed / car.wheel_radius)},
         times=np.linspace(0.0, 2.0, 201),
         outputs=outputs,
-        implicit=Implicit(
-            {a_x: a_x - force.dot(chassis.B.x) / m, a_y: a_y - force.dot(chassis.B.y) / m}
-        ),
     )
 
 

@@ -14,7 +14,7 @@ import sympy as sm
 from pydy._checks import choice, instance, number, positive
 from pydy.plot import axes_of
 from pydy.system import System
-from pydy.vehicles.manoeuvres import check_name, names_of
+from pydy.vehicles.manoeuvres import check_name, names_of, three_names
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -205,11 +205,12 @@ def lane_change(
     constants = names_of(system.constants_symbols)
     check_name(yaw_rate, "yaw_rate", states)
     check_name(speed, "speed", [*states, *constants])
-    x, y, psi = (_coordinate(system, name, k) for k, name in enumerate(_three(position)))
+    x, y, psi = (_coordinate(system, name, k) for k, name in enumerate(three_names(position)))
+    internal = [name for name in names_of(system.coordinates) if name not in position]
     values = system.initial_conditions if speed in states else system.constants
     u = positive(values.get(speed, 0.0), f"The initial value of {speed}")
     gain = (
-        _steering_gain(system, steering, speed, yaw_rate, u)
+        _steering_gain(system, steering, speed, yaw_rate, internal, u)
         if gain is None
         else number(gain, "`gain`", finite=True)
     )
@@ -241,14 +242,6 @@ def lane_change(
     )
 
 
-def _three(position: Any) -> list[Any]:
-    if not isinstance(position, (list, tuple)) or len(position) != 3:
-        raise TypeError(
-            f"`position` must be the names of two coordinates and the yaw angle, got {position!r}."
-        )
-    return list(position)
-
-
 def _coordinate(system: System, name: Any, k: int) -> Any:
     names = names_of(system.coordinates)
     check_name(name, f"position[{k}]", names)
@@ -273,10 +266,14 @@ def _target(lanes: list[_Lane]) -> Callable[[Any, Callable[..., Any]], Any]:
     return line
 
 
-def _steering_gain(system: System, steering: str, speed: str, yaw_rate: str, u: float) -> float:
+def _steering_gain(
+    system: System, steering: str, speed: str, yaw_rate: str, internal: list[str], u: float
+) -> float:
     """Return the steering angle for each curvature of the linearised car in steady turns."""
     linear = system.linearize(inputs=[steering])
-    free = [name for name in names_of(system.speeds) if name != speed]
+    # Of the other states, the path follows; what loads and tires follow is steady, too.
+    driving = [*names_of(system.speeds), *internal]
+    free = [name for name in driving if name != speed and name in linear.states]
     rows = [linear.states.index(name) for name in free]
     response = -np.linalg.solve(linear.A[np.ix_(rows, rows)], linear.B[rows, 0])
     return float(u / response[free.index(yaw_rate)])

@@ -178,6 +178,16 @@ for _name in ("system", "accelerations"):
         return _turn(**{name: v}).angles
 
 
+@target("steady_turn.position", nothing("texts", "symbols"))
+def _(v):
+    return _turn(position=v).angles
+
+
+@target("steady_turn.inputs", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return _turn(inputs=v).angles
+
+
 for _name in ("steering", "speed", "yaw_rate"):
 
     @target(f"steady_turn.{_name}", _names)
@@ -203,6 +213,11 @@ def _(v):
 @target("double_track.speed", _positive)
 def _(v):
     return str(double_track(_car, speed=v).initial_conditions)
+
+
+@target("double_track.lag", _positive)
+def _(v):
+    return str(double_track(_car, lag=v).constants)
 
 
 _not_negative = Kind(real(least=0.0).read, ("common", "numbers"), compare=False)
