@@ -259,6 +259,8 @@ def test_an_array_that_is_broadcast_to_gigabytes_is_refused_with_its_size():
     ):
         with pytest.raises(ValueError, match=text):
             call()
+    with pytest.raises(ValueError, match=text):
+        system.evaluate_ode(x=[large, large])
     with pytest.raises(TypeError, match=text):
         system.evaluate_jacobian(wrt=large)
     with pytest.raises(ValueError, match=r"`constants\[k0\]` must be a real number"):

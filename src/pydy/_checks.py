@@ -123,8 +123,11 @@ def _shaped(value: Any) -> str:
     return f"{kind} of the shape {tuple(value.shape)}{dtype_text}"
 
 
-def check_mapping(argument: str, value: object) -> dict[Any, Any]:
-    """Return a dictionary without copying it, so that its later changes are seen; None is empty."""
+def check_mapping(argument: str, value: object, remedy: str = "") -> dict[Any, Any]:
+    """Return a dictionary without copying it, so that its later changes are seen; None is empty.
+
+    The `remedy` says what to do with a sequence of values.
+    """
     if value is None:
         return {}
     if isinstance(value, dict):
@@ -133,13 +136,14 @@ def check_mapping(argument: str, value: object) -> dict[Any, Any]:
         return value.data
     if isinstance(value, Mapping):
         return dict(value)
-    raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
+    remedy = f" {remedy}" if remedy and isinstance(value, (list, tuple, np.ndarray)) else ""
+    raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.{remedy}")
 
 
 def number(value: object, label: str, *, finite: bool = False) -> float:
     """Return a value as a float, or raise an error that shows it; `label` is its name there."""
     if type(value) not in _NUMBER_TYPES:
-        _refuse_dropped(value, label)
+        _refuse_unreadable(value, label)
     try:
         array = np.asarray(value)
         if array.dtype == object or array.size != 1 or array.dtype.kind not in "biuf":
@@ -161,7 +165,7 @@ def real_array(value: object, label: str, *, columns: bool = False) -> np.ndarra
     With `columns`, an array is returned as it is if its columns are contiguous.
     """
     if type(value) is not np.ndarray:
-        _refuse_dropped(value, label)
+        _refuse_unreadable(value, label)
     elif value.size > _MOST:
         check_copied(value, label)
     try:
@@ -266,10 +270,9 @@ def _as_float(value: Any) -> float:
 
 def check_copied(value: object, label: str) -> None:
     """Refuse values that cannot be copied: nested too deeply, or broadcast to gigabytes."""
-    if type(value) is not np.ndarray:
-        _refuse_dropped(value, label)
-    elif value.size > _MOST and 0 in value.strides:
+    if isinstance(value, np.ndarray) and is_endless(value):
         raise ValueError(f"{label} must hold numbers that fit in memory, got {_sized(value)}.")
+    _refuse_unreadable(value, label)
 
 
 def is_endless(value: object) -> bool:
@@ -288,8 +291,11 @@ def _sized(array: np.ndarray) -> str:
     return f"an array of {size}"
 
 
-def _refuse_dropped(value: object, label: str, depth: int = 0) -> None:
-    """Refuse properties that NumPy silently drops from arrays: masks, and units of quantities."""
+def _refuse_unreadable(value: object, label: str, depth: int = 0) -> None:
+    """Refuse what NumPy drops from arrays, masks and units, and what no array can hold.
+
+    That is deep nesting, and in a list endless ranges or arrays that are broadcast to gigabytes.
+    """
     kind = type(value)
     if isinstance(value, (list, tuple)):
         if depth > _MOST_DIMENSIONS:
@@ -300,7 +306,9 @@ def _refuse_dropped(value: object, label: str, depth: int = 0) -> None:
         if not {*map(type, value)} <= _NUMBER_TYPES:
             for entry in value:
                 if entry is not value:  # a list may be in itself
-                    _refuse_dropped(entry, label, depth + 1)
+                    _refuse_unreadable(entry, label, depth + 1)
+    elif depth and isinstance(value, np.ndarray) and is_endless(value):
+        raise ValueError(f"{label} must hold numbers that fit in memory, got {_sized(value)}.")
     elif kind in _NUMBER_TYPES or kind is np.ndarray:
         return
     elif kind is range and is_endless(value):
@@ -466,7 +474,7 @@ def _spellings(key: object) -> set[str]:
 
 
 def refuse_twice(symbols: Iterable[object], argument: str) -> None:
-    """Refuse a dictionary in which two keys denote the same symbol."""
+    """Refuse entries, or keys of a dictionary, of which two denote the same symbol."""
     previous: set[object] = set()
     for symbol in symbols:
         if symbol in previous:

@@ -1,12 +1,14 @@
 """Back ends by name; what stands in where LLVM is missing, as in a browser."""
 
 import json
+import pickle
 import subprocess
 import sys
 from functools import partial
 
 import numpy as np
 
+from pydy._assembly.programs import block_program
 from pydy._backends.base import kernel_of
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compiled_by
@@ -15,7 +17,8 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 # `None` makes every import of the module fail, as if it were not installed.
 WITHOUT = """
-import json, sys, warnings
+import json, pickle, sys, warnings
+import numpy as np
 sys.modules["llvmlite"] = None
 from pydy.models import multi_mass_spring_damper
 system = multi_mass_spring_damper()
@@ -26,6 +29,9 @@ with warnings.catch_warnings(record=True) as caught:
     states = system.integrate(rtol=1e-10, atol=1e-10)
     energy = system.simulate(rtol=1e-10, atol=1e-10).energy
     system.linearize()
+    system.generate_ode_function(generator="llvm", lanes=1)
+    kernel = pickle.loads(LLVM_KERNEL)
+    value = kernel.evaluate(*[np.array(a) for a in ARGUMENTS])[0].tolist()
 system.ode_solver = "dop853"
 errors = []
 for attempt in (
@@ -37,15 +43,22 @@ for attempt in (
         attempt()
     except ModuleNotFoundError as error:
         errors.append(str(error))
-print(json.dumps([states.tolist(), energy.tolist(), [str(w.message) for w in caught], errors]))
+words = [str(w.message) for w in caught]
+print(json.dumps([states.tolist(), energy.tolist(), words, errors, value]))
 """
 
 
 def test_numpy_and_scipy_stand_in_for_llvm_and_say_so_once():
+    program = block_program(multi_mass_spring_damper().model.assembly, "rates")
+    kernel = LLVMBackend(lanes=1).compile(program)
+    arguments = [[0.0], [[0.3, 0.1]], [[]], [1.0, 2.0, 3.0]]
+    script = f"LLVM_KERNEL, ARGUMENTS = {pickle.dumps(kernel)!r}, {arguments!r}\n{WITHOUT}"
     done = subprocess.run(
-        [sys.executable, "-c", WITHOUT], stdout=subprocess.PIPE, check=True, timeout=120
+        [sys.executable, "-c", script], stdout=subprocess.PIPE, check=True, timeout=120
     )
-    states, energy, warned, errors = json.loads(done.stdout)
+    states, energy, warned, errors, value = json.loads(done.stdout)
+    known = kernel.evaluate(*[np.array(a) for a in arguments])[0]
+    np.testing.assert_allclose(value, known, rtol=1e-14)
     system = multi_mass_spring_damper()
     system.initial_conditions, system.times = {"x0": 1.0}, [0.0, 0.5, 1.0]
     system.ode_solver = "DOP853"

@@ -9,6 +9,7 @@ from scipy.integrate import RK45, Radau, odeint, solve_ivp
 from scipy.sparse import csr_array
 
 from pydy._errors import IntegrationError
+from pydy._motion import is_implicit
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event, dop853
 from zoo.cases import close
@@ -27,6 +28,15 @@ def system():
 
 
 SOLVERS = [solve_ivp, RK45, Radau, "solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA"]
+
+
+def test_radau_and_bdf_are_implicit(system):
+    implicit = []
+    for solver in [*SOLVERS, odeint, dop853]:
+        system.ode_solver = solver
+        if is_implicit(system.ode_solver):
+            implicit.append(solver)
+    assert implicit == [Radau, "Radau", "BDF"]
 
 
 @pytest.mark.parametrize("solver", SOLVERS, ids=lambda s: getattr(s, "__name__", f"named {s}"))
@@ -127,6 +137,16 @@ def test_an_unknown_option_names_the_nearest(system, solver, option, meant):
     system.ode_solver = solver
     with pytest.raises(TypeError, match=f"has no option `{option}`.* Did you mean `({meant})`"):
         system.integrate(**{option: 1e-3})
+
+
+@pytest.mark.parametrize("solver", ["odeint", "dop853"])
+@pytest.mark.parametrize("option", ["method", "solver"])
+def test_a_solver_is_no_option(system, solver, option):
+    system.ode_solver = solver
+    with pytest.raises(TypeError, match=f"no option `{option}`.* `system.ode_solver = 'RK45'`"):
+        system.integrate(**{option: "RK45"})
+    with pytest.raises(TypeError, match=f"no option `{option}`.* `system.ode_solver = 'RK45'`"):
+        system.simulate(**{option: "RK45"})
 
 
 @pytest.mark.parametrize(
@@ -292,6 +312,40 @@ def test_other_times_can_be_asked_of_solve_ivp():
     assert system.integrate(t_eval=[0.5, 0.2], **TIGHT).shape == (2, 2)
     with pytest.raises(ValueError, match="`t_eval` must hold times within those of the System"):
         system.integrate(t_eval=[0.5, 2.0])
+
+
+def test_times_against_the_motion_are_those_that_a_terminal_event_leaves():
+    system = free_fall()
+    system.times = [0.0, 1.0]
+    x, info = system.integrate(t_eval=[0.9, 0.2], events=ground, full_output=True, **TIGHT)
+    np.testing.assert_array_equal(info["times"], [0.2])
+    np.testing.assert_allclose(x[:, 0], [2.0 - 9.81 / 2 * 0.2**2], atol=1e-9)
+
+
+def test_events_of_a_motion_backwards_come_in_its_order():
+    def high(t, x):
+        return x[0] + 1.0
+
+    system = free_fall()
+    system.times, system.initial_conditions = [0.0, -1.0], {"x0": 2.0}  # it came from below
+    run = system.simulate(events=[ground, high], t_eval=[0.0], **TIGHT)
+    assert [e.name for e in run.events] == ["ground"]
+    ground_goes_on = lambda t, x: x[0]  # noqa: E731
+    run = system.simulate(events=[high, ground_goes_on], t_eval=[0.0], **TIGHT)
+    assert [round(e.time, 3) for e in run.events] == [-0.639, -0.782]
+
+
+@pytest.mark.parametrize("name", ["RK45", "Radau", "BDF", "LSODA"])
+def test_accepted_steps_are_counted_for_every_method(name, system):
+    system.ode_solver = name
+    _, info = system.integrate(dense_output=True, full_output=True, **TIGHT)
+    assert info["steps"] == len(info["dense_output"].starts) - 1
+
+
+def test_equal_times_keep_the_times_asked_for():
+    system = free_fall()
+    system.times = [1.0, 1.0]
+    assert system.simulate(t_eval=[1.0, 1.0, 1.0]).times.tolist() == [1.0] * 3
 
 
 def test_an_event_before_the_first_output_leaves_no_row():

@@ -8,7 +8,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from oracles import departures
+from oracles import crossings, departures
 from pydy._evaluation.exporting import exported_model
 from pydy.examples import whipple_bicycle
 from pydy.export.javascript import javascript_module
@@ -116,45 +116,15 @@ def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path, loaded):
         departures.check(case, moments, heights, run["status"] == "stopped")
 
 
-def test_an_event_is_found_that_another_sees_before_its_sign_returns(tmp_path, loaded):
-    system, _ = ball()
-    y, v = system.states
-    apex = float(system.initial_conditions[y])
-    system.initial_conditions = {y: 0.0, v: float(np.sqrt(2 * 9.81 * apex))}
-    top = Event(y - apex + 1e-6, direction=1, name="top")
-    page = loaded(system.export(tmp_path / "up.js", events=[top, Event(v, name="turns")]).path)
-    run = page.evaluate("model.simulate({ times: [0, 0.8], rtol: 1e-9, atol: 1e-9 })")
-    before = np.sqrt(2e-6 / 9.81)
-    turns = np.sqrt(2 * apex / 9.81)
-    assert [e["name"] for e in run["events"]] == ["top", "turns"]
-    assert [e["time"] for e in run["events"]] == pytest.approx([turns - before, turns], abs=1e-8)
-
-
-def test_a_reset_may_take_the_state_back_before_its_own_surface(tmp_path, loaded):
-    system, _ = ball()
-    y, v = system.states
-    lifted = Event(y, reset={y: 0.01, v: -1}, name="lifted")
-    page = loaded(system.export(tmp_path / "lifted.js", events=lifted).path)
-    run = page.evaluate("model.simulate({ times: [0, 0.5], rtol: 1e-9, atol: 1e-9 })")
-    system.times = [0.0, 0.5]
-    found = system.simulate(rtol=1e-9, atol=1e-9, events=lifted).events
-    assert len(found) > 4
-    assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in found])
-
-
-@pytest.mark.parametrize("acts", [False, True])
-def test_an_event_that_crosses_and_returns_within_a_part_of_a_step_is_found(tmp_path, loaded, acts):
-    system, _ = ball()
-    y, v = system.states
-    level = 0.9999 * 3.0**2 / (2 * 9.81)  # just below the apex: a step of free flight is very long
-    system.initial_conditions, system.times = {y: 0.0, v: 3.0}, [0.0, 1.0]
-    turns = Event(v, reset={v: v}, name="turns") if acts else Event(v, name="turns")
-    events = [Event(y - level, name="level"), turns]
-    page = loaded(system.export(tmp_path / "dip.js", events=events).path)
-    run = page.evaluate("model.simulate({ times: [0, 1], rtol: 1e-9, atol: 1e-9 })")
-    found = system.simulate(rtol=1e-9, atol=1e-9, events=events).events
-    assert [e.name for e in found] == ["level", "turns", "level"]
-    assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in found])
+def test_crossings_follow_the_table(tmp_path, loaded):
+    system = crossings.started(crossings.CASES[0])
+    page = loaded(system.export(tmp_path / "table.js", events=crossings.events()).path)
+    simulate = """(wanted) => {
+        const run = model.simulate({ ...wanted, rtol: 1e-11, atol: 1e-13 });
+        return { ...run, states: run.states.map((row) => Array.from(row)) };
+    }"""
+    for case in crossings.CASES:
+        crossings.check_javascript(case, page.evaluate(simulate, crossings.for_javascript(case)))
 
 
 def test_an_event_that_becomes_nan_ends_the_motion(tmp_path, loaded):

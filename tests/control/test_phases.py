@@ -78,6 +78,8 @@ def test_phases_are_swept_through_constants():
         phases.sweep({m: [2.0], "m": [3.0]})
     with pytest.raises(ValueError, match=r"`links\[0\]\[v\(t\)\]` is True, but a link is"):
         OptimalControl.phases([there, back], [{v: sm.true}])
+    with pytest.raises(ValueError, match=r"`links\[0\]\[v\(t\)\]` is t \+ v\(t\), but a link is"):
+        OptimalControl.phases([there, back], [{v: v + T}])
     with pytest.raises(ValueError, match=r"`links\[0\]` gives `v\(t\)` more than once"):
         OptimalControl.phases([there, back], [{v: -v, "v": v}])
     free = OptimalControl(system, effort, 1.0, end={x: 1.0}, free=[m], bounds={m: (1, 2)})

@@ -374,6 +374,8 @@ def test_reductions_that_would_overwrite_each_other_are_refused(oscillator):
         oscillator.integrate_ensemble(
             constants={"k0": [1.0]}, reduce=["events", "final"], events=[Event(v, name="stop")]
         )
+    with pytest.raises(ValueError, match="`reduce` asks for `x0` twice"):
+        oscillator.integrate_ensemble(constants={"k0": [1.0]}, reduce=["final", "final"])
 
 
 def test_series_of_another_order_are_refused_as_arrays_are():

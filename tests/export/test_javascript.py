@@ -5,12 +5,24 @@ import re
 import shutil
 import subprocess
 
+import numpy as np
 import pytest
+import sympy as sm
 
-from oracles import departures
+from oracles import crossings, departures, projections
 from pydy._assembly.programs import block_program
+from pydy._evaluation.exporting import exported_model
 from pydy._program.operations import SHIPPED
-from pydy.export.javascript import LONGEST, PRELUDE, _projection, javascript_of, literal
+from pydy.export.javascript import (
+    LONGEST,
+    PRELUDE,
+    _projection,
+    javascript_module,
+    javascript_of,
+    literal,
+)
+from pydy.solvers import Event
+from zoo.ball import bouncing_ball
 from zoo.exported_models import ball, hostile, pendulum
 
 
@@ -76,7 +88,7 @@ def test_very_long_programs_are_divided(monkeypatch):
 SIMULATE = """
 import(process.argv[1]).then(({ default: model }) => {
   const runs = JSON.parse(process.argv[2]).map((given) => {
-    const run = model.simulate({ ...given, rtol: 1e-10, atol: 1e-12 });
+    const run = model.simulate({ ...given, rtol: 1e-11, atol: 1e-13 });
     return { ...run, states: run.states.map((row) => Array.from(row)) };
   });
   console.log(JSON.stringify(runs));
@@ -84,12 +96,23 @@ import(process.argv[1]).then(({ default: model }) => {
 """
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
+def simulated(folder, system, events, wanted):
+    """Run an exported module by Node.js, once for each of `wanted`."""
+    path = system.export(folder / "table.js", events=events).path.rename(folder / "table.mjs")
+    return run_by_node(path, wanted)
+
+
+def run_by_node(path, wanted):
+    """Return what `simulate` of a module returns for each of `wanted`."""
+    command = ["node", "-e", SIMULATE, path.as_uri(), json.dumps(wanted)]
+    return json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+
+
+by_node = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
+
+
+@by_node
 def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path):
-    module = departures.started(departures.CASES[0]).export(
-        tmp_path / "table.js", events=departures.events()
-    )
-    path = module.path.rename(tmp_path / "table.mjs")
     wanted = [
         {
             "times": departures.TIMES,
@@ -98,9 +121,40 @@ def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path):
         }
         for case in departures.CASES
     ]
-    command = ["node", "-e", SIMULATE, path.as_uri(), json.dumps(wanted)]
-    runs = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    system = departures.started(departures.CASES[0])
+    runs = simulated(tmp_path, system, departures.events(), wanted)
     for case, run in zip(departures.CASES, runs, strict=True):
         moments, heights = [e["time"] for e in run["events"]], [row[0] for row in run["states"]]
         assert heights[0] == 0.0
         departures.check(case, moments, heights, run["status"] == "stopped")
+
+
+@by_node
+def test_crossings_follow_the_table(tmp_path):
+    wanted = [crossings.for_javascript(case) for case in crossings.CASES]
+    system = crossings.started(crossings.CASES[0])
+    runs = simulated(tmp_path, system, crossings.events(), wanted)
+    for case, run in zip(crossings.CASES, runs, strict=True):
+        crossings.check_javascript(case, run)
+
+
+@by_node
+@pytest.mark.parametrize("case", projections.CASES, ids=lambda case: case.name)
+def test_projections_follow_the_table(tmp_path, case):
+    model = exported_model(projections.started(case)._now(), constraints="project")
+    path = tmp_path / "table.mjs"
+    path.write_text(javascript_module(model, [case.name]), encoding="utf-8")
+    (run,) = run_by_node(path, [{"times": [0.0, 1e-9], "initial": case.start}])
+    assert run["status"] == "finished"
+    projections.check(case, run["states"][0])
+
+
+@by_node
+def test_an_event_that_a_reset_makes_nan_ends_the_motion(tmp_path):
+    system, bounce = bouncing_ball()
+    up = Event(sm.sqrt(-system.states[1] + 0.6) + 1, name="up")  # NaN where the ball rises fast
+    [run] = simulated(tmp_path, system, [bounce, up], [{"times": [0.0, 0.2, 2.0]}])
+    assert run["status"] == "the event up is NaN"
+    assert [event["time"] for event in run["events"]] == pytest.approx(
+        [(0.5 + np.sqrt(0.5**2 + 2 * 9.81 * 0.9)) / 9.81]
+    )

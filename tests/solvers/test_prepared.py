@@ -1,5 +1,7 @@
 """Integrations that are prepared once and run many times."""
 
+import copy
+
 import numpy as np
 import pytest
 
@@ -58,6 +60,21 @@ def test_a_python_function_is_prepared_too():
     prepared = vern9.prepare(lambda x, t: -x, [1.0], [0.0, 1.0], rtol=1e-10, atol=1e-12)
     for start in (1.0, -3.0):
         np.testing.assert_allclose(prepared([start])[-1], start * np.exp(-1.0), rtol=1e-9)
+
+
+def test_a_prepared_integration_takes_a_number_as_the_call_does():
+    decay = dop853.prepare(lambda x, t: -x, 1.0, [0.0, 1.0])
+    np.testing.assert_array_equal(decay(1.0), decay([1.0]))
+
+
+def test_a_copy_has_the_tolerances_but_never_other_numbers(pendulum):
+    f, x0, times, (r, p) = arguments(pendulum)
+    prepared = dop853.prepare(f, x0, times, (r, p))
+    assert prepared.retune(dop853, {"rtol": 1e-3, "atol": 1e-3})
+    np.testing.assert_array_equal(copy.copy(prepared)(x0), prepared(x0))
+    assert prepared.renumber(2.0 * p, r, times)
+    with pytest.raises(TypeError, match="numbers were changed cannot be pickled"):
+        copy.copy(prepared)
 
 
 def test_what_does_not_fit_is_refused_at_each_run(pendulum):

@@ -371,6 +371,7 @@ def test_where_there_is_no_orbit_what_is_left_is_told():
         (lambda s: s.find_periodic_orbit("long"), "`period`"),
         (lambda s: s.find_periodic_orbit(1.0, until="strike"), "`until` must be a pydy.solvers.Ev"),
         (lambda s: s.find_periodic_orbit(1.0, moving=["bogus"]), "bogus"),
+        (lambda s: s.find_periodic_orbit(1.0, moving=s.speeds), "`moving` must hold coordinates"),
         (lambda s: s.find_periodic_orbit(1.0, until=Event(s.states[0] - 99)), "does not happen"),
     ],
 )

@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.mechanics import Definition
-from pydy.vehicles import aerodynamic_loads, differential_torques, motor_torque
+from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
 
 SPEEDS, TORQUES = [100.0, 300.0, 500.0, 900.0], [80.0, 120.0, 120.0, 20.0]
 

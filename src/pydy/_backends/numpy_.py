@@ -9,6 +9,17 @@ from pydy._kernel import Kernel
 from pydy._program import Program, ScipyOperation, run
 
 
+class NumPyStandIn:
+    """NumPy in place of LLVM, with LLVM's options: those that concern machine code do nothing."""
+
+    def __init__(self, cse: bool = True, lanes: int = 1, width: int | None = None) -> None:
+        self._backend = NumPyBackend(cse)
+
+    def compile(self, program: Program) -> Kernel:
+        """Return a Kernel of NumPy's back end."""
+        return self._backend.compile(program)
+
+
 class NumPyBackend:
     """Evaluates Programs with NumPy.
 

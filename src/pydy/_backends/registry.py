@@ -37,7 +37,7 @@ def register(name: str, backend: type) -> None:
 
 
 def resolve(generator: Any) -> type:
-    """Return the back end class for a name or a class."""
+    """Return the back end class for a name or a class; NumPy's for 'llvm' without llvmlite."""
     if isinstance(generator, type):
         return generator
     entry = _BACKENDS.get(generator) if isinstance(generator, str) else None
@@ -52,7 +52,7 @@ def resolve(generator: Any) -> type:
             if generator != "llvm" or error.name != "llvmlite":
                 raise
             _say_that_numpy_stands_in()
-            return resolve("lambdify")
+            entry = import_module("pydy._backends.numpy_").NumPyStandIn
     backend: type = entry
     return backend
 

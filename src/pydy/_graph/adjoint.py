@@ -113,9 +113,9 @@ class _Sweep:
                     cofactors = [(m, f) for j, (m, f) in enumerate(args) if j != k]
                     self.add(n, times(g, bar, g.product([*cofactors, (n, e - 1)], float(e))))
         elif op == "select":
-            _, yes, no = args
-            self.add(yes, g.call("select", args[0], bar, self._adjoint_of_untaken(no, yes, bar)))
-            self.add(no, g.call("select", args[0], self._adjoint_of_untaken(yes, no, bar), bar))
+            _, yes, no = args  # the side that is not taken gets zero, or NaN
+            self.add(yes, g.call("select", args[0], bar, self._zero_or_undefined(no, yes, bar)))
+            self.add(no, g.call("select", args[0], self._zero_or_undefined(yes, no, bar), bar))
         elif op == "item":
             self.vectors.setdefault(args[0], {})[args[1]] = bar
         elif op in OPERATIONS:
@@ -127,7 +127,7 @@ class _Sweep:
                 for n, d in zip(args, slopes, strict=True):
                     self.add(n, d)
 
-    def _adjoint_of_untaken(self, selected: int, untaken: int, bar: int) -> int:
+    def _zero_or_undefined(self, selected: int, untaken: int, bar: int) -> int:
         """Return the adjoint of the side of a switch that is not taken: zero, or NaN.
 
         Where the side that is taken is a Piecewise without a branch, all derivatives are NaN: those

@@ -152,6 +152,7 @@ class _Separation:
         new: dict[int, int] = {}
         unit, zero = full.const(1.0), full.const(0.0)
         for sound, nodes in groups.items():
+            # The system 1 · x = number, solved only where not sound; elsewhere nothing reads it.
             numbers = [
                 full.make("select", k, unit, zero) if full.ops[k] in OPERATIONS.truths else k
                 for k in nodes

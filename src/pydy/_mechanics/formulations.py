@@ -98,7 +98,7 @@ def forms(
         dynamics = replace(composed.dynamics, accelerations=accelerations)
         kinds.append(replace(composed, dynamics=dynamics))
     if body.auxiliary:
-        kinds = [_without_idle(formed) for formed in kinds]
+        kinds = [_without_cancelling_forces(formed) for formed in kinds]
     points = tuple(sorted(kinematics.honoured, key=str))
     return Formulations(tuple(kinds), points, kinematics.in_one_frame)
 
@@ -122,11 +122,11 @@ def _depends_on_accelerations(kinematics: Kinematics, nodes: Vec) -> bool:
     return not {*kinematics.accelerations}.isdisjoint(kinematics.graph.reachable(nodes))
 
 
-def _without_idle(formed: EquationGraph) -> EquationGraph:
+def _without_cancelling_forces(formed: EquationGraph) -> EquationGraph:
     """Remove specifieds that do no work: noncontributing forces."""
     g, dynamics = formed.graph, formed.dynamics
     inputs = [g.input("r", k) for k in range(len(formed.specifieds))]
-    nothing = dict.fromkeys(idle_inputs(g, dynamics.residual_forcing, inputs), g.zero)
+    nothing = dict.fromkeys(cancelling_inputs(g, dynamics.residual_forcing, inputs), g.zero)
     solved = dynamics.accelerations
     effective = replace(
         dynamics,
@@ -412,7 +412,7 @@ def _split(graph: Graph, node: int) -> tuple[float, int]:
 # -- noncontributing forces ------------------------------------------------------------------------
 
 
-def without_idle(
+def without_cancelling_forces(
     forcing: Sequence[sm.Expr],
     auxiliary_equations: Iterable[sm.Expr],
     states: Collection[TimeFunction],
@@ -429,12 +429,12 @@ def without_idle(
     graph = Graph()
     read = SymPyReader.of_inputs(graph, "the equations of motion", x=present)
     nodes = read.all(forcing)
-    cancelling = set(idle_inputs(graph, nodes, [read.atoms[s] for s in forces]))
+    cancelling = set(cancelling_inputs(graph, nodes, [read.atoms[s] for s in forces]))
     zeros = {s: sm.S.Zero for s in forces if read.atoms[s] in cancelling}
     return tuple(replace_symbols(e, zeros) for e in forcing) if zeros else tuple(forcing)
 
 
-def idle_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> list[int]:
+def cancelling_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> list[int]:
     """Return the inputs on which the forcing does not depend although it contains them."""
     slopes: dict[int, list[int]] = {n: [] for n in inputs}
     for row in jacobian(graph, forcing, inputs):

@@ -112,7 +112,7 @@ class FrameTree:
 
     @staticmethod
     def positions(point: Point) -> dict[Point, Vector]:
-        """Return the points that are located relative to a point, with the vectors from there."""
+        """Return the points located relative to one, with the vectors from them to this one."""
         related: dict[Point, Vector] = point._pos_dict
         return related
 

@@ -20,7 +20,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.frame_tree import FrameTree, numbers_in_places
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
-from pydy._mechanics.tuning import FULL_STEPS, OPEN
+from pydy._mechanics.tuning import OMITTED_BELOW, OPEN
 from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
 if TYPE_CHECKING:
@@ -355,7 +355,7 @@ class GenericStates:
             first = closing(t, generic, r, p)
         units, sizes = row_units(first["gradient"]), column_units(first["gradient"])
         speeds = column_units(first["slope"])
-        for share in FULL_STEPS:
+        for least in OMITTED_BELOW:
             for _ in range(_STEPS):
                 if not searching:
                     break
@@ -365,7 +365,7 @@ class GenericStates:
                     if not (np.isfinite(gradient).all() and np.isfinite(residual).all()):
                         usable.remove(k)
                     elif np.abs(residual / units).max(initial=0.0) >= ROUNDED:
-                        step = -_solved(gradient, residual, share, sizes)
+                        step = -_solved(gradient, residual, least, sizes)
                         x[k, :n] += step[:n]
                         r[k] += step[n:]
                         unsatisfied.append(k)
@@ -373,7 +373,7 @@ class GenericStates:
         values = residuals(usable)
         for k, slope, residual in zip(usable, values["slope"], values["velocity"], strict=True):
             if residual.size and np.isfinite(slope).all():
-                x[k, n:] -= _solved(slope, residual, FULL_STEPS[-1], speeds)
+                x[k, n:] -= _solved(slope, residual, OMITTED_BELOW[-1], speeds)
         return t, x, r, p
 
 
@@ -404,14 +404,14 @@ def units_of(samples: list[dict[str, np.ndarray]]) -> np.ndarray:
 
 
 def _solved(
-    gradient: np.ndarray, residuals: np.ndarray, share: float, units: np.ndarray
+    gradient: np.ndarray, residuals: np.ndarray, least: float, units: np.ndarray
 ) -> np.ndarray:
     """Return the least-norm step, in units, along directions that change the residuals."""
     gradient = gradient * units
     sizes = np.linalg.norm(gradient, axis=1)
     scale = np.where(sizes > 0.0, sizes, 1.0)
     rows, right = gradient / scale[:, None], residuals / scale
-    step: np.ndarray = units * np.linalg.lstsq(rows, right, rcond=share)[0]
+    step: np.ndarray = units * np.linalg.lstsq(rows, right, rcond=least)[0]
     return step
 
 

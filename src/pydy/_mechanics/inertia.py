@@ -282,7 +282,11 @@ class _CompositeBodies:
         return True
 
     def _separate_spin(self, frame: AnyFrame, home: AnyFrame, tensor: list[Vec]) -> bool:
-        """Separate the spin of a wheel; `tensor` becomes that of a body without spin."""
+        """Separate the spin of a wheel from a body whose axes turn about one axis of `home`.
+
+        Its `tensor`, in the axes of `home`, becomes that of a body without spin, in place. Return
+        False if the body is not symmetric about that axis.
+        """
         k, g = self.kinematics, self.graph
         spin, alpha = k.spin(frame, home)
         relative = [g.sub(a, b) for a, b in zip(spin, k.spin(home)[0], strict=True)]
@@ -291,8 +295,10 @@ class _CompositeBodies:
             return False
         (i,) = moved
         j, m = (i + 1) % 3, (i + 2) % 3
-        even = tensor[j][j] == tensor[m][m]
-        if not even or any(tensor[r][c] != g.zero for r in range(3) for c in range(3) if r != c):
+        symmetric = tensor[j][j] == tensor[m][m]
+        if not symmetric or any(
+            tensor[r][c] != g.zero for r in range(3) for c in range(3) if r != c
+        ):
             return False
         size = tensor[i][i]
         momentum = g.mul(size, spin[i])

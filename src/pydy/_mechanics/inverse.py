@@ -34,7 +34,7 @@ from pydy._graph import (
 from pydy._mechanics.elimination import composite, partials
 from pydy._mechanics.formulations import (
     alike,
-    idle_inputs,
+    cancelling_inputs,
     lagranges_equations,
     moving,
     useful_axes,
@@ -99,7 +99,7 @@ class BodyDynamics:
         if foreign:
             fixed = {n: self.values[s] for n in foreign if (s := symbols[n]) in self.values}
             replacements = {n: g.const(value) for n, value in fixed.items()}
-            replacements.update(dict.fromkeys(idle_inputs(g, nodes, foreign), g.zero))
+            replacements.update(dict.fromkeys(cancelling_inputs(g, nodes, foreign), g.zero))
             nodes = substitute(g, nodes, replacements)
         return SymbolicNodes(g, [*nodes], symbols)
 
@@ -119,14 +119,16 @@ class BodyDynamics:
         if at is not None:
             other_speeds = [k for k in range(n) if k not in at]
             matrix = [[row[k] for row in slopes] for k in other_speeds]
-            shares = (
+            multipliers = (
                 LinearSystem(g, matrix).solve([forces[k] for k in other_speeds])
                 if other_speeds
                 else []
             )
             chosen_forces = []
             for k in at:
-                terms = [(g.mul(row[k], s), -1.0) for row, s in zip(slopes, shares, strict=True)]
+                terms = [
+                    (g.mul(row[k], s), -1.0) for row, s in zip(slopes, multipliers, strict=True)
+                ]
                 chosen_forces.append(g.sum([(forces[k], 1.0), *terms]))
             forces = chosen_forces
         if bound:

@@ -12,7 +12,7 @@ from pydy._checks import describe
 from pydy._mechanics.auxiliary import with_auxiliary
 from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.formulations import without_idle
+from pydy._mechanics.formulations import without_cancelling_forces
 from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.kinematic_constraints import DependentStates, KinematicConstraints
 from pydy._mechanics.kinematic_equations import KinematicEquations
@@ -91,25 +91,25 @@ def equations_of_kane(
             "`equations='method'` is not possible with `implicit`: the method took "
             f"{describe([*implicit.residuals])} for prescribed motions. Leave it out."
         )
-    formed = source == "graph" or not has_equations or implicit is not None
-    if formed and not kane.bodies:
+    forms_equations = source == "graph" or not has_equations or implicit is not None
+    if forms_equations and not kane.bodies:
         raise ValueError(
             "`eom_method` holds no equations of motion yet, and no bodies to form them from: "
             "construct it with `bodies=` and `forcelist=`, or call its `kanes_equations(bodies, "
             "loads)` before it is handed to System."
         )
-    if formed and not kane._qdot_u_map:
+    if forms_equations and not kane._qdot_u_map:
         raise ValueError(
             "`eom_method` has no kinematic differential equations: construct it with `kd_eqs=`."
         )
     body = multibody_of_kane(kane)
     if implicit is not None:
         body = implicit.added_to(body)
-    if formed:
+    if forms_equations:
         return equations_of(body)
     auxiliary = tuple(kane.auxiliary_eqs) if body.auxiliary else ()
     base = kinematics_of(body)
-    forcing = without_idle(kane.forcing, auxiliary, {*body.coordinates, *body.speeds})
+    forcing = without_cancelling_forces(kane.forcing, auxiliary, {*body.coordinates, *body.speeds})
     base = classify(
         replace(
             base,

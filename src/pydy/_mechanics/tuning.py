@@ -15,7 +15,7 @@ cancelling terms: if half the digits agree, differences of 1e-12 of the terms ar
 OPEN = 1e-7
 """Residuals of constraints, in their units, above which they are certainly violated."""
 
-FULL_STEPS = (0.05, 1e-14)
+OMITTED_BELOW = (0.05, 1e-14)
 """Relative singular values below which Newton's steps omit a direction: large at first, since
 redundant constraints attract full steps to singular positions; then small."""
 

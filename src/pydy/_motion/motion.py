@@ -101,10 +101,23 @@ class Motion:
 
     @property
     def last(self) -> Problem:
-        """The Problem where the motion ends, in the modes of its end and after an event there."""
-        segment, state = self.segments[-1], self.states[-1]
+        """The Problem where the motion ends, in the modes of its end and after an event there.
+
+        Raises
+        ------
+        RuntimeError
+            If the integration failed between two of the times.
+        """
+        segment = self.segments[-1]
         if self.events and self.events[-1].time == segment.end:
             state = self.events[-1].after
+        elif len(self.times) and self.times[-1] == segment.end:
+            state = self.states[-1]
+        else:
+            raise RuntimeError(
+                f"The motion failed at t = {segment.end}, where no state is recorded; `times` and "
+                "`states` hold it up to there."
+            )
         return self.problem.replace(t=segment.end, x=state.copy(), modes=segment.modes)
 
     @property

@@ -84,6 +84,11 @@ def is_odeint(solver: object) -> bool:
     return not isinstance(solver, (Solver, SolveIvp)) and solver is scipy.integrate.odeint
 
 
+def is_implicit(solver: object) -> bool:
+    """Return whether a solver is one of SciPy's implicit methods, for stiff equations."""
+    return isinstance(solver, SolveIvp) and solver.method.__name__ in ("Radau", "BDF")
+
+
 def came_to_the_end(states: np.ndarray, info: dict[str, Any]) -> bool:
     """Return whether `odeint` reached the last time."""
     return bool(info["message"].startswith(_GOOD) and np.isfinite(states).all())
@@ -190,6 +195,19 @@ def _as_solver(solver: object) -> Callable[..., Any] | None:
     return solver
 
 
+class _StepCounter:
+    """An event function that never happens: SciPy evaluates it at the start and after each step."""
+
+    terminal, direction = False, 0
+
+    def __init__(self) -> None:
+        self.steps = -1
+
+    def __call__(self, t: float, x: np.ndarray) -> float:
+        self.steps += 1
+        return 1.0
+
+
 class _Rates:
     """The derivatives for SciPy. It stores the first time and state where they are not finite."""
 
@@ -291,14 +309,19 @@ def _called_with(
     return function(t, x, *args)
 
 
-def _records(names: Sequence[str], result: scipy.optimize.OptimizeResult) -> list[EventRecord]:
-    """Return the events that `solve_ivp` detected, in chronological order."""
+def _records(
+    names: Sequence[str], result: scipy.optimize.OptimizeResult, sign: float
+) -> list[EventRecord]:
+    """Return the events that `solve_ivp` detected, in their order along the motion.
+
+    The `sign` is that of the time span.
+    """
     records = [
         EventRecord(float(t), names[k], k, x.copy(), x.copy())
-        for k, (times, states) in enumerate(zip(result.t_events, result.y_events, strict=True))
+        for k, (times, states) in enumerate(zip(result.t_events, result.y_events, strict=False))
+        if k < len(names)
         for t, x in zip(times, states, strict=True)
     ]
-    sign = -1.0 if descends(result.t) else 1.0
     return sorted(records, key=lambda record: sign * record.time)
 
 
@@ -388,13 +411,15 @@ class SolveIvp:
             times, rows = times[::-1], len(times) - 1 - rows
         if span[0] == span[1]:
             states = np.tile(np.asarray(x0, dtype=float), (len(t), 1))
+            if chosen is not None:
+                info["times"] = np.array(t, dtype=float)
             return (states, info) if full_output else states
         if options.get("first_step") is None:
             _check_scales(options, x0)
-        rates = _Rates(lambda t, x: f(x, t, *args))
+        rates, counter = _Rates(lambda t, x: f(x, t, *args)), _StepCounter()
         try:
             result = scipy.integrate.solve_ivp(
-                rates, span, x0, method=method, t_eval=times, events=events,
+                rates, span, x0, method=method, t_eval=times, events=[*(events or ()), counter],
                 **check_scipy_options(options),
             )  # fmt: skip
         except (FloatingPointError, ValueError, IndexError) as error:
@@ -417,22 +442,21 @@ class SolveIvp:
             len(states) and not np.isfinite(states[0]).all()
         ):  # LSODA's interpolant of a step that is NaN
             states[0] = x0
-        # Each accepted or rejected step has the same number of evaluations.
-        steps = result.nfev // getattr(method, "n_stages", 1)
-        info = {"nfev": result.nfev, "njev": result.njev, "nlu": result.nlu, "steps": steps}
+        info = {"nfev": result.nfev, "njev": result.njev, "nlu": result.nlu}
+        info["steps"] = counter.steps
         info = {**info, "message": result.message, "method": method.__name__}
         finite = np.isfinite(states).all(axis=1)
         if result.status < 0 or not finite.all():
             self._refuse(result, states, finite, {**info, "status": result.message})
         if result.sol is not None:
             info["dense_output"] = _Dense(result.sol)
-        rows = rows[rows < len(result.t)]  # an event may have ended it
-        if len(rows) < len(t) or chosen is not None:
-            info["times"] = np.array(t[: len(rows)], dtype=float)
+        reached = rows < len(result.t)  # an event may have ended it
+        if not reached.all() or chosen is not None:
+            info["times"] = np.array(t[reached], dtype=float)
         if events is not None:
-            info["t_events"], info["y_events"] = result.t_events, result.y_events
-            info["events"] = _records(names, result)
-        states = states[rows]
+            info["t_events"], info["y_events"] = result.t_events[:-1], result.y_events[:-1]
+            info["events"] = _records(names, result, np.sign(span[1] - span[0]))
+        states = states[rows[reached]]
         return (states, info) if full_output else states
 
     def _refuse(

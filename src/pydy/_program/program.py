@@ -2,7 +2,7 @@
 
 Nodes are elementary here (two operands, no coefficients); `pydy._graph.lowering` makes them of the
 n-ary graph. A Program has two stages. The *setup* stage depends on the constants p alone and runs
-once per binding of p; its results that are needed later are *carried* in an array c. The *run*
+once for each set of them; its results that are needed later are *carried* in an array c. The *run*
 stage is what every call costs.
 
 Operations and their arguments::

@@ -217,6 +217,22 @@ def nonzero_row(ahead: RootProblem, z: np.ndarray) -> tuple[str, float, np.ndarr
     return None
 
 
+def largest_departure(problem: RootProblem, z: np.ndarray) -> tuple[str, float] | None:
+    """Return the rate that is farthest from zero at z, or None where all are nearly zero.
+
+    Nearly zero are residuals of unknowns that were typed to six digits, and rounding errors.
+    """
+    values, slopes = problem.residual(z), problem.jacobian(z)
+    if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
+        return None
+    sizes, _, load_terms = _without_noise_rows(problem, slopes, problem.sizes(slopes, z), z)
+    limit = sizes.rounding(sizes.terms + load_terms)
+    count = len(values) - problem.num_constraints
+    shares = np.abs(values) / or_one(limit) * (np.abs(values) > limit)
+    k = int(shares[:count].argmax())
+    return (problem.rows[k], float(values[k])) if shares[k] > DIGITS / ROUNDED else None
+
+
 def _with_initial_free_unknowns(
     accepted: RootResult, problem: RootProblem, start: np.ndarray, bounds: Bounds
 ) -> RootResult:
@@ -226,8 +242,8 @@ def _with_initial_free_unknowns(
     """
     solution = accepted[0]
     slopes = problem.jacobian(solution)
-    free, columns = null_space(slopes, problem.sizes(slopes, solution).units)
-    back = free.T @ (free @ ((start - solution) / columns)) * columns
+    free, units = null_space(slopes, problem.sizes(slopes, solution).units)
+    back = free.T @ (free @ ((start - solution) / units)) * units
     if not np.abs(back).max(initial=0.0) > 0.0:
         return accepted
     with np.errstate(all="ignore"):
@@ -241,9 +257,7 @@ def _with_initial_free_unknowns(
             candidate = _checked_solution(problem, polished, bounds, "")
         except EquilibriumError:
             return accepted
-    nearer = np.linalg.norm((polished - start) / columns) < np.linalg.norm(
-        (solution - start) / columns
-    )
+    nearer = np.linalg.norm((polished - start) / units) < np.linalg.norm((solution - start) / units)
     return candidate if nearer else accepted
 
 
@@ -388,11 +402,11 @@ def _undetermined(
     """Return the null space of the equations as text: sums of unknowns."""
     if not slopes.size:
         return tuple(unknowns)
-    free, columns = null_space(slopes, units)
+    free, column_units = null_space(slopes, units)
     free = _row_echelon(free)
     # Small shares are dropped in units of the columns; the text is in the user's units.
     free = np.where(np.abs(free) >= DIGITS * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
-    return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)
+    return tuple(direction_text(direction, unknowns, 0.0) for direction in free * column_units)
 
 
 def _row_echelon(rows: np.ndarray) -> np.ndarray:

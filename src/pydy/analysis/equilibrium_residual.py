@@ -352,6 +352,7 @@ def _bounds(
     unknowns: Unknowns,
     bounds: Mapping[SymbolOrName, Sequence[float | None]] | None,
 ) -> tuple[np.ndarray, np.ndarray]:
+    """Return the lowest and highest values of the unknowns, in their order."""
     low = np.full(len(unknowns.symbols), -np.inf)
     high = -low
     pairs = check_mapping("bounds", bounds)

@@ -187,17 +187,21 @@ class _OrbitSearch:
                 "from the others by the constraints; none is named as dependent. Call "
                 "`set_dependent_initial_conditions(dep_vars=…)` first, with as many as constraints."
             )
-        count = len(equations.coordinates) + len(equations.speeds)
+        coordinates = len(equations.coordinates)
+        count = coordinates + len(equations.speeds)
+        if any(k >= coordinates for k in self.steady):
+            names = [str(states.symbols[k]) for k in self.steady if k >= coordinates]
+            raise ValueError(f"`moving` must hold coordinates, got {some(names)}.")
         self.free = [k for k in range(count) if k not in {*dependent, *self.steady}]
         if not self.free:
             raise ValueError(
                 "There is no state to search for: `moving` and the constraints determine all of "
                 "them. The motion is the one that `simulate` returns."
             )
-        self.rows = [k for k in range(count) if k not in dependent]
-        self.parameters = [definition.states[k] for k in self.rows]
-        self.columns = [self.rows.index(k) for k in self.free]
-        self.advancing = [self.rows.index(k) for k in self.steady if k not in dependent]
+        self.independent = [k for k in range(count) if k not in dependent]
+        self.parameters = [definition.states[k] for k in self.independent]
+        self.free_columns = [self.independent.index(k) for k in self.free]
+        self.advancing = [self.independent.index(k) for k in self.steady if k not in dependent]
         # Change of the end due to the advance of the steady coordinates.
         self.advance_effect = np.zeros(len(self.free))
         self.names = unique_names(definition.states)
@@ -252,7 +256,7 @@ class _OrbitSearch:
         instant = self.t0 + length
         motion = self.integrated(problem, np.linspace(self.t0, instant, num=_SIZE_SAMPLES))
         start, end, slopes = motion.states[0], motion.states[-1], motion.last_sensitivities
-        advance = np.abs(end - start)[[self.rows[k] for k in self.advancing]]
+        advance = np.abs(end - start)[[self.independent[k] for k in self.advancing]]
         self.advance_effect[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
         rates = motion.segments[-1].rates(instant, end)
         return self._period_map(motion, start, end, rates, slopes, instant)
@@ -278,7 +282,7 @@ class _OrbitSearch:
         assert event.sensitivity_after is not None
         assert event.time_sensitivity is not None
         after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
-        slopes = after @ first.last_sensitivities[self.rows]
+        slopes = after @ first.last_sensitivities[self.independent]
         return self._period_map(motion, first.states[0], event.after, rates, slopes, event.time)
 
     def _period_map(
@@ -293,7 +297,7 @@ class _OrbitSearch:
         period, free = instant - self.t0, self.free
         return PeriodMap(
             end[free],
-            slopes[np.ix_(free, self.columns)],
+            slopes[np.ix_(free, self.free_columns)],
             rates[free],
             period,
             self.sizes_along(motion.times, motion.states, end, rates, period),

@@ -362,7 +362,7 @@ class ContactRun:
         try:
             self._integrate_modes(state)
         except (ContactError, IntegrationInterrupted) as error:
-            error.motion = self.partial()
+            error.motion = self.motion_so_far()
             raise
         except KeyboardInterrupt:
             raise IntegrationInterrupted(
@@ -764,7 +764,7 @@ class ContactRun:
         run.impacted, run.gap_rounding = set(self.impacted), self.gap_rounding.copy()
         return run.motion().trajectory
 
-    def partial(self) -> Motion | None:
+    def motion_so_far(self) -> Motion | None:
         """Return the motion up to its failure; None if it did not begin."""
         if not self.segments:
             return None

@@ -204,7 +204,7 @@ class Identification:
         meshes = self.meshes(mesh)
         motions: list[_Motion | None] = [None] * len(self.experiments)
         slope, earlier = np.zeros(len(z)), np.full(len(z), np.inf)
-        for _ in range(MOST_REFINEMENTS):
+        for count in range(1, MOST_REFINEMENTS + 1):
             combined = _CombinedExperiments(self, meshes)
             for _ in range(MOST_CORRECTIONS if self.noise else 1):
                 nlp, residuals, start = combined.program(z, motions, slope)
@@ -246,6 +246,8 @@ class Identification:
                 )
             if all(e.max() <= limit for e, limit in zip(errors, limits, strict=True)):
                 return result
+            if count == MOST_REFINEMENTS:
+                break
             meshes = [
                 refined(
                     transcription.mesh,
@@ -260,8 +262,9 @@ class Identification:
             ]
         worst = max(float(error.max()) for error in errors)
         warn_user(
-            f"After {MOST_REFINEMENTS} refinements the mesh of the fit has an error of {worst:.2g} "
-            "of the states' sizes. Where inputs jump, nodes of `mesh` at the jumps help."
+            f"After {MOST_REFINEMENTS - 1} refinements the mesh of the fit has an error of "
+            f"{worst:.2g} of the states' sizes. "
+            "Where inputs jump, nodes of `mesh` at the jumps help."
         )
         return result
 

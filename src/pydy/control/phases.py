@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import check_mapping, listed, shown
+from pydy._mechanics import find_symbols
 from pydy._optional import require
 from pydy.codegen import checked_expression
 from pydy.control.ipopt import Iteration, NlpSolution
@@ -212,12 +213,8 @@ def _checked_link(
             expressions.pop(s, None)
             continue
         expression = checked_expression(value, f"`{argument}[{key}]`")
-        strange = [
-            a for a in (*expression.atoms(sm.Function, sm.Derivative), *expression.free_symbols)
-            if a not in allowed and (a.is_Symbol or a.is_Derivative or isinstance(
-                a, sm.core.function.AppliedUndef)) and a != definition.equations.time
-        ]  # fmt: skip
-        if strange or expression.has(sm.Derivative) or not isinstance(expression, sm.Expr):
+        strange = any(symbol not in allowed for symbol in find_symbols([expression]))
+        if strange or not isinstance(expression, sm.Expr):
             raise ValueError(
                 f"`{argument}[{key}]` is {shown(value)}, but a link is an expression of the states "
                 "of the phase before, at its end, and of constants."

@@ -292,7 +292,7 @@ class TranscribedProblem:
 
     def at_samples(self, scheme: Scheme) -> tuple[PointFunctions, PointFunctions]:
         """Return half the sum of squared residuals of a sample, and the residuals as rows."""
-        return self.once("samples", lambda: self._at_samples(scheme))
+        return self.once(("samples", scheme), lambda: self._at_samples(scheme))
 
     def _at_samples(self, scheme: Scheme) -> tuple[PointFunctions, PointFunctions]:
         point = self._point()
@@ -331,7 +331,7 @@ class TranscribedProblem:
         """Return the boundary conditions and the objective's terms at instants."""
         if not self.boundary and self.terminal == 0:
             return None
-        return self.once("boundary", lambda: self._at_instants(scheme))
+        return self.once(("boundary", scheme), lambda: self._at_instants(scheme))
 
     def _at_instants(self, scheme: Scheme) -> PointFunctions:
         point = self._point()

@@ -89,22 +89,23 @@ class Ensemble:
         lock = Lock()
         states = None
         if not self.work.reductions:  # each block writes its states into the full array
+            # (states, samples, times), in the order in which the results have them
             states = np.empty((len(model.states), self.samples.size, len(model.times)))
-        placed = {} if states is None else dict(zip(model.states, states, strict=True))
+        written_in_place = {} if states is None else dict(zip(model.states, states, strict=True))
 
         def compute_block(block: Block, stop: Callable[[], bool]) -> None:
             part = self.samples.in_block(block)
-            target = None
+            block_states = None
             if states is not None:  # blocks are contiguous samples: see `block_sizes`
                 first = int(np.ravel_multi_index([s.start for s in block], shape)) if block else 0
-                target = states[:, first : first + part.size]
-            block_results = self.work(part, stop, target)
+                block_states = states[:, first : first + part.size]
+            block_results = self.work(part, stop, block_states)
             with lock:
                 if not results:  # allocate all arrays at once, in case memory runs out
                     every = {}
                     for name, v in block_results.items():
                         sizes = (*shape, *v.values.shape[len(block) :])
-                        preallocated = placed.get(name)
+                        preallocated = written_in_place.get(name)
                         values = (
                             np.empty(sizes, v.values.dtype)
                             if preallocated is None
@@ -114,7 +115,7 @@ class Ensemble:
                     results.update(every)
             check_forms(block_results, self._forms(results), block)
             for name, v in block_results.items():
-                if name not in placed:
+                if name not in written_in_place:
                     results[name].values[block] = v.values
             with lock:
                 pending.remove(block)

@@ -132,11 +132,14 @@ def _refuse_twice(produced: Sequence[tuple[str, Reduction]]) -> None:
     """Raise an error if two reductions have results of the same name."""
     by_name: dict[str, Reduction] = {}
     for name, entry in produced:
-        if by_name.setdefault(name, entry) != entry or name in COUNTS:
-            raise ValueError(
-                f"`reduce` gives two results the name `{name}`. Rename the output or the event "
-                "that it comes from."
-            )
+        if by_name.setdefault(name, entry) is entry and name not in COUNTS:
+            continue
+        if by_name[name] == entry and name not in COUNTS:
+            raise ValueError(f"`reduce` asks for `{name}` twice. Leave one of the two entries out.")
+        raise ValueError(
+            f"`reduce` gives two results the name `{name}`. Rename the output or the event that it "
+            "comes from."
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -317,7 +320,7 @@ class Work:
         return values
 
     def _reduced(
-        self, results: Results, times: np.ndarray, outputs: _Outputs, slopes: _Slopes
+        self, results: Results, times: np.ndarray, outputs: _Outputs, output_columns: _Slopes
     ) -> dict[str, LabelledArray]:
         """Return the reductions of states and outputs, and their sensitivities.
 
@@ -325,13 +328,15 @@ class Work:
         """
         states, columns = results.states, results.columns
         reduced: dict[str, LabelledArray] = {}
-        rows: list[np.ndarray] = []  # of sensitivities, (k, m)
+        slopes: list[np.ndarray] = []  # of each result by the parameters, (k, m)
 
         def derivatives(part: slice) -> np.ndarray:
             """Return the sensitivities of all states and outputs, shape (q, k, m, times)."""
             assert columns is not None
             selected = columns[..., part]
-            return np.concatenate([selected, slopes(times[part], states[..., part], selected)])
+            return np.concatenate(
+                [selected, output_columns(times[part], states[..., part], selected)]
+            )
 
         def as_variable(dims: tuple[str, ...], table: np.ndarray) -> LabelledArray:
             contiguous = np.ascontiguousarray(table)
@@ -363,7 +368,7 @@ class Work:
                         :, np.arange(len(when)), when
                     ]
                     _drop_where_unknown(slope, extreme.values)
-                    rows.append(slope)
+                    slopes.append(slope)
             elif isinstance(entry, _Final):
                 last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
                 reduced |= {name: LabelledArray((), last[name][:, 0]) for name in self.names}
@@ -371,11 +376,11 @@ class Work:
                     ends = derivatives(slice(-1, None))[..., 0]
                     for name, slope in zip(self.names, ends, strict=True):
                         _drop_where_unknown(slope, last[name][:, 0])
-                    rows += list(ends)
+                    slopes += list(ends)
             elif isinstance(entry, _EventTimes):
                 reduced |= self._events(results, entry.occurrences)
-        if rows:
-            reduced[SENSITIVITY] = as_variable((), np.array(rows).transpose(2, 0, 1))
+        if slopes:
+            reduced[SENSITIVITY] = as_variable((), np.array(slopes).transpose(2, 0, 1))
         return reduced
 
     @property

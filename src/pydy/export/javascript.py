@@ -213,16 +213,16 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         f"\n  {name}: (t, x, r, out) => {name}(t, x, r, {name}_c, out),\n"
         f"  {name}_size: {programs[name].signature.num_outputs}," for name in extra
     )  # fmt: skip
-    constants = _constants("ROUNDINGS", "HALVINGS")
+    integrator = resource("integrator.js")
+    projection = _projection() if model.constraints else ""
     parts = {
         "PRELUDE": PRELUDE,
         "CODE": code,
         "KEPT": buffers,
         "BOUND": bound,
-        "INTEGRATOR": re.sub(
-            r"\{\{([A-Z]+)\}\}", lambda m: constants[m[1]], resource("integrator.js")
-        ),
-        "PROJECTION": _projection() if model.constraints else "",
+        "CONSTANTS": _constants(integrator + projection),
+        "INTEGRATOR": integrator,
+        "PROJECTION": projection,
         "METHOD": literal(_method()),
         "INFO": literal(
             {
@@ -264,21 +264,18 @@ _EVENTS = """{
       }"""
 
 
-def _constants(*names: str) -> dict[str, str]:
-    """Return constants of the native solvers as literals."""
-    constants = native_constants()
-    return {name: repr(constants[name]) for name in names}
+def _constants(text: str) -> str:
+    """Define the constants of the native solvers that a text uses, as ``layout.h`` does for C."""
+    words = set(re.findall(r"\b[A-Z][A-Z_]+\b", text))
+    constants = {name: x for name, x in native_constants().items() if name in words}
+    return "\n".join(f"const {name} = {literal(x)};" for name, x in constants.items())
 
 
 def _projection() -> str:
     """Return what holds constraints, with the factorisation of the native solvers."""
     header = portable_sources("projection.h")["projection.h"]
     algebra = header[header.index("INLINE void set_identity") : header.index("/* Compute `step`")]
-    parts = {
-        **_constants("SOUND", "HALF", "STARTING_MOVE"),
-        "ALGEBRA": _script(algebra),
-    }
-    return re.sub(r"\{\{([A-Z_]+)\}\}", lambda m: parts[m[1]], resource("projection.js"))
+    return resource("projection.js").replace("/*ALGEBRA*/", _script(algebra))
 
 
 def _variables(variables: Sequence[Variable]) -> list[dict[str, object]]:
@@ -301,7 +298,5 @@ def _method() -> dict[str, object]:
         "dense": rows(tableau.dense_stages),
         "interpolant": rows(tableau.interpolant),
         "endInEstimate": any(len(tableau.stages) in row for row in tableau.errors),
-        "exponent": method.exponent,
-        "alpha": method.alpha,
-        "beta": method.beta,
+        "control": method.control.tolist(),
     }

@@ -53,9 +53,12 @@ WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
 # The sum of these; RESETS or STOPS if the event does only this.
 LINEAR, TURNS, RESETS, STOPS, REDIRECTS = 1, 2, 4, 8, 16
-# The number of parts of a step at whose ends events are evaluated, and of rows of `Watch.values`:
-# the ends and middles of the parts, and two more.
-PARTS = 4
+# Events are evaluated at these fractions of a step. Their ratios are irrational, so that no
+# oscillation looks slow at all of them.
+SCAN_POINTS = (0.0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1.0)
+# The number of parts between them, and of rows of `Watch.values`: the ends and middles of these
+# parts, and two more.
+PARTS = len(SCAN_POINTS) - 1
 PROBES = 2 * PARTS + 3
 # Steps.words: the number of recorded steps, and of allocated rows (0: no recording).
 KEPT, ROOM = range(2)
@@ -96,21 +99,6 @@ class Method(NamedTuple):
     def depth(self) -> int:
         """The number of coefficient vectors of the interpolant."""
         return int(self.shape[DEPTH])
-
-    @property
-    def exponent(self) -> float:
-        """The exponent of the error in step-size control without memory."""
-        return float(self.control[EXPONENT])
-
-    @property
-    def alpha(self) -> float:
-        """The exponent of the latest error in the PI controller."""
-        return float(self.control[ALPHA])
-
-    @property
-    def beta(self) -> float:
-        """The exponent of the previous error in the PI controller."""
-        return float(self.control[BETA])
 
 
 class Problem(NamedTuple):

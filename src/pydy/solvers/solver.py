@@ -221,9 +221,7 @@ class Solver:
         if not callable(f):
             raise TypeError(f"`f` must be a function f(x, t), got {shown(f)}.")
         read = read_options(self.name, self.adaptive, options)
-        x0 = real_array(x0, "`x0`")
-        if x0.ndim == 0:
-            x0 = x0.reshape(1)
+        x0 = np.atleast_1d(real_array(x0, "`x0`"))
         if x0.ndim != 1:
             raise ValueError(f"`x0` must be one-dimensional, got the shape {x0.shape}.")
         if not np.isfinite(x0).all():
@@ -319,7 +317,7 @@ class Prepared:
             As for a call of the solver.
         """
         if type(x0) is not np.ndarray or x0.dtype is not _FLOAT or x0.shape != self._shape:
-            x0 = real_array(x0, "`x0`")
+            x0 = np.atleast_1d(real_array(x0, "`x0`"))
             if x0.shape != self._shape:
                 raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
         states = self._run(x0)
@@ -350,10 +348,17 @@ class Prepared:
             As for a call of the solver.
         """
         read = read_options(solver.name, solver.adaptive, options)
+        if not self._integration.retune(read):
+            return False
         self.arguments = (*self.arguments[:-1], read)
-        return self._integration.retune(read)
+        return True
 
     def __reduce__(self) -> tuple[Callable[..., Prepared], tuple[Any, ...]]:
+        if self._integration.rebound:
+            raise TypeError(
+                "A prepared integration whose numbers were changed cannot be pickled or copied: "
+                "prepare another one with these numbers."
+            )
         return _prepared, self.arguments
 
     @property

@@ -3,13 +3,14 @@
 `read_tir` reads a tire property file, `MagicFormula` makes a tire of it; `LinearTire`, `BrushTire`
 and `TMeasy` need a few parameters only. A tire is asked for its forces with numbers, arrays, or
 SymPy expressions, which go into loads, outputs and specifieds. `WheelContact` makes loads of a tire
-for a wheel that moves freely. `fit_tire` fits the parameters of a tire to measurements.
+for a wheel that moves freely, on a plane or a `RoadSurface`; `iso_road` makes random profiles.
+`fit_tire` fits the parameters of a tire to measurements.
 
 `single_track` makes a System of a car, `CARS` has constants of some, `linear_handling` the closed
 forms of the linear one. `step_steer`, `steady_turn` and `lane_change` are manoeuvres of a
 System. `commonroad_car` has models of the CommonRoad benchmarks. `double_track` makes a System of a
-car with four wheels that spin, `car_trailer` one with a trailer; `motor_torque`,
-`differential_torques` and `aerodynamic_loads` are laws for models of your own.
+car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles.machines` has
+motors, differentials and the air for models of your own.
 """
 
 import lazy_loader
@@ -23,6 +24,8 @@ __all__ = [
     "LinearHandling",
     "LinearTire",
     "MagicFormula",
+    "RoadProfile",
+    "RoadSurface",
     "SingleTrackCar",
     "SteadyTurn",
     "StepResponse",
@@ -31,15 +34,13 @@ __all__ = [
     "TireFit",
     "TireForces",
     "WheelContact",
-    "aerodynamic_loads",
     "car_trailer",
     "commonroad_car",
-    "differential_torques",
     "double_track",
     "fit_tire",
+    "iso_road",
     "lane_change",
     "linear_handling",
-    "motor_torque",
     "plot_tire",
     "plot_tire_carpet",
     "read_tir",

@@ -1,4 +1,3 @@
-from .aerodynamics import aerodynamic_loads as aerodynamic_loads
 from .brush import BrushTire as BrushTire
 from .cars import (
     CARS as CARS,
@@ -7,10 +6,6 @@ from .cars import (
 )
 from .commonroad import commonroad_car as commonroad_car
 from .double_track import double_track as double_track
-from .drivetrain import (
-    differential_torques as differential_torques,
-    motor_torque as motor_torque,
-)
 from .fit import TireFit as TireFit, fit_tire as fit_tire
 from .forces import TireForces as TireForces
 from .handling import LinearHandling as LinearHandling, linear_handling as linear_handling
@@ -24,6 +19,8 @@ from .manoeuvres import (
     step_steer as step_steer,
 )
 from .plots import plot_tire as plot_tire, plot_tire_carpet as plot_tire_carpet
+from .profiles import RoadProfile as RoadProfile, iso_road as iso_road
+from .road import RoadSurface as RoadSurface
 from .single_track import single_track as single_track
 from .tir import TireFile as TireFile, read_tir as read_tir
 from .tmeasy import TMeasy as TMeasy

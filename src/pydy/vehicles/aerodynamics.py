@@ -54,7 +54,7 @@ def aerodynamic_loads(
     Examples
     --------
     >>> import sympy.physics.mechanics as me
-    >>> from pydy.vehicles import aerodynamic_loads
+    >>> from pydy.vehicles.machines import aerodynamic_loads
     >>> u = me.dynamicsymbols('u')
     >>> N, P = me.ReferenceFrame('N'), me.Point('P')
     >>> P.set_vel(N, u*N.x)

@@ -40,7 +40,7 @@ def motor_torque(
     --------
     An electric motor of 100 N m up to 300 rad/s, with a gear of 8:
 
-    >>> from pydy.vehicles import motor_torque
+    >>> from pydy.vehicles.machines import motor_torque
     >>> motor_torque(25.0, [0, 300, 900], [100, 100, 0], ratio=8.0)
     800.0
 
@@ -122,7 +122,7 @@ def differential_torques(
 
     Examples
     --------
-    >>> from pydy.vehicles import differential_torques
+    >>> from pydy.vehicles.machines import differential_torques
     >>> differential_torques(600.0, 40.0, 50.0, bias=0.5)
     (450.0, 150.0)
     """

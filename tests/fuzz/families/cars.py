@@ -19,18 +19,16 @@ from pydy.vehicles import (
     SingleTrackCar,
     SteadyTurn,
     StepResponse,
-    aerodynamic_loads,
     car_trailer,
     commonroad_car,
-    differential_torques,
     double_track,
     lane_change,
     linear_handling,
-    motor_torque,
     single_track,
     steady_turn,
     step_steer,
 )
+from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
 
 _FIELDS = {
     "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,

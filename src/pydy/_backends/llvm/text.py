@@ -318,11 +318,16 @@ def _packed_kernel(lanes: int) -> str:
     return f"@packed = private constant [5 x i64] [{steps}]\n" + f.text()
 
 
+_ONE_BLOCK = 1 << 32
+"""What ``strided`` returns for each block that it has computed, above the bits of failed lanes."""
+
+
 def _in_lane_groups(program: Program, lanes: int, width: int) -> str:
     """Return functions for all lanes that call the code for one group of lanes after the other.
 
     If the lanes of a value need several registers, fewer values fit in the registers. The array c
-    has the same order: all values of a group, then those of the next.
+    has the same order: all values of a group, then those of the next. Like that of `_strided`, the
+    function ``strided`` computes one block, and returns it with the bits of failed lanes.
     """
     turns = range(0, lanes, width)
     v, setup_size = vector_type("double", width), len(program.carried)
@@ -343,9 +348,9 @@ def _in_lane_groups(program: Program, lanes: int, width: int) -> str:
         pointers["c"] = f.at("%c", str(first * setup_size))
         arguments = ", ".join(f"ptr {source}" for source in pointers.values())
         result = f.let(f"call i64 @turn.strided({arguments}, ptr %steps)")
-        bits = f.let(f"shl i64 {f.let(f'and i64 {result}, {2**32 - 1}')}, {first}")
+        bits = f.let(f"shl i64 {f.let(f'and i64 {result}, {_ONE_BLOCK - 1}')}, {first}")
         status = f.let(f"or i64 {status}, {bits}")
-    f.do(f"ret i64 {f.let(f'or i64 {status}, {2**32}')}")
+    f.do(f"ret i64 {f.let(f'or i64 {status}, {_ONE_BLOCK}')}")
     inner = prepare_text(program, width, "turn.") + _strided(program, width, False, "turn.")
     outer = [prepare.text(), f.text(), _packed_kernel(lanes)]
     return "\n".join([inner, *outer, *BRANCH_WEIGHTS, ""])

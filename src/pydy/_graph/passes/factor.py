@@ -19,7 +19,7 @@ def factor_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
     """Extract common factors from sums of products, most frequent first.
 
     Factors that depend on the state go first: what is left inside the brackets is then more often
-    a matter of constants alone, which is computed once per binding and not at every call.
+    a matter of constants alone, which is computed once for each set of them.
     """
 
     def rule(node: int, op: str, args: Args) -> int:

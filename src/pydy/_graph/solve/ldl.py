@@ -28,8 +28,8 @@ def elimination_order(filled: np.ndarray, fixed: np.ndarray | bool = True) -> tu
 
     It is found by minimum degree, if that beats the given order (George & Liu, The evolution of the
     minimum degree ordering algorithm, SIAM Review 31(1), 1989). The symmetric pattern is `filled`.
-    Diagonal entries that are `fixed` do not depend on the state: of equal rows these go first,
-    since a pivot that is still one of them is divided by only once per binding.
+    Diagonal entries that are `fixed` do not depend on the state. Minimum degree takes them first of
+    equal rows: a pivot that is still one of them is divided by once for each set of constants.
     """
     n = len(filled)
     natural_order = list(range(n))

@@ -131,8 +131,10 @@ class UnrolledLU:
                         self.triangular = False
                         cell[i][j] = tape.sub(cell[i][j], tape.mul(factor, cell[k][j]))
         self.upper = cell
-        self.first: tuple[int, list[int]] | None = None  # its soundness and solution
-        self.later: int | None = None
+        self.first_solve: tuple[int, list[int]] | None = (
+            None  # (sound, solution) of the first right-hand side
+        )
+        self.later_sound: int | None = None  # of further right-hand sides
 
     def _conjunction(self, a: int, b: int) -> int:
         return b if self.tape.ops[a] == "bool" else self.tape.make("and", a, b)
@@ -171,23 +173,23 @@ class UnrolledLU:
             fast[position] = value
         if self.triangular:
             sound = self.sound
-        elif self.first is None:
+        elif self.first_solve is None:
             sound = self._accurate(column, fast)
-            self.first = (sound, fast)
+            self.first_solve = (sound, fast)
         else:
-            sound = self._as_first()
+            sound = self._sound_with_first()
         return tape.make("guard", n, tuple(self.entries), tuple(column), sound, tuple(fast))
 
-    def _as_first(self) -> int:
-        """Return whether the first solution was accurate, and not zero."""
-        assert self.first is not None
-        if self.later is None:
-            tape, (sound, x) = self.tape, self.first
+    def _sound_with_first(self) -> int:
+        """Return whether the first solution was accurate and not zero: so are further ones."""
+        assert self.first_solve is not None
+        if self.later_sound is None:
+            tape, (sound, x) = self.tape, self.first_solve
             total = self.zero
             for value in x:
                 total = tape.add(total, self._size(value))
-            self.later = self._conjunction(sound, tape.make("lt", self.zero, total))
-        return self.later
+            self.later_sound = self._conjunction(sound, tape.make("lt", self.zero, total))
+        return self.later_sound
 
     def _accurate(self, column: list[int], x: list[int]) -> int:
         """Return whether the residual of every row is a matter of rounding."""

@@ -1,13 +1,8 @@
 // An adaptive explicit Runge–Kutta method with dense output, events and projection: the loop of
 // pydy's native solvers, with the same first step, error norm, controller and interpolant.
 
-const EPS = 2 ** -52, SAFETY = 0.9, SHRINK = 0.2, GROW = 6, SHORTEST = 2 ** -44;
 // An event that was located, though it has the sign again that it began with.
 const BACK = 2;
-// A step is looked at in parts, with ends in irrational ratios, as in scan_events.c.
-const PLACES = [0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1], PARTS = PLACES.length - 1;
-const HALVINGS = {{HALVINGS}}; // of the time span, to find the side to which a state at rest departs
-const ROUNDINGS = {{ROUNDINGS}}; // residuals of so many roundings are those of a state on the constraints
 
 /** y = x + h · (row · stages). */
 function combine(y, x, h, row, stages) {
@@ -58,6 +53,7 @@ class Integration {
     if (atol === 0 && Array.from(x0).some((value) => value * rtol === 0))
       throw new RangeError(`atol must be above 0 where a state begins at 0 or rtol is 0, got rtol ${rtol} and atol 0`);
     this.count = method.stages.length;
+    this.control = method.control;
     const vector = () => new Float64Array(n);
     this.x = Float64Array.from(x0);
     this.fresh = vector();
@@ -100,12 +96,12 @@ class Integration {
   // E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.4.
   firstSize() {
     const { x, stages, trial, t } = this, d0 = this.norm(x, null), d1 = this.norm(stages[0], null);
-    let h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1;
+    let h0 = d0 < NEGLIGIBLE || d1 < NEGLIGIBLE ? TRIAL_SIZE : TRIAL_PART * d0 / d1;
     h0 = Math.min(h0, this.maxStep);
     for (let i = 0; i < this.n; i++) trial[i] = x[i] + h0 * stages[0][i];
-    if (this.rates(t + h0, trial, stages[1])) return h0 * 1e-3;
+    if (this.rates(t + h0, trial, stages[1])) return h0 * SLIVER;
     const d2 = this.norm(stages[1], stages[0]) / h0, steepest = Math.max(d1, d2);
-    const h1 = steepest > 1e-15 ? (0.01 / steepest) ** this.method.exponent : Math.max(1e-6, h0 * 1e-3);
+    const h1 = steepest > NEGLIGIBLE_SLOPE ? (TRIAL_PART / steepest) ** this.control[EXPONENT] : Math.max(TRIAL_SIZE, h0 * SLIVER);
     return Math.min(Math.max(Math.min(100 * h0, h1), SHORTEST * Math.abs(t)), this.maxStep);
   }
 
@@ -166,13 +162,13 @@ class Integration {
   }
 
   step() {
-    const { method, stages, fresh, trial, x, times, count, system } = this;
+    const { method, control, stages, fresh, trial, x, times, count, system } = this;
     const last = times[times.length - 1];
     if (!this.started) {
       if (this.rates(this.t, x, stages[0])) return this.fail("the mass matrix is singular");
       this.started = true;
-      this.lastError = 1e-4;
-      this.growth = GROW;
+      this.lastError = FIRST_ERROR;
+      this.growth = control[GROW];
       this.reached(x);
       if (this.status !== "running") return;
       if (this.h === 0) this.h = this.firstSize();
@@ -181,9 +177,9 @@ class Integration {
     if (this.steps + this.rejected >= this.maxSteps) return this.fail("too many steps");
     const t = this.t;
     const wanted = Math.min(this.h, this.maxStep), end = t + wanted;
-    const after = end > last - 1e-3 * wanted ? last : end;
+    const after = end > last - SLIVER * wanted ? last : end;
     const size = after - t; // what the rounded times are apart: far from zero a clock would drift
-    if (!(t + 0.0625 * size > t || after === last)) return this.fail("the steps became too small");
+    if (!(t + RESOLVED * size > t || after === last)) return this.fail("the steps became too small");
     this.size = size;
     let failed = false;
     for (let stage = 1; stage < count && !failed; stage++) {
@@ -204,8 +200,8 @@ class Integration {
     }
     if (failed || !(error < 1)) {
       this.rejected += 1;
-      if (failed || !Number.isFinite(error)) this.h = 0.25 * size;
-      else this.h = size * Math.max(SHRINK, SAFETY * error ** -method.exponent);
+      if (failed || !Number.isFinite(error)) this.h = AFTER_FAILURE * size;
+      else this.h = size * Math.max(control[SHRINK], control[SAFETY] * error ** -control[EXPONENT]);
       this.growth = 1;
       return;
     }
@@ -241,12 +237,12 @@ class Integration {
       }
       if (this.next === times.length) this.status = "finished";
     }
-    error = Math.max(error, 1e-10);
-    let factor = SAFETY * error ** -method.alpha;
-    if (method.beta !== 0) factor *= this.lastError ** method.beta;
-    this.h = size * Math.min(this.growth, Math.max(SHRINK, factor));
-    this.lastError = Math.max(error, 1e-4);
-    this.growth = GROW;
+    error = Math.max(error, LEAST_ERROR);
+    let factor = control[SAFETY] * error ** -control[ALPHA];
+    if (control[BETA] !== 0) factor *= this.lastError ** control[BETA];
+    this.h = size * Math.min(this.growth, Math.max(control[SHRINK], factor));
+    this.lastError = Math.max(error, FIRST_ERROR);
+    this.growth = control[GROW];
     this.t = after;
     x.set(fresh);
     stages[0].set(stages[count]);
@@ -278,7 +274,7 @@ class Integration {
     let total = 0;
     for (let i = 0; i < this.n && rate !== 0; i++) {
       const beside = Float64Array.from(this.x);
-      beside[i] += ROUNDINGS * EPS * this.x[i];
+      beside[i] += ROUNDINGS * ROUNDING * this.x[i];
       total += Math.abs(this.rateOf(k, beside) - rate);
     }
     return Math.abs(rate) <= total;
@@ -302,7 +298,7 @@ class Integration {
       for (let i = 0; i < n; i++) after[i] = x[i] + size / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
       events.values(t + size, after, values);
       events.bounds(t + size, after, bounds);
-      if (Math.abs(values[k]) > ROUNDINGS * EPS * bounds[k]) side = Math.sign(values[k]);
+      if (Math.abs(values[k]) > ROUNDINGS * ROUNDING * bounds[k]) side = Math.sign(values[k]);
     }
     return side;
   }
@@ -313,7 +309,7 @@ class Integration {
     this.takeSides();
     events.bounds(this.t, this.x, bounds);
     for (let k = 0; k < fired.length; k++) {
-      if (!(values[k] === 0 || Math.abs(values[k]) <= ROUNDINGS * EPS * bounds[k])) continue;
+      if (!(values[k] === 0 || Math.abs(values[k]) <= ROUNDINGS * ROUNDING * bounds[k])) continue;
       const side = sides[k] = this.departure(k), direction = events.directions[k];
       if (!side || ![0, side].includes(direction)) continue;
       if (events.acting[k] && (direction || this.isStationary(k))) fired[k] = 1;
@@ -333,7 +329,7 @@ class Integration {
     events.values(this.t, this.x, values);
     events.bounds(this.t, this.x, bounds);
     for (let k = 0; k < was.length; k++)
-      if (values[k] !== was[k] && Math.abs(values[k]) > ROUNDINGS * EPS * bounds[k]) off.add(k);
+      if (values[k] !== was[k] && Math.abs(values[k]) > ROUNDINGS * ROUNDING * bounds[k]) off.add(k);
   }
 
   crossed(k, value) {
@@ -348,7 +344,7 @@ class Integration {
 
   locate(t, h, low, high, k) {
     const side = this.sides[k], out = this.probe;
-    const resolution = EPS * Math.max(Math.abs(t), Math.abs(t + h)) / h;
+    const resolution = ROUNDING * Math.max(Math.abs(t), Math.abs(t + h)) / h;
     this.probed(t, h, low, out);
     if (out[k] * side <= 0) {
       const start = low;
@@ -378,14 +374,14 @@ class Integration {
    */
   leastPlace(t, h, k, i, part) {
     const side = this.sides[k], { divided } = this;
-    let [a, b, c] = PLACES.slice(i - 1, i + 2), [za, zb, zc] = this.ends.slice(i - 1, i + 2).map((z) => side * z[k]), error = Infinity;
-    const rounding = ROUNDINGS * EPS * Math.max(za, zb, zc);
+    let [a, b, c] = SCAN_POINTS.slice(i - 1, i + 2), [za, zb, zc] = this.ends.slice(i - 1, i + 2).map((z) => side * z[k]), error = Infinity;
+    const rounding = ROUNDINGS * ROUNDING * Math.max(za, zb, zc);
     if (!(za > 0 && zb > 0 && zc > 0)) return 2;
     for (let tries = 0; tries < 20; tries++) {
       const low = (zb - za) / (b - a), bend = ((zc - zb) / (c - b) - low) / (c - a), slope = low + bend * (b - a);
       let place = b - 0.5 * slope / bend;
       if (!(bend > 0 && zb + 0.5 * slope * (place - b) <= 2 * error)) return 2;
-      const first = part > 1 ? PLACES[part - 1] : -PLACES[1], last = part < PARTS ? PLACES[part] : 2 - PLACES[PARTS - 1];
+      const first = part > 1 ? SCAN_POINTS[part - 1] : -SCAN_POINTS[1], last = part < PARTS ? SCAN_POINTS[part] : 2 - SCAN_POINTS[PARTS - 1];
       if (tries === 0 && !(place >= first && place <= last)) return 2;
       if (place <= a || place >= c) place = 0.5 * (b + (place <= a ? a : c));
       if (!(place > a && place < c) || place === b) return 2;
@@ -408,7 +404,7 @@ class Integration {
     let first = 2;
     for (let k = 0; k < count; k++) for (let i = Math.max(1, part - 1); i <= part && i < PARTS; i++) {
       const found = this.leastPlace(t, h, k, i, part);
-      if (found > left && found < Math.min(first, PLACES[part])) first = found;
+      if (found > left && found < Math.min(first, SCAN_POINTS[part])) first = found;
     }
     return first;
   }
@@ -417,10 +413,10 @@ class Integration {
   scan(t, h) {
     const { events } = this.system, { values, probe, fired, sides } = this;
     this.acting = false;
-    PLACES.forEach((place, k) => this.probed(t, h, place, this.ends[k]));
+    SCAN_POINTS.forEach((place, k) => this.probed(t, h, place, this.ends[k]));
     let left = 0;
-    for (let part = 1; part <= PARTS; part += left === PLACES[part] ? 1 : 0) {
-      const right = Math.min(PLACES[part], this.findDip(t, h, left, part));
+    for (let part = 1; part <= PARTS; part += left === SCAN_POINTS[part] ? 1 : 0) {
+      const right = Math.min(SCAN_POINTS[part], this.findDip(t, h, left, part));
       this.probed(t, h, right, values);
       for (;;) {
         let first = 2;
@@ -477,15 +473,17 @@ class Integration {
       }
       ends = ends || events.terminal[k];
       const same = records.filter((one) => one.index === k).slice(-CROWD), span = this.times[this.times.length - 1] - this.times[0];
-      if (same.length >= 2 && t - same[same.length - 2].time <= 16 * EPS * Math.max(Math.abs(t), span)) crowded = true;
-      if (same.length === CROWD && t - same[0].time < 1e-9 * span) crowded = true;
+      if (same.length >= 2 && t - same[same.length - 2].time <= NO_LATER * ROUNDING * Math.max(Math.abs(t), span)) crowded = true;
+      if (same.length === CROWD && t - same[0].time < CROWDED * span) crowded = true;
     }
     if (!x.every(Number.isFinite)) return this.fail("a reset gave no finite state");
     if (ends || crowded) this.status = "stopped";
     else {
-      const origins = Int8Array.from(this.sides);
+      const origins = Int8Array.from(this.sides), acted = fired.slice();
       for (const k of off) fired[k] = 0;
       this.takeSides();
+      for (let k = 0; k < fired.length; k++)
+        if (origins[k] && !acted[k] && Number.isNaN(this.values[k])) return this.fail(`the event ${events.names[k]} is NaN`);
       for (let k = 0; k < fired.length; k++) if (fired[k] && events.redirects[k] && this.isStationary(k)) {
         // At rest on the surface it happens again at once where its direction points to.
         const side = this.sides[k] = this.departure(k), direction = events.directions[k];
@@ -497,5 +495,3 @@ class Integration {
     return undefined;
   }
 }
-
-const CROWD = 100; // events so close together are the end of a motion, as of a ball that comes to rest

@@ -3,6 +3,7 @@
 /*PRELUDE*/
 /*CODE*/
 /*KEPT*/
+/*CONSTANTS*/
 /*INTEGRATOR*/
 /*PROJECTION*/
 const method = /*METHOD*/;

@@ -4,8 +4,8 @@
 // What the factorisation is written with, of one lane.
 const root = Math.sqrt, item = (a, i) => a[i], where = (f, x, y) => (f ? x : y), bits = Number, flags = Boolean;
 const put = (a, i, value) => { a[i] = value; };
-const ROUNDING = EPS, EVERY = 1;
-{{ALGEBRA}}
+const EVERY = 1;
+/*ALGEBRA*/
 /**
  * Return the least y with rows · y = right; `right` keeps what no y can reach. There may be more rows
  * than their rank: the last ones take the place of others that are nearly dependent, and
@@ -29,7 +29,7 @@ function minimumNorm(m, n, rows, right, rank) {
   }
   let count = 0;
   for (; count < rank; count++) {
-    let pivot = -1, longest = 1e-20;
+    let pivot = -1, longest = DEPENDENT ** 2;
     for (const i of left) { // in ascending order
       if (i >= rank && pivot >= 0 && pivot < rank && longest > SOUND ** 2) break;
       if (square(i) > longest) {
@@ -81,7 +81,7 @@ function projector(sizes, evaluate) {
     let worst = 0;
     for (let i = 0; i < h; i++) {
       if (Number.isNaN(values[i])) return { worst: NaN, done: false };
-      if (values[i] !== 0 && !redundant.has(i)) worst = Math.max(worst, Math.abs(values[i]) / (EPS * values[starts[6] + i]));
+      if (values[i] !== 0 && !redundant.has(i)) worst = Math.max(worst, Math.abs(values[i]) / (ROUNDING * values[starts[6] + i]));
     }
     return { worst, done: worst <= 1 || (worst >= 0.5 * before && worst <= ROUNDINGS) };
   };
@@ -101,7 +101,7 @@ function projector(sizes, evaluate) {
           total += term;
           size += Math.abs(term);
         }
-        rows[i * u + k] = Math.abs(total) <= 4 * q * EPS * size ? 0 : total; // nothing but rounding
+        rows[i * u + k] = Math.abs(total) <= 4 * q * ROUNDING * size ? 0 : total; // nothing but rounding
       }
       divide_rows(rows, h, factor, u);
       const right = part(0).map((value) => -value), step = minimumNorm(h, u, rows, right, positions);
@@ -129,8 +129,8 @@ function projector(sizes, evaluate) {
     if (!project(t, x)) return "the constraints could not be met";
     const largest = (values) => values.reduce((most, one) => Math.max(most, Math.abs(one)), 0);
     const far = largest(before.subarray(0, q)) || 1; // in any unit
-    const fast = Math.max({{HALF}} * far, ...[before, x].map((values) => largest(values.subarray(q, q + u))));
-    const unit = (most) => Math.max(Math.min(1, most), {{HALF}} * most);
+    const fast = Math.max(HALF * far, ...[before, x].map((values) => largest(values.subarray(q, q + u))));
+    const unit = (most) => Math.max(Math.min(1, most), HALF * most);
     const off = (one, k) => !following.includes(k) && Math.abs(x[k] - one) > STARTING_MOVE * (unit(k < q ? far : fast) + Math.abs(one));
     return before.some(off) ? "the initial conditions do not satisfy the constraints" : "";
   };
@@ -158,5 +158,3 @@ function projector(sizes, evaluate) {
   };
   return project;
 }
-const SOUND = {{SOUND}}; // rows that are this much shorter without others make room for redundant ones
-const STARTING_MOVE = {{STARTING_MOVE}}; // how far a state is moved onto the constraints unasked, in units of itself and the largest of its kind

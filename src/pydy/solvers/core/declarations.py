@@ -95,7 +95,8 @@ def native_constants() -> dict[str, Constant]:
     names = ("T", "TI", "NODES", "ERROR", "REAL", "INTERPOLANT")
     method = {f"RADAU_{name}": getattr(radau, name) for name in names}
     method["RADAU_PAIR"] = (radau.COMPLEX.real, radau.COMPLEX.imag)
-    return {**thresholds, **outcomes, **indices, **method}
+    points = {"SCAN_POINTS": layout.SCAN_POINTS}
+    return {**thresholds, **outcomes, **indices, **points, **method}
 
 
 def _numeric(module: ModuleType) -> dict[str, int | float]:

@@ -125,7 +125,7 @@ INLINE double fit(const double *samples, int64_t apart, double place)
     for (int k = 0; k <= PARTS; k++) {
         double weight = 1.0;
         for (int i = 0; i <= PARTS; i++)
-            weight *= i == k ? 1.0 : (place - PLACES[i]) / (PLACES[k] - PLACES[i]);
+            weight *= i == k ? 1.0 : (place - scan_points[i]) / (scan_points[k] - scan_points[i]);
         value += weight * samples[k * apart];
     }
     return value;
@@ -191,13 +191,13 @@ APART int64_t resolve(const Run *run, const Stepper *s, double t, double h)
         if (w->kinds.at[k] & LINEAR || !is_near(ends, number))
             continue;
         for (; sampled < PARTS; sampled++)
-            if (probe(run, s, t, h, 0.5 * (PLACES[sampled] + PLACES[sampled + 1]), MIDDLES + sampled) < 0)
+            if (probe(run, s, t, h, 0.5 * (scan_points[sampled] + scan_points[sampled + 1]), MIDDLES + sampled) < 0)
                 return CALLBACK;
         double samples[2 * PARTS + 1], size = absolute(ends[0]), error = 0.0;
         samples[0] = ends[0];
         for (int j = 0; j < PARTS; j++) {
             samples[2 * j + 1] = middles[j * number], samples[2 * j + 2] = ends[(j + 1) * number];
-            const double guess = fit(ends, number, 0.5 * (PLACES[j] + PLACES[j + 1]));
+            const double guess = fit(ends, number, 0.5 * (scan_points[j] + scan_points[j + 1]));
             error = maximum(error, 2.0 * absolute(samples[2 * j + 1] - guess));
             size = maximum(size, maximum(absolute(samples[2 * j + 1]), absolute(samples[2 * j + 2])));
         }
@@ -224,7 +224,7 @@ APART double least_place(const Run *run, const Stepper *s, double t, double h, i
     const int64_t number = run->watch.words.at[EVENTS];
     const double *value = run->watch.values.at + DIVIDED * number + event;
     const double *samples = run->watch.values.at + (ENDS + i) * number + event;
-    double a = PLACES[i - 1], b = PLACES[i], c = PLACES[i + 1], error = 1.0 / 0.0;
+    double a = scan_points[i - 1], b = scan_points[i], c = scan_points[i + 1], error = 1.0 / 0.0;
     double za = side * samples[-number], zb = side * samples[0], zc = side * samples[number];
     const double rounding = ROUNDINGS * ROUNDING * maximum(za, maximum(zb, zc));
     if (!(za > 0.0 && zb > 0.0 && zc > 0.0))
@@ -236,8 +236,8 @@ APART double least_place(const Run *run, const Stepper *s, double t, double h, i
         if (!(bend > 0.0 && zb + 0.5 * slope * (place - b) <= 2.0 * error))
             return 2.0;
         /* beyond an end of the step it may err by a part */
-        const double first = part > 1 ? PLACES[part - 1] : -PLACES[1];
-        const double last = part < PARTS ? PLACES[part] : 2.0 - PLACES[PARTS - 1];
+        const double first = part > 1 ? scan_points[part - 1] : -scan_points[1];
+        const double last = part < PARTS ? scan_points[part] : 2.0 - scan_points[PARTS - 1];
         if (tries == 0 && !(place >= first && place <= last))
             return 2.0;
         if (place <= a || place >= c)
@@ -276,7 +276,7 @@ INLINE double find_dip(const Run *run, const Stepper *s, double t, double h, dou
             const double found = least_place(run, s, t, h, k, side, i, part);
             if (found == CALLBACK)
                 return CALLBACK;
-            if (found > left && found < minimum(first, PLACES[part]))
+            if (found > left && found < minimum(first, scan_points[part]))
                 first = found;
         }
     }
@@ -301,7 +301,7 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
     double *ends = w->values.at + ENDS * number, *known = w->values.at + PROBES * number;
     const double *located = w->values.at + LOCATED * number;
     for (int part = *known == t; part <= PARTS; part++)
-        if (probe(run, s, t, h, PLACES[part], ENDS + part) < 0)
+        if (probe(run, s, t, h, scan_points[part], ENDS + part) < 0)
             return called_back(run, logged);
     for (int64_t k = 0; k < number && *known != t; k++) /* what turns is not looked at everywhere */
         if (w->kinds.at[k] & TURNS && ends[k] != 0.0)
@@ -315,8 +315,8 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             return called_back(run, logged);
     }
     *known = UNKNOWN;
-    for (int part = 1; part <= PARTS; part += left == PLACES[part]) {
-        double right = PLACES[part];
+    for (int part = 1; part <= PARTS; part += left == scan_points[part]) {
+        double right = scan_points[part];
         const double *values = ends + part * number, dip = find_dip(run, s, t, h, left, part);
         if (dip < 0.0)
             return called_back(run, logged);
@@ -396,8 +396,8 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 sides[k] = 1;
             else if (values[k] < 0.0)
                 sides[k] = -1;
-            if (right == PLACES[part] && ends[(part - 1) * number + k] == 0.0 && ends[part * number + k] == 0.0)
-                note_rest(w, k, t + PLACES[part - 1] * h, t + right * h);
+            if (right == scan_points[part] && ends[(part - 1) * number + k] == 0.0 && ends[part * number + k] == 0.0)
+                note_rest(w, k, t + scan_points[part - 1] * h, t + right * h);
         }
         left = right;
     }

@@ -9,8 +9,8 @@
 
 #define SOME(which, value) where(which, (Real)(value), (Real)(0.0))
 
-/* A step is looked at in parts. Their ends have irrational ratios: no oscillation looks slow at all. */
-static const double PLACES[PARTS + 1] = {0.0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1.0};
+/* Fractions of a step at which events are evaluated. */
+static const double scan_points[] = SCAN_POINTS;
 
 /* The rows of watch.values: the end of a part that a dip divides, a located event, and the ends of the
    parts of the step, from its start on, and their middles. Behind them is the time at which the start is

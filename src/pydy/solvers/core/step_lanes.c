@@ -277,7 +277,11 @@ INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t good, cons
     const Lanes *l = &run->lanes;
     const int64_t bad = trial->working & ~good, undone = bad & (trial->missed | trial->unresolved);
     const Flags off = flags(trial->missed), some = flags(undone);
-    Real h = where(flags(good) & (trial->after == trial->goal), maximum(OF(size), a->next), a->next);
+    const int64_t refused = bad & ~undone & bits((a->error >= 1.0) & finite(a->error));
+    Real next = a->next;
+    if (run->lane_problem.tables.size > 0)
+        next = sizes_at_knots(&run->lane_problem, trial->t, trial->after, refused, good & a->again, next, next);
+    Real h = where(flags(good) & (trial->after == trial->goal), maximum(OF(size), next), next);
     h = where(some, AFTER_FAILURE * trial->size, h);
     const Real reason = where(some, where(off, (Real)(CONSTRAINTS_NOT_MET), (Real)(STEP_UNDERFLOW)), a->reason);
     SET(reason, flags(bad), reason);
@@ -374,6 +378,10 @@ INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t which, con
     Real h = OF(size);
     if (adaptive) {
         h = next_size(control, trial->size, a->error, OF(last_error), OF(growth));
+        const int64_t again = which & bits(OF(growth) == 1.0);
+        if (again != 0 && run->lane_problem.tables.size > 0)
+            h = sizes_at_knots(&run->lane_problem, trial->t, trial->after, 0, again, h,
+                next_size(control, trial->size, a->error, OF(last_error), (Real)(control[GROW])));
         /* shortened to end there */
         h = where(trial->after == trial->goal, maximum(OF(size), h), h);
         SET(last_error, good, maximum(a->error, (Real)(FIRST_ERROR)));
@@ -387,6 +395,8 @@ INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t which, con
             adaptive ? shorter_size(control, trial->size, a->error, measured) : (Real)(0.0);
         const Real reason = where(measured | far, (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE));
         h = where(bad, shorter, h);
+        if (adaptive && run->lane_problem.tables.size > 0)
+            h = sizes_at_knots(&run->lane_problem, trial->t, trial->after, bits(bad & measured), 0, h, h);
         SET(reason, bad, where(off, (Real)(CONSTRAINTS_NOT_MET), reason));
         SET(reason, bad, where(singular, (Real)(SINGULAR), reason));
     }
@@ -498,16 +508,16 @@ APART int64_t clear_lanes(const LaneRun *run)
 INLINE Flags may_dip(const Real *z)
 {
     Flags found = flags(0);
-    Real left = (z[1] - z[0]) / (PLACES[1] - PLACES[0]);
+    Real left = (z[1] - z[0]) / (scan_points[1] - scan_points[0]);
     for (int i = 1; i < PARTS; i++) {
-        const double a = PLACES[i - 1], b = PLACES[i], c = PLACES[i + 1];
+        const double a = scan_points[i - 1], b = scan_points[i], c = scan_points[i + 1];
         const Real right = (z[i + 1] - z[i]) / (c - b);
         const Flags bent = (right > left) & (z[i - 1] > 0.0);
         if (bits(bent) != 0) {
             const Real bend = (right - left) / (c - a), slope = left + bend * (b - a);
             const Real place = b - 0.5 * slope / bend;
-            const double first = i > 1 ? a : -PLACES[1];
-            const double last = i + 1 < PARTS ? c : 2.0 - PLACES[PARTS - 1];
+            const double first = i > 1 ? a : -scan_points[1];
+            const double last = i + 1 < PARTS ? c : 2.0 - scan_points[PARTS - 1];
             found = found | (bent & (place >= first) & (place <= last));
         }
         left = right;
@@ -536,12 +546,12 @@ APART int64_t quiet_lanes(const LaneRun *run, const Stepper *s, int64_t look, co
     const Flags unknown = item(w->known.at, 0) != item(run->lanes.time.at, 0);
     int64_t failed = 0;
     if ((bits(unknown) & look) != 0) {
-        failed |= probe_lanes(run, s, PLACES[0], w->further.at) & bits(unknown);
+        failed |= probe_lanes(run, s, scan_points[0], w->further.at) & bits(unknown);
         for (int64_t k = 0; k < number; k++)
             put(w->ends.at, k, where(unknown, item(w->further.at, k), item(w->ends.at, k)));
     }
     for (int part = 1; part <= PARTS; part++)
-        failed |= probe_lanes(run, s, PLACES[part], w->ends.at + part * number * W);
+        failed |= probe_lanes(run, s, scan_points[part], w->ends.at + part * number * W);
     Flags quiet = flags(look & ~failed);
     for (int64_t k = 0; k < number; k++) {
         const Real side = item(w->sides.at, k);

@@ -1,4 +1,4 @@
-; sources 47845086b17559891b8cf48c073927c65f4b7ca2618131b3b49f4586a9fd2df2
+; sources fe4db6d3ccf2bb72fe4cb592cc2bf064b199fa876113a0f79c0083857df9aebb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 685d979da0e21e3bb613cb2d45f4c9cddca4e1250a2a322d58a58845e0e3959c
+; sources deeab55c84562b6ac640de85012b35a48a50139b97700ca9436ea15e4b1a022d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

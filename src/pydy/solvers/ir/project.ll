@@ -1,4 +1,4 @@
-; sources a43ffb530cc36d5b5253e4527b3d0ad7b12a1d45135fb0e31ed428aa045fd0d2
+; sources 3a4a678cb054cff83b22f14ca89d20bf4590b914cbf3972cd80a85838e4667f3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 105b5bb5bb208e510f67dceef51953aa57781bd02444bd9852b67d07d4bc51b0
+; sources c177d95d9621a9e3ad7cefc22cd7bf7a8991faa354ae038e967d63aef259b874
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

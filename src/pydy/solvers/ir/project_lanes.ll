@@ -1,4 +1,4 @@
-; sources 285414951fd54a14565feb3257211bf01ed6ee50df47e07ad4af89ed4de0a7a1
+; sources 037e54ac04a487705df9c13cd2e94e684034331044bf2c927da0e221bc7fd3ac
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

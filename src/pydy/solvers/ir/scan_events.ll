@@ -1,9 +1,9 @@
-; sources acfb8f5541502ce60444a9d0b03b4cba4b65ffb4e2a10753ffa2f6c792d24c4a
+; sources 071fb5939804b170e978d345350793d3b3eeb191fe0ab5432695dacd2bed3c13
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
 
-@PLACES = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
+@scan_points = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
 
 define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0 {
   %4 = alloca %struct.Stepper, align 8
@@ -66,7 +66,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 
 51:                                               ; preds = %3, %44
   %52 = phi i64 [ %43, %3 ], [ %45, %44 ]
-  %53 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %52
+  %53 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %52
   %54 = load double, ptr %53, align 8
   %55 = add nuw nsw i64 %52, 2
   %56 = load ptr, ptr %34, align 8
@@ -332,7 +332,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %251 = phi double [ 0.000000e+00, %193 ], [ %1047, %1050 ]
   %252 = phi i32 [ 1, %193 ], [ %1053, %1050 ]
   %253 = zext nneg i32 %252 to i64
-  %254 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %253
+  %254 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %253
   %255 = load double, ptr %254, align 8
   %256 = mul nsw i64 %12, %253
   %257 = load ptr, ptr %9, align 8
@@ -348,7 +348,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %265 = tail call i32 @llvm.smin.i32(i32 %252, i32 3)
   %266 = icmp sgt i32 %264, %265
   %267 = zext nneg i32 %252 to i64
-  %268 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %267
+  %268 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %267
   br label %272
 
 269:                                              ; preds = %299
@@ -1416,7 +1416,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %992 = sext i32 %991 to i64
   %993 = mul nsw i64 %12, %992
   %994 = getelementptr double, ptr %28, i64 %993
-  %995 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %992
+  %995 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %992
   %996 = fmul double %349, %2
   %997 = fadd double %996, %1
   br label %998
@@ -1674,10 +1674,10 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   br i1 %101, label %102, label %159
 
 102:                                              ; preds = %99
-  %103 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %100
+  %103 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %100
   %104 = load double, ptr %103, align 8
   %105 = add nsw i64 %100, 1
-  %106 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %105
+  %106 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %105
   %107 = load double, ptr %106, align 8
   %108 = fadd double %104, %107
   %109 = fmul double %108, 5.000000e-01
@@ -1780,9 +1780,9 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %183 = add nuw nsw i64 %176, 2
   %184 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %183
   store double %182, ptr %184, align 16
-  %185 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %170
+  %185 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %170
   %186 = load double, ptr %185, align 8
-  %187 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %179
+  %187 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %179
   %188 = load double, ptr %187, align 8
   %189 = fadd double %186, %188
   %190 = fmul double %189, 5.000000e-01
@@ -1791,7 +1791,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 191:                                              ; preds = %169, %195
   %192 = phi i64 [ 0, %169 ], [ %201, %195 ]
   %193 = phi double [ 0.000000e+00, %169 ], [ %200, %195 ]
-  %194 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %192
+  %194 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %192
   br label %203
 
 195:                                              ; preds = %214
@@ -1811,7 +1811,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   br i1 %206, label %214, label %207
 
 207:                                              ; preds = %203
-  %208 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %204
+  %208 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %204
   %209 = load double, ptr %208, align 8
   %210 = fsub double %190, %209
   %211 = load double, ptr %194, align 8
@@ -2560,22 +2560,22 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %39 = select i1 %38, double %24, double %37
   %40 = add nsw i32 %6, 1
   %41 = sext i32 %40 to i64
-  %42 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %41
+  %42 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %41
   %43 = load double, ptr %42, align 8
   %44 = sext i32 %6 to i64
-  %45 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %44
+  %45 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %44
   %46 = load double, ptr %45, align 8
   %47 = add nsw i32 %6, -1
   %48 = sext i32 %47 to i64
-  %49 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %48
+  %49 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %48
   %50 = load double, ptr %49, align 8
   %51 = icmp sgt i32 %7, 1
   %52 = add nsw i32 %7, -1
   %53 = zext nneg i32 %52 to i64
-  %54 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %53
+  %54 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %53
   %55 = icmp slt i32 %7, 4
   %56 = sext i32 %7 to i64
-  %57 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %56
+  %57 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %56
   %58 = getelementptr inbounds i8, ptr %0, i64 144
   %59 = getelementptr inbounds i8, ptr %0, i64 1032
   %60 = getelementptr inbounds i8, ptr %1, i64 16

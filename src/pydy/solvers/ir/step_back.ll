@@ -1,4 +1,4 @@
-; sources cf7476f3c9c4d1c811098c6950ee1a7239d54a4177569de40b6b6a2f9c618c6e
+; sources a7fdae40622d3269199f163203549e8d98e22f3a6613e253084e8c756106bea6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

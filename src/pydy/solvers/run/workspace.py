@@ -168,6 +168,7 @@ class Workspace:
         self.name, self.n, self.options = method, n, options
         self.interrupts = interrupts or Interrupts()
         self._f, self._args = f, args
+        self.rebound = False  # whether it has other times or numbers than at first
         self.callbacks: list[Callback] = []
         self._bound: list[KernelBinding] = []
         native = getattr(f, "native", None)
@@ -267,7 +268,7 @@ class Workspace:
             self.progress = self.progress._replace(times=other)
             self._table[self._after_times - 3 : self._after_times] = rows_of((other,))
         self.beginning.state[at.TIME] = times[0]
-        self.call = call
+        self.call, self.rebound = call, True
         return True
 
     def retune(self, options: Options) -> bool:

@@ -6,7 +6,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from oracles.oracle import Oracle
-from pydy._mechanics.formulations import without_idle
+from pydy._mechanics.formulations import without_cancelling_forces
 from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import Model, T, _numbers, inertial_frame
@@ -18,7 +18,7 @@ def test_what_cancels_is_left_out_and_what_contributes_is_not():
     r, k = sm.symbols("r k")
     u, first, second = (sm.Function(name)(T) for name in ("u", "F", "G"))
     forcing = [r * (first - k * u) - r * first, second * u]
-    kept = without_idle(forcing, [first + second - u], {u})
+    kept = without_cancelling_forces(forcing, [first + second - u], {u})
     assert sm.simplify(sm.Matrix(kept) - sm.Matrix([-r * k * u, second * u])) == sm.zeros(2, 1)
     assert first not in kept[0].atoms(sm.Function)
 
@@ -40,13 +40,13 @@ HEIGHT, FORCE = (sm.Function(name)(T) for name in ("h", "R"))
 )
 def test_a_force_that_acts_in_some_states_only_is_kept(share):
     forcing = [-FORCE * share - HEIGHT]
-    assert without_idle(forcing, [FORCE], {HEIGHT}) == tuple(forcing)
+    assert without_cancelling_forces(forcing, [FORCE], {HEIGHT}) == tuple(forcing)
 
 
 def test_an_identity_of_angles_is_seen_beside_what_is_known_in_parts():
     identity = sm.sin(HEIGHT) ** 2 + sm.cos(HEIGHT) ** 2 - 1
     forcing = [FORCE * identity * sm.Max(HEIGHT - 9, 0) - HEIGHT]
-    assert without_idle(forcing, [FORCE], {HEIGHT}) == (-HEIGHT,)
+    assert without_cancelling_forces(forcing, [FORCE], {HEIGHT}) == (-HEIGHT,)
 
 
 @pytest.mark.parametrize("equations", [None, "graph", "method"])
