@@ -28,8 +28,9 @@ def aerodynamic_loads(
 ) -> list[Load]:
     """Return the load of the air on a vehicle that moves through it, by its forward speed.
 
-    With the speed u of the point along `forward` it is −½ ρ c_d A u |u| forward and ½ ρ c_l A u²
-    along `up`.
+    With the speed u of the point along `forward` it has the components ::
+
+        F_forward = −½ ρ c_d A u |u|    F_up = ½ ρ c_l A u²
 
     Parameters
     ----------
