@@ -355,7 +355,11 @@ def test_methods_of_system_document_and_call():
 
 
 # Where small numbers are data: coefficients, models, documented defaults.
-DATA = ("pydy._backends.llvm.sincos", "pydy.solvers.tableaus", "pydy.examples")
+DATA = (
+    *("pydy._backends.llvm.sincos", "pydy.solvers.tableaus", "pydy.examples"),
+    "pydy._backends.llvm.arctangent",
+    "pydy.vehicles.commonroad",
+)
 DEFAULTS = ("pydy.solvers.options", "pydy.export.fmu")
 
 

@@ -67,6 +67,19 @@ def time_of(function: Callable[[], Any]) -> float:
     return time.perf_counter() - start
 
 
+def processor_time(function: Callable[[], Any], least: float = 0.03) -> float:
+    """Return the seconds of processor time per call, of calls for at least `least` seconds."""
+    number = 1
+    while True:
+        start = time.process_time()
+        for _ in range(number):
+            function()
+        seconds = time.process_time() - start
+        if seconds >= least:
+            return seconds / number
+        number *= 2
+
+
 class Repeated:
     """Seconds per call of a short function, in runs of at least `least` seconds."""
 

@@ -220,3 +220,14 @@ def test_what_is_no_car_is_refused():
         step_steer(single_track(UNDERSTEER), 2.0)
     with pytest.raises(ValueError, match="at least three positive ascending numbers"):
         steady_turn(single_track(UNDERSTEER), 100.0, [2.0, 1.0, 3.0])
+
+
+def test_what_a_steady_turn_solves_for_is_checked():
+    system = single_track(UNDERSTEER, free_speed=True)
+    accelerations = [1.0, 2.0, 3.0]
+    with pytest.raises(ValueError, match="`inputs` must have 'delta', the steering angle"):
+        steady_turn(system, 100.0, accelerations, inputs="F_x")
+    with pytest.raises(ValueError, match=r"`inputs` must be one of .*, got 'brake'"):
+        steady_turn(system, 100.0, accelerations, inputs=("delta", "brake"))
+    with pytest.raises(TypeError, match="`position` must be the names of two coordinates"):
+        steady_turn(system, 100.0, accelerations, position="xy")

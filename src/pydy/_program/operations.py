@@ -291,7 +291,7 @@ _function(
     sympy="acos",
 )  # fmt: skip
 _function(
-    "atan", np.arctan, "libm atan",
+    "atan", np.arctan, "arctangent",
     lambda g, n, x: (g.powi(g.sum([(g.powi(x, 2), 1.0)], 1.0), -1),), parity=-1, sympy="atan",
 )  # fmt: skip
 _function(

@@ -1,4 +1,4 @@
-"""Vehicles: tires and their forces at the road, single-track cars and their handling.
+"""Vehicles: tires and their forces at the road, cars and their handling.
 
 `read_tir` reads a tire property file, `MagicFormula` makes a tire of it; `LinearTire`, `BrushTire`
 and `TMeasy` need a few parameters only. A tire is asked for its forces with numbers, arrays, or
@@ -7,7 +7,10 @@ for a wheel that moves freely, on a plane or a `RoadSurface`; `iso_road` makes r
 `fit_tire` fits the parameters of a tire to measurements.
 
 `single_track` makes a System of a car, `CARS` has constants of some, `linear_handling` the closed
-forms of the linear one. `step_steer` and `steady_turn` are manoeuvres of a System.
+forms of the linear one. `step_steer`, `steady_turn` and `lane_change` are manoeuvres of a
+System. `commonroad_car` has models of the CommonRoad benchmarks. `double_track` makes a System of a
+car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles.machines` has
+motors, differentials and the air for models of your own.
 """
 
 import lazy_loader
@@ -16,6 +19,8 @@ __getattr__, _, _ = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [
     "CARS",
     "BrushTire",
+    "DoubleTrackCar",
+    "LaneChange",
     "LinearHandling",
     "LinearTire",
     "MagicFormula",
@@ -29,8 +34,12 @@ __all__ = [
     "TireFit",
     "TireForces",
     "WheelContact",
+    "car_trailer",
+    "commonroad_car",
+    "double_track",
     "fit_tire",
     "iso_road",
+    "lane_change",
     "linear_handling",
     "plot_tire",
     "plot_tire_carpet",

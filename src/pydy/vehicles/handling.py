@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pydy._checks import instance, real_array, shown
-from pydy.plot import rows_of_axes
-from pydy.vehicles.single_track import SingleTrackCar
+from pydy.plot import axes_of, rows_of_axes
+from pydy.vehicles.cars import SingleTrackCar
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -79,6 +79,28 @@ class LinearHandling:
             ax.grid(alpha=0.3)
         rows[-1].set_xlabel("speed (m/s)")
         return np.array(rows)
+
+    def plot_eigenvalues(self, ax: Axes | None = None) -> Axes:
+        """Plot how the eigenvalues of v and r move in the complex plane with the speed.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Where to draw; a new figure by default.
+
+        Returns
+        -------
+        matplotlib Axes
+        """
+        ax = axes_of(ax, "pydy.vehicles")
+        values = self.eigenvalues.ravel()
+        points = ax.scatter(values.real, values.imag, c=np.repeat(self.speeds, 2), s=12)
+        ax.figure.colorbar(points, ax=ax, label="speed (m/s)")
+        ax.axvline(0.0, color="0.7", linewidth=0.8)
+        ax.set_xlabel("real part (1/s)")
+        ax.set_ylabel("imaginary part (1/s)")
+        ax.grid(alpha=0.3)
+        return ax
 
 
 def linear_handling(car: SingleTrackCar, speeds: Sequence[float] | float) -> LinearHandling:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._checks import instance, number, positive, real_array, shown
+from pydy._checks import instance, number, one_or_more, positive, real_array, shown
 from pydy._errors import EquilibriumError, warn_user
 from pydy._names import some
 from pydy.plot import axes_of
@@ -137,8 +137,8 @@ def step_steer(
             f"more, got {angle!r}."
         )
     duration = positive(duration, "`duration`", finite=True)
-    _check_name(quantity, "quantity", [*_names(system.states), *map(str, system.outputs)])
-    _check_name(steering, "steering", _names(system.specifieds_symbols))
+    check_name(quantity, "quantity", [*names_of(system.states), *map(str, system.outputs)])
+    check_name(steering, "steering", names_of(system.specifieds_symbols))
     car = copy(system)
     car.specifieds = {**car.specifieds, steering: angle}
     car.times = np.linspace(0.0, duration, _SAMPLES)
@@ -239,11 +239,13 @@ def steady_turn(
     steering: str = "delta",
     speed: str = "u",
     yaw_rate: str = "r",
+    position: Sequence[str] = ("x", "y", "psi"),
+    inputs: Sequence[str] | None = None,
 ) -> SteadyTurn:
     """Drive a car around a circle of constant radius at several speeds (ISO 4138).
 
     For each lateral acceleration, speed and yaw rate are given, and `System.find_equilibrium`
-    solves for the other speeds and all specifieds: the steering angle, and the driving force if
+    solves for the other states and the specifieds: the steering angle, and the driving force if
     the speed is free.
 
     Parameters
@@ -257,6 +259,11 @@ def steady_turn(
     steering, speed, yaw_rate : str, optional
         The specified that is the steering angle; the state or constant that is the forward speed;
         the state that is the yaw rate.
+    position : three of str, optional
+        The coordinates that keep changing: those of a point and the yaw angle.
+    inputs : sequence of str, optional
+        The specifieds that are solved for, all by default; others keep their values. There are as
+        many as speeds that would change without them: for `double_track` ``('delta', 'T_drive')``.
 
     Returns
     -------
@@ -294,19 +301,32 @@ def steady_turn(
             "`accelerations` must be at least three positive ascending numbers, got "
             f"{shown(accelerations)}."
         )
-    inputs = _names(system.specifieds_symbols)
-    states = _names(system.speeds)
-    _check_name(steering, "steering", inputs)
-    _check_name(yaw_rate, "yaw_rate", states)
-    _check_name(speed, "speed", [*states, *_names(system.constants_symbols)])
-    unknowns = [name for name in states if name not in (speed, yaw_rate)] + sorted(inputs)
+    specifieds = names_of(system.specifieds_symbols)
+    states = names_of(system.speeds)
+    check_name(steering, "steering", specifieds)
+    solved = sorted(specifieds) if inputs is None else one_or_more("inputs", inputs)
+    for name in solved:
+        check_name(name, "inputs", specifieds)
+    if steering not in solved:
+        raise ValueError(f"`inputs` must have {steering!r}, the steering angle, got {inputs!r}.")
+    coordinates = names_of(system.coordinates)
+    for k, name in enumerate(three_names(position)):
+        check_name(name, f"position[{k}]", coordinates)
+    internal = [name for name in coordinates if name not in position]
+    check_name(yaw_rate, "yaw_rate", states)
+    check_name(speed, "speed", [*states, *names_of(system.constants_symbols)])
+    unknowns = [n for n in states if n not in (speed, yaw_rate)] + internal + list(solved)
     speeds = np.sqrt(targets * radius)
-    start: dict[Any, float] = {}
+    start = _rolling(system, speed, speeds[0]) if speed in states else {}
     solutions: list[Equilibrium] = []
+    before = speeds[0]
     for target, u in zip(targets, speeds, strict=True):
-        values = {**start, speed: float(u), yaw_rate: float(u) / radius}
+        # Wheels roll: their speeds begin in proportion to that of the car.
+        rolling = {name: start[name] * u / before for name in states if name in start}
+        values = {**start, **rolling, speed: float(u), yaw_rate: float(u) / radius}
+        before = u
         try:
-            turn = system.find_equilibrium(unknowns, values, moving=system.coordinates)
+            turn = system.find_equilibrium(unknowns, values, moving=list(position))
         except EquilibriumError:
             if len(solutions) < 3:
                 raise
@@ -329,10 +349,29 @@ def steady_turn(
     )
 
 
-def _names(symbols: Any) -> list[str]:
+def _rolling(system: System, speed: str, u: float) -> dict[Any, float]:
+    """Return the initial speeds of a car in proportion to another forward speed."""
+    initial = {name: system.initial_conditions.get(name, 0.0) for name in names_of(system.speeds)}
+    forward = initial.pop(speed)
+    return {name: value * u / forward for name, value in initial.items()} if forward > 0.0 else {}
+
+
+def three_names(position: Any) -> list[Any]:
+    """Return the names of two coordinates and the yaw angle, or raise an error."""
+    if not isinstance(position, (list, tuple)) or len(position) != 3:
+        raise TypeError(
+            "`position` must be the names of two coordinates and the yaw angle, got "
+            f"{shown(position)}."
+        )
+    return list(position)
+
+
+def names_of(symbols: Any) -> list[str]:
+    """Return the names of symbols, without (t)."""
     return [str(symbol).removesuffix("(t)") for symbol in symbols]
 
 
-def _check_name(name: Any, argument: str, known: Sequence[str]) -> None:
+def check_name(name: Any, argument: str, known: Sequence[str]) -> None:
+    """Refuse what is none of the known names."""
     if not isinstance(name, str) or name not in known:
         raise ValueError(f"`{argument}` must be one of {some(known)}, got {shown(name)}.")

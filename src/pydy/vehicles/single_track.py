@@ -1,10 +1,8 @@
-"""The single-track car: its constants, published values of them, and its System."""
+"""The single-track car: two axles on a level road."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
-from types import MappingProxyType
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -14,66 +12,8 @@ import sympy.physics.mechanics as me
 from pydy._checks import flag, instance, positive, shown
 from pydy.mechanics import Definition
 from pydy.system import System
+from pydy.vehicles.cars import GRAVITY, SingleTrackCar
 from pydy.vehicles.forces import Tire
-
-_GRAVITY = 9.81  # m/s², as in the source of `CARS`
-
-
-@dataclass(frozen=True)
-class SingleTrackCar:
-    """Constants of a single-track car: the wheels of an axle are one, in the middle.
-
-    Parameters
-    ----------
-    mass : float
-        m (kg).
-    yaw_inertia : float
-        I (kg m²), about the vertical axis through the mass centre.
-    front, rear : float
-        Distances a and b (m) of the axles from the mass centre.
-    front_stiffness, rear_stiffness : float
-        Cornering stiffnesses C_f and C_r (N/rad) of the axles, both wheels together.
-
-    Examples
-    --------
-    >>> from pydy.vehicles import SingleTrackCar
-    >>> SingleTrackCar(1500, 2500, 1.2, 1.5, 90e3, 110e3).wheelbase
-    2.7
-    """
-
-    mass: float
-    yaw_inertia: float
-    front: float
-    rear: float
-    front_stiffness: float
-    rear_stiffness: float
-
-    def __post_init__(self) -> None:
-        for field in fields(self):
-            value = positive(getattr(self, field.name), f"`{field.name}`", finite=True)
-            object.__setattr__(self, field.name, value)
-
-    @property
-    def wheelbase(self) -> float:
-        """The distance a + b (m) of the axles."""
-        return self.front + self.rear
-
-
-def _of_load(mass: float, yaw_inertia: float, front: float, rear: float) -> SingleTrackCar:
-    """Return a car of CommonRoad: the stiffness of an axle is 21.92/rad times its load."""
-    stiffness = 21.92 * mass * _GRAVITY / (front + rear)
-    return SingleTrackCar(mass, yaw_inertia, front, rear, stiffness * rear, stiffness * front)
-
-
-# Vehicles 1 to 3 of M. Althoff and G. Würsching, CommonRoad: Vehicle Models, 2020, with the numbers
-# of the package commonroad-vehicle-models 3.0.2: m, I_z, a, b and −p_ky1 = 21.92.
-CARS: Mapping[str, SingleTrackCar] = MappingProxyType(
-    {
-        "ford_escort": _of_load(1225.8878467253344, 1538.8533713561394, 0.88392, 1.50876),
-        "bmw_320i": _of_load(1093.2952334674046, 1791.5995300122856, 1.1561957064, 1.4227170936),
-        "vw_vanagon": _of_load(1478.8979637767998, 2473.1176915564442, 1.1507916024, 1.3211363976),
-    }
-)
 
 
 def single_track(
@@ -129,7 +69,7 @@ def single_track(
     instance(car, SingleTrackCar, "`car`", "a SingleTrackCar, such as one of CARS")
     speed = positive(speed, "`speed`", finite=True)
     free_speed = flag(free_speed, "`free_speed`")
-    axle_tires = _pair(tires)
+    axle_tires = tires_of_axles(tires)
     x, y, psi, v, r, delta, F_x = me.dynamicsymbols("x y psi v r delta F_x")
     m, inertia, a, b, C_f, C_r, g = sm.symbols("m I a b C_f C_r g")
     u = me.dynamicsymbols("u") if free_speed else sm.Symbol("u")
@@ -174,7 +114,7 @@ def single_track(
     if axle_tires is None:
         constants |= {C_f: car.front_stiffness, C_r: car.rear_stiffness}
     else:
-        constants[g] = _GRAVITY
+        constants[g] = GRAVITY
     if not free_speed:
         constants[u] = speed
     return System(
@@ -192,7 +132,8 @@ def single_track(
     )
 
 
-def _pair(tires: Any) -> tuple[Any, Any] | None:
+def tires_of_axles(tires: Any) -> tuple[Any, Any] | None:
+    """Return the tires of the front and the rear axle, or None."""
     if tires is None:
         return None
     pair = (tires, tires) if hasattr(tires, "forces") else tires

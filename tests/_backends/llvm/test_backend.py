@@ -182,6 +182,41 @@ def test_sine_and_cosine_are_right_to_the_last_place(lanes):
     assert max(ulps) <= 1.0
 
 
+def arguments_of_arctangents():
+    rng = np.random.default_rng(1)
+    starts = np.array([7 / 16, 11 / 16, 19 / 16, 39 / 16])
+    around = (starts[:, None] * (1 + np.arange(-20, 21) * 2.0**-52)).ravel()
+    every_size = 10.0 ** rng.uniform(-320, 308, 400)
+    return np.concatenate([around, -around, every_size, -every_size, rng.normal(size=400) * 2])
+
+
+@every_width
+def test_arctangents_are_right_to_the_last_place(lanes):
+    x = arguments_of_arctangents()
+    found = arctangents(x, lanes)
+    with mp.workprec(1200):
+        exact = [mp.atan(mp.mpf(float(v))) for v in x]
+        ulps = [
+            float(abs(mp.mpf(float(a)) - b)) / np.spacing(abs(float(b)))
+            for a, b in zip(found, exact, strict=True)
+        ]
+    assert max(ulps) <= 1.0
+    assert found.tobytes() == arctangents(x, 1).tobytes()
+
+
+@every_width
+def test_arctangents_of_zeros_infinities_and_no_numbers(lanes):
+    x = np.array([0.0, -0.0, np.inf, -np.inf, np.nan, 5e-324, -5e-324, 1.7e308])
+    assert arctangents(x, lanes).tobytes() == np.arctan(x).tobytes()
+
+
+def arctangents(x, lanes):
+    kernel = LLVMBackend(lanes=lanes).compile(program_of([sm.atan(X[0])]))
+    states = np.zeros((len(x), 4))
+    states[:, 0] = x
+    return kernel.evaluate(np.zeros(len(x)), states, np.empty((1, 0)), np.zeros(3))[0][:, 0]
+
+
 # -- lanes ----------------------------------------------------------------------------------------
 
 

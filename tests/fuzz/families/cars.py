@@ -6,25 +6,39 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from fuzz.kinds import Kind, RefusedError, array, nothing, real
+from fuzz.families.tires import _amount as amount, _inputs as inputs
+from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
 from fuzz.table import flags, one_of, plotted, target
 from pydy.system import System
 from pydy.vehicles import (
     CARS,
+    DoubleTrackCar,
     LinearHandling,
     SingleTrackCar,
     SteadyTurn,
     StepResponse,
+    car_trailer,
+    commonroad_car,
+    double_track,
+    lane_change,
     linear_handling,
     single_track,
     steady_turn,
     step_steer,
 )
+from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
 
 _FIELDS = {
     "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,
     "front_stiffness": 9e4, "rear_stiffness": 1.1e5,
+}  # fmt: skip
+_DOUBLE = {
+    **_FIELDS,
+    "height": 0.6, "front_track": 1.4, "rear_track": 1.4, "wheel_radius": 0.3,
+    "wheel_inertia": 1.5, "front_roll_share": 0.5, "front_drive_share": 0.0,
+    "front_brake_share": 0.7,
 }  # fmt: skip
 _car = CARS["bmw_320i"]
 _things = nothing("texts", "symbols")
@@ -43,6 +57,30 @@ for _name in _FIELDS:
     @target(f"SingleTrackCar.{_name}", _positive)
     def _(v, name=_name):
         return repr(SingleTrackCar(**{**_FIELDS, name: v}))
+
+
+_share = Kind(real(least=0.0, most=1.0).read, ("common", "numbers"), compare=False)
+
+for _name in _DOUBLE:
+
+    @target(f"DoubleTrackCar.{_name}", _share if _name.endswith("share") else _positive)
+    def _(v, name=_name):
+        return repr(DoubleTrackCar(**{**_DOUBLE, name: v}))
+
+
+@target("commonroad_car.vehicle", choice(*CARS))
+def _(v):
+    return str(commonroad_car(v))
+
+
+@target("commonroad_car.model", choice("ST", "STD"))
+def _(v):
+    return str(commonroad_car("bmw_320i", v))
+
+
+@target("commonroad_car.speed", _positive)
+def _(v):
+    return str(commonroad_car("bmw_320i", speed=v).initial_conditions)
 
 
 @target("single_track.car", _things)
@@ -138,11 +176,175 @@ for _name in ("system", "accelerations"):
         return _turn(**{name: v}).angles
 
 
+@target("steady_turn.position", nothing("texts", "symbols"))
+def _(v):
+    return _turn(position=v).angles
+
+
+@target("steady_turn.inputs", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return _turn(inputs=v).angles
+
+
 for _name in ("steering", "speed", "yaw_rate"):
 
     @target(f"steady_turn.{_name}", _names)
     def _(v, name=_name):
         return _turn(**{name: v}).angles
+
+
+@target("double_track.car", _things)
+def _(v):
+    return str(double_track(v))
+
+
+@target("double_track.tires", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return str(double_track(_car, v))
+
+
+@target("double_track.differential", choice("open", "locked"))
+def _(v):
+    return str(double_track(_car, differential=v))
+
+
+@target("double_track.speed", _positive)
+def _(v):
+    return str(double_track(_car, speed=v).initial_conditions)
+
+
+@target("double_track.lag", _positive)
+def _(v):
+    return str(double_track(_car, lag=v).constants)
+
+
+_not_negative = Kind(real(least=0.0).read, ("common", "numbers"), compare=False)
+
+
+@target("double_track.drag_area", _not_negative)
+def _(v):
+    return str(double_track(_car, drag_area=v).constants)
+
+
+def _two(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise RefusedError
+    return [_not_negative.read(x) for x in value]
+
+
+@target("double_track.downforce_areas", Kind(_two, _common, compare=False))
+def _(v):
+    return str(double_track(_car, downforce_areas=v).constants)
+
+
+_TRAILER = {
+    "mass": 1200.0, "yaw_inertia": 2500.0, "length": 4.0, "stiffness": 7e4, "speed": 20.0,
+    "hitch": 2.5, "centre": 4.2,
+}  # fmt: skip
+_finite = Kind(real().read, ("common", "numbers"), compare=False)
+
+for _name in _TRAILER:
+
+    @target(f"car_trailer.{_name}", _finite if _name in ("hitch", "centre") else _positive)
+    def _(v, name=_name):
+        return str(car_trailer(_car, **{**_TRAILER, name: v}).constants)
+
+
+@target("car_trailer.car", _things)
+def _(v):
+    return str(car_trailer(v, **_TRAILER))
+
+
+for _name in ("torque", "left", "right"):
+
+    @target(f"differential_torques.{_name}", inputs)
+    def _(v, name=_name):
+        return str(differential_torques(**{"torque": 1.0, "left": 2.0, "right": 3.0, name: v}))
+
+
+for _name, _kind in {
+    **dict.fromkeys(("preload", "viscosity"), amount(least=0.0)),
+    "bias": amount(least=0.0, most=1.0),
+    "transition": amount(above=0.0),
+}.items():
+
+    @target(f"differential_torques.{_name}", _kind)
+    def _(v, name=_name):
+        return str(differential_torques(1.0, 2.0, 3.0, **{name: v}))
+
+
+@target("motor_torque.speed", inputs)
+def _(v):
+    return str(motor_torque(v, [0.0, 1.0], [2.0, 3.0]))
+
+
+@target("motor_torque.ratio", _positive)
+def _(v):
+    return str(motor_torque(0.5, [0.0, 1.0], [2.0, 3.0], ratio=v))
+
+
+_ascending = array((2,), check=lambda a: np.isfinite(a).all() and a[0] < a[1])
+_numbers = array((2,), check=lambda a: np.isfinite(a).all())
+
+for _name, _kind in (("speeds", _ascending), ("torques", _numbers)):
+
+    @target(f"motor_torque.{_name}", _kind)
+    def _(v, name=_name):
+        return motor_torque(0.5, **{"speeds": [0.0, 1.0], "torques": [2.0, 3.0], name: v})
+
+
+@cache
+def _moving() -> Any:
+    N, P = ReferenceFrame("N"), Point("P")
+    P.set_vel(N, dynamicsymbols("u") * N.x)
+    return {"point": P, "forward": N.x, "up": N.z, "frame": N, "drag_area": 0.6}
+
+
+for _name, _kind in {
+    **dict.fromkeys(("point", "forward", "up", "frame"), _things),
+    "drag_area": amount(least=0.0),
+    "lift_area": amount(),
+    "density": amount(above=0.0),
+}.items():
+
+    @target(f"aerodynamic_loads.{_name}", _kind)
+    def _(v, name=_name):
+        return str(aerodynamic_loads(**{**_moving(), name: v}))
+
+
+def _change(**arguments: Any) -> Any:
+    return lane_change(**{"system": _system(), "width": 1.6, **arguments}).clearances
+
+
+for _name in ("width", "length", "preview"):
+
+    @target(f"lane_change.{_name}", Kind(real(above=0.0, below=1e6).read, _common, compare=False))
+    def _(v, name=_name):
+        return _change(**{name: v})
+
+
+@target("lane_change.gain", Kind(real().read, _common, compare=False).or_none())
+def _(v):
+    return _change(gain=v)
+
+
+@target("lane_change.track", choice("ISO 3888-1", "ISO 3888-2"))
+def _(v):
+    return _change(track=v)
+
+
+for _name in ("system", "position"):
+
+    @target(f"lane_change.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return _change(**{name: v})
+
+
+for _name in ("steering", "speed", "yaw_rate"):
+
+    @target(f"lane_change.{_name}", _names)
+    def _(v, name=_name):
+        return _change(**{name: v})
 
 
 @cache
@@ -163,6 +365,16 @@ def _turns() -> SteadyTurn:
 @target("LinearHandling.plot.axes", _ax)
 def _(v):
     return str(plotted(_handling().plot, v))
+
+
+@target("LinearHandling.plot_eigenvalues.ax", _ax)
+def _(v):
+    return str(plotted(_handling().plot_eigenvalues, v))
+
+
+@target("LaneChange.plot.ax", _ax)
+def _(v):
+    return str(plotted(lane_change(_system(), 1.6).plot, v))
 
 
 @target("StepResponse.plot.ax", _ax)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
 
+from pydy._backends.llvm.arctangent import arctangent_name
 from pydy._backends.llvm.ir import WIDTHS, IrFunction, literal, suffix, vector_type
 from pydy._backends.llvm.plan import RegisterAllocator, ValueLocation, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_together
@@ -524,6 +525,9 @@ class Emitter:
     def _call(self, node: int, name: str, args: tuple[int, ...]) -> None:
         text = ", ".join(f"{self.v} {self.names[k]}" for k in args)
         self.names[node] = self.f.let(f"call {self.v} @{name}({text})")
+
+    def _arctangent(self, node: int, word: str, a: int) -> None:
+        self._call(node, arctangent_name(self.lanes), (a,))
 
     def _sincos(self, node: int, word: str, angle: int) -> None:
         if angle not in self.angles:

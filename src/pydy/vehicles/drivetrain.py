@@ -1,0 +1,147 @@
+"""What drives wheels: the torque of a motor over its speed, and how a differential divides it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import positive, real_array, shown
+from pydy.vehicles.algebra import Operand, Quantity, algebra_of, checked_quantity
+from pydy.vehicles.forces import checked_parameters, direction
+
+
+def motor_torque(
+    speed: Quantity, speeds: Sequence[float], torques: Sequence[float], *, ratio: float = 1.0
+) -> Quantity:
+    """Return the torque of a motor at the shaft that it drives by a gear, from a table.
+
+    Torques between the speeds of the table lie on straight lines; beyond its ends they keep the
+    values there. With the gear ratio i the shaft has the torque i T(i ω).
+
+    Parameters
+    ----------
+    speed : number, array or expression
+        Angular speed ω of the shaft (rad/s).
+    speeds : sequence of float
+        Angular speeds of the motor (rad/s), at least two, ascending.
+    torques : sequence of float
+        Torques of the motor (N m) at these.
+    ratio : float, optional
+        i, the speed of the motor by that of the shaft.
+
+    Returns
+    -------
+    number, array or expression
+        Torque (N m), for full load. Multiply it by a share of the load.
+
+    Examples
+    --------
+    An electric motor of 100 N m up to 300 rad/s, with a gear of 8:
+
+    >>> from pydy.vehicles.machines import motor_torque
+    >>> motor_torque(25.0, [0, 300, 900], [100, 100, 0], ratio=8.0)
+    800.0
+
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> omega, pedal = dynamicsymbols('omega pedal')
+    >>> torque = pedal*motor_torque(omega, [0, 300, 900], [100, 100, 0], ratio=8.0)
+    """
+    omega = checked_quantity(speed, "`speed`")
+    nodes, values = _table(speeds, torques)
+    i = positive(ratio, "`ratio`", finite=True)
+    m = algebra_of(omega)
+    turning = m.constant(i) * (m.constant(omega) if m.symbolic else omega)
+    torque: Operand = values[0] + 0 * turning
+    for start, end, low, high in zip(nodes, nodes[1:], values, values[1:], strict=False):
+        if high != low:
+            share = m.minimum(m.maximum((turning - start) / (end - start), 0), 1)
+            torque = torque + (high - low) * share
+    result: Operand = i * torque
+    return result if m.symbolic or isinstance(omega, np.ndarray) else float(result)
+
+
+def _table(speeds: Any, torques: Any) -> tuple[list[float], list[float]]:
+    nodes, values = real_array(speeds, "`speeds`"), real_array(torques, "`torques`")
+    if nodes.ndim != 1 or len(nodes) < 2 or not np.isfinite(nodes).all():
+        raise ValueError(f"`speeds` must be at least two finite numbers, got {shown(speeds)}.")
+    if not (np.diff(nodes) > 0.0).all():
+        raise ValueError(f"`speeds` must ascend, got {shown(speeds)}.")
+    if values.shape != nodes.shape or not np.isfinite(values).all():
+        raise ValueError(
+            f"`torques` must be {len(nodes)} finite numbers, one for each of `speeds`, got "
+            f"{shown(torques)}."
+        )
+    return nodes.tolist(), values.tolist()
+
+
+def differential_torques(
+    torque: Quantity,
+    left: Quantity,
+    right: Quantity,
+    *,
+    preload: Quantity = 0.0,
+    bias: Quantity = 0.0,
+    viscosity: Quantity = 0.0,
+    transition: Quantity = 0.1,
+) -> tuple[Quantity, Quantity]:
+    """Return the torques at both shafts of a differential, open or with limited slip.
+
+    Friction and oil take torque from the shaft that is faster and give it to the other. With the
+    difference Δ = ω_l − ω_r of the speeds ::
+
+        T_l = (T − T_s)/2    T_r = (T + T_s)/2    T_s = (T_0 + b |T|) sgn Δ + c Δ
+
+    Without T_0, b and c the differential is open. A locked one is a constraint, ω_l − ω_r = 0,
+    among the `nonholonomic_constraints` of a Definition.
+
+    Parameters
+    ----------
+    torque : number, array or expression
+        T (N m), of the drive.
+    left, right : number, array or expression
+        Speeds ω_l and ω_r of the shafts (rad/s).
+    preload : number or expression, optional
+        T_0 (N m).
+    bias : number or expression, optional
+        b, from 0 to 1: one shaft has up to (1 + b)/(1 − b) times the torque of the other.
+    viscosity : number or expression, optional
+        c (N m s/rad).
+    transition : number or expression, optional
+        Difference of the speeds (rad/s) up to which the sign is a smooth function.
+
+    Returns
+    -------
+    tuple of two
+        T_l and T_r (N m).
+
+    References
+    ----------
+    M. Guiggiani, The Science of Vehicle Dynamics, 2nd ed., Springer, 2018, section 3.13.
+
+    Examples
+    --------
+    >>> from pydy.vehicles.machines import differential_torques
+    >>> differential_torques(600.0, 40.0, 50.0, bias=0.5)
+    (450.0, 150.0)
+    """
+    inputs = {"torque": torque, "left": left, "right": right}
+    T, fast_left, fast_right = (checked_quantity(v, f"`{k}`") for k, v in inputs.items())
+    law = checked_parameters(
+        {"preload": preload, "bias": bias, "viscosity": viscosity, "transition": transition},
+        positive=("transition",),
+        not_negative=("preload", "bias", "viscosity"),
+    )
+    if isinstance(law["bias"], float) and law["bias"] > 1.0:
+        raise ValueError(f"`bias` must be at most 1, got {law['bias']!r}.")
+    m = algebra_of(T, fast_left, fast_right, *law.values())
+    if m.symbolic:
+        T, fast_left, fast_right = (m.constant(v) for v in (T, fast_left, fast_right))
+    T_0, b, c, smooth = (m.constant(law[k]) for k in ("preload", "bias", "viscosity", "transition"))
+    difference = fast_left - fast_right
+    moved = (T_0 + b * m.abs(T)) * direction(m, difference / smooth) + c * difference
+    results = (T - moved) / 2, (T + moved) / 2
+    if m.symbolic or any(isinstance(v, np.ndarray) for v in (T, fast_left, fast_right)):
+        return results
+    return float(results[0]), float(results[1])
