@@ -20,6 +20,7 @@ from pydy.solvers import Event
 from pydy.solvers.constraint_drift import DriftCheck
 from pydy.solvers.outcome import Outcome
 from pydy.system import System
+from registry import ADAPTIVE_NAMES
 from zoo import inertial_frame, loops
 from zoo.ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 
@@ -284,7 +285,7 @@ def test_radaus_lanes_see_sampled_inputs_at_their_own_times(kind):
     np.testing.assert_allclose(many[x.name], other[x.name], rtol=0.0, atol=2e-5)
 
 
-@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
 def test_lanes_end_steps_at_the_knots_that_one_trajectory_ends_them_at(solver):
     t = np.linspace(0.0, 3.0, num=301)
     push = SampledInput(t, np.random.default_rng(7).normal(0.0, 4.0, 301))

@@ -24,6 +24,7 @@ _BACKENDS: dict[str, Any] = {
     "lambdify": "pydy._backends.numpy_:NumPyBackend",
     "cython": "pydy._backends.c.cython_:CythonBackend",
 }
+_STAND_IN = "pydy._backends.numpy_:NumPyStandIn"
 
 
 def names() -> list[str]:
@@ -43,17 +44,22 @@ def resolve(generator: Any) -> type:
     entry = _BACKENDS.get(generator) if isinstance(generator, str) else None
     if entry is None:
         raise refusal(generator)
-    if isinstance(entry, str):
-        module, _, attribute = entry.partition(":")
-        try:
-            with fork_lock:
-                entry = getattr(import_module(module), attribute)
-        except ModuleNotFoundError as error:
-            if generator != "llvm" or error.name != "llvmlite":
-                raise
-            _say_that_numpy_stands_in()
-            entry = import_module("pydy._backends.numpy_").NumPyStandIn
-    backend: type = entry
+    if not isinstance(entry, str):
+        backend: type = entry
+        return backend
+    try:
+        return _imported(entry)
+    except ModuleNotFoundError as error:
+        if generator != "llvm" or error.name != "llvmlite":
+            raise
+        _say_that_numpy_stands_in()
+        return _imported(_STAND_IN)
+
+
+def _imported(path: str) -> type:
+    module, _, attribute = path.partition(":")
+    with fork_lock:
+        backend: type = getattr(import_module(module), attribute)
     return backend
 
 
