@@ -1,4 +1,4 @@
-"""Tires in exported models compute what the published equations say: in C, JavaScript and NumPy."""
+"""Tires in exported models compute what the published equations say: C, JavaScript, NumPy, FMU."""
 
 import ctypes
 import json
@@ -13,12 +13,14 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from optional import optional
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import MagicFormula
 from zoo import inertial_frame, tires
 from zoo.tires import NAMES, TIRES, slip_states
 
+fmpy = optional("fmpy")
 INPUTS = ("Fz", "kappa", "alpha", "gamma", "speed", "pressure")
 OUTPUTS = [f"{name} of {tire}" for tire in TIRES for name in NAMES]
 IN_JAVASCRIPT = """
@@ -109,4 +111,17 @@ def test_c(case, tmp_path):
         states, inputs = pointer(x), pointer(r)
         model.tires_outputs(ctypes.c_double(0.0), states, inputs, pointer(prepared), pointer(out))
         found.append(out)
+    assert_within_range(found, case)
+
+
+def test_fmu(case, tmp_path):
+    folder = fmpy.extract(str(case.system.export(tmp_path / "tires.fmu").path))
+    names = [str(s.func) for s in case.system.specifieds_symbols]
+    found = []
+    for row in case.inputs:
+        result = fmpy.simulate_fmu(
+            folder, fmi_type="CoSimulation", stop_time=1e-3, output_interval=1e-3, output=OUTPUTS,
+            start_values=dict(zip(names, row, strict=True)), record_events=False,
+        )  # fmt: skip
+        found.append([result[name][-1] for name in OUTPUTS])
     assert_within_range(found, case)
