@@ -203,8 +203,8 @@ static int derivative(Model *m, const unsigned *unknowns, size_t rows, const uns
 
 /* -- events ----------------------------------------------------------------------------------- */
 
-/* Set the sign that each event has just after now; where one is zero or fired, its rate tells, unless
-   a reset has led off its surface. */
+/* Set the sign that each event has just after now; where one is zero, fired or departs, its rate tells,
+   unless a reset has led off its surface. */
 static void take_sides(Model *m)
 {
 #if NE > 0
@@ -304,7 +304,7 @@ static int act(Model *m)
     memcpy(origins, m->sides, sizeof origins);
     memcpy(fired, m->fired, sizeof fired);
     for (int k = 0; k < NE; k++) {
-        if (!m->fired[k])
+        if (m->fired[k] <= 0)
             continue;
         if (EVENT_ACTING[k])
             reset_states(m, k);
@@ -314,10 +314,10 @@ static int act(Model *m)
         const double since = m->t - m->last_event[k];
         m->crowd[k] = since < 1e-11 * (fabs(m->t) + 1.0) ? m->crowd[k] + 1 : 0;
         m->last_event[k] = m->t;
-        ends = ends || m->crowd[k] > 100 || (m->crowd[k] > 1 && since <= 16.0 * ROUNDING * fabs(m->t));
+        ends = ends || m->crowd[k] > 100 || (m->crowd[k] > 1 && since <= NO_LATER * ROUNDING * fabs(m->t));
     }
     for (int k = 0; k < NE; k++)
-        fired[k] = fired[k] && EVENT_REDIRECTS[k] && !m->off[k];
+        fired[k] = fired[k] > 0 && EVENT_REDIRECTS[k] && !m->off[k];
 #endif
     take_sides(m);
 #if NE > 0
@@ -371,8 +371,12 @@ static int handle_events(Model *m, int *moved)
         const int there = m->z[k] == 0.0 && m->dz[k] * (double)m->sides[k] < 0.0
             && EVENT_DIRECTIONS[k] != m->sides[k];
         m->fired[k] = crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) || there;
-        some = some || m->fired[k];
-        *moved = *moved || (m->fired[k] && EVENT_ACTING[k]);
+        /* just handled, it moves to its side, where it is not yet by a rounding of the time */
+        if (m->dz[k] * (double)m->sides[k] > 0.0 && m->z[k] * (double)m->sides[k] < 0.0
+            && m->t - m->last_event[k] <= NO_LATER * ROUNDING * fabs(m->t))
+            m->fired[k] = DEPARTS;
+        some = some || m->fired[k] > 0;
+        *moved = *moved || (m->fired[k] > 0 && EVENT_ACTING[k]);
     }
     if (some)
         return act(m);

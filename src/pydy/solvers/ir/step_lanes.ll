@@ -1,4 +1,4 @@
-; sources bede00f800ae4000b00a447f09d1fbfd4a8a22031cded742a9a03a7dd47cb6e5
+; sources 0b8d5c47d63dbd182f2588963e1790defd7b6754be296e5d17d3000e9e74c148
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -3631,7 +3631,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %86 = phi i64 [ 0, %77 ], [ %90, %83 ]
   %87 = getelementptr inbounds i64, ptr %79, i64 %84
   %88 = load i64, ptr %87, align 8
-  %89 = icmp ne i64 %88, 0
+  %89 = icmp sgt i64 %88, 0
   %90 = select i1 %89, i64 %84, i64 %86
   %91 = zext i1 %89 to i64
   %92 = add nuw nsw i64 %85, %91

@@ -1,4 +1,4 @@
-; sources acf6737d6f7dd53595b5db718a78db8bee95920bb1ff864e63eedfffed650795
+; sources 7e045d56d242161b5aaa239a6996b4e1ce82b574c695223241f21f9cdfb2fbca
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -4359,7 +4359,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %86 = phi i64 [ 0, %77 ], [ %90, %83 ]
   %87 = getelementptr inbounds i64, ptr %79, i64 %84
   %88 = load i64, ptr %87, align 8
-  %89 = icmp ne i64 %88, 0
+  %89 = icmp sgt i64 %88, 0
   %90 = select i1 %89, i64 %84, i64 %86
   %91 = zext i1 %89 to i64
   %92 = add nuw nsw i64 %85, %91
