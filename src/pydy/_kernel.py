@@ -91,7 +91,8 @@ class Kernel:
         if varying not in stored:
             # Of a Tangent: the rates, which come with what all their derivatives need.
             program = getattr(self.program, "shared", self.program)
-            stored[varying] = TimeSwitches.of(program, varying)
+            values = program.outputs[: getattr(self.program, "values", None)]
+            stored[varying] = TimeSwitches.of(program, varying, values)
         return stored[varying]
 
     @property

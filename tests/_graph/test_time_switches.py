@@ -7,6 +7,7 @@ import sympy.physics.mechanics as me
 
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.intervals import bounds
+from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.time_switches import SwitchTimes, TimeSwitches
@@ -104,6 +105,23 @@ def test_only_what_depends_on_time_alone_counts():
     assert switches(pulse(r * t > 1), varying=[0]) is None
     found = switches(pulse(r * t > 1)).times(np.array([7.0, 0.99]), np.array([0.25]), 0.0, 9.0)
     np.testing.assert_allclose(found.rows[:, 0], [4.0])
+
+
+def test_a_choice_between_two_ways_to_the_same_value_is_no_switch():
+    """The condition of a guard, and what only its system needs, switch nothing: here |cos wt|.
+
+    A system that is always solved is the one way to its values.
+    """
+    graph = Graph()
+    names = {t: graph.input("t", 0), w: graph.input("p", 0), c: graph.input("p", 1)}
+    read = SymPyReader(graph, names).all
+    wave, load, size = read([sm.cos(w * t), pulse(sm.sin(w * t) > c), sm.Abs(sm.cos(w * t))])
+    system = LinearSystem(graph, [[graph.one]])
+    for sound, expected in ((graph.call("lt", wave, graph.zero), 1), (graph.boolean(False), 2)):
+        nodes = system.guarded([graph.add(load, size)], sound, [load])
+        program = lower(graph, (0, 0, 2), [("loads", (1,), nodes)])
+        found = TimeSwitches.of(program, frozenset())
+        assert len(found.nodes) == expected
 
 
 def test_more_switches_than_steps_can_end_at_are_counted():

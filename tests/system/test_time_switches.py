@@ -203,6 +203,42 @@ def test_more_switches_than_steps_can_end_at_are_told_of_unless_steps_are_short(
         dop853.prepare(rhs, *call, max_step=1e-7)
 
 
+def bead(load, constraints):
+    """A bead of 2 kg on a rod that turns at a rate w, under a load along the rod."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    place.set_vel(frame, v * frame.x + z * frame.y)
+    along = sm.cos(w * t) * frame.x + sm.sin(w * t) * frame.y
+    definition = Definition(
+        frame, [x, y], [v, z], bodies=[me.Particle("bead", place, 2)],
+        loads=[(place, load * along)], kinematic_equations=[x.diff(t) - v, y.diff(t) - z],
+        holonomic_constraints=constraints,
+    )  # fmt: skip
+    start = {x: 1.0, y: 0.0, v: 0.0, z: 1.5}
+    return System(definition, {w: 1.5}, initial_conditions=start, times=np.array([0.0, 2.0]))
+
+
+ROD = y * sm.cos(w * t) - x * sm.sin(w * t)
+HELD = [{}, {"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0}]
+
+
+@pytest.mark.parametrize("held", HELD, ids=["free", "projected", "stabilised"])
+@pytest.mark.parametrize("rows", [[ROD], [ROD, 2 * ROD]], ids=["one row", "a redundant row"])
+@pytest.mark.parametrize("force", [0, 5000])
+def test_a_constraint_that_moves_with_time_switches_nothing(held, rows, force):
+    """The radius follows r'' = w² r + F/m, in which only the pulses F switch."""
+    load = force * sm.Piecewise((1, sm.sin(7 * t) > C), (0, True))
+    system = bead(load, rows)
+    system.ode_solver = dop853
+    moved = system.simulate(rtol=1e-9, atol=1e-9, **held)
+    (begin, finish), rate = pulses(end=2.0), 1.5
+    pushes = np.cosh(rate * (2.0 - begin)) - np.cosh(rate * (2.0 - finish))
+    radius = np.cosh(2.0 * rate) + force / (2 * rate**2) * pushes.sum()
+    expected = radius * np.array([np.cos(2.0 * rate), np.sin(2.0 * rate)])
+    np.testing.assert_allclose([moved["x"][-1], moved["y"][-1]], expected, rtol=1e-7)
+
+
 def test_a_model_without_such_a_load_knows_at_once():
     for load in (sm.sin(7 * t), sm.Abs(v), sm.sign(v) * t):
         system = free_mass(-load)

@@ -7,6 +7,9 @@ interval arithmetic (`intervals`): an interval of time on which bounds on g excl
 and one on which bounds on g' exclude zero has at most one, at a change of the sign of g.
 
 A switch within others is continuous between the times of those, which are found first.
+
+Conditions by which a solution is found in one of two ways are no switches, nor are those of the way
+that is taken elsewhere: a guard's solutions are equal, so that whatever switches them is in both.
 """
 
 from __future__ import annotations
@@ -46,6 +49,7 @@ _ROUNDINGS = frozenset(("floor", "ceil"))
 _SWITCHING = _COMPARED | _SIGNED | _ROUNDINGS
 _ARITHMETIC = frozenset(("add", "sub", "mul", "div", "neg"))  # which graphs have methods for
 _SYSTEMS = frozenset(("factor", "solve", "guard", "item"))
+_NEVER = ("bool", (False,))
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +63,17 @@ class TimeSwitches:
     _stored: dict[tuple[object, ...], SwitchTimes] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, program: Program, varying: frozenset[int]) -> TimeSwitches | None:
-        """Return the switches of a Program whose inputs r vary at some places, if it has any."""
+    def of(
+        cls, program: Program, varying: frozenset[int], outputs: Sequence[int] | None = None
+    ) -> TimeSwitches | None:
+        """Return the switches of a Program whose inputs r vary at some places, if it has any.
+
+        They are those of some of its `outputs`; None: of all.
+        """
         if ("t", 0) not in program.args or _SWITCHING.isdisjoint(program.ops):
             return None
-        if not (operations := _of_time(program, varying)):
+        operations = _of_time(program, varying, program.outputs if outputs is None else outputs)
+        if not operations:
             return None
         graph, nodes = _switches(program, operations)
         if not nodes:
@@ -92,9 +102,30 @@ class TimeSwitches:
         return times
 
 
-def _of_time(program: Program, varying: frozenset[int]) -> list[int]:
+def _determining(program: Program, outputs: Sequence[int]) -> bytearray:
+    """Return which operations the values of outputs depend on.
+
+    Of a guard these are the ones of its fast solution, without the condition and the system that
+    give the same values, unless the system is always solved.
+    """
+    needed = bytearray(len(program.ops))
+    for node in outputs:
+        needed[node] = 1
+    for node in reversed(range(len(program.ops))):
+        if needed[node]:
+            op, args = program.ops[node], program.args[node]
+            needs = OPERATIONS.operands(op, args)
+            if op == "guard" and (program.ops[args[3]], program.args[args[3]]) != _NEVER:
+                needs = args[4]
+            for operand in needs:
+                needed[operand] = 1
+    return needed
+
+
+def _of_time(program: Program, varying: frozenset[int], outputs: Sequence[int]) -> list[int]:
     """Return the operations that switch by an operand that depends on time alone."""
     operations: list[int] = []
+    determining = _determining(program, outputs)
     # Whether each depends on time, and whether also on states or inputs that vary.
     timed, moving = bytearray(len(program.ops)), bytearray(len(program.ops))
     for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
@@ -105,7 +136,7 @@ def _of_time(program: Program, varying: frozenset[int]) -> list[int]:
             needs = OPERATIONS.operands(op, args)
             timed[k] = any(map(timed.__getitem__, needs))
             moving[k] = op in _SYSTEMS or any(map(moving.__getitem__, needs))
-            if timed[k] and not moving[k] and op in _SWITCHING:
+            if timed[k] and not moving[k] and op in _SWITCHING and determining[k]:
                 operations.append(k)
     return operations
 
