@@ -364,13 +364,16 @@ class Integration {
   /** Return where an event happens that has not come to its side, as `turning_place` of scan_events.c. */
   turningPlace(t, h, low, high, k) {
     const rates = new Float64Array(this.fired.length);
-    let turned = NOWHERE;
-    for (let place = high; ; place = low + 0.5 * (place - low)) {
+    const movesOff = (place) => {
       this.interpolate(place, this.trial);
       this.system.events.rates(t + place * h, this.trial, rates);
-      const off = rates[k] * this.sides[k] > 0;
+      return rates[k] * this.sides[k] > 0;
+    };
+    let turned = NOWHERE;
+    for (let place = high; ; place = low + 0.5 * (place - low)) {
+      const off = movesOff(place);
       if (!off) turned = place;
-      if (0.5 * (place - low) < this.resolution(t, h)) return off ? turned : low;
+      if (0.5 * (place - low) < this.resolution(t, h)) return off || movesOff(low) ? turned : low;
     }
   }
 

@@ -76,8 +76,8 @@ APART double turning_place(const Run *run, const Stepper *s, double t, double h,
         const int off = moves_off(run, s, t, h, place, event);
         if (!off)
             turned = place;
-        if (0.5 * (place - low) < resolution)
-            return off ? turned : low;
+        if (0.5 * (place - low) < resolution) /* a reset where it still moves off would send it back */
+            return off || moves_off(run, s, t, h, low, event) ? turned : low;
     }
 }
 

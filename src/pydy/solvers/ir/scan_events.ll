@@ -1,4 +1,4 @@
-; sources 0f0f49e59ce722a506a7baff40252ab72049eda197f569e8f37d73e4a0dca281
+; sources 8459c0d763196909756a5312bb0a2488a4bd0d72ecb66af54c0ffde7de5fea75
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -2947,102 +2947,187 @@ define internal fastcc double @turning_place(ptr noundef readonly %0, ptr nounde
   %18 = getelementptr inbounds i8, ptr %0, i64 1152
   %19 = getelementptr inbounds i8, ptr %0, i64 1200
   %20 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %21
+  %21 = insertelement <8 x double> poison, double %4, i64 0
+  %22 = shufflevector <8 x double> %21, <8 x double> poison, <8 x i32> zeroinitializer
+  %23 = fmul double %3, %4
+  %24 = fadd double %23, %2
+  %25 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %26
 
-21:                                               ; preds = %89, %8
-  %22 = phi double [ 2.000000e+00, %8 ], [ %90, %89 ]
-  %23 = phi double [ %5, %8 ], [ %91, %89 ]
-  %24 = phi double [ undef, %8 ], [ %88, %89 ]
-  %25 = load ptr, ptr %11, align 8
-  %26 = load ptr, ptr %12, align 8
-  %27 = getelementptr inbounds i8, ptr %26, i64 96
-  %28 = load ptr, ptr %27, align 8
-  %29 = insertelement <8 x double> poison, double %23, i64 0
-  %30 = shufflevector <8 x double> %29, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %30, ptr %28, align 8
-  %31 = load ptr, ptr %26, align 8
-  %32 = getelementptr inbounds i8, ptr %26, i64 192
+26:                                               ; preds = %152, %8
+  %27 = phi double [ 2.000000e+00, %8 ], [ %87, %152 ]
+  %28 = phi double [ %5, %8 ], [ %153, %152 ]
+  %29 = phi double [ undef, %8 ], [ %151, %152 ]
+  %30 = load ptr, ptr %11, align 8
+  %31 = load ptr, ptr %12, align 8
+  %32 = getelementptr inbounds i8, ptr %31, i64 96
   %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr inbounds i8, ptr %26, i64 8
-  %35 = load i64, ptr %34, align 8
-  %36 = load ptr, ptr %1, align 8
-  %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr inbounds i8, ptr %37, i64 24
-  %39 = load i64, ptr %38, align 8
-  %40 = load ptr, ptr %27, align 8
-  %41 = load ptr, ptr %13, align 8
+  %34 = insertelement <8 x double> poison, double %28, i64 0
+  %35 = shufflevector <8 x double> %34, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %35, ptr %33, align 8
+  %36 = load ptr, ptr %31, align 8
+  %37 = getelementptr inbounds i8, ptr %31, i64 192
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr inbounds i8, ptr %31, i64 8
+  %40 = load i64, ptr %39, align 8
+  %41 = load ptr, ptr %1, align 8
   %42 = load ptr, ptr %41, align 8
-  %43 = getelementptr inbounds i8, ptr %42, i64 16
+  %43 = getelementptr inbounds i8, ptr %42, i64 24
   %44 = load i64, ptr %43, align 8
-  tail call fastcc void @nested(ptr noundef %25, ptr noundef %31, ptr noundef %33, i64 noundef %35, i64 noundef %39, ptr noundef %40, i64 noundef %44) #8
-  %45 = fmul double %23, %3
-  %46 = fadd double %45, %2
-  %47 = load ptr, ptr %14, align 8
-  store double %46, ptr %47, align 8
-  %48 = load ptr, ptr %10, align 8
-  %49 = getelementptr inbounds i8, ptr %48, i64 40
-  %50 = load i64, ptr %49, align 8
-  %51 = icmp eq i64 %50, 0
-  br i1 %51, label %53, label %52
+  %45 = load ptr, ptr %32, align 8
+  %46 = load ptr, ptr %13, align 8
+  %47 = load ptr, ptr %46, align 8
+  %48 = getelementptr inbounds i8, ptr %47, i64 16
+  %49 = load i64, ptr %48, align 8
+  tail call fastcc void @nested(ptr noundef %30, ptr noundef %36, ptr noundef %38, i64 noundef %40, i64 noundef %44, ptr noundef %45, i64 noundef %49) #8
+  %50 = fmul double %28, %3
+  %51 = fadd double %50, %2
+  %52 = load ptr, ptr %14, align 8
+  store double %51, ptr %52, align 8
+  %53 = load ptr, ptr %10, align 8
+  %54 = getelementptr inbounds i8, ptr %53, i64 40
+  %55 = load i64, ptr %54, align 8
+  %56 = icmp eq i64 %55, 0
+  br i1 %56, label %58, label %57
 
-52:                                               ; preds = %21
+57:                                               ; preds = %26
   tail call fastcc void @settle(ptr noundef nonnull %10) #8
-  br label %53
+  br label %58
 
-53:                                               ; preds = %52, %21
-  %54 = load i64, ptr %15, align 8
-  %55 = icmp sgt i64 %54, 0
-  br i1 %55, label %56, label %57
+58:                                               ; preds = %57, %26
+  %59 = load i64, ptr %15, align 8
+  %60 = icmp sgt i64 %59, 0
+  br i1 %60, label %61, label %62
 
-56:                                               ; preds = %53
+61:                                               ; preds = %58
   tail call fastcc void @sample(ptr noundef nonnull %10) #8
-  br label %57
+  br label %62
 
-57:                                               ; preds = %56, %53
-  %58 = load ptr, ptr %9, align 8
-  %59 = getelementptr inbounds i8, ptr %58, i64 56
-  %60 = load i64, ptr %59, align 8
-  %61 = load ptr, ptr %16, align 8
-  %62 = load ptr, ptr %11, align 8
-  %63 = load ptr, ptr %17, align 8
-  %64 = load ptr, ptr %18, align 8
-  %65 = load ptr, ptr %19, align 8
-  %66 = inttoptr i64 %60 to ptr
-  %67 = load ptr, ptr %66, align 8
-  %68 = tail call i32 %67(ptr noundef %61, ptr noundef %62, ptr noundef %63, ptr noundef %64, ptr noundef %65) #9
-  %69 = icmp eq i32 %68, 0
-  br i1 %69, label %70, label %81
+62:                                               ; preds = %61, %58
+  %63 = load ptr, ptr %9, align 8
+  %64 = getelementptr inbounds i8, ptr %63, i64 56
+  %65 = load i64, ptr %64, align 8
+  %66 = load ptr, ptr %16, align 8
+  %67 = load ptr, ptr %11, align 8
+  %68 = load ptr, ptr %17, align 8
+  %69 = load ptr, ptr %18, align 8
+  %70 = load ptr, ptr %19, align 8
+  %71 = inttoptr i64 %65 to ptr
+  %72 = load ptr, ptr %71, align 8
+  %73 = tail call i32 %72(ptr noundef %66, ptr noundef %67, ptr noundef %68, ptr noundef %69, ptr noundef %70) #9
+  %74 = icmp eq i32 %73, 0
+  br i1 %74, label %75, label %85
 
-70:                                               ; preds = %57
-  %71 = load ptr, ptr %19, align 8
-  %72 = getelementptr inbounds double, ptr %71, i64 %7
-  %73 = load double, ptr %72, align 8
-  %74 = load ptr, ptr %20, align 8
-  %75 = getelementptr inbounds i64, ptr %74, i64 %7
-  %76 = load i64, ptr %75, align 8
-  %77 = sitofp i64 %76 to double
-  %78 = fmul double %73, %77
-  %79 = fcmp ogt double %78, 0.000000e+00
-  %80 = zext i1 %79 to i32
-  br label %81
+75:                                               ; preds = %62
+  %76 = load ptr, ptr %19, align 8
+  %77 = getelementptr inbounds double, ptr %76, i64 %7
+  %78 = load double, ptr %77, align 8
+  %79 = load ptr, ptr %20, align 8
+  %80 = getelementptr inbounds i64, ptr %79, i64 %7
+  %81 = load i64, ptr %80, align 8
+  %82 = sitofp i64 %81 to double
+  %83 = fmul double %78, %82
+  %84 = fcmp ogt double %83, 0.000000e+00
+  br label %85
 
-81:                                               ; preds = %57, %70
-  %82 = phi i32 [ 0, %57 ], [ %80, %70 ]
-  %83 = icmp eq i32 %82, 0
-  %84 = select i1 %83, double %4, double %22
-  %85 = fsub double %23, %4
-  %86 = fmul double %85, 5.000000e-01
-  %87 = fcmp uge double %86, %6
-  %88 = select i1 %87, double %24, double %84
-  br i1 %87, label %89, label %92
+85:                                               ; preds = %62, %75
+  %86 = phi i1 [ false, %62 ], [ %84, %75 ]
+  %87 = select i1 %86, double %27, double %28
+  %88 = fsub double %28, %4
+  %89 = fmul double %88, 5.000000e-01
+  %90 = fcmp uge double %89, %6
+  %91 = select i1 %90, i1 true, i1 %86
+  %92 = select i1 %90, double %29, double %87
+  br i1 %91, label %150, label %93
 
-89:                                               ; preds = %81
-  %90 = select i1 %83, double %23, double %22
-  %91 = fadd double %86, %4
-  br label %21, !llvm.loop !37
+93:                                               ; preds = %85
+  %94 = load ptr, ptr %11, align 8
+  %95 = load ptr, ptr %12, align 8
+  %96 = getelementptr inbounds i8, ptr %95, i64 96
+  %97 = load ptr, ptr %96, align 8
+  store <8 x double> %22, ptr %97, align 8
+  %98 = load ptr, ptr %95, align 8
+  %99 = getelementptr inbounds i8, ptr %95, i64 192
+  %100 = load ptr, ptr %99, align 8
+  %101 = getelementptr inbounds i8, ptr %95, i64 8
+  %102 = load i64, ptr %101, align 8
+  %103 = load ptr, ptr %1, align 8
+  %104 = load ptr, ptr %103, align 8
+  %105 = getelementptr inbounds i8, ptr %104, i64 24
+  %106 = load i64, ptr %105, align 8
+  %107 = load ptr, ptr %96, align 8
+  %108 = load ptr, ptr %13, align 8
+  %109 = load ptr, ptr %108, align 8
+  %110 = getelementptr inbounds i8, ptr %109, i64 16
+  %111 = load i64, ptr %110, align 8
+  tail call fastcc void @nested(ptr noundef %94, ptr noundef %98, ptr noundef %100, i64 noundef %102, i64 noundef %106, ptr noundef %107, i64 noundef %111) #8
+  %112 = load ptr, ptr %14, align 8
+  store double %24, ptr %112, align 8
+  %113 = load ptr, ptr %10, align 8
+  %114 = getelementptr inbounds i8, ptr %113, i64 40
+  %115 = load i64, ptr %114, align 8
+  %116 = icmp eq i64 %115, 0
+  br i1 %116, label %118, label %117
 
-92:                                               ; preds = %81
-  ret double %88
+117:                                              ; preds = %93
+  tail call fastcc void @settle(ptr noundef nonnull %10) #8
+  br label %118
+
+118:                                              ; preds = %117, %93
+  %119 = load i64, ptr %15, align 8
+  %120 = icmp sgt i64 %119, 0
+  br i1 %120, label %121, label %122
+
+121:                                              ; preds = %118
+  tail call fastcc void @sample(ptr noundef nonnull %10) #8
+  br label %122
+
+122:                                              ; preds = %121, %118
+  %123 = load ptr, ptr %9, align 8
+  %124 = getelementptr inbounds i8, ptr %123, i64 56
+  %125 = load i64, ptr %124, align 8
+  %126 = load ptr, ptr %16, align 8
+  %127 = load ptr, ptr %11, align 8
+  %128 = load ptr, ptr %17, align 8
+  %129 = load ptr, ptr %18, align 8
+  %130 = load ptr, ptr %19, align 8
+  %131 = inttoptr i64 %125 to ptr
+  %132 = load ptr, ptr %131, align 8
+  %133 = tail call i32 %132(ptr noundef %126, ptr noundef %127, ptr noundef %128, ptr noundef %129, ptr noundef %130) #9
+  %134 = icmp eq i32 %133, 0
+  br i1 %134, label %135, label %146
+
+135:                                              ; preds = %122
+  %136 = load ptr, ptr %19, align 8
+  %137 = getelementptr inbounds double, ptr %136, i64 %7
+  %138 = load double, ptr %137, align 8
+  %139 = load ptr, ptr %25, align 8
+  %140 = getelementptr inbounds i64, ptr %139, i64 %7
+  %141 = load i64, ptr %140, align 8
+  %142 = sitofp i64 %141 to double
+  %143 = fmul double %138, %142
+  %144 = fcmp ogt double %143, 0.000000e+00
+  %145 = zext i1 %144 to i32
+  br label %146
+
+146:                                              ; preds = %122, %135
+  %147 = phi i32 [ 0, %122 ], [ %145, %135 ]
+  %148 = icmp eq i32 %147, 0
+  br i1 %148, label %149, label %150
+
+149:                                              ; preds = %146
+  br label %150
+
+150:                                              ; preds = %85, %149, %146
+  %151 = phi double [ %4, %149 ], [ %87, %146 ], [ %92, %85 ]
+  br i1 %90, label %152, label %154
+
+152:                                              ; preds = %150
+  %153 = fadd double %89, %4
+  br label %26, !llvm.loop !37
+
+154:                                              ; preds = %150
+  ret double %151
 }
 
 declare i32 @llvm.smin.i32(i32, i32) #6
