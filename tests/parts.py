@@ -1,8 +1,10 @@
-"""A run of all tests tries every quick case, and one of 48 parts of the slow ones.
+"""A run of all tests tries every quick case, a part of the slow ones, and a sample of each.
 
 A test function is slow if its cases take 0.2 s of processor time together, or more. `slow.txt`,
 beside this file, lists these functions with their times; `make times` measures and writes it. The
 cases of a slow function are dealt out to the parts, so that all parts take about the same time.
+Besides, each run tries as many cases of a function as take 0.1 s, at least one if it takes 0.15 s:
+of nine changes of the source that only slow cases had noticed, these notice six.
 
 Environment variables choose what is tried:
 
@@ -23,6 +25,8 @@ import pytest
 COLLECTED = pytest.StashKey[list[str]]()
 PARTS = 48
 LIMIT = 0.2
+# Seconds of the cases of a slow function that each run tries, and of one that it tries alone.
+SAMPLE, SINGLE = 0.1, 0.15
 # Functions that draw a part of their inputs themselves: every run tries each of their cases.
 DRAWING = {"tests/fuzz/test_arguments.py::test_what_does_not_fit_is_named_and_what_fits_is_right"}
 # A folder whose tests only run where it is named (`norecursedirs` in pyproject.toml).
@@ -92,15 +96,36 @@ def dealt(cases: Iterable[str], seconds: dict[str, float]) -> dict[str, int]:
     return parts
 
 
+def sampled(cases: Iterable[str], seconds: dict[str, float], mine: set[str]) -> set[str]:
+    """Return cases of slow functions that each run tries besides `mine`, those of its part.
+
+    Which ones depends on the part.
+    """
+    grouped: dict[str, list[str]] = {}
+    for case in cases:
+        if (function := function_of(case)) in seconds:
+            grouped.setdefault(function, []).append(case)
+    chosen = set()
+    for function, group in grouped.items():
+        each = seconds[function] / len(group)
+        count = min(len(group), max(int(SAMPLE / each), each <= SINGLE))
+        others = [case for case in group if case not in mine]
+        count = max(0, count - (len(group) - len(others)))
+        chosen |= {others[(PART * count + k) % len(others)] for k in range(count)}
+    return chosen
+
+
 def tried(cases: Iterable[str]) -> set[str]:
     """Return the cases that this run tries, as the environment variables say."""
     cases = list(cases)
     if WHOLE and not FURTHER_PARTS:
         return set(cases)
-    parts = dealt(cases, read_table())
+    seconds = read_table()
+    parts = dealt(cases, seconds)
     if FURTHER_PARTS:
         wanted = {(PART + k) % PARTS for k in range(1, FURTHER_PARTS + 1)}
         further = {case for case, part in parts.items() if part in wanted}
         return further | {case for case in cases if function_of(case) in DRAWING}
     mine = {case for case in cases if parts.get(case, PART % PARTS) == PART % PARTS}
+    mine |= sampled(cases, seconds, mine)
     return mine | {case for case in cases if case.partition("::")[0] in (WHOLE_FILES or ())}

@@ -280,6 +280,14 @@ def test_system_is_handed_out_when_it_is_asked_for():
     assert "pydy.system" in modules_loaded_by("from pydy import System")
 
 
+def test_public_modules_show_what_they_list():
+    for name, path in MODULES.items():
+        if "\n__all__ = " in path.read_text("utf-8") and "._" not in name and name != "pydy":
+            module = importlib.import_module(name)
+            hidden = [n for n in dir(module) if n[0] != "_" and n not in module.__all__]
+            assert not hidden, f"dir({name}) shows {hidden}: `__dir__ = __all__.copy`"
+
+
 def test_pydy_has_no_other_attributes():
     import pydy
     import pydy.system

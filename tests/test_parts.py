@@ -8,6 +8,9 @@ COLLECTED = [f"tests/test_a.py::test_many[{k}]" for k in range(parts.PARTS + 4)]
 COLLECTED += [f"tests/test_a.py::test_{name}" for name in ("one", "two", "quick")]
 SECONDS = {"tests/test_a.py::test_many": 40.0, "tests/test_a.py::test_one": 2.0}
 SECONDS["tests/test_a.py::test_two"] = 2.0
+COLLECTED += [f"tests/test_a.py::test_cheap[{k}]" for k in range(12)]
+CHEAP = "tests/test_a.py::test_cheap"
+SECONDS[CHEAP] = 0.3  # 0.025 s a case
 
 
 @pytest.fixture
@@ -50,9 +53,16 @@ def test_a_table_is_read_as_it_was_written(table):
 def test_all_parts_together_try_every_case_and_each_slow_case_once(table, monkeypatch):
     runs = [choose(monkeypatch, part) for part in range(parts.PARTS)]
     assert set().union(*runs) == set(COLLECTED)
-    slow = [case for run in runs for case in run if "quick" not in case]
+    slow = [case for run in runs for case in run if "quick" not in case and "cheap" not in case]
     assert len(slow) == len(set(slow))
     assert all("tests/test_a.py::test_quick" in run for run in runs)
+
+
+def test_every_run_tries_a_sample_of_the_functions_whose_cases_are_cheap(table, monkeypatch):
+    runs = [{c for c in choose(monkeypatch, part) if CHEAP in c} for part in range(parts.PARTS)]
+    assert {len(run) for run in runs} <= {4}  # as many as take 0.1 s
+    assert len(set().union(*runs)) == 12
+    assert len({frozenset(run) for run in runs}) >= 3
 
 
 def test_every_part_has_cases_of_a_function_with_many(table, monkeypatch):
@@ -64,14 +74,18 @@ def test_parts_take_about_the_same_time():
     dealt = parts.dealt(COLLECTED, SECONDS)
     loads = [0.0] * parts.PARTS
     for case, part in dealt.items():
-        loads[part] += 1.0 if "many" in case else 2.0
+        loads[part] += 1.0 if "many" in case else 0.025 if "cheap" in case else 2.0
     assert max(loads) - min(loads) <= 2.0
 
 
 def test_further_parts_hold_no_quick_case_and_follow_the_drawn_one(table, monkeypatch):
     further = choose(monkeypatch, 14, further=3)
     slow = [choose(monkeypatch, part) - {"tests/test_a.py::test_quick"} for part in (15, 16, 17)]
-    assert further == set().union(*slow)
+    assert {c for c in further if CHEAP not in c} == {
+        c for run in slow for c in run if CHEAP not in c
+    }
+    parts_of_cheap = {part: case for case, part in parts.dealt(COLLECTED, SECONDS).items()}
+    assert {c for c in further if CHEAP in c} <= set(parts_of_cheap.values())
 
 
 def test_all_cases_of_files_that_are_named_are_tried(table, monkeypatch):

@@ -224,6 +224,14 @@ def test_an_ensemble_is_drawn_as_bands():
         simulated("free_pendulum", initial_conditions={**model.start, model.kane.q[1]: a})
         for a in (2.4, 2.5, 2.6, 2.8)
     ]
+    few = ensemble(*runs)
+    ax = plot_coordinates(few)
+    assert_drawn(ax, [column for k in range(4) for column in (run.states[:, k] for run in runs)])
+    assert not ax.collections
+    assert ax.get_legend().get_title().get_text() == "4 samples"
+    assert labels(ax)[1] == "$q_{1}$"
+    assert len(ax.get_legend().get_texts()) == 4
+    runs = [*runs, *runs, *runs, *runs[1:]]
     dataset = ensemble(*runs)
     ax = plot_coordinates(dataset)
     values = np.array([run.states[:, :4] for run in runs])
@@ -237,18 +245,18 @@ def test_an_ensemble_is_drawn_as_bands():
     assert labels(ax)[1] == "$q_{1}$"
     assert len(plot_energy(dataset).collections) == 3
     assert len(plot_states(dataset)) == 2
-    assert len(plot_phase(dataset, "q1").get_lines()) == 5
+    assert len(plot_phase(few, "q1").get_lines()) == 5
 
 
 def test_a_dataset_of_several_sample_dimensions_with_failures():
     xarray = pytest.importorskip("xarray")
-    values = np.random.default_rng(0).normal(size=(21, 3, 4))
+    values = np.random.default_rng(0).normal(size=(21, 3, 5))
     values[15:, 1, 2] = np.nan
     values[20] = np.nan
     dataset = xarray.Dataset({"q": (("time", "m", "k"), values)}, {"time": TIMES})
     ax = plot_coordinates(dataset, ["q"])
     middle = ax.get_lines()[0].get_ydata()
-    np.testing.assert_allclose(middle[:20], np.nanmedian(values[:20].reshape(20, 12), axis=1))
+    np.testing.assert_allclose(middle[:20], np.nanmedian(values[:20].reshape(20, 15), axis=1))
     assert np.isnan(middle[20])
     assert labels(ax) == ["q"]
     with pytest.raises(ValueError, match=r"no variables whose attribute 'role'.*of q"):

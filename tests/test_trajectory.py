@@ -1,5 +1,6 @@
 """The labelled result of a simulation."""
 
+import copy
 import pickle
 import re
 import subprocess
@@ -724,3 +725,20 @@ def test_a_trajectory_in_place_of_times_is_refused_with_the_remedy():
     trajectory = system_of(zoo.free_pendulum(), times=TIMES).simulate()
     with pytest.raises(TypeError, match="got a Trajectory: pass its `times`"):
         trajectory.at(trajectory)
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("to_csv", r"Use `to_dataframe\(\).to_csv\(path\)`"),
+        ("y", "Use `states`, with a row"),
+        ("energies", "Did you mean `energy`"),
+    ],
+)
+def test_a_name_of_another_library_is_refused_with_the_one_that_is_meant(name, meant):
+    trajectory = simulated()[1]
+    with pytest.raises(AttributeError, match=rf"has no `{name}`\. {meant}"):
+        getattr(trajectory, name)
+    with pytest.raises(AttributeError, match=r"no attribute 'qqqqqq'\Z"):
+        _ = trajectory.qqqqqq
+    assert copy.copy(trajectory).times is not None

@@ -5,6 +5,7 @@ worker process that receives compiled code never pays for SymPy.
 """
 
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from pydy._version import __version__
@@ -27,4 +28,6 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    # And the modules that were imported.
+    modules = [n for n, value in globals().items() if isinstance(value, ModuleType)]
+    return sorted({*__all__, *(n for n in modules if n[0] != "_")})

@@ -123,8 +123,11 @@ def _shaped(value: Any) -> str:
     return f"{kind} of the shape {tuple(value.shape)}{dtype_text}"
 
 
-def check_mapping(argument: str, value: object) -> dict[Any, Any]:
-    """Return a dictionary without copying it, so that its later changes are seen; None is empty."""
+def check_mapping(argument: str, value: object, remedy: str = "") -> dict[Any, Any]:
+    """Return a dictionary without copying it, so that its later changes are seen; None is empty.
+
+    The `remedy` says what to do with a sequence of values.
+    """
     if value is None:
         return {}
     if isinstance(value, dict):
@@ -133,7 +136,8 @@ def check_mapping(argument: str, value: object) -> dict[Any, Any]:
         return value.data
     if isinstance(value, Mapping):
         return dict(value)
-    raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
+    remedy = f" {remedy}" if remedy and isinstance(value, (list, tuple, np.ndarray)) else ""
+    raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.{remedy}")
 
 
 def number(value: object, label: str, *, finite: bool = False) -> float:

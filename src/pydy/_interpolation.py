@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 import numpy as np
 
 from pydy._checks import descends, monotonic, number, real_array, shown
+from pydy._names import nearest
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -490,6 +491,17 @@ class Continuation(NamedTuple):
     proceed: Callable[[np.ndarray], Interpolated] | None
 
 
+# Names that other libraries use for what a Trajectory has.
+_OF_OTHER_LIBRARIES = {
+    "to_csv": "`to_dataframe().to_csv(path)`",
+    "to_excel": "`to_dataframe().to_excel(path)`",
+    "to_netcdf": "`save(path)`",
+    "to_numpy": "`states`",
+    "t": "`times`",
+    "y": "`states`, with a row for each time",
+}
+
+
 class Continued:
     """A motion that may be continued; the base of `pydy.trajectory.Trajectory`."""
 
@@ -498,6 +510,18 @@ class Continued:
     # Attributes that describe the full motion, such as modes of contacts: they are copied to
     # trajectories at other times, and to files (as JSON).
     _facts: Mapping[str, object] = {}
+
+    if not TYPE_CHECKING:  # or type checkers would let any attribute pass
+
+        def __getattr__(self, name: str) -> Any:
+            # Called for what there is not.
+            if (meant := _OF_OTHER_LIBRARIES.get(name)) is not None:
+                raise AttributeError(f"A trajectory has no `{name}`. Use {meant}.", name=name)
+            if name[0] != "_" and not hasattr(type(self), name):
+                public = [n for n in dir(self) if n[0] != "_"]
+                if hint := nearest(name, public, or_all=False):
+                    raise AttributeError(f"A trajectory has no `{name}`. {hint}", name=name)
+            return object.__getattribute__(self, name)  # its error says the rest
 
     def _describe(self, facts: Mapping[str, object]) -> None:
         """Set the attributes that describe the full motion."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from pydy._checks import choice
+from pydy._checks import choice, shown
 from pydy._names import nearest
 
 # Called with a value and its name for messages; returns the converted value.
@@ -38,6 +38,19 @@ _SAME = (
     *(("max_step", "step"), ("hmax", "step")),
 )
 
+# What other libraries call the argument that selects a solver.
+_CHOOSE_A_SOLVER = ("method", "solver", "integrator")
+
+
+def _how_to_choose(solver: object) -> str:
+    return f"Choose a solver by `system.ode_solver = {shown(solver)}`."
+
+
+def refuse_solver(options: Mapping[str, object]) -> None:
+    """Refuse an option `solver`, which no solver has."""
+    if "solver" in options:
+        raise TypeError(f"There is no option `solver`. {_how_to_choose(options['solver'])}")
+
 
 def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, object]) -> None:
     """Refuse an option that a solver does not have, and suggest the nearest one."""
@@ -46,6 +59,8 @@ def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, 
     if unknown:
         alike = [name for pair in _SAME if unknown[0] in pair for name in pair if name in names]
         hint = f"It is called `{alike[0]}` there." if alike else ""
+        if unknown[0] in _CHOOSE_A_SOLVER:
+            hint = _how_to_choose(options[unknown[0]])
         raise TypeError(
             f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
             f"{hint or nearest(unknown[0], names, or_all=False)}".rstrip()

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from pydy.system import System
 
 __all__ = ["main"]
+__dir__ = __all__.copy
 
 PLOT = "bicycle.png"
 ANIMATION = "bicycle.html"

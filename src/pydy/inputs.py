@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = ["SampledInput"]
+__dir__ = __all__.copy
 
 _INTERPOLATIONS = ("linear", "previous", "pchip")
 _SLACK = 1e-9  # of the time span of samples: times may be accumulated sums
@@ -56,7 +57,8 @@ class SampledInput:
     Notes
     -----
     A step of a native solver ends where an input with the interpolation 'previous' jumps; until
-    there it sees the earlier sample.
+    there it sees the earlier sample. A step across other samples that was rejected is repeated up
+    to one of them.
 
     Outside its times, a SampledInput returns the end values, because solvers step past the last
     time and return. `pydy.system.System.integrate` and the evaluations raise an error for times

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = ["constrained_eigenvalues", "reduce_state_matrix"]
+__dir__ = __all__.copy
 
 # How far A may lead out of the tangent space, relative to A.  A Jacobian from differences is good
 # to 1e-6 or so; a state that is no equilibrium misses by something like 1e-2 or more.

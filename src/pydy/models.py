@@ -12,6 +12,7 @@ from pydy.system import System
 _MOST = 10**6  # far beyond what can be derived; more would fill the memory before that is seen
 
 __all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
+__dir__ = __all__.copy
 
 
 def _check_size(n: object) -> None:

@@ -1,11 +1,12 @@
 """Plots of trajectories and ensembles with matplotlib: one line each, labelled from the symbols.
 
 Each function takes a `Trajectory`, or an `xarray.Dataset` with the dimension ``time`` and any
-number of sample dimensions, for which it draws the median and the band from the 5 % to the 95 %
-quantile. To compare several of these in one plot, pass a list, or a dictionary that maps labels to
-results. A function draws into the given Axes, or into a new figure, and returns the Axes. Curves
-whose `units` differ have an axis for each unit: the first is that of the returned Axes, the others
-are at the right. To install matplotlib: ``pip install 'pydy[plot]'``.
+number of sample dimensions, for which it draws a line for each of a dozen samples, or of fewer, and
+else the median and the band from the 5 % to the 95 % quantile. To compare several of these in one
+plot, pass a list, or a dictionary that maps labels to results. A function draws into the given
+Axes, or into a new figure, and returns the Axes. Curves whose `units` differ have an axis for each
+unit: the first is that of the returned Axes, the others are at the right. To install matplotlib:
+``pip install 'pydy[plot]'``.
 """
 
 from __future__ import annotations
@@ -32,17 +33,10 @@ if TYPE_CHECKING:
     from pydy._sympy_types import BySymbol, SymbolOrName
 
 __all__ = [
-    "plot_constraints",
-    "plot_coordinates",
-    "plot_energy",
-    "plot_fit",
-    "plot_outputs",
-    "plot_phase",
-    "plot_quantities",
-    "plot_sensitivities",
-    "plot_speeds",
-    "plot_states",
-]
+    "plot_constraints", "plot_coordinates", "plot_energy", "plot_fit", "plot_outputs",
+    "plot_phase", "plot_quantities", "plot_sensitivities", "plot_speeds", "plot_states",
+]  # fmt: skip
+__dir__ = __all__.copy
 
 # -- Curves from trajectories, ensembles, or several of them: what `pydy.plot` draws ---------------
 
@@ -239,6 +233,7 @@ def nothing_to_plot(description: str, result: Any) -> ValueError:
 
 
 BAND = (0.05, 0.5, 0.95)
+LINES_OF_SAMPLES = 12  # of more samples a band is drawn
 LINES = ("solid", "dashed", "dotted", "dashdot")
 AXIS_SPACING = 8.0  # distance between the axes of further units, in points
 
@@ -626,6 +621,14 @@ def _draw(
         if curve.values.ndim == 1:
             lines += target_axes.plot(curve.times, curve.values, **style)
             continue
+        if len(curve.values) <= LINES_OF_SAMPLES:
+            first, *others = curve.values
+            style |= {"linewidth": 1.0, "alpha": 0.7}
+            lines += target_axes.plot(curve.times, first, **style)
+            style["label"] = "_"  # in no legend
+            for values in others:
+                target_axes.plot(curve.times, values, **style)
+            continue
         with warnings.catch_warnings():
             # Times at which all samples have failed are not drawn.
             warnings.filterwarnings("ignore", "All-NaN slice encountered", RuntimeWarning)
@@ -639,8 +642,8 @@ def _draw(
         unit_axes.margins(x=0)
     _place_beside_each_other(ax, [*axes.values()])
     ax.grid(alpha=0.3)
-    if any(c.values.ndim > 1 for c in curves):
-        title = "median, 5 to 95 %"
+    if count := max((len(c.values) for c in curves if c.values.ndim > 1), default=0):
+        title = f"{count} samples" if count <= LINES_OF_SAMPLES else "median, 5 to 95 %"
     options: dict[str, Any] = {"title": title or None}
     if len({*axes.values()}) == 1:
         # Curves that the Axes had before, such as another run, are in the legend, too.

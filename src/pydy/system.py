@@ -60,7 +60,7 @@ from pydy._evaluation import (
 )
 from pydy._files import file_of
 from pydy._html import html_table
-from pydy._integration import SensitivityRequest, integrate_states, simulate
+from pydy._integration import integrate_states, simulate
 from pydy._judges import warn_of_jumps, warn_of_missing_derivatives, warn_of_outputs
 from pydy._mechanics import (
     EquationsOfMotion,
@@ -80,6 +80,7 @@ from pydy._motion import (
     resolve_ode_solver,
 )
 from pydy._names import name_of, nearest, some
+from pydy._option_checks import refuse_solver
 from pydy._optional import progress_of
 from pydy._problem import (
     DefinitionBuilder,
@@ -89,7 +90,6 @@ from pydy._problem import (
     Problem,
     Settings,
     SymbolSet,
-    base_symbols,
     check_forces,
     check_potential,
     check_times,
@@ -159,6 +159,7 @@ if TYPE_CHECKING:
     Contacts: TypeAlias = Any  # `pydy.contact.Contacts`, whose module imports this one
 
 __all__ = ["System"]
+__dir__ = __all__.copy
 
 
 # Names in other versions of PyDy, and what has their place.
@@ -167,6 +168,12 @@ _OF_OTHER_VERSIONS = {
     "evaluate_nonholonomic": "`evaluate_constraints`, whose last `num_nonholonomic_constraints` "
     "entries are the nonholonomic ones; `evaluate_velocity_constraints` has these after the "
     "differentiated holonomic ones",
+    "lqr": "`system.linearize().to_control()` with python-control, as in `control.lqr`",
+    "bode": "`system.linearize().plot_bode(input, output)`",
+    "natural_frequencies": "`abs(system.linearize().eigenvalues)`, in rad/s",
+    "eigenvectors": "`numpy.linalg.eig(system.linearize().A)`",
+    "energy": "`evaluate_energy()`, `kinetic_energy` or `potential_energy`; along a motion "
+    "`system.simulate().energy`",
 }
 _NAMES_OF_METHODS = dict.fromkeys(
     (
@@ -267,8 +274,9 @@ class System:
         self._equations = extract(eom_method, equations, implicit)
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)
-        base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
-        self._define = DefinitionBuilder(self._equations, base, self._energies)
+        self._define = DefinitionBuilder(
+            self._equations, self._energies, constants_symbols, specifieds_symbols
+        )
         self._options: dict[str, object] = {}
         self._generated: list[GeneratedFunction] = []  # the latest first
         self._constants: dict[SymbolOrName, float] = {}
@@ -626,7 +634,8 @@ class System:
 
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: BySymbol[float] | None) -> None:
-        values = check_mapping("initial_conditions", initial_conditions)
+        remedy = "Use `dict(zip(system.states, values))`."
+        values = check_mapping("initial_conditions", initial_conditions, remedy)
         definition = self._definition
         told = self._told_again(definition, "states")
         read_numbers(definition, "initial_conditions", values, told)
@@ -924,6 +933,7 @@ class System:
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
+        refuse_solver(solver_kwargs)
         return integrate_states(
             problem, self._times, solver=solver, checked=not full, **solver_kwargs
         )
@@ -990,18 +1000,20 @@ class System:
             solver_kwargs["events"] = [*solver_kwargs["events"]]
         shown = solver_kwargs.get("progress") is True
         problem = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
-        wanted, control = None, False
-        if control_sensitivities is not False:
-            control = flag(control_sensitivities, "`control_sensitivities`")
-        if sensitivities is not None:
-            wanted = SensitivityRequest(sensitivities, control)
-        trajectory = simulate(
-            problem, self._times, solver=self.ode_solver, sensitivities=wanted, **solver_kwargs
-        ).trajectory
+        refuse_solver(solver_kwargs)
+        motion = simulate(
+            problem,
+            self._times,
+            solver=self.ode_solver,
+            sensitivities=sensitivities,
+            control_sensitivities=control_sensitivities,
+            **solver_kwargs,
+        )
+        trajectory = motion.trajectory
         if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, problem)
-        if wanted is not None:
-            warn_of_jumps(problem, lambda: trajectory, wanted.augmented)
+        if sensitivities is not None:
+            warn_of_jumps(problem, lambda: trajectory, motion.segments[0].augmented)
         return trajectory
 
     # -- Values and exact derivatives --------------------------------------------------------------
@@ -1514,7 +1526,7 @@ class System:
         point: Point | None = None,
         *,
         frame: ReferenceFrame | None = None,
-        loads: Iterable[Load] = (),
+        loads: Iterable[Load] | None = None,
     ) -> Reaction:
         """Return the force and torque of a joint, bearing or contact on a group of bodies.
 
@@ -1538,7 +1550,8 @@ class System:
         loads : iterable of loads, optional
             Other loads that act on these bodies from outside, not at `point`: the reaction of
             another joint or contact, from multipliers or from another call. Pairs of a Point and a
-            force, or of a ReferenceFrame and a torque.
+            force, or of a ReferenceFrame and a torque. An empty list says that the resultant of all
+            is wanted.
 
         Returns
         -------
@@ -1551,6 +1564,12 @@ class System:
         TypeError, ValueError
             An argument is not valid, a position is not known, the method has no bodies, or it is a
             LagrangesMethod: a Lagrangian does not contain which load acts on which body.
+
+        Warns
+        -----
+        PyDyUserWarning
+            A constraint that closes a loop also holds the bodies, and its multiplier is not in
+            `loads`: the result is not the reaction of one joint.
 
         Notes
         -----
@@ -1994,10 +2013,11 @@ class System:
         Parameters
         ----------
         at : array_like, shape (n,) or (m, n), dict or Equilibrium, optional
-            States; the initial conditions by default. For several states, such as along a
-            trajectory, each matrix has an additional first axis. A dictionary replaces some of the
-            initial conditions, by symbol or name. An Equilibrium also provides the constants and
-            specifieds that were found or given.
+            States; the initial conditions by default, which should be an equilibrium: ``at={}``
+            says that they need not. For several states, such as along a trajectory, each matrix has
+            an additional first axis. A dictionary replaces some of the initial conditions, by
+            symbol or name. An Equilibrium also provides the constants and specifieds that were
+            found or given.
         t : float or array_like, shape (m,), optional
             As in `evaluate_ode`.
         inputs : iterable of specifieds or names, optional
@@ -2020,8 +2040,9 @@ class System:
         Warns
         -----
         PyDyUserWarning
-            A state does not satisfy the constraints; or a load or rate has a kink or a jump there,
-            of which the model knows one side.
+            A state does not satisfy the constraints; a load or rate has a kink or a jump there, of
+            which the model knows one side; or neither `at` nor `t` is given, the initial
+            conditions are no equilibrium, and the model changes along the motion from there.
 
         Examples
         --------
@@ -2199,6 +2220,7 @@ class System:
         -------
         EquilibriumBranch
             It ends where the parameter leaves its range, or where the branch returns to its start.
+            A branch that ends elsewhere, after `most` points or because it was lost, warns.
 
         Raises
         ------
@@ -2496,8 +2518,9 @@ class System:
         -----
         PyDyUserWarning
             The data do not determine some combinations of parameters, a parameter is at a bound,
-            the search did not converge, or neighbouring residuals are correlated, so that standard
-            errors are too small; white noise causes this warning in one of 10 000 fits.
+            the search did not converge, or neighbouring residuals are correlated: standard errors
+            are too small, or the model does not describe the data, as in a local minimum. White
+            noise causes this warning in one of 10 000 fits.
 
         Examples
         --------

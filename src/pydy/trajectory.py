@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from pydy._sympy_types import BySymbol, SymbolOrName
 
 __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
+__dir__ = __all__.copy
 
 # -- The quantities of a trajectory: symbols by kind, lookup by symbol or name --------------------
 

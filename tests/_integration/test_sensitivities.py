@@ -482,6 +482,22 @@ def test_an_event_that_seems_to_graze_names_the_tolerance_to_lower(size, name, t
     assert moved.time == pytest.approx(1.0 - np.sqrt(0.1), abs=1e-3)  # t − t² / 2 = 0.45
 
 
+@pytest.mark.parametrize("tolerance", [1e-7, 1e-12])
+def test_bounces_that_accumulate_name_other_remedies_than_a_tolerance(tolerance):
+    system, bounce = bouncing_ball(e=0.5)
+    options = {"events": [bounce], "rtol": tolerance, "atol": tolerance}
+    with pytest.raises(IntegrationError, match="follow each other at ever shorter") as refused:
+        system.simulate(sensitivities=["e"], **options)
+    assert "lower `" not in str(refused.value)
+    # The flight between the first bounces takes 2 e u / g, where u² = 0.5² + 2 g 0.9.
+    landing = np.sqrt(0.25 + 1.8 * 9.81)
+    zeno = (0.5 + landing) / 9.81 + 2.0 * landing / 9.81
+    assert refused.value.time < zeno
+    assert str(refused.value).count(f"number {len(refused.value.info['events']) + 1} of these") == 1
+    system.times = [0.0, refused.value.time - 1e-9]  # the first remedy
+    system.simulate(sensitivities=["e"], **options)
+
+
 def test_events_with_sensitivities_are_saved(tmp_path):
     pytest.importorskip("xarray")
     system, bounce = bouncing_ball()

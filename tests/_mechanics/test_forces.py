@@ -503,3 +503,88 @@ def test_a_load_beside_a_particle_on_the_ground_is_none_of_a_beams_there():
     for members, force in ((["beam"], 0.0), (["beam", "peg", tip], 10.0)):
         system.outputs = system.reaction(members, origin).outputs("clamp")
         close(system.evaluate_outputs(np.zeros(2), 0.0)[1], force, 1e-14)
+
+
+def open_four_bar():
+    """A four-bar linkage cut at the pin between coupler and rocker, which constraints close."""
+    angles, rates = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    frame, origin = inertial_frame()
+    bars = [me.ReferenceFrame(f"B{k}") for k in range(3)]
+    for bar, angle in zip(bars, angles, strict=True):
+        bar.orient_axis(frame, angle, frame.z)
+    far = origin.locatenew("D", 0.6 * frame.x)
+    crank_pin = origin.locatenew("A", 0.2 * bars[0].x)
+    ends = [crank_pin.locatenew("B", 0.6 * bars[1].x), far.locatenew("B2", 0.5 * bars[2].x)]
+    centres = [
+        start.locatenew(f"G{k}", length / 2 * bars[k].x)
+        for k, (start, length) in enumerate([(origin, 0.2), (crank_pin, 0.6), (far, 0.5)])
+    ]
+    masses = (0.4, 1.2, 1.0)
+    inertias = (0.4 * 0.04 / 12, 1.2 * 0.36 / 12, 0.25 / 12)
+    bodies = [
+        me.RigidBody(f"bar{k}", centre, bar, mass, (me.inertia(bar, 0, 0, about), centre))
+        for k, (centre, bar, mass, about) in enumerate(
+            zip(centres, bars, masses, inertias, strict=True)
+        )
+    ]
+    gap = ends[0].pos_from(ends[1])
+    definition = Definition(
+        frame,
+        angles,
+        rates,
+        bodies=bodies,
+        loads=[(centre, -9.81 * m * frame.y) for centre, m in zip(centres, masses, strict=True)],
+        holonomic_constraints=[gap.dot(frame.x), gap.dot(frame.y)],
+    )
+    system = System(definition, initial_conditions={"q1": 1.0, "u1": 6.0, "q2": 0.5, "q3": 1.8})
+    system.set_dependent_initial_conditions(dep_vars=["q2", "q3", "u2", "u3"])
+    return system, bodies, (origin, crank_pin, far), ends[0]
+
+
+def test_a_loop_that_is_left_out_is_warned_of():
+    system, bodies, (origin, crank_pin, far), pin = open_four_bar()
+    frame, lam = system.eom_method.frame, system.constraint_forces
+    closing = [(pin, lam["lambda0"] * frame.x + lam["lambda1"] * frame.y)]
+    for members, point in (([bodies[1]], crank_pin), ([bodies[2]], far)):
+        with pytest.warns(
+            UserWarning, match=r"constraint of lambda0 and of 1 more, not at .* alone"
+        ):
+            system.reaction(members, point)
+    with pytest.warns(UserWarning, match="held by the constraint of lambda1, not at"):
+        system.reaction(bodies[1], crank_pin, loads=[(pin, lam["lambda0"] * frame.x)])
+    for members in (bodies, bodies[0]):  # the far pin, or the crank pin, holds them as well
+        with pytest.warns(UserWarning, match=r"joined to others, not at O alone: .* all bodies on"):
+            system.reaction(members, origin)
+    coupler = system.reaction(bodies[1], crank_pin, loads=closing)
+    rest = [(crank_pin, -coupler.force)]
+    crank = system.reaction(bodies[0], origin, loads=rest)
+    system.outputs = coupler.outputs("A") | crank.outputs("O")
+    values = system.evaluate_outputs()[:12].reshape(2, 6)
+    close(values[:, 5], np.zeros(2), 1e-12)  # pins hold no torque about their axes
+    resultant = system.reaction(bodies[1], crank_pin, loads=[])
+    system.outputs = resultant.outputs("A")
+    assert abs(system.evaluate_outputs()[5]) > 0.1
+
+
+def test_a_constraint_on_one_side_of_a_cut_is_not_warned_of():
+    x, y, angle = me.dynamicsymbols("x y p")
+    frame, ground = inertial_frame()
+    cart = me.Particle("cart", ground.locatenew("C", x * frame.x), 3.0)
+    slider = me.Particle("slider", ground.locatenew("S", y * frame.y), 1.0)
+    hook = cart.masscenter.locatenew("H", -frame.y)
+    bar = me.ReferenceFrame("P")
+    bar.orient_axis(frame, angle, frame.z)
+    centre = hook.locatenew("G", -0.3 * bar.y)
+    pendulum = me.RigidBody("pendulum", centre, bar, 1.0, (me.inertia(bar, 0, 0, 0.1), centre))
+    system = System(
+        Definition(
+            frame,
+            [x, angle, y],
+            me.dynamicsymbols("v w z"),
+            bodies=[cart, pendulum, slider],
+            holonomic_constraints=[x**2 + y**2 - 4.0],  # a rod from the cart to the slider
+        )
+    )
+    system.reaction(pendulum, hook)
+    with pytest.warns(UserWarning, match="constraint of lambda0, not at Z alone"):
+        system.reaction([cart, pendulum], ground.locatenew("Z", 0.5 * frame.y))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pydy._integration import SensitivityRequest, integrate
+from pydy._integration import SensitivityRequest, integrate, simulate
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event, dop853
 
@@ -37,6 +37,21 @@ def test_the_last_sensitivities_are_those_of_the_last_state(problem):
     )  # fmt: skip
     (record,) = ended.events
     np.testing.assert_array_equal(ended.last_sensitivities, record.sensitivity_after)
+
+
+def test_simulate_takes_parameters_in_place_of_a_request(problem):
+    times, options = np.linspace(0.0, 2.0, 5), {"solver": dop853}
+    for controlled in (False, True):
+        request = SensitivityRequest(["x0", "k0"], controlled)
+        asked = integrate(problem, times, sensitivities=request, **options)
+        motion = simulate(
+            problem, times, sensitivities=["x0", "k0"], control_sensitivities=controlled, **options
+        )
+        np.testing.assert_array_equal(motion.sensitivities, asked.sensitivities)
+        (segment,) = motion.segments
+        assert [str(p.symbol) for p in segment.augmented.parameters] == ["x0(t)", "k0"]
+    with pytest.raises(TypeError, match="`control_sensitivities` must be"):
+        simulate(problem, times, sensitivities="x0", control_sensitivities="yes", **options)
 
 
 def test_rates_of_a_segment_are_those_of_its_equations(problem):

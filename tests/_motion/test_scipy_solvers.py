@@ -9,6 +9,7 @@ from scipy.integrate import RK45, Radau, odeint, solve_ivp
 from scipy.sparse import csr_array
 
 from pydy._errors import IntegrationError
+from pydy._motion import is_implicit
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event, dop853
 from zoo.cases import close
@@ -27,6 +28,15 @@ def system():
 
 
 SOLVERS = [solve_ivp, RK45, Radau, "solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA"]
+
+
+def test_radau_and_bdf_are_implicit(system):
+    implicit = []
+    for solver in [*SOLVERS, odeint, dop853]:
+        system.ode_solver = solver
+        if is_implicit(system.ode_solver):
+            implicit.append(solver)
+    assert implicit == [Radau, "Radau", "BDF"]
 
 
 @pytest.mark.parametrize("solver", SOLVERS, ids=lambda s: getattr(s, "__name__", f"named {s}"))
@@ -127,6 +137,16 @@ def test_an_unknown_option_names_the_nearest(system, solver, option, meant):
     system.ode_solver = solver
     with pytest.raises(TypeError, match=f"has no option `{option}`.* Did you mean `({meant})`"):
         system.integrate(**{option: 1e-3})
+
+
+@pytest.mark.parametrize("solver", ["odeint", "dop853"])
+@pytest.mark.parametrize("option", ["method", "solver"])
+def test_a_solver_is_no_option(system, solver, option):
+    system.ode_solver = solver
+    with pytest.raises(TypeError, match=f"no option `{option}`.* `system.ode_solver = 'RK45'`"):
+        system.integrate(**{option: "RK45"})
+    with pytest.raises(TypeError, match=f"no option `{option}`.* `system.ode_solver = 'RK45'`"):
+        system.simulate(**{option: "RK45"})
 
 
 @pytest.mark.parametrize(

@@ -157,3 +157,10 @@ def test_the_generated_function_is_named_rhs():
     rhs = generate_ode_function(sm.Matrix([V, X]), [X], [V])
     assert rhs.__name__ == "rhs"
     assert rhs.__module__ == "pydy.codegen.ode_function_generators"
+
+
+def test_a_generator_of_an_old_version_is_refused_with_the_argument():
+    with pytest.raises(ImportError, match=r"no `Lambdify.*`: use .* generator='lambdify'\)"):
+        from pydy.codegen.ode_function_generators import (  # noqa: F401
+            LambdifyODEFunctionGenerator,
+        )

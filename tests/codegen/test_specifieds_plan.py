@@ -181,3 +181,12 @@ def test_a_generated_function_takes_samples(rhs):
 def test_a_generated_function_refuses_expressions(rhs):
     with pytest.raises(ValueError, match=r"`r` gives a SymPy expression for a\(t\).*compiled"):
         rhs([0.0], 1.0, {A: sm.sin(T), B: 1.0}, [])
+
+
+def test_zeros_replace_entries_of_every_kind():
+    plan = SpecifiedsPlan({A: 1.0, B: 2.0, (C, D): samples(2), E: K * sm.sin(T)}, SYMBOLS)
+    zeroed = plan.with_zeros((1, 3, 4))
+    np.testing.assert_array_equal(zeroed.inputs(X, 0.0), [1.0, 0.0, 1.0, 0.0, 0.0])
+    assert not zeroed.expressions
+    np.testing.assert_array_equal(plan.inputs(X, 0.0), [1.0, 2.0, 1.0, 2.0, 0.0])
+    assert plan.with_zeros(()) is plan

@@ -297,6 +297,22 @@ def test_a_control_that_chatters_on_a_singular_arc_is_warned_of():
     assert singular().solve().objective == pytest.approx(0.37699193, rel=1e-4)
 
 
+def test_a_duration_at_its_bound_is_warned_of_where_nothing_limits_a_control():
+    """A unit mass moves a metre in 2 s with ±1 N, and as fast as one likes without limit."""
+    system, (x, v, F) = optima.double_integrator()
+    ends = {"start": {x: 0.0, v: 0.0}, "end": {x: 1.0, v: 0.0}}
+    words = r"^The duration is at its lower bound, 0.1 s: nothing limits the control `F\(t\)`"
+    with pytest.warns(PyDyUserWarning, match=words) as caught:
+        system.optimize_trajectory(TF, TF, bounds={TF: (0.1, 9.0)}, **ends)
+    assert len(caught) == 1
+    limited = {TF: (0.1, 9.0), F: (-1.0, 1.0)}
+    fastest = system.optimize_trajectory(TF, TF, bounds=limited, **ends)
+    assert fastest.duration == pytest.approx(2.0, rel=1e-6)
+    # The square of the control limits it.
+    least = sm.Integral(F**2, T) + 1e9 * TF
+    assert system.optimize_trajectory(least, TF, bounds={TF: (1.0, 9.0)}, **ends).duration == 1.0
+
+
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
 def test_controls_that_jump_do_not_chatter(method):
     speed_limit(method=method).solve()

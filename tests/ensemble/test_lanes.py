@@ -284,6 +284,24 @@ def test_radaus_lanes_see_sampled_inputs_at_their_own_times(kind):
     np.testing.assert_allclose(many[x.name], other[x.name], rtol=0.0, atol=2e-5)
 
 
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+def test_lanes_end_steps_at_the_knots_that_one_trajectory_ends_them_at(solver):
+    t = np.linspace(0.0, 3.0, num=301)
+    push = SampledInput(t, np.random.default_rng(7).normal(0.0, 4.0, 301))
+    system, x, _v = spring(lambda *_: push)
+    values = {"initial_conditions": {x: np.linspace(-1.0, 1.0, num=11)}}
+    values["constants"] = {"c0": np.geomspace(0.1, 1e2, num=11)}
+    options = {"ode_solver": solver, "rtol": 1e-7, "atol": 1e-7}
+    many = told(lambda: system.integrate_ensemble(**values, **options))
+    for k in range(11):
+        system.initial_conditions = {x: float(values["initial_conditions"][x][k])}
+        system.constants["c0"] = float(values["constants"]["c0"][k])
+        system.ode_solver = solver
+        one = system.simulate(rtol=1e-7, atol=1e-7)
+        assert one.statistics["rejected"] > 50  # the knots matter
+        np.testing.assert_array_equal(many[x.name][k], one.states[:, 0])
+
+
 # -- on constraints --------------------------------------------------------------------------------
 
 

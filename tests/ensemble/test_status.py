@@ -8,6 +8,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
+from pydy.ensemble import after_end
 from pydy.ensemble.model import EnsembleModel
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
@@ -116,3 +117,18 @@ def test_the_documentation_lists_every_code(outcome):
     page = Path(__file__).parents[2] / "docs" / "ensembles.md"
     number = str(int(outcome)).replace("-", "−")
     assert f"| {number} | `{outcome.flag}` |" in page.read_text("utf-8")
+
+
+def test_times_after_the_end_follow_an_event_and_no_failure(ball):
+    height, velocity = ball.states
+    speeds = {velocity: np.array([0.0, 9.0, -1.0])}
+    landing = Event(height, direction=-1, terminal=True)
+    results = ball.integrate_ensemble(
+        initial_conditions={height: 1.0, **speeds}, events=[landing], max_steps=40
+    )
+    late = after_end(results, ball.times)
+    ends = (speeds[velocity] + np.sqrt(speeds[velocity] ** 2 + 2.0 * GRAVITY)) / GRAVITY
+    np.testing.assert_array_equal(late, ball.times > ends[:, None])
+    failed = ball.integrate_ensemble(constants={"k0": [1e4, 2e4]}, max_steps=2)
+    assert names(failed) == ["too_many_steps", "too_many_steps"]
+    assert not after_end(failed, ball.times).any()

@@ -5,7 +5,9 @@ import re
 import shutil
 import subprocess
 
+import numpy as np
 import pytest
+import sympy as sm
 
 from oracles import crossings, departures, projections
 from pydy._assembly.programs import block_program
@@ -19,6 +21,8 @@ from pydy.export.javascript import (
     javascript_of,
     literal,
 )
+from pydy.solvers import Event
+from zoo.ball import bouncing_ball
 from zoo.exported_models import ball, hostile, pendulum
 
 
@@ -143,3 +147,14 @@ def test_projections_follow_the_table(tmp_path, case):
     (run,) = run_by_node(path, [{"times": [0.0, 1e-9], "initial": case.start}])
     assert run["status"] == "finished"
     projections.check(case, run["states"][0])
+
+
+@by_node
+def test_an_event_that_a_reset_makes_nan_ends_the_motion(tmp_path):
+    system, bounce = bouncing_ball()
+    up = Event(sm.sqrt(-system.states[1] + 0.6) + 1, name="up")  # NaN where the ball rises fast
+    [run] = simulated(tmp_path, system, [bounce, up], [{"times": [0.0, 0.2, 2.0]}])
+    assert run["status"] == "the event up is NaN"
+    assert [event["time"] for event in run["events"]] == pytest.approx(
+        [(0.5 + np.sqrt(0.5**2 + 2 * 9.81 * 0.9)) / 9.81]
+    )

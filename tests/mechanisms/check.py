@@ -112,7 +112,9 @@ class Check:
             # What is fixed to a particle without mass is told: its frame, and points beside it.
             for k in (k for k in beyond if self.data["bodies"][k]["inertia"] is None):
                 held += [model.frames[k], *model.spots.get(k, [])]
-            cut = system.reaction(held, model.hinges[body], frame=model.ground)
+            cut = system.reaction(held, model.hinges[body], frame=model.ground, loads=[])
+            if not rows:  # nothing else holds them: this is not warned of
+                system.reaction(held, model.hinges[body])
             wanted += [("reaction", list(cut.outputs("joint").values()))]
         found = self._evaluated(wanted)
         where = w.centres(last)[0, 0]

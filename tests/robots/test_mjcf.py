@@ -66,6 +66,24 @@ def state(rng, model, data):
     data.ctrl[:] = rng.normal(size=model.nu)
 
 
+def test_quaternions_change_as_products_with_angular_velocities(tmp_path):
+    """q' = ½ q ⊗ (0, ω), with ω along the axes of the body."""
+    body = '<body name="b"><freejoint name="base"/><geom size="0.1"/></body>'
+    robot = read(written(tmp_path, f"<mujoco><worldbody>{body}</worldbody></mujoco>"))
+    system = robot.system()
+    coordinates, speeds = robot.joints["base"].coordinates, robot.joints["base"].speeds
+    rng = np.random.default_rng(1)
+    e, w, place, velocity = rng.normal(size=4), *rng.normal(size=(3, 3))
+    e /= np.linalg.norm(e)
+    values = [*place, *e, *velocity, *w]
+    x = dict(zip((*coordinates, *speeds), values, strict=True))
+    rates = system.evaluate_ode(x=np.array([x[s] for s in system.states]))
+    found = dict(zip(system.states, rates, strict=True))
+    vector = e[0] * w + np.cross(e[1:], w)
+    expected = [*velocity, -e[1:] @ w / 2, *(vector / 2)]
+    np.testing.assert_allclose([found[q] for q in coordinates], expected, atol=1e-14)
+
+
 @pytest.mark.parametrize("parameters", ["symbols", "numbers"])
 def test_accelerations_are_those_of_mujoco(tmp_path, parameters):
     path = written(tmp_path, BRANCHED)

@@ -19,6 +19,7 @@ from pydy.solvers import Event
 from pydy.solvers.run import workspace
 from pydy.solvers.run.backward import DiscreteAdjoint
 from registry import ADAPTIVE_NAMES, EXPLICIT_NAMES, step_options
+from zoo.ball import bouncing_ball
 from zoo.cases import system_of, uncoupled
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
@@ -337,6 +338,14 @@ def test_an_event_that_is_only_grazed_is_refused():
     system.times, loose = [0.0, 1.5], {"rtol": 1e-4, "atol": 1e-4, "max_step": 1e-3}
     with pytest.raises(IntegrationError, match="`top`, which the motion only grazes: by 1e-06"):
         system.adjoint_gradient([g], final=y, events=top, **loose)
+
+
+def test_bounces_that_accumulate_are_told_by_gradients_too():
+    system, bounce = bouncing_ball(e=0.5)
+    system.times = [0.0, 1.34]  # they accumulate at 1.345
+    loose = {"rtol": 1e-5, "atol": 1e-4}
+    with pytest.raises(IntegrationError, match="follow each other at ever shorter"):
+        system.adjoint_gradient(["e"], final=system.coordinates[0], events=bounce, **loose)
 
 
 # -- constraints ----------------------------------------------------------------------------------

@@ -146,7 +146,7 @@ def test_a_linear_model_takes_the_rates_and_their_derivatives(compiled):
 
 
 def test_a_linear_model_with_constraints_takes_a_jacobian_more_for_each_kind(compiled):
-    fourbar().linearize()
+    fourbar().linearize({})
     assert sorted(blocks(compiled)) == ["jacobian", "jacobian", "jacobian", "rates"]
 
 

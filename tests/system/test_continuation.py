@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 import pydy.analysis.continuation
 from pydy import System
-from pydy.errors import AnalysisInterrupted, EquilibriumError
+from pydy.errors import AnalysisInterrupted, EquilibriumError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from zoo import inertial_frame
@@ -44,6 +44,19 @@ def test_a_branch_goes_around_its_folds():
     np.testing.assert_allclose(x**3 - x, branch.values, atol=1e-10)
     np.testing.assert_array_equal(branch.stable, 3.0 * x**2 > 1.0)
     assert (branch.values[0], branch.values[-1]) == (-3.0, 3.0)
+
+
+@pytest.mark.parametrize("end", [1.0, 2.0, 10.0])
+def test_steps_follow_the_sizes_of_the_unknowns(end):
+    """x³ − p x = 0.1 grows from x = 0.05 to √p: the steps once stayed those of its start."""
+    system = in_a_potential(lambda x, p: p * x - x**3 + sm.Rational(1, 10))
+    system.initial_conditions = {"x": 0.05}
+    branch = system.follow_equilibria({"p": [-2.0, end]})
+    assert branch.ended == "bounds"
+    roots = np.roots([1.0, 0.0, -end, -0.1])
+    assert branch["x"][-1] == pytest.approx(roots.real.max(), rel=1e-9)
+    with pytest.warns(PyDyUserWarning, match=r"within its range: it has `most` = 9 points"):
+        assert system.follow_equilibria({"p": [-2.0, end]}, most=9).ended == "steps"
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])

@@ -565,8 +565,8 @@ def test_a_reset_takes_names_of_states():
 
 
 WRONG = [
-    (Z, TypeError, "`events` must be a list of Event, got"),
-    ([Z], TypeError, "`events` must hold objects of pydy.solvers.Event, got"),
+    (Z, TypeError, r"`events` must be a list of Event, got .* Use `Event\(z\(t\)\)`"),
+    ([Z], TypeError, r"`events` must hold objects of pydy.solvers.Event, got.* `Event\(.*\)`"),
     ([Event(Z, reset={G: 1})], ValueError, r"has a value for `g`, which is no state .*z\(t\)"),
     ([Event(Z, reset={V: 1, "v": 2})], ValueError, r"gives `v\(t\)` more than once"),
     (
@@ -590,6 +590,12 @@ def test_wrong_events_say_what_they_must_be(events, kind, message):
 def test_an_inequality_is_refused_with_the_expression_that_crosses_zero(condition, remedy):
     with pytest.raises(ValueError, match=f"`expression` must cross zero, .* Pass `{remedy}`"):
         Event(condition)
+
+
+@pytest.mark.parametrize("solver", [odeint, "RK45", "dop853"])
+def test_an_expression_is_no_event_whatever_the_solver(solver):
+    with pytest.raises(TypeError, match=r"pydy.solvers.Event, got .* Use `Event\(z\(t\) - 0.1\)`"):
+        ball(solver=solver).integrate(events=[Z - 0.1])
 
 
 def test_events_need_a_native_solver():

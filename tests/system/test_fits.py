@@ -12,7 +12,7 @@ import zoo
 from oracles import optima
 from pydy.analysis import Trial
 from pydy.analysis.fits import shooting
-from pydy.analysis.fits.residuals import autocorrelation
+from pydy.analysis.fits.residuals import autocorrelation, is_smooth
 from pydy.analysis.fits.search import estimate
 from pydy.contact import Contacts, Stick
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
@@ -304,7 +304,9 @@ def test_segments_find_what_one_shot_does_not():
     ride = system.simulate(rtol=1e-11, atol=1e-11)
     trial = Trial(times, {"q1": ride["q1"], "u1": ride["u1"]})
     system.constants = {"m0": 1e6, "g": 9.81, "l0": 1.6}
-    with pytest.warns(PyDyUserWarning, match="neighbouring ones of q1 by .*; u1 by .* are corr"):
+    with pytest.warns(
+        PyDyUserWarning, match="^The model does not .* residuals of q1 are .*; u1 are corr"
+    ):
         once = system.fit(["l0"], trial)
     assert abs(once["l0"] - 1.0) > 0.1
     several = system.fit(["l0"], trial, segments=20)
@@ -842,3 +844,26 @@ def test_a_step_to_a_motion_beyond_the_powers_of_floats_is_not_taken(oscillator)
     with np.errstate(all="raise"):
         z, *_ = estimate(residuals, np.array([1.0]), bounds, ["k"], 50, warns=False)
     assert z == pytest.approx([1.5], abs=0.6)
+
+
+@pytest.mark.parametrize("noise", [None, 0.01])
+def test_a_model_that_does_not_describe_the_data_is_warned_of(oscillator, noise):
+    """With a wrong stiffness the residuals are those of a local minimum: a smooth curve."""
+    samples = swing() + np.random.default_rng(0).normal(0.0, 0.01, len(TIMES))
+    trial = let_go(samples, **({} if noise is None else {"noise": noise}))
+    oscillator.constants = {"k0": 5.0}
+    words = r"^The model does not describe the data, or .* local minimum: neighbouring .* x0 are"
+    with pytest.warns(PyDyUserWarning, match=words):
+        oscillator.fit(["c0"], trial)
+    oscillator.constants = {"k0": 5.0}
+    assert oscillator.fit(["k0", "c0"], trial).warnings == ()
+
+
+def test_noise_with_a_memory_is_not_smooth():
+    times = np.linspace(0.0, 60.0, num=601)
+    curve = [np.sin(times), np.cos(2.0 * times)]
+    assert is_smooth(curve, autocorrelation(curve)[0])
+    remembering = [np.random.default_rng(1).normal(size=601)]
+    for k in range(1, 601):
+        remembering[0][k] += 0.9 * remembering[0][k - 1]
+    assert not is_smooth(remembering, autocorrelation(remembering)[0])

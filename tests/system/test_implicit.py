@@ -708,7 +708,7 @@ def test_a_linear_model_has_what_inputs_move_through_residuals():
         Definition(frame, [x], bodies=bodies, loads=loads), {K: 1.0}, implicit=implicit,
         initial_conditions={x: 1.0}, specifieds={f: 0.7}, outputs={"o": z * y + f},
     )  # fmt: skip
-    model, step = system.linearize(outputs=["y", "z", "o"]), 1e-5
+    model, step = system.linearize({}, outputs=["y", "z", "o"]), 1e-5
 
     def moved(force):
         load = system.evaluate_ode({x: 1.0}, r={f: force})[-1]

@@ -82,7 +82,7 @@ def test_a_model_has_the_eigenvalues_of_the_motions_that_keep_the_constraints(na
     if name != "gyro":
         at_rest = system.find_equilibrium().initial_conditions if name == "fourbar" else {}
         system.initial_conditions = at_rest
-    model = system.linearize()
+    model = system.linearize({})
     n = len(system.coordinates) + len(system.speeds)
     rank = n - len(model.states)
     blocks = [
@@ -132,7 +132,7 @@ def test_inputs_and_outputs_have_names():
 @pytest.mark.parametrize("speed", [1e-9, 1e9])
 def test_a_model_has_the_same_states_in_any_unit_of_time(speed):
     """On a circle of one metre, y'' = -y v²/(1 - y²)."""
-    model = on_a_circle(0.7, speed).linearize()
+    model = on_a_circle(0.7, speed).linearize({})
     x, y = np.cos(0.7), np.sin(0.7)
     assert model.states == ("y", "v")
     close(model.A * [[1, 1], [1 / speed**2, 1 / speed]], [[0, 1], [-(1 + y**2) / x**2, -2 * y / x]])
@@ -462,3 +462,35 @@ def test_a_kink_is_told_with_its_place_and_both_slopes(force, at, what):
 )
 def test_what_is_smooth_is_not_told_of(force):
     on_a_line(force, 0.0).linearize()  # a warning would be an error
+
+
+def test_a_model_away_from_equilibrium_is_warned_of():
+    """The eigenvalues of a pendulum at an angle of 1.2 are not those at rest."""
+    system = n_link_pendulum_on_cart(1, cart_force=False)
+    rest = np.sort_complex(system.linearize().eigenvalues)
+    system.initial_conditions = {"q1": 1.2}
+    with pytest.warns(UserWarning, match=r"no equilibrium: .* Pass the result of .* `at=\{\}` if"):
+        tilted = system.linearize()
+    assert np.abs(np.sort_complex(tilted.eigenvalues) - rest).max() > 0.1
+    close(system.linearize({}).A, tilted.A)
+    close(system.linearize(t=0.0).A, tilted.A)
+    system.initial_conditions = {"q1": 3.14159, "u0": 2.0}  # typed digits; a cart that rolls
+    system.linearize()
+
+
+def test_a_body_that_falls_has_one_model_all_along():
+    x, v = me.dynamicsymbols("x v")
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", x * frame.y)
+    ball = me.Particle("ball", place, 2)
+    system = System(Definition(frame, [x], [v], bodies=[ball], loads=[(place, -20 * frame.y)]))
+    close(system.linearize().A, [[0.0, 1.0], [0.0, 0.0]])
+
+
+@pytest.mark.parametrize("speed", [0.0, 4.6])
+def test_a_bicycle_that_rolls_steadily_is_not_warned_of(speed):
+    made, compiled = bicycle()
+    system = System(made.definition, constants=compiled.constants)
+    x = upright(made, system, [speed])[0]
+    system.initial_conditions = dict(zip(system.states, x, strict=True))
+    close(system.linearize().A, system.linearize(x).A)

@@ -217,6 +217,9 @@ def test_a_misspelt_attribute_is_refused_with_the_nearest_name(name, meant):
     [
         ("evaluate_holonomic", "Use `evaluate_holonomic_constraints`"),
         ("evaluate_nonholonomic", "Use `evaluate_constraints`, whose last"),
+        ("lqr", r"has no `lqr`. Use `system.linearize\(\).to_control\(\)`"),
+        ("natural_frequencies", r"Use `abs\(system.linearize\(\).eigenvalues\)`"),
+        ("energy", r"Use `evaluate_energy\(\)`"),
         ("integrat", "no attribute `integrat`. Did you mean `integrate`"),
         ("Times", "no attribute `Times`. Did you mean `times`"),
         ("qqqqqq", "no attribute 'qqqqqq'$"),
@@ -236,3 +239,10 @@ def test_a_class_of_the_users_has_attributes_of_its_own():
     system = Mine(zoo.timed().kane)
     system.label = "mine"
     assert system.label == "mine"
+
+
+def test_a_list_of_initial_conditions_is_refused_with_the_remedy():
+    system = System(zoo.timed().kane)
+    with pytest.raises(TypeError, match=r"got list. Use `dict\(zip\(system.states, values\)\)`"):
+        system.initial_conditions = [0.0, 0.0]
+    system.initial_conditions = dict(zip(system.states, [0.5, 0.1], strict=False))

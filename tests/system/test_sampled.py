@@ -7,13 +7,14 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.integrate import quad
+from scipy.linalg import expm
 
 import zoo
 from oracles.oracle import oracle
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
-from registry import SOLVER_NAMES, step_options
+from registry import ADAPTIVE_NAMES, SOLVER_NAMES, step_options
 from zoo.cases import Recorder, close, system_of
 
 T = zoo.T
@@ -276,3 +277,71 @@ def test_native_solvers_end_steps_at_jumps_beside_functions_too(solver):
     system.specifieds = {first: jumps, second: sm.sin(T)}
     system.generate_ode_function(generator="lambdify")
     close(system.integrate(**options), expected, 1e-13)
+
+
+# -- kinks: whether one matters, the error of a step across it tells -------------------------------
+
+
+def on_a_road(times, heights, start=0.0):
+    """A wheel on a spring and a damper that a road of straight pieces moves, and its states."""
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    c, k, m = system.constants_symbols
+    system.constants = {c: 2.0, k: 400.0, m: 1.0}
+    (force,) = system.specifieds_symbols
+    system.specifieds = {force: SampledInput(start + times, 400.0 * heights)}
+    system.times = start + times[:: (len(times) - 1) // 100]
+    h = times[1]
+    rates = np.zeros((4, 4))  # of x, v, the force and its slope
+    rates[0, 1] = rates[2, 3] = 1.0
+    rates[1, :3] = -400.0, -2.0, 1.0
+    step, slopes = expm(h * rates), np.diff(heights) / h
+    states = [np.zeros(2)]
+    for height, slope in zip(heights, slopes, strict=False):
+        states.append((step @ [*states[-1], 400.0 * height, 400.0 * slope])[:2])
+    return system, np.array(states)[:: (len(times) - 1) // 100]
+
+
+TRIES = {"dop853": 1.6, "vern9": 1.6, "tsit5": 3.2, "radau": 7.2}  # for each kink
+
+
+@pytest.mark.parametrize("start", [0.0, 1e4])
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+def test_steps_end_at_the_kinks_that_matter(solver, start):
+    """Of high orders three tries for two kinks; by error control alone they are 27."""
+    times = np.linspace(0.0, 4.0, 401)
+    heights = np.cumsum(np.random.default_rng(4).normal(0.0, 1e-2, 401))
+    system, expected = on_a_road(times, heights, start)
+    system.ode_solver = solver
+    motion = system.simulate(rtol=1e-8, atol=1e-8)
+    assert motion.states == pytest.approx(expected, abs=1e-6)
+    tries = motion.statistics["steps"] + motion.statistics["rejected"]
+    assert tries < TRIES[solver] * 400
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+def test_steps_pass_over_the_kinks_of_dense_samples(solver):
+    times = np.linspace(0.0, 4.0, 100_001)
+    system, expected = on_a_road(times, 0.05 * np.sin(6.0 * times))
+    system.ode_solver = solver
+    motion = system.simulate(rtol=1e-6, atol=1e-6)
+    assert motion.states == pytest.approx(expected, abs=1e-4)
+    assert motion.statistics["steps"] + motion.statistics["rejected"] < 500
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+def test_a_kink_that_a_step_begins_or_ends_at_is_no_reason_to_repeat_it(solver):
+    """A ramp that ends where the motion does, and one that begins there."""
+    system = free_mass(SampledInput([0.0, 1.0, 2.0], [0.0, 1.0, 0.0]), [1.0, 2.0])
+    system.ode_solver = solver
+    states = system.integrate(**TIGHT)
+    close(states[-1], np.array([1.0 / 6.0, 0.25]), 1e-10)  # v = (s − s² / 2) / 2, with s = t − 1
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+def test_a_kink_just_before_the_end_does_not_stop_the_motion(solver):
+    """A step up to it is stretched to the end, which is nearer than a step may be short."""
+    samples = SampledInput([0.0, 1.0 - 2e-6, 1.0 - 1e-6, 1.0], [0.0, 0.0, 2e4, 2e4])
+    system = free_mass(samples, [0.0, 1.0])
+    system.ode_solver = solver
+    motion = system.simulate(rtol=1e-11, atol=1e-11, max_steps=10_000)
+    close(motion.states[-1, 1], 1.5e-2, 1e-9)  # 1.5e-6 s · 2e4 N / 2 kg

@@ -212,7 +212,8 @@ def test_relaxation_lengths_of_the_old_versions_differ_in_a_sign():
     c = old.parameters
     Fz, Fz0 = 5000.0, c["FNOMIN"] * c["LFZO"]
     dfz = Fz / Fz0 - 1
-    for tire, sign in ((old, -1), (adams, 1), (tire_of("5.2", relaxation_sign=1), 1)):
+    for tire, sign in ((old, -1), (adams, 1), (tire_of("5.2", relaxation_sign=1), 1),
+                       (tire_of("PAC2002", relaxation_sign=-1), -1)):  # fmt: skip
         kappa, alpha = tire.relaxation_lengths(Fz)
         expected = Fz * (c["PTX1"] + c["PTX2"] * dfz) * np.exp(sign * c["PTX3"] * dfz)
         assert kappa == pytest.approx(expected * c["UNLOADED_RADIUS"] / c["FNOMIN"] * c["LSGKP"])
@@ -243,6 +244,50 @@ def test_the_normal_force_has_the_stiffness_at_the_nominal_load():
     assert slope == pytest.approx(k, rel=1e-6)
     with pytest.raises(ValueError, match="VERTICAL_STIFFNESS is missing"):
         tire_of("Table A3.1").normal_force(-0.01)
+
+
+def test_a_spring_that_is_bent_too_much_is_refused():
+    tire = tire_of("Table A3.1").replace(VERTICAL_STIFFNESS=2e5)
+    most = (2e5 * 0.313 / 4000) ** 2 / 4
+    assert tire.replace(Q_FZ2=most).normal_force(-0.02) > 0.0
+    with pytest.raises(ValueError, match=r"Q_FZ2 must be at most .* = 61.2306, got 61.3"):
+        tire.replace(Q_FZ2=61.3).normal_force(-0.02)
+
+
+def test_a_pressure_without_a_nominal_one_is_refused():
+    tire = MagicFormula({k: v for k, v in TABLE_A31.items() if k != "NOMPRES"})
+    assert tire.forces(4000, 0.0, 0.1).Fy == tire_of("Table A3.1").forces(4000, 0.0, 0.1).Fy
+    for ask in (
+        lambda: tire.forces(4000, 0.0, 0.1, pressure=2e5),
+        lambda: tire.slip_stiffnesses(4000, pressure=2e5),
+        lambda: tire.forces(4000, 0.0, 0.1, pressure=sm.Symbol("p")),
+    ):
+        with pytest.raises(ValueError, match="`pressure` needs the coefficient NOMPRES"):
+            ask()
+
+
+REFF = {"VERTICAL_STIFFNESS": 2e5, "BREFF": 8.4, "DREFF": 0.27, "FREFF": 0.045}
+
+
+def test_the_effective_rolling_radius_is_that_of_the_published_equation():
+    tire = tire_of("Table A3.1").replace(**REFF)
+    for load in (0.0, 1500.0, 4000.0, 9000.0):
+        x = mp.mpf(load) / 4000
+        expected = mp.mpf("0.313") - mp.mpf("0.02") * (
+            mp.mpf("0.27") * mp.atan(mp.mpf("8.4") * x) + mp.mpf("0.045") * x
+        )
+        assert tire.rolling_radius(load) == pytest.approx(float(expected), rel=1e-14)
+    assert tire.rolling_radius(-100.0) == 0.313
+    Fz = sm.Symbol("Fz")
+    assert tire.rolling_radius(Fz).subs(Fz, 1500.0) == pytest.approx(tire.rolling_radius(1500.0))
+    larger = tire.replace(Q_RE0=1.01)
+    assert larger.rolling_radius(4000) - tire.rolling_radius(4000) == pytest.approx(0.00313)
+    linear = tire.replace(BREFF=0.0, DREFF=0.0)
+    assert linear.rolling_radius(4000) == pytest.approx(0.313 - 0.02 * 0.045)
+    with pytest.raises(ValueError, match="no effective rolling radius: BREFF is missing"):
+        tire.replace(BREFF=0.0).rolling_radius(4000)
+    with pytest.raises(ValueError, match="VERTICAL_STIFFNESS, DREFF, FREFF are missing"):
+        tire_of("Table A3.1").rolling_radius(4000)
 
 
 def test_use_modes_leave_out_what_they_say():

@@ -1,7 +1,6 @@
 """Wheels on a plane: contact point, slips and loads, against geometry and closed forms."""
 
 from functools import cache
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,8 +12,9 @@ from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import BrushTire, LinearTire, MagicFormula, WheelContact
 from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
-from zoo import inertial_frame
+from zoo import inertial_frame, wheels
 from zoo.tires import TABLE_A31
+from zoo.wheels import free_wheel
 
 R, CROWN = 0.3, 0.06
 STATE = {"x": 0.1, "y": -0.2, "z": 0.27, "yaw": 0.4, "lean": 0.3, "spin": 1.2}
@@ -23,34 +23,17 @@ RATES = {"vx": 8.0, "vy": 1.0, "vz": -0.3, "w1": 0.5, "w2": 20.0, "w3": -0.4}
 
 @cache
 def wheel(crown):
-    """A free wheel: yaw, lean to the right, spin; its angular velocity in the leaning axes."""
-    names = me.dynamicsymbols("x y z yaw lean spin")
-    rates = me.dynamicsymbols("vx vy vz w1 w2 w3")
-    x, y, z, yaw, lean, spin = names
-    N, O = inertial_frame()
-    A = N.orientnew("A", "Axis", (yaw, N.z))
-    B = A.orientnew("B", "Axis", (lean, A.x))
-    W = me.ReferenceFrame("W")
-    W.orient_axis(B, B.y, spin)
-    kinematics = W.ang_vel_in(N)
-    W.set_ang_vel(N, sum(w * v for w, v in zip(rates[3:], B, strict=True)))
-    G = O.locatenew("G", x * N.x + y * N.y + z * N.z)
-    G.set_vel(N, sum(v * e for v, e in zip(rates[:3], N, strict=True)))
-    body = me.RigidBody("wheel", G, W, 10, (me.inertia(B, 0.3, 0.5, 0.3), G))
-    contact = WheelContact(
-        body, B.y, R, O, N.z, N, lambda gap, rate: -2e5 * gap, crown_radius=crown
+    """A free wheel and its contact."""
+    w = free_wheel()
+    w.contact = WheelContact(
+        w.body, w.B.y, R, w.O, w.N.z, w.N, lambda gap, rate: -2e5 * gap, crown_radius=crown
     )
-    return SimpleNamespace(**locals())
+    return w
 
 
 def values(w, expression):
     """Return an expression, or the components of a vector in N, at the state above."""
-    given = {**STATE, **RATES}
-    symbols = [me.dynamicsymbols(name) for name in given]
-    if isinstance(expression, me.Vector):
-        expression = expression.to_matrix(w.N)
-    found = sm.lambdify(symbols, expression, cse=True)(*given.values())
-    return np.ravel(found) if isinstance(expression, sm.MatrixBase) else float(found)
+    return wheels.values(w, expression, {**STATE, **RATES})
 
 
 @pytest.mark.parametrize("crown", [0.0, CROWN])
@@ -80,14 +63,8 @@ def test_the_contact_point_lies_on_the_plane_below_the_axle(crown):
 
 def test_the_rate_is_the_derivative_of_the_gap():
     w = wheel(CROWN)
-    t = me.dynamicsymbols._t
-    rate = w.contact.gap.diff(t)
-    # The derivatives of the coordinates that belong to the speeds.
-    unknown = [q.diff(t) for q in w.names[3:]]
-    spins = [(w.kinematics - w.W.ang_vel_in(w.N)).dot(e) for e in w.B]
-    solved = sm.solve(spins, unknown)
-    moves = {q.diff(t): u for q, u in zip(w.names[:3], w.rates[:3], strict=True)}
-    assert values(w, w.contact.rate) == pytest.approx(values(w, rate.subs({**solved, **moves})))
+    rate = wheels.derivative(w, w.contact.gap, {**STATE, **RATES})
+    assert values(w, w.contact.rate) == pytest.approx(rate, rel=1e-6)
 
 
 def test_slips_are_those_of_the_material_at_the_contact_point():

@@ -161,6 +161,23 @@ def test_springs_and_dampers_connect_the_points_of_opposite_forces():
     assert damper.tube == pytest.approx(0.6 * (car - axle).min())
 
 
+def test_a_spring_to_a_road_whose_height_is_an_input_is_one():
+    (z, h), (v, tension) = me.dynamicsymbols("z h"), me.dynamicsymbols("v f")
+    origin = me.Point("O")
+    origin.set_vel(N, 0)
+    hub, road = origin.locatenew("H", (z + 1) * N.y), origin.locatenew("R", h * N.y)
+    path, wheel = me.LinearPathway(hub, road), me.Particle("wheel", hub, 40)
+    actuators = {
+        Spring: me.LinearSpring(sm.Symbol("k"), path, equilibrium_length=sm.Symbol("l")),
+        Damper: me.LinearDamper(sm.Symbol("c"), path),
+        Line: me.ForceActuator(tension, path),
+    }
+    for kind, actuator in actuators.items():
+        system = System(Definition(N, [z], [v], bodies=[wheel], loads=[actuator]))
+        lines = [type(i.shape) for i in system.scene().visuals if isinstance(i.shape, Line)]
+        assert lines == [Damper if kind is Line else kind]
+
+
 def test_a_spring_of_a_lagrangian_is_one_and_weight_is_none():
     theta, r = me.dynamicsymbols("theta r")
     origin, own = me.Point("O"), N.orientnew("A", "Axis", [theta, N.z])

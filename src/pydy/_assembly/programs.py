@@ -71,11 +71,13 @@ def expression_program(
     return lower_nodes(own, {name: own.read(expressions, name)}, {name: shape})
 
 
-def jacobian_program(assembly: Assembly, name: str, by: str | Sequence[tuple[str, int]]) -> Program:
-    """Return the Program of a block's Jacobian."""
+def jacobian_program(
+    assembly: Assembly, name: str, by: str | Sequence[tuple[str, int]], kind: str = "jacobian"
+) -> Program:
+    """Return the Program of a block's Jacobian, or of a product with it; see `KINDS`."""
     graph, nodes = assembly.simplified(name)
     inputs = _inputs(assembly, by)
-    return derivative_program(graph, nodes, inputs, "jacobian", assembly.sizes)
+    return derivative_program(graph, nodes, inputs, kind, assembly.sizes)
 
 
 def jacobian_in_parts(
@@ -148,6 +150,10 @@ class Programs:
         return self._program(
             f"{block} by {by}", lambda: jacobian_program(self._assembly, block, by)
         )
+
+    def product(self, block: str, by: Sequence[tuple[str, int]], kind: str) -> Program:
+        """Return the Program of a product with a Jacobian; see `derivative_program`."""
+        return jacobian_program(self._assembly, block, by, kind)
 
     def jacobian_in_parts(
         self, block: str, by: str | tuple[tuple[str, int], ...]

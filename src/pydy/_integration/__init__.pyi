@@ -7,6 +7,7 @@ from .initial_sensitivities import InitialSensitivities as InitialSensitivities
 from .integration import (
     integrate as integrate,
     integrate_states as integrate_states,
+    requested_sensitivities as requested_sensitivities,
     simulate as simulate,
 )
 from .parameters import by_samples as by_samples, sample_weights as sample_weights

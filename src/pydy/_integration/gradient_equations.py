@@ -105,14 +105,9 @@ class GradientEquations:
     def rates_vjp(self) -> KernelCall:
         """Return the vector-Jacobian product Σ weight · rate; see `DiscreteAdjoint`."""
         model = self.full_model
-        assembly = model.assembly
-        n = assembly.sizes[0]
+        n = model.assembly.sizes[0]
         inputs = [*(("x", k) for k in range(n)), *self.wrt]
-
-        def make() -> Program:
-            graph, rates = assembly.simplified("rates")
-            return derivative_program(graph, rates, inputs, "vector-jacobian", assembly.sizes)
-
+        make = partial(model.programs.product, "rates", inputs, "vector-jacobian")
         key = ("adjoint of the rates", self.wrt)
         return self.call_full(model.compiled_by(key, make), n)
 

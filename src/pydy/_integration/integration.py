@@ -5,15 +5,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._checks import real_array
+from pydy._checks import flag, real_array
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
@@ -40,6 +40,9 @@ from pydy._problem import AssumptionChecks, Problem
 from pydy.codegen import rates_function
 from pydy.solvers import EventContinuation, Outcome, Prepared, Solver
 from pydy.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import SymbolOrName
 
 SolverFunction = Callable[..., Any]
 
@@ -91,19 +94,36 @@ def simulate(
     times: np.ndarray,
     *,
     solver: SolverFunction,
-    sensitivities: SensitivityRequest | None = None,
+    sensitivities: SensitivityRequest | SymbolOrName | Iterable[SymbolOrName] | None = None,
+    control_sensitivities: bool = False,
     **options: object,
 ) -> Motion:
-    """Integrate like `integrate`, and check the start and the Motion: see `judges`."""
+    """Integrate like `integrate`, and check the start and the Motion: see `judges`.
+
+    `sensitivities` may also be the parameters alone, which `control_sensitivities` belongs to: both
+    are arguments of `System.simulate`. The Motion's segments have the augmented equations.
+    """
+    request = requested_sensitivities(sensitivities, control_sensitivities)
     if problem.hybrid is not None:  # its segments are checked in `integrate`
-        return _hybrid_motion(problem, times, solver, sensitivities, options)
+        return _hybrid_motion(problem, times, solver, request, options)
     user_options = _with_full_output(solver, options)
-    ready, times = prepare(problem, times, solver, user_options, alone=sensitivities is None)
+    ready, times = prepare(problem, times, solver, user_options, alone=request is None)
     judge_start(problem, times, ready)
-    result = call_solver(problem, ready, times, solver, user_options, sensitivities)
-    motion = motion_of(problem, ready, times, solver, result, user_options, sensitivities)
+    result = call_solver(problem, ready, times, solver, user_options, request)
+    motion = motion_of(problem, ready, times, solver, result, user_options, request)
     judge_motion(motion)
     return motion
+
+
+def requested_sensitivities(
+    sensitivities: SensitivityRequest | SymbolOrName | Iterable[SymbolOrName] | None,
+    control_sensitivities: object,
+) -> SensitivityRequest | None:
+    """Return the request of two arguments of `System.simulate`; a request stays as it is."""
+    controlled = flag(control_sensitivities, "`control_sensitivities`")
+    if sensitivities is None or isinstance(sensitivities, SensitivityRequest):
+        return sensitivities
+    return SensitivityRequest(sensitivities, controlled)
 
 
 def _hybrid_motion(

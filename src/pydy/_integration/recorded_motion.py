@@ -147,6 +147,8 @@ class RecordedMotion:
             elif value is not None:
                 self._refuse(Outcome.EVENT_JUMPS, record, value=value)
             else:  # a grazing event: its time has no derivative
+                earlier = [one for one in self.motion.events if one.time < t]
+                lower = CompiledSensitivities.grazing_remedy(lower, [*earlier, record])
                 self._refuse(
                     Outcome.EVENT_GRAZES, record, depth=depth, explained=error, lower=lower
                 )

@@ -33,6 +33,7 @@ from pydy._graph import (
 )
 from pydy._mechanics.acceleration_constraints import multipliers_of
 from pydy._mechanics.components import numbers_of, product
+from pydy._mechanics.cuts import Cut, further_joints
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.formulations import lagranges_equations, moving
 from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
@@ -93,15 +94,10 @@ class ConstraintForces:
         kinematics = self._kinematics
         g, dependent = kinematics.graph, self.body.dependents.speed_columns
         unbalanced = self._unbalanced()
-        rows = [
-            *kinematics.dt(kinematics.read.all(self.holonomic.values())),
-            *kinematics.read.all(self.nonholonomic.values()),
-            *kinematics.read.all(self.redundant.values()),
-        ]
         rank = len(dependent)
         if self.body.dependents.changing:  # no speed is dependent in all configurations
             dependent = tuple(range(len(kinematics.speeds)))
-        bound = jacobian(g, rows, [kinematics.speeds[k] for k in dependent])
+        bound = jacobian(g, self._rates, [kinematics.speeds[k] for k in dependent])
         columns = bound.dense()  # Jᵀ, by columns
         force = [g.neg(unbalanced[k]) for k in dependent]
         if self.body.dependents.changing:
@@ -112,6 +108,16 @@ class ConstraintForces:
         else:
             multipliers = self._shortest(columns, force)
         return multipliers
+
+    @cached_property
+    def _rates(self) -> Vec:
+        """The velocities that the constraints hold at zero."""
+        k = self._kinematics
+        return [
+            *k.dt(k.read.all(self.holonomic.values())),
+            *k.read.all(self.nonholonomic.values()),
+            *k.read.all(self.redundant.values()),
+        ]
 
     def unbalanced(self, noncontributing: Iterable[AnySymbol] = ()) -> list[sm.Expr]:
         """F − M u' of each speed, which Jᵀ λ balances: expressions in q, u and u'."""
@@ -172,6 +178,42 @@ class ConstraintForces:
             Vector([(sm.Matrix(values[:3]), frame)]),
             Vector([(sm.Matrix(values[3:]), frame)]),
         )
+
+    def further_joints(
+        self, members: Iterable[Body | Location], point: Point
+    ) -> tuple[bool, list[str]]:
+        """Return whether a group of bodies is joined to others elsewhere than at a point.
+
+        By the coordinates, and by constraints, of which the names of the multipliers are returned.
+        See `pydy._mechanics.cuts`.
+        """
+        k, members = self._kinematics, list(members)
+        positions = [*self.holonomic, *self.nonholonomic, *self.redundant]
+        inside = [b for b in self.body.bodies if b in members]
+        outside = [b for b in self.body.bodies if b not in members]
+        ends: list[Body | None] = [*self.body.bodies, None]
+        with collector_paused():
+            slips = [self._slip_at(body, inside[0], point) for body in ends]
+            carriers = [b for b, moves in zip(ends, self._vanishing(slips), strict=True) if moves]
+            at_inside = [body for body in inside if body in carriers]
+            at_outside = [body for body in carriers if body not in inside]
+            cut = Cut(inside, outside, at_inside, at_outside)
+            holonomic = k.read.all(self.holonomic.values())
+            joined, across = further_joints(k, self._rates, holonomic, cut)
+        return joined, [f"lambda{positions[j]}" for j in across]
+
+    def _slip_at(self, body: Body | None, near: Body, point: Point) -> list[Vec]:
+        """Return vectors whose sum is zero if any point moves with a body, or with the ground."""
+        k = self._kinematics
+        centre = near.masscenter if body is None else body.masscenter
+        offset = k.vector(point.pos_from(centre), k.inertial)
+        if body is None:
+            home, v = k.velocity_of(centre)
+            return [k.dt(offset), k.expressed(v, home, k.inertial)]
+        if not is_rigid(body):
+            return [offset]
+        turned = k.cross(self._spin(body.frame), offset)
+        return [k.dt(offset), [k.graph.neg(n) for n in turned]]
 
     def _loads_on(self, members: Sequence[Body | Location]) -> list[Load]:
         """Return the loads at points and frames that move with these bodies and no others."""

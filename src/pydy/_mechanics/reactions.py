@@ -11,6 +11,8 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 from sympy.physics.mechanics.joint import Joint
 
 from pydy._checks import describe, instance, listed, shown, text
+from pydy._errors import warn_user
+from pydy._graph import NodeExpression
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
@@ -21,6 +23,8 @@ if TYPE_CHECKING:
 
     from pydy._sympy_types import AnySymbol, Body, Load, Location
 
+
+_REACTION = "reaction_"  # what the expressions of reactions are called, before the point
 
 # Bodies on one side of a cut: some of them, or all beyond a joint.
 _Cut: TypeAlias = "Body | str | Joint | Iterable[Body | Location | str]"
@@ -91,7 +95,7 @@ class Reactions:
         bodies: _Cut,
         point: Point | None,
         frame: ReferenceFrame | None,
-        further_loads: Iterable[Load],
+        further_loads: Iterable[Load] | None,
     ) -> Reaction:
         """Return the force and torque on a group of bodies; see `System.reaction`."""
         forces = self._forces(bodies=True)
@@ -110,14 +114,16 @@ class Reactions:
         if frame is None:
             frame = forces.body.frame
         instance(frame, ReferenceFrame, "`frame`")
-        loads = read_loads(listed("loads", further_loads, "loads"))
+        loads = read_loads(listed("loads", () if further_loads is None else further_loads, "loads"))
         for location, _ in loads:
             if isinstance(location, Point):
                 _check_located(location, point)
         for item in members:
             if not isinstance(item, ReferenceFrame):
                 _check_located(item if isinstance(item, Point) else item.masscenter, point)
-        name = f"reaction_{point}"
+        if further_loads is None or loads:
+            _warn_of_joints(*forces.further_joints(members, point), point, loads)
+        name = f"{_REACTION}{point}"
         force, torque = forces.reaction(members, point, frame, loads, name, self.auxiliary_forces)
         return Reaction(force, torque, frame)
 
@@ -182,6 +188,32 @@ def _member(bodies: Sequence[Body], item: Body | Location | str) -> Body | Locat
         f"`bodies` has {shown(item)}, which is not one of the system's bodies: "
         f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name; or a joint alone."
     )
+
+
+def _warn_of_joints(
+    joined: bool, across: Sequence[str], point: Point, loads: Sequence[Load]
+) -> None:
+    """Warn if something else joins the bodies to others, unless `loads` says what acts there."""
+    parts = [part for _, vector in loads for components, _ in vector.args for part in components]
+    names = {str(item) for part in parts for item in part.atoms(NodeExpression)}
+    if any(name.startswith(_REACTION) for name in names):
+        return
+    resultant = (
+        f", not at {point} alone: the reaction is the resultant of all that holds them, not the "
+        f"force of one joint."
+    )
+    if missing := [name for name in across if name not in names]:
+        more = f" and of {len(missing) - 1} more" if len(missing) > 1 else ""
+        warn_user(
+            f"The bodies are also held by the constraint of {missing[0]}{more}{resultant} Pass the "
+            "constraints' forces as `loads`, in terms of `constraint_forces`, or `loads=[]` for "
+            "the resultant."
+        )
+    elif joined and not loads:
+        warn_user(
+            f"The bodies are also joined to others{resultant} Give all bodies on one side of the "
+            "joint in `bodies`, or what acts elsewhere as `loads`, or `loads=[]` for the resultant."
+        )
 
 
 def _check_located(item: Point, point: Point) -> None:

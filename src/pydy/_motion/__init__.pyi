@@ -25,6 +25,7 @@ from .scipy_solvers import (
     call_odeint as call_odeint,
     came_to_the_end as came_to_the_end,
     default_solver as default_solver,
+    is_implicit as is_implicit,
     is_odeint as is_odeint,
     of_states as of_states,
     resolve_ode_solver as resolve_ode_solver,

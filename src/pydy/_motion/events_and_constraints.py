@@ -63,12 +63,14 @@ def check_events(events: object, states: SymbolIndex) -> tuple[Event, ...]:
     if events is None or isinstance(events, Event):
         events = () if events is None else (events,)
     if not isinstance(events, Iterable) or isinstance(events, (str, bytes)):
-        raise TypeError(f"`events` must be a list of Event, got {type(events).__name__}.")
+        remedy = f" Use `Event({events})`." if hasattr(events, "free_symbols") else ""
+        raise TypeError(f"`events` must be a list of Event, got {type(events).__name__}.{remedy}")
     checked = []
     for event in events:
         if not isinstance(event, Event):
             raise TypeError(
                 f"`events` must hold objects of pydy.solvers.Event, got {typed(event)}."
+                + (f" Use `Event({event})`." if hasattr(event, "free_symbols") else "")
             )
         reset = {}
         for key, after in event.reset.items():

@@ -18,7 +18,7 @@ from pydy._motion.events_and_constraints import (
 from pydy._motion.scipy_options import named_for_odeint
 from pydy._motion.scipy_solvers import SolveIvp, is_odeint, odeint_options
 from pydy._option_checks import check_option_names
-from pydy._problem import AssumptionChecks, CallArguments, Model, Problem
+from pydy._problem import AssumptionChecks, Model, Problem, read_times
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
     CompiledEvents,
@@ -97,6 +97,7 @@ class PreparedIntegration:
         projected = constraints == "project"
         if events is not None and self._looks_itself(events):
             options["events"], events = events, None
+        checked = check_events(events, definition.places["states"])
         if not isinstance(self._solver, Solver) and (projected or events is not None):
             feature = "constraints='project'" if projected else "events"
             raise ValueError(
@@ -106,7 +107,7 @@ class PreparedIntegration:
         code = model.with_compiled_inputs(self._plan)
         if projected:
             options["constraints"] = compile_constraints(code, definition)
-        if checked := check_events(events, definition.places["states"]):
+        if checked:
             options["events"] = compile_events(code, definition, checked)
         return code, options
 
@@ -117,7 +118,8 @@ class PreparedIntegration:
         if not isinstance(self._solver, SolveIvp):
             return True
         several = events if isinstance(events, (list, tuple)) else [events]
-        return not any(isinstance(event, Event) for event in several)
+        # An expression is a mistake whatever the solver, which `check_events` explains.
+        return not any(isinstance(e, Event) or hasattr(e, "free_symbols") for e in several)
 
     def is_compatible(
         self, plan: SpecifiedsPlan, solver: object, options: dict[str, object]
@@ -203,7 +205,7 @@ def prepare(
     stores = isinstance(solver, Solver) or (isinstance(solver, SolveIvp) and alone)
     if AssumptionChecks(problem).judged() and stores and "dense_output" not in options:
         options = {**options, "dense_output": True}
-    times, plan = CallArguments(problem).times(times), problem.plan
+    times, plan = read_times(problem, times), problem.plan
     if plan.inputs.sampled:
         plan.check_times(times, "times")
     ready: PreparedIntegration | None = latest.get("simulation")

@@ -84,6 +84,11 @@ def is_odeint(solver: object) -> bool:
     return not isinstance(solver, (Solver, SolveIvp)) and solver is scipy.integrate.odeint
 
 
+def is_implicit(solver: object) -> bool:
+    """Return whether a solver is one of SciPy's implicit methods, for stiff equations."""
+    return isinstance(solver, SolveIvp) and solver.method.__name__ in ("Radau", "BDF")
+
+
 def came_to_the_end(states: np.ndarray, info: dict[str, Any]) -> bool:
     """Return whether `odeint` reached the last time."""
     return bool(info["message"].startswith(_GOOD) and np.isfinite(states).all())

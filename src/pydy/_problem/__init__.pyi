@@ -1,13 +1,14 @@
-from .assumption_checks import AssumptionChecks as AssumptionChecks
-from .call_arguments import CallArguments as CallArguments
+from .assumption_checks import (
+    AssumptionChecks as AssumptionChecks,
+    warn_of_contradictions as warn_of_contradictions,
+)
+from .call_arguments import CallArguments as CallArguments, read_times as read_times
 from .definition import (
     DefinitionBuilder as DefinitionBuilder,
     SymbolSet as SymbolSet,
-    base_symbols as base_symbols,
     check_forces as check_forces,
     check_times as check_times,
     read_term as read_term,
-    refuse_descending as refuse_descending,
     sort_out as sort_out,
 )
 from .energy import Energy as Energy, EnergyModel as EnergyModel, check_potential as check_potential

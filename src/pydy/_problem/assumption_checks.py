@@ -38,15 +38,6 @@ class AssumptionChecks:
         if contradicted is not None and kind in assumptions:
             assumptions[kind].tell(values, contradicted, source, **options)
 
-    def values(self, kind: str, values: Mapping[Any, Any], source: str) -> None:
-        """Warn of numbers for some states, specifieds or constants."""
-        definition = self.problem.definition
-        if values and kind in definition.assumptions:
-            row = np.full((1, len(definition.places[kind])), np.nan)
-            for symbol, value in values.items():
-                row[0, definition.places[kind].find(symbol, kind)] = value
-            self.columns(kind, row, source)
-
     def samples(self, samples: StateSamples, plan: SpecifiedsPlan | None, from_user: bool) -> None:
         """Warn of states, if they are `from_user`, and of specifieds that are computed there.
 
@@ -104,3 +95,15 @@ class AssumptionChecks:
             assumed.tell(
                 rows, contradicted, "", where=where, allowed=allowed, in_time=True, columns=columns
             )
+
+
+def warn_of_contradictions(
+    problem: Problem, kind: str, values: Mapping[Any, Any], source: str
+) -> None:
+    """Warn of numbers for some states, specifieds or constants that contradict assumptions."""
+    definition = problem.definition
+    if values and kind in definition.assumptions:
+        row = np.full((1, len(definition.places[kind])), np.nan)
+        for symbol, value in values.items():
+            row[0, definition.places[kind].find(symbol, kind)] = value
+        AssumptionChecks(problem).columns(kind, row, source)

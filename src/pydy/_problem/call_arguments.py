@@ -1,4 +1,4 @@
-"""States, constants and specifieds that a user gives for one call."""
+"""States, constants, specifieds and times that a user gives for one call."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import vector
+from pydy._checks import descends, vector
 from pydy._problem.assumption_checks import AssumptionChecks
 from pydy._problem.definition import check_times
 from pydy._problem.problem import Problem
@@ -64,10 +64,19 @@ class CallArguments:
         warn_of_activations(definition, plan, already_warned)
         return warn_of_derivatives(definition, plan, already_warned)
 
-    def times(self, times: np.ndarray) -> np.ndarray:
-        """Return a copy of times, whose array may have been edited in place."""
-        latest = self.problem.model.code.latest
-        checked = latest.get("times")
-        if checked is None or checked.shape != times.shape or checked.tobytes() != times.tobytes():
-            latest["times"] = checked = check_times(times)
-        return checked.copy()
+
+def read_times(problem: Problem, times: np.ndarray, forward: str = "") -> np.ndarray:
+    """Return a copy of times, whose array may have been edited in place.
+
+    Descending times are refused for what runs `forward` only; the text is the error's reason.
+    """
+    latest = problem.model.code.latest
+    checked = latest.get("times")
+    if checked is None or checked.shape != times.shape or checked.tobytes() != times.tobytes():
+        latest["times"] = checked = check_times(times)
+    if forward and descends(checked):
+        raise ValueError(
+            f"`times` descend, from {checked[0]} to {checked[-1]}, but {forward}. Let them "
+            "ascend, or integrate backward with `integrate` or `simulate`."
+        )
+    return checked.copy()

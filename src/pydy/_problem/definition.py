@@ -22,7 +22,6 @@ from pydy._assembly import (
 from pydy._checks import (
     SymbolIndex,
     check_mapping,
-    descends,
     describe,
     listed,
     merged,
@@ -79,12 +78,13 @@ class DefinitionBuilder:
     def __init__(
         self,
         equations: Equations,
-        base: tuple[Sequence[Any], Sequence[Any]],
         energies: EnergyModel,
+        constants_symbols: Any,
+        specifieds_symbols: Any,
     ) -> None:
         self._equations = equations
         self.energies = energies
-        self._base = base
+        self._base = base_symbols(equations, constants_symbols, specifieds_symbols)
         rows = (*equations.constraints.holonomic, *equations.constraints.nonholonomic)
         # The constraints as outputs.
         self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
@@ -362,15 +362,6 @@ def check_times(times: Any) -> np.ndarray:
         raise TypeError(f"`times` must be a sequence of time values, got {typed(times)}.{remedy}")
     monotonic(array, "`times`")
     return array
-
-
-def refuse_descending(times: np.ndarray, what: str) -> None:
-    """Refuse descending times for what runs forward only."""
-    if descends(times):
-        raise ValueError(
-            f"`times` descend, from {times[0]} to {times[-1]}, but {what}. Let them ascend, or "
-            "integrate backward with `integrate` or `simulate`."
-        )
 
 
 def check_symbols(argument: str, symbols: Any, kind: str, equations: Equations) -> list[Any]:

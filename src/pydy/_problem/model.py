@@ -20,7 +20,7 @@ from pydy._assembly import (
 from pydy._checks import flag
 from pydy._graph import rewriting
 from pydy._mechanics import Equations, symbolic_matrices
-from pydy._problem.definition import DefinitionBuilder, base_symbols
+from pydy._problem.definition import DefinitionBuilder
 from pydy._problem.energy import EnergyModel
 from pydy.codegen import make_backend
 
@@ -46,8 +46,8 @@ class Model:
     ) -> Model:
         """Return the model of equations with some outputs, and expressions among `specifieds`."""
         energies = EnergyModel(equations)
-        base = base_symbols(equations, constants_symbols, specifieds_symbols)
-        definition = DefinitionBuilder(equations, base, energies)(outputs, (), specifieds)
+        define = DefinitionBuilder(equations, energies, constants_symbols, specifieds_symbols)
+        definition = define(outputs, (), specifieds)
         return Model(definition, compile_definition(definition, equations, {}), energies)
 
     def with_compiled_inputs(self, plan: Plan, *, perturbed: bool = False) -> CompiledModel:

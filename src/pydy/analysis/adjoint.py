@@ -16,7 +16,7 @@ from pydy._integration import GradientEquations, integrate_recorded
 from pydy._judges import judge_start, warn_of_jumps
 from pydy._motion import native_solver, prepare
 from pydy._names import column_names, name_of, some, text_of, unique_names
-from pydy._problem import CallArguments, Problem, read_term, refuse_descending
+from pydy._problem import Problem, read_term, read_times
 from pydy.analysis.adjoint_segment import AdjointSegment
 from pydy.solvers import Solver
 
@@ -136,8 +136,7 @@ def motion_and_gradient(
 
     With `weights`, the objective is Σ weight · last state.
     """
-    times = CallArguments(problem).times(times)
-    refuse_descending(times, "`adjoint_gradient` integrates forward, then back")
+    times = read_times(problem, times, "`adjoint_gradient` integrates forward, then back")
     ready, times = prepare(problem, times, solver, options)
     judge_start(problem, times, ready)
     equations = GradientEquations.for_parameters(problem, ready.code, wrt, final, integral)

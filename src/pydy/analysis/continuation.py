@@ -174,8 +174,8 @@ class _BranchCurve:
         span: float,
         names: tuple[str, ...],
     ):
+        self.functions, self.span, self.names = functions, span, names
         self._F, self._J, self.spectrum, measured = functions
-        self.names = names
         first = self._J(z)
         # Rows that follow from the others, as accelerations do from constraints, have slopes that
         # are rounding errors. Such a row is scaled like the largest.
@@ -196,6 +196,15 @@ class _BranchCurve:
         self.origin = z
         u = np.linalg.svd(self._jacobian_with_free_rows(z), full_matrices=False)[0]
         self.rows = u[:, : len(z) - 1].T
+
+    def scaled_anew(self, point: _BranchPoint) -> tuple[_BranchCurve, _BranchPoint]:
+        """Return the curve with the sizes of one of its points, and the point on it."""
+        curve = _BranchCurve(self.functions, point.z, self.span, self.names)
+        return curve, curve.point(point.z, point.tangent * self.scale / curve.scale)
+
+    def outgrown(self, z: np.ndarray) -> bool:
+        """Return whether an unknown is more than twice its size, so that steps became short."""
+        return bool((np.abs(z[:-1]) > 2.0 * self.scale[:-1]).any())
 
     def _rows(self, slopes: np.ndarray) -> np.ndarray:
         """Return the sizes of rows with such slopes."""
@@ -322,6 +331,8 @@ def _trace_points(
     """Add points and the special points between them; return why the branch ended."""
     (low, high), length = bounds, step / 4.0
     while len(points) < most:
+        if curve.outgrown(points[-1].z):
+            curve, points[-1] = curve.scaled_anew(points[-1])
         point = points[-1]
         correction = curve.correct(point.z + length * curve.scale * point.tangent, point.tangent)
         near = (

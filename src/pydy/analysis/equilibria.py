@@ -217,6 +217,22 @@ def nonzero_row(ahead: RootProblem, z: np.ndarray) -> tuple[str, float, np.ndarr
     return None
 
 
+def largest_departure(problem: RootProblem, z: np.ndarray) -> tuple[str, float] | None:
+    """Return the rate that is farthest from zero at z, or None where all are nearly zero.
+
+    Nearly zero are residuals of unknowns that were typed to six digits, and rounding errors.
+    """
+    values, slopes = problem.residual(z), problem.jacobian(z)
+    if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
+        return None
+    sizes, _, load_terms = _without_noise_rows(problem, slopes, problem.sizes(slopes, z), z)
+    limit = sizes.rounding(sizes.terms + load_terms)
+    count = len(values) - problem.num_constraints
+    shares = np.abs(values) / or_one(limit) * (np.abs(values) > limit)
+    k = int(shares[:count].argmax())
+    return (problem.rows[k], float(values[k])) if shares[k] > DIGITS / ROUNDED else None
+
+
 def _with_initial_free_unknowns(
     accepted: RootResult, problem: RootProblem, start: np.ndarray, bounds: Bounds
 ) -> RootResult:

@@ -9,11 +9,17 @@ import numpy as np
 
 from pydy._assembly import Definition
 from pydy._checks import check_mapping, flag, integer, positive, real_array, shown
-from pydy._errors import EquilibriumError, finished_before
+from pydy._errors import EquilibriumError, finished_before, warn_user
 from pydy._judges import warn_of_missing_derivatives
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._problem import AssumptionChecks, CallArguments, Problem, read_samples, with_unknowns
+from pydy._problem import (
+    CallArguments,
+    Problem,
+    read_samples,
+    warn_of_contradictions,
+    with_unknowns,
+)
 from pydy._rank import ROUNDED, equilibrated, least_step
 from pydy._states import located
 from pydy.analysis.continuation import EquilibriumBranch, Functions, trace
@@ -54,7 +60,7 @@ def check_swept(problem: Problem, parameter: AnySymbol, values: np.ndarray) -> N
     """Warn of values of a parameter that contradict its assumptions."""
     kind, _ = located(problem.definition, parameter, "over")
     for value in (values.min(), values.max()):
-        AssumptionChecks(problem).values(kind, {parameter: float(value)}, "`over` for ")
+        warn_of_contradictions(problem, kind, {parameter: float(value)}, "`over` for ")
 
 
 class Family:
@@ -280,6 +286,13 @@ def eigenvalues(
     return sweep
 
 
+_ENDS = {
+    "steps": "it has `most` = {most} points. Raise `most`, or `step` if the branch is smooth.",
+    "lost": "no equilibrium was found near the last one. Where equations jump or contradict each "
+    "other there is none; from a branch point, start beside it.",
+}
+
+
 def follow_equilibria(
     problem: Problem,
     over: Mapping[SymbolOrName, ArrayLike],
@@ -323,6 +336,11 @@ def follow_equilibria(
         special=tuple(special),
         ended=ended,
     )
+    if ended in _ENDS:
+        warn_user(
+            f"The branch of equilibria ends at {branch.parameter} = {z[-1, -1]:.6g}, within its "
+            f"range: {_ENDS[ended].format(most=most)}"
+        )
     if stop is not None:
         raise finished_before(
             stop,

@@ -422,6 +422,11 @@ class SpecifiedsPlan:
         )
         return result
 
+    def with_zeros(self, columns: Sequence[int]) -> SpecifiedsPlan:
+        """Return the plan with zeros for some entries of r, which a call replaces."""
+        zeros = dict.fromkeys((self.symbols[k] for k in columns), 0.0)
+        return self.updated(SpecifiedsPlan(zeros, self.symbol_index)) if zeros else self
+
     def check_times(self, t: np.ndarray, argument: str) -> None:
         """Refuse times outside the samples."""
         for columns, samples in self.inputs.sampled:

@@ -32,6 +32,25 @@ if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, SymbolOrName
 
 __all__ = ["generate_ode_function"]
+__dir__ = __all__.copy
+
+_GENERATORS = {
+    "ODEFunctionGenerator": "your own class",
+    "LambdifyODEFunctionGenerator": "'lambdify'",
+    "CythonODEFunctionGenerator": "'cython'",
+    "TheanoODEFunctionGenerator": "'llvm'",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _GENERATORS:  # an AttributeError would lose its message in `from … import`
+        raise ImportError(
+            f"There is no `{name}`: use generate_ode_function(..., generator={_GENERATORS[name]}). "
+            'See "Run scripts written for PyDy 0.9 and other versions" in the documentation.',
+            name=__name__,
+        )
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 # Expressions in order, and those of a matrix, as users give them.
 Column: TypeAlias = sm.MatrixBase | sm.MatrixExpr | np.ndarray | Sequence[sm.Expr | float]

@@ -12,11 +12,11 @@ import sympy as sm
 from pydy._checks import SymbolDict, check_mapping, choice, flag, instance, shown
 from pydy._errors import ContactError
 from pydy._graph import inputs_of
-from pydy._integration import AugmentedSystem, SensitivityRequest
+from pydy._integration import AugmentedSystem, SensitivityRequest, requested_sensitivities
 from pydy._judges import warn_of_jumps, warn_of_outputs
 from pydy._motion import Motion, check_events, native_solver
 from pydy._names import column_names
-from pydy._problem import CallArguments, Problem, refuse_descending, with_settings
+from pydy._problem import Problem, read_times, with_settings
 from pydy.analysis import AdjointGradient
 from pydy.contact.complementarity import OPEN, SLIDING, independent, rows_of_modes
 from pydy.contact.conditions import InfeasibleError, Stick, Unilateral, paired
@@ -244,7 +244,7 @@ class Contacts:
         PyDyUserWarning
             Outputs are not finite; or a load jumps on the way, which `sensitivities` do not know.
         """
-        request = _requested(sensitivities, control_sensitivities)
+        request = requested_sensitivities(sensitivities, control_sensitivities)
         problem = self._problem(events)[0]
         motion = self.integrate(
             problem,
@@ -395,23 +395,14 @@ class Contacts:
         user_events = check_events(events, problem.definition.places["states"])
         if any(e.reset for e in user_events):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
-        times = CallArguments(problem).times(times)
-        if times.size and times[-1] < times[0]:
-            refuse_descending(
-                times, "contacts cannot run backward: impacts and friction cannot be undone"
-            )
+        backward = "contacts cannot run backward: impacts and friction cannot be undone"
+        times = read_times(problem, times, backward)
         if len(times) < 2 or times[0] == times[-1]:
             raise ValueError(
                 "`times` must have at least two values that differ, got "
                 f"{shown(times.tolist())}. Set `system.times`."
             )
         return ContactRun(compiled, solver, problem, times, user_events, solver_kwargs)
-
-
-def _requested(parameters: object, controlled: object) -> SensitivityRequest | None:
-    """Return the sensitivities to compute, or None."""
-    controlled = flag(controlled, "`control_sensitivities`")
-    return None if parameters is None else SensitivityRequest(parameters, controlled)
 
 
 class ContactMotions:

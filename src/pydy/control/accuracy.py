@@ -547,6 +547,34 @@ def warn_of_chatter(motion: SolvedMotion) -> None:
         )
 
 
+def warn_of_boundless_controls(motion: SolvedMotion) -> bool:
+    """Warn where the duration is at its lower bound because nothing limits a control.
+
+    A control that enters linearly, without bounds and path conditions, moves a body as fast as one
+    likes. Return whether that is so.
+    """
+    transcription, nlp, solution = motion._transcription, motion._nlp, motion.solution
+    p = transcription.problem
+    if p.duration is not None or p.path or not np.isfinite(nlp.lower[-1]):
+        return False
+    # Strict complementarity, as in `warn_of_chatter`.
+    size = nlp.sizes[-1]
+    if (solution.z[-1] - nlp.lower[-1]) / size > solution.below[-1] * size / nlp.cost_size:
+        return False
+    slots = len(transcription.control_times)
+    for i in _linear_controls(transcription):
+        at = transcription.sizes[0] + i * slots + np.arange(slots)
+        if not (np.isfinite(nlp.lower[at]) | np.isfinite(nlp.upper[at])).any():
+            warn_user(
+                f"The duration is at its lower bound, {nlp.lower[-1]:.4g} s: nothing limits the "
+                f"control `{motion.controls[i]}`, so that any motion is as fast as this bound "
+                f"allows. Give `bounds={{'{motion.controls[i]}': (low, high)}}`, or an objective "
+                "that grows with its square."
+            )
+            return True
+    return False
+
+
 def _linear_controls(transcription: Transcription) -> list[int]:
     """Return the controls that enter linearly: no second derivative by controls involves them."""
     p = transcription.problem

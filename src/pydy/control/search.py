@@ -13,7 +13,12 @@ import numpy as np
 from pydy._checks import check_mapping, flag, positive, real_array, refuse_twice
 from pydy._errors import OptimizationError, finished_before
 from pydy._optional import progress_of
-from pydy.control.accuracy import relative_errors, warn_of_chatter, warn_where_coarse
+from pydy.control.accuracy import (
+    relative_errors,
+    warn_of_boundless_controls,
+    warn_of_chatter,
+    warn_where_coarse,
+)
 from pydy.control.ipopt import Iteration, NlpSolution
 from pydy.control.nlp import Nlp, PointGroup
 from pydy.control.refine import (
@@ -232,7 +237,8 @@ class TrajectorySearch(Generic[Result]):
                     break
                 guesses, meshes = phases, finer
         for problem, phase in zip(self._problems, phases, strict=True):
-            warn_of_chatter(phase)
+            if not warn_of_boundless_controls(phase):
+                warn_of_chatter(phase)
             problem._warn_of_crossings(phase)
         result: Result = motion
         return result

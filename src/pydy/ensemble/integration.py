@@ -28,11 +28,10 @@ from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_pr
 from pydy._names import column_names
 from pydy._problem import (
     AssumptionChecks,
-    CallArguments,
     Problem,
     StateSamples,
     check_times,
-    refuse_descending,
+    read_times,
 )
 from pydy._version import __version__
 from pydy.codegen import SpecifiedsPlan
@@ -190,13 +189,8 @@ def _plan_of(
 
 def _checked_times(problem: Problem, plan: SpecifiedsPlan, times: ArrayLike | None) -> np.ndarray:
     """Return the times, by default those of the Problem."""
-    checked = (
-        CallArguments(problem).times(problem.settings.times)
-        if times is None
-        else check_times(times)
-    )
-    if checked.size and checked[-1] < checked[0]:
-        refuse_descending(checked, "ensembles integrate forward only")
+    requested = problem.settings.times if times is None else check_times(times)
+    checked = read_times(problem, requested, "ensembles integrate forward only")
     if len(checked) < 2:
         raise ValueError(
             f"`times` must have at least two values, got {len(checked)}. Pass `times` or set "

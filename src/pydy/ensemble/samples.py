@@ -12,6 +12,7 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._optional import require
+from pydy.solvers import Outcome
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike
@@ -95,6 +96,13 @@ def to_dataset(
     data = {name: (v.dims, v.values, dict(v.attrs)) for name, v in variables.items()}
     dataset: Dataset = xarray.Dataset(data, coords, dict(attrs or {}))
     return dataset
+
+
+def after_end(results: Dataset, times: np.ndarray) -> np.ndarray:
+    """Return which of m times are after the event that ended each sample's motion, (…, m)."""
+    ended = np.isin(results["status"].values, (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE))
+    late: np.ndarray = ended[..., None] & (times > results["end_time"].values[..., None])
+    return late
 
 
 # -- Input -----------------------------------------------------------------------------------------

@@ -35,6 +35,7 @@ from pydy.trajectory import Trajectory
 from pydy.viz import Live, Scene, Slider
 
 __all__ = ["Ride", "animate", "draw", "push", "ride", "simulate"]
+__dir__ = __all__.copy
 
 SPEED = 5.0  # m/s; the riderless bicycle is stable between 4.29 and 6.02 m/s
 ROLL = STEER = 0.05  # rad at the start

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from sympy.physics.mechanics import Point, ReferenceFrame
 
 __all__ = ["scene", "visuals"]
+__dir__ = __all__.copy
 
 TYRE, RIM, STEEL, DARK = "#4a505b", "#aab3c0", "#c9433e", "#5a6270"
 SHIRT, TROUSERS, SKIN = "#3f7fc4", "#56617a", "#d9a27e"

@@ -105,6 +105,7 @@ __all__ = [
     "energy",
     "equilibrium",
 ]
+__dir__ = __all__.copy
 
 BENCHMARK: Mapping[str, float] = {
     "w": 1.02,  # wheel base

@@ -68,10 +68,9 @@ def fmu_archive(model: Model, fmi: str = "3.0", binary: bool = True) -> bytes:
 
 def _sources(model: Model, fmi: str) -> dict[str, str]:
     head = [f"{model.title}: exported by pydy {__version__}."]
-    ours = {name: resource(name) for name in ("fmu_core.c", "fmu_solver.c")}
+    ours = {name: resource(name) for name in ("fmu_core.c", "fmu_solver.c", "fmi.c")}
     return {
         "all.c": _unit(),
-        "fmi.c": resource("fmi.c"),
         **portable_sources("advance.c", "scan_events.c", "departure.h", texts=ours),
         "config.h": "\n".join([c_header(model, head), *_config(model, fmi)]),
         "model.c": c_model_source(model, head),
@@ -302,10 +301,12 @@ def model_description(model: Model, fmi: str, token: str) -> str:
     abilities = {"modelIdentifier": model.name, **dict.fromkeys(words.abilities, "true")}
     steps = {"canHandleVariableCommunicationStepSize": "true"}
     span = {"startTime": repr(model.start), "stopTime": repr(model.stop)}
+    # FMI 2.0 calls the function unless the unit declines it.
+    checked = {"needsCompletedIntegratorStep": "true"} if new and model.events.names else {}
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<fmiModelDescription{_attributes(**head)}>",
-        f"  <ModelExchange{_attributes(**abilities)}>{words.files}</ModelExchange>",
+        f"  <ModelExchange{_attributes(**abilities, **checked)}>{words.files}</ModelExchange>",
         f"  <CoSimulation{_attributes(**abilities, **steps)}>{words.files}</CoSimulation>",
         f"  <DefaultExperiment{_attributes(**span, tolerance=_TOLERANCE)}/>",
         "  <ModelVariables>",

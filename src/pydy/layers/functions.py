@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from pydy._checks import SymbolIndex
 from pydy._judges import warn_of_missing_derivatives
-from pydy._problem import Problem, refuse_descending
+from pydy._problem import Problem
 from pydy.layers.layer import KINDS, ArgumentPart, LayerFunction
 from pydy.layers.motions import MotionFunction
 from pydy.layers.values import BlockFunction
 from pydy.solvers import Solver
+
+if TYPE_CHECKING:
+    from pydy._sympy_types import AnySymbol, SymbolOrName
 
 _BLOCKS = {"ode": "rates", "outputs": "outputs"}
 
@@ -29,10 +34,14 @@ class LayerFunctions:
             "_functions": {},
         }  # functions contain locks; they are created again
 
-    def symbol_index(self, group: str) -> SymbolIndex:
+    def symbols(self, group: str) -> tuple[AnySymbol, ...]:
         """Return the symbols of x, r or p."""
-        index: SymbolIndex = self.problem.definition.places[KINDS[group]]
-        return index
+        symbols: tuple[AnySymbol, ...] = self.problem.definition.places[KINDS[group]].symbols
+        return symbols
+
+    def columns(self, group: str, keys: Iterable[SymbolOrName]) -> tuple[int, ...]:
+        """Return the columns of x, r or p that symbols or names denote."""
+        return tuple(self.problem.definition.places[KINDS[group]].columns(keys, group).tolist())
 
     def counts(self, kind: str, group: str, indices: tuple[int, ...]) -> tuple[int, ...]:
         """Return the number of numbers per entry: a motion's sampled input has several."""
@@ -65,5 +74,4 @@ class LayerFunctions:
                 f"`times` must have at least two values before `{kind}` can be called, got "
                 f"{len(problem.settings.times)}. Set `system.times`, and make the layer after that."
             )
-        refuse_descending(problem.settings.times, f"`{kind}` integrates forward only")
         return MotionFunction(problem, self._solver, kind == "final", parts, self._options)

@@ -7,7 +7,7 @@ for each library. A Layer reads the arguments and calls the adapter.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -32,6 +32,11 @@ class ArgumentPart:
     def size(self) -> int:
         """The number of entries."""
         return sum(self.counts)
+
+
+def replaced_specifieds(parts: Sequence[ArgumentPart]) -> tuple[int, ...]:
+    """Return the indices of the specifieds that an argument gives."""
+    return next((part.indices for part in parts if part.group == "r"), ())
 
 
 Arrays = tuple[np.ndarray, ...]
@@ -70,7 +75,7 @@ class Layer:
         self._functions, self._arrays, self._library = functions, arrays, library
 
     def __repr__(self) -> str:
-        names = describe(self._functions.symbol_index("x").symbols)
+        names = describe(self._functions.symbols("x"))
         return f"Layer for {self._library} of the states {names}"
 
     def ode(self, x: object = None, t: object = None, r: object = None, p: object = None) -> Any:
@@ -176,19 +181,19 @@ class Layer:
     def _read(self, kind: str, group: str, value: object) -> tuple[ArgumentPart, Any]:
         if group == "t":
             return ArgumentPart("t", (0,), (1,), True), self._arrays.array(value, "`t`")[..., None]
-        symbol_index = self._functions.symbol_index(group)
         if not isinstance(value, Mapping):
-            array, n = self._arrays.array(value, f"`{group}`"), len(symbol_index)
+            symbols = self._functions.symbols(group)
+            array, n = self._arrays.array(value, f"`{group}`"), len(symbols)
             if array.ndim == 0 or array.shape[-1] != n:
                 raise ValueError(
                     f"`{group}` must have the shape (…, {n}), one entry for each of "
-                    f"{describe(symbol_index.symbols)}, got {tuple(array.shape)}."
+                    f"{describe(symbols)}, got {tuple(array.shape)}."
                 )
             return ArgumentPart(group, (*range(n),), (1,) * n, True), array
         if not value:
             raise ValueError(f"`{group}` must have at least one entry, got an empty dictionary.")
         value = merged(value)
-        indices = tuple(symbol_index.columns(value, group).tolist())
+        indices = self._functions.columns(group, value)
         counts = self._functions.counts(kind, group, indices)
         columns = []
         for (key, entry), count in zip(value.items(), counts, strict=True):

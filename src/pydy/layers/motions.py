@@ -7,20 +7,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._checks import flag
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._forks import Lock
-from pydy._integration import SensitivityRequest, simulate
+from pydy._integration import simulate
 from pydy._motion import Motion
 from pydy._names import unique_names
-from pydy._problem import CallArguments, Problem, with_settings
+from pydy._problem import Problem, read_times, with_settings
 from pydy._states import with_dependents
 from pydy.analysis import explicit_solver, motion_and_gradient
-from pydy.ensemble import integrate_ensemble
+from pydy.ensemble import after_end, integrate_ensemble
 from pydy.inputs import SampledInput
-from pydy.layers.layer import KINDS, ArgumentPart, Arrays
-from pydy.layers.values import plan_without
-from pydy.solvers import Outcome, Solver
+from pydy.layers.layer import KINDS, ArgumentPart, Arrays, replaced_specifieds
+from pydy.solvers import Solver
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -43,7 +41,9 @@ class MotionFunction:
     ) -> None:
         self.parts, self._solver, self._final, self._options = parts, solver, final, options
         definition, states = problem.definition, problem.definition.states
-        times = CallArguments(problem).times(problem.settings.times)
+        kind = "final" if final else "simulate"
+        forward = f"`{kind}` integrates forward only"
+        times = read_times(problem, problem.settings.times, forward)
         self.shape: tuple[int, ...] = (len(states),) if final else (len(times), len(states))
         self._problem = with_settings(
             problem,
@@ -123,12 +123,14 @@ class MotionFunction:
     def _motion(self, row: list[np.ndarray], parameters: list[AnySymbol] | None = None) -> Motion:
         """Integrate one sample, with sensitivities to the `parameters` unless None."""
         problem, options = self._problem_of(row), dict(self._options)
-        controlled = flag(options.pop("control_sensitivities", False), "`control_sensitivities`")
         if problem.hybrid is None:
             options = {"dense_output": False, **options}
-        request = None if parameters is None else SensitivityRequest(parameters, controlled)
         return simulate(
-            problem, problem.settings.times, solver=self._solver, sensitivities=request, **options
+            problem,
+            problem.settings.times,
+            solver=self._solver,
+            sensitivities=parameters,
+            **options,
         )
 
     def _nan_if_batched(
@@ -142,13 +144,6 @@ class MotionFunction:
                 raise
             return np.nan
 
-    def _after_end(self, results: Dataset) -> np.ndarray:
-        """Return which times are after the end of each sample's motion, (m, times)."""
-        ended = np.isin(results["status"].values, (Outcome.TERMINATED, Outcome.EVENTS_ACCUMULATE))
-        after = self._problem.settings.times > results["end_time"].values[:, None]
-        late: np.ndarray = ended[:, None] & after
-        return late
-
     # -- values -----------------------------------------------------------------------------------
 
     def value(self, *arrays: np.ndarray) -> np.ndarray:
@@ -160,7 +155,8 @@ class MotionFunction:
                 results = self._ensemble(flat)
                 states = np.stack([results[name].values for name in self._names], axis=-1)
                 values = states[:, -1].copy() if self._final else states
-                remaining = np.flatnonzero(self._after_end(results)[:, -1] & self._final).tolist()
+                late = after_end(results, self._problem.settings.times)
+                remaining = np.flatnonzero(late[:, -1] & self._final).tolist()
             else:
                 values, remaining = np.empty((m, *self.shape)), [*range(m)]
             for k in remaining:
@@ -253,7 +249,7 @@ class MotionFunction:
             results = self._ensemble(flat, sensitivities=parameters)
             table = results["sensitivity"].sel(quantity=list(self._names))
             slopes = table.transpose("sample", "time", "quantity", "parameter").values
-            late = self._after_end(results)
+            late = after_end(results, self._problem.settings.times)
             self._check_reached(late[:, -1].any())
             return np.where(late[:, :, None, None], 0.0, slopes)
 
@@ -316,8 +312,7 @@ def _one_by_one(
     for columns, samples in plan.inputs.sampled:
         for j, k in enumerate(columns):
             specifieds[plan.symbols[k]] = samples.of([j])
-    replaced = next((part for part in parts if part.group == "r"), None)
-    for columns, function in plan_without(problem, replaced).inputs.functions:
+    for columns, function in plan.with_zeros(replaced_specifieds(parts)).inputs.functions:
         symbols = tuple(plan.symbols[k] for k in columns)
         specifieds = {s: v for s, v in specifieds.items() if s not in symbols}
         specifieds[symbols] = function

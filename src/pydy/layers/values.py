@@ -3,27 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from itertools import accumulate
 
 import numpy as np
 
 from pydy._assembly import singular_mass_matrix
 from pydy._checks import describe
-from pydy._graph import derivative_program, inputs_of
+from pydy._graph import inputs_of
 from pydy._kernel import Kernel
 from pydy._problem import Problem
-from pydy._program import Program
-from pydy.codegen import SpecifiedsPlan
-from pydy.layers.layer import ArgumentPart, Arrays
-
-
-def plan_without(problem: Problem, part: ArgumentPart | None) -> SpecifiedsPlan:
-    """Return the plan of r with zeros for the specifieds that a layer's argument replaces."""
-    if part is None:
-        return problem.plan
-    specifieds = problem.definition.places["specifieds"]
-    zeros = dict.fromkeys((specifieds.symbols[k] for k in part.indices), 0.0)
-    return problem.plan.updated(SpecifiedsPlan(zeros, specifieds, argument="r"))
+from pydy.layers.layer import ArgumentPart, Arrays, replaced_specifieds
 
 
 def _rows(
@@ -49,7 +39,7 @@ class BlockFunction:
     def __init__(self, problem: Problem, block: str, parts: tuple[ArgumentPart, ...]) -> None:
         self.problem, self.block, self.parts = problem, block, parts
         self._part_of = {part.group: part for part in parts}
-        self._plan = plan_without(problem, self._part_of.get("r"))
+        self._plan = problem.plan.with_zeros(replaced_specifieds(parts))
         self._code = problem.model.with_compiled_inputs(self._plan)
         self._check_unknowns()
         self._kernel = self._code.compiled(block)
@@ -148,12 +138,7 @@ class BlockFunction:
             )  # samples change with time
         inputs = tuple((part.group, k) for part in parts for k in part.indices)
         code, block = self._code, self.block
-        assembly = code.assembly
-
-        def program() -> Program:
-            graph, nodes = assembly.simplified(block)
-            return derivative_program(graph, nodes, inputs, kind, assembly.sizes)
-
+        program = partial(code.programs.product, block, inputs, kind)
         kernel = code.compiled_by(("product", kind, block, (), inputs, 1), program)
         self._products[kind, wrt] = kernel, parts
         return kernel, parts

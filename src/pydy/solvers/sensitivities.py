@@ -23,6 +23,7 @@ import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.tuning import BOUND, BOUND_CAP, ROUNDING
+from pydy.trajectory import EventRecord
 
 
 class Jump(NamedTuple):
@@ -150,6 +151,25 @@ class CompiledSensitivities:
             for name, (tolerance, factor) in factors.items()
         ]
         return error, f"If it is to cross there, lower {' and '.join(changes)}. Otherwise omit"
+
+    @staticmethod
+    def grazing_remedy(lower: str, records: Sequence[EventRecord]) -> str:
+        """Return the start of a remedy for the last of these events, which grazes; usually `lower`.
+
+        If the same event happened before at ever shorter intervals, as the bounces of a ball that
+        comes to rest, a lower tolerance only resolves a few more of infinitely many.
+        """
+        times = [record.time for record in records if record.index == records[-1].index]
+        intervals = np.abs(np.diff(times[-4:]))
+        if len(intervals) < 3 or not (np.diff(intervals) < 0.0).all():
+            return lower
+        return (
+            f"It is the number {len(times)} of these events, which follow each other at ever "
+            "shorter intervals: where they accumulate (Zeno behaviour), no tolerance resolves all "
+            "of them. Let `times` end before, make the event terminal, let its reset stop the "
+            "motion as it stops in reality, or model a rebound by `pydy.contact.Contacts`, which "
+            "continue with the derivatives of the limit. Or omit"
+        )
 
     @staticmethod
     def bounding_tolerances(

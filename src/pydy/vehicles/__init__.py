@@ -3,7 +3,8 @@
 `read_tir` reads a tire property file, `MagicFormula` makes a tire of it; `LinearTire`, `BrushTire`
 and `TMeasy` need a few parameters only. A tire is asked for its forces with numbers, arrays, or
 SymPy expressions, which go into loads, outputs and specifieds. `WheelContact` makes loads of a tire
-for a wheel that moves freely. `fit_tire` fits the parameters of a tire to measurements.
+for a wheel that moves freely, on a plane or a `RoadSurface`; `iso_road` makes random profiles.
+`fit_tire` fits the parameters of a tire to measurements.
 
 `single_track` makes a System of a car, `CARS` has constants of some, `linear_handling` the closed
 forms of the linear one. `step_steer` and `steady_turn` are manoeuvres of a System.
@@ -18,6 +19,8 @@ __all__ = [
     "LinearHandling",
     "LinearTire",
     "MagicFormula",
+    "RoadProfile",
+    "RoadSurface",
     "SingleTrackCar",
     "SteadyTurn",
     "StepResponse",
@@ -27,6 +30,7 @@ __all__ = [
     "TireForces",
     "WheelContact",
     "fit_tire",
+    "iso_road",
     "linear_handling",
     "plot_tire",
     "plot_tire_carpet",

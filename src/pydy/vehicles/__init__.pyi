@@ -11,6 +11,8 @@ from .manoeuvres import (
     step_steer as step_steer,
 )
 from .plots import plot_tire as plot_tire, plot_tire_carpet as plot_tire_carpet
+from .profiles import RoadProfile as RoadProfile, iso_road as iso_road
+from .road import RoadSurface as RoadSurface
 from .single_track import (
     CARS as CARS,
     SingleTrackCar as SingleTrackCar,

@@ -1,4 +1,4 @@
-"""The elastic carcass of a tire: relaxation lengths, and the normal force of its deflection."""
+"""The elastic carcass of a tire: relaxation lengths, normal force and effective rolling radius."""
 
 from __future__ import annotations
 
@@ -59,3 +59,18 @@ def normal_force(m: Algebra, values: Mapping[str, Operand], state: VerticalState
         force = c.FNOMIN * (slope + c.Q_FZ2 * x) * x
     force = m.maximum(force - c.VERTICAL_DAMPING * state.rate, 0)
     return m.where_negative(state.gap, force, 0)
+
+
+@dataclass(frozen=True)
+class LoadState:
+    """The load of a tire."""
+
+    Fz: Operand
+
+
+def rolling_radius(m: Algebra, values: Mapping[str, Operand], state: LoadState) -> Operand:
+    """Return the effective rolling radius, Besselink et al. 2010, (1) and (7), without speed."""
+    c = Coefficients({name: m.constant(value) for name, value in values.items()})
+    x = m.maximum(state.Fz, 0) / c.FNOMIN
+    fall = c.DREFF * m.atan(c.BREFF * x) + c.FREFF * x
+    return c.UNLOADED_RADIUS * c.Q_RE0 - c.FNOMIN / c.VERTICAL_STIFFNESS * fall

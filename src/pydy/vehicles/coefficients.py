@@ -44,6 +44,7 @@ _BASIC = {
     "overturning moment": _upto("QSX", 3),
     "rolling resistance": _upto("QSY", 4),
     "normal force": ("VERTICAL_STIFFNESS", "VERTICAL_DAMPING"),
+    "effective rolling radius": ("BREFF", "DREFF", "FREFF"),
 }  # fmt: skip
 _OLD = {
     "lateral force": ("PHY3",),
@@ -65,7 +66,10 @@ _NEW = {
         "LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS", *_upto("PCFX", 3), *_upto("PCFY", 3),
     ),
 }  # fmt: skip
-_SPRING: dict[str, tuple[str, ...]] = {"normal force": ("Q_FZ2",)}
+_SPRING: dict[str, tuple[str, ...]] = {
+    "normal force": ("Q_FZ2",),
+    "effective rolling radius": ("Q_RE0",),
+}
 _NEWEST = {"overturning moment": _numbered("QSX", 12, 13, 14)}
 _SCALING = (
     "LFZO", "LMUX", "LMUY", "LCX", "LEX", "LKX", "LHX", "LVX", "LCY", "LEY", "LKY", "LHY", "LVY",
@@ -88,6 +92,7 @@ _GENERAL = ("FNOMIN", "UNLOADED_RADIUS", "LONGVL", "VXLOW", "NOMPRES", "INFLPRES
 # Values of what is missing, where it is neither a scaling factor (1) nor 0.
 DEFAULTS = {
     "PKY4": 2.0,  # the sine of twice an arctangent, as in the older versions
+    "Q_RE0": 1.0,  # the measured radius without load is UNLOADED_RADIUS
     "QSY7": 1.0,  # rolling resistance in proportion to the load, as in the older versions
     "LMUV": 0.0,  # a scaling factor by name; 0 is friction that does not depend on speed
     "LONGVL": 16.7,

@@ -216,7 +216,14 @@ def _rolling(m: Algebra, c: Operand, speed: Operand) -> tuple[Operand, Operand, 
 
 
 def _pressure_change(c: Operand, form: FormulaVariant, pressure: Operand) -> Operand:
-    if not form.pressure or (not is_symbolic(c.NOMPRES) and c.NOMPRES == 0.0):
+    if not form.pressure:
+        return 0
+    if not is_symbolic(c.NOMPRES) and c.NOMPRES == 0.0:
+        if pressure is not None:
+            raise ValueError(
+                "`pressure` needs the coefficient NOMPRES, the pressure that the tire was measured "
+                "at, which is missing: leave `pressure` out, or give it with `replace`."
+            )
         return 0
     if pressure is None:
         pressure = c.INFLPRES

@@ -119,7 +119,8 @@ class TireEquations(ABC):
             Longitudinal speed V_x of the wheel's centre (m/s), negative if it rolls backwards. By
             default the speed of the measurement, LONGVL.
         pressure : number, array or expression, optional
-            Inflation pressure (Pa). By default INFLPRES, otherwise NOMPRES.
+            Inflation pressure (Pa). By default INFLPRES, otherwise NOMPRES. The version 5.2 and
+            tires that are no `MagicFormula` do not depend on it.
 
         Returns
         -------

@@ -75,6 +75,37 @@ def checked_values(
     return checked
 
 
+def check_vertical(values: Mapping[str, Any]) -> None:
+    """Refuse a normal force without a stiffness, and a parabola that has it nowhere."""
+    k, bend = values["VERTICAL_STIFFNESS"], values.get("Q_FZ2", 0.0)
+    if k == 0.0:
+        raise ValueError("The coefficient VERTICAL_STIFFNESS is missing.")
+    size, load = values["UNLOADED_RADIUS"], values["FNOMIN"]
+    if any(map(is_symbolic, (k, bend, size, load))):
+        return
+    most = (k * size / load) ** 2 / 4
+    if bend > most:
+        raise ValueError(
+            f"The coefficient Q_FZ2 must be at most (VERTICAL_STIFFNESS R_0/F_z0)²/4 = {most:g}, "
+            f"got {bend:g}: a parabola that is bent more has this stiffness at no load."
+        )
+
+
+def check_rolling_radius(values: Mapping[str, Any]) -> None:
+    """Refuse an effective rolling radius without coefficients."""
+    falls = [n for n in ("DREFF", "FREFF") if is_symbolic(values[n]) or values[n]]
+    lacking = [n for n in ("VERTICAL_STIFFNESS", "BREFF") if values[n] == 0.0]
+    if "DREFF" not in falls:
+        lacking = [n for n in lacking if n != "BREFF"]
+    if not falls:
+        lacking += ["DREFF", "FREFF"]
+    if lacking:
+        raise ValueError(
+            f"The tire has no effective rolling radius: {some(lacking)} "
+            f"{'is' if len(lacking) == 1 else 'are'} missing. Give values with `replace`."
+        )
+
+
 def checked_combination(
     combined: str | None, file: TireFile | None, use_mode: int, absent: Collection[str]
 ) -> str:

@@ -11,7 +11,13 @@ from typing import Any, Self
 from pydy._checks import check_mapping, choice
 from pydy._names import some
 from pydy.vehicles.algebra import Algebra, Quantity, is_symbolic
-from pydy.vehicles.carcass import VerticalState, normal_force, relaxation_lengths
+from pydy.vehicles.carcass import (
+    LoadState,
+    VerticalState,
+    normal_force,
+    relaxation_lengths,
+    rolling_radius,
+)
 from pydy.vehicles.coefficients import ALIASES, ALL_NAMES, absent_groups, default, names_of
 from pydy.vehicles.equations import (
     EquationInputs,
@@ -26,6 +32,8 @@ from pydy.vehicles.magic_checks import (
     ESSENTIAL,
     MODES,
     check_names,
+    check_rolling_radius,
+    check_vertical,
     checked_combination,
     checked_values,
     form_of,
@@ -322,10 +330,46 @@ class MagicFormula(TireEquations):
         def equations(m: Algebra, state: VerticalState) -> tuple[Any, ...]:
             return (normal_force(m, self._values, state),)
 
-        if self._values["VERTICAL_STIFFNESS"] == 0.0:
-            raise ValueError("The coefficient VERTICAL_STIFFNESS is missing.")
+        check_vertical(self._values)
         (force,) = evaluate(equations, self._values, VerticalState, gap=gap, rate=rate)
         return force
+
+    def rolling_radius(self, Fz: Quantity) -> Quantity:
+        """Return the effective rolling radius R_e of a load, for `WheelContact`.
+
+        A wheel that rolls freely has V_x = R_e Ω, with ::
+
+            R_e = R_0 Q_RE0 − F_z0/k (D_reff atan(B_reff F_z/F_z0) + F_reff F_z/F_z0)
+
+        of BREFF, DREFF and FREFF, and k = VERTICAL_STIFFNESS. Q_RE0, of the versions 6.1 and 6.2,
+        is 1 if it is missing. The growth of the tire with its speed is left out.
+
+        Parameters
+        ----------
+        Fz : number, array or expression
+            Normal force (N).
+
+        Returns
+        -------
+        number, array or expression
+            R_e (m).
+
+        Examples
+        --------
+        >>> from pydy.vehicles import MagicFormula
+        >>> tire = MagicFormula({'FNOMIN': 4000, 'UNLOADED_RADIUS': 0.313, 'PCX1': 1.6, 'PDX1': 1.0,
+        ...                      'PKX1': 20.0, 'VERTICAL_STIFFNESS': 2e5, 'BREFF': 8.4,
+        ...                      'DREFF': 0.27, 'FREFF': 0.045}, use_mode=1)
+        >>> round(tire.rolling_radius(4000), 4)  # the loaded radius is 0.293 m
+        0.3043
+        """
+
+        def equations(m: Algebra, state: LoadState) -> tuple[Any, ...]:
+            return (rolling_radius(m, self._values, state),)
+
+        check_rolling_radius(self._values)
+        (radius,) = evaluate(equations, self._values, LoadState, Fz=Fz)
+        return radius
 
     def _equations(self, m: Algebra, state: TireInputs) -> tuple[Any, ...]:
         """Return the five results; the mirrored tire sees all from the other side."""

@@ -18,3 +18,11 @@ load relaxation lengths are of the size of the radius."""
 SMALLEST_SLIDING = 1e-9
 """Sliding speed below which its direction is not resolved, relative to `low_speed`. It is added in
 quadrature: the sliding of a wheel that holds on a slope is a small fraction of it."""
+
+SMALLEST_DEFLECTION = 1e-9
+"""Deflection of a flat tread below which the lever arm of its camber is reduced, relative to the
+radius: an upright wheel that begins to touch has the arm 0/0. Loads are of that order there."""
+
+UNEVEN_SPACING = 1e-6
+"""Difference of distances between samples of a profile that are taken as even, relative to their
+mean: places in files have few digits."""

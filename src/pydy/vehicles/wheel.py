@@ -4,29 +4,28 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Self, TypeAlias
+from typing import TYPE_CHECKING, Self
 
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
 
 from pydy._checks import instance, shown
-from pydy._rank import ROUNDED
+from pydy.contact import Stick
 from pydy.solvers import Event
-from pydy.vehicles.algebra import checked_quantity, is_symbolic
+from pydy.vehicles.algebra import is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
 from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
+from pydy.vehicles.tread import WheelMotion, touch_of_cylinder, touch_of_torus
+from pydy.vehicles.wheel_arguments import Law, check_unit, normal_force_of, rolling_radius_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pydy._sympy_types import Expression, Load, TimeFunction
 
-# A law of the normal force: a function of the gap and its rate.
-Law: TypeAlias = "Callable[[Expression, Expression], Expression | float]"
-
 
 class WheelContact:
-    """A wheel, a thin disc or a torus, that touches a plane.
+    """A wheel, a thin disc, a torus or a cylinder, that touches a plane.
 
     The contact point C lies on the plane, in the vertical plane through the wheel's axle. Axes at C
     are those of `MagicFormula`: forward along the intersection of the wheel plane with the ground,
@@ -35,10 +34,13 @@ class WheelContact:
 
         κ = −V_sx/|V_x|    tan α = V_sy/|V_x|    sin γ = axis · normal
 
-    A wheel without drive slip thus rolls on its loaded radius. The effective rolling radius of a
-    tire file (BREFF, DREFF, FREFF), a few per cent larger, is not used. With a crown, C moves
-    sideways on the torus, while the Magic Formula's M_x (QSX2) refers to the wheel plane: leave
-    QSX2 out.
+    A wheel without drive slip thus rolls on its loaded radius. The effective rolling radius R_e of
+    a tire file, a few per cent larger, is used with `rolling_radius`: V_sx = V_x − R_e Ω, with the
+    speed of revolution Ω. With a crown or a width, C moves sideways with the camber, while the
+    Magic Formula's M_x (QSX2) refers to the wheel plane: leave QSX2 out.
+
+    A wheel that rolls without slip needs no tire: give its `nonholonomic_constraints` to the
+    model. Without a `force` it is rigid, too, and `holonomic_constraints` keep it on the plane.
 
     Below `low_speed` that speed replaces the size of V_x: at rest a tire acts as a damper, and a
     wheel on a slope creeps, unless its slips have relaxation, see `with_relaxation`.
@@ -52,16 +54,25 @@ class WheelContact:
     radius : number or expression
         Largest radius of the wheel without load (m).
     plane : Point
-        A point of the plane, at rest in `frame`.
+        A point of the plane, which moves with it, without turning; mostly at rest in `frame`.
     normal : Vector
-        Unit normal of the plane, towards the wheel, constant in `frame`.
+        Unit normal of the plane, towards the wheel: constant in `frame`, or of a `RoadSurface`.
     frame : ReferenceFrame
         The inertial frame.
-    force : callable
+    force : callable, optional
         ``force(gap, rate)`` returns the normal force (N), such as a law of `pydy.contact`. The gap
-        is the distance to the plane (m), negative where the tire is deflected.
+        is the distance to the plane (m), negative where the tire is deflected. Where the law is
+        negative, and where a law that may be negative is not deflected, there is no force. By
+        default the wheel is rigid and stays on the plane.
     crown_radius : number or expression, optional
         Radius of the cross section (m): that of a torus, 0 for a thin disc.
+    width : number or expression, optional
+        Width of a cylinder's flat tread (m). Across it the deflection is a trapezoid, or a triangle
+        where camber lifts an edge: `force` gets the mean of it as the gap, C is in its centroid.
+        By default the wheel has no width.
+    rolling_radius : callable, number or expression, optional
+        ``rolling_radius(normal_force)`` returns R_e (m), such as that of `MagicFormula`. By default
+        the distance to C within the wheel plane.
     low_speed : number or expression, optional
         Smallest speed that slips are relative to (m/s).
     name : str, optional
@@ -71,8 +82,8 @@ class WheelContact:
     ----------
     gap, rate : expression
         Distance of the undeformed wheel to the plane (m) and its time derivative.
-    normal_force : expression
-        Load F_z (N).
+    normal_force : expression or None
+        Load F_z (N), None for a rigid wheel.
     loaded_radius : expression
         Distance from the centre to the plane within the wheel plane (m).
     contact : Vector
@@ -84,7 +95,13 @@ class WheelContact:
     kappa, alpha, gamma : expression
         Slips and camber, as a tire reads them.
     events : list of Event
-        Where the wheel lifts off and touches.
+        Where the wheel lifts off and touches; none of a rigid wheel.
+    holonomic_constraints : list of expressions
+        The gap of a rigid wheel; otherwise none.
+    nonholonomic_constraints : list of expressions
+        Sliding velocity of the wheel's material at C (m/s), forward and to the left: zero if the
+        wheel rolls without slip. A `KanesMethod` takes them after `rate`, among its
+        `velocity_constraints`.
     deflections : tuple of functions of time
         Coordinates that the slips with relaxation need, otherwise none.
     kinematic_equations : list of expressions
@@ -98,6 +115,9 @@ class WheelContact:
     ----------
     H. B. Pacejka, Tire and Vehicle Dynamics, 3rd ed., Butterworth-Heinemann, 2012, sections 2.2,
     9.3 and 11.2.
+
+    G. Rill, Road Vehicle Dynamics: Fundamentals and Modeling, CRC Press, 2012, chapter 3, for the
+    deflection of a tread that is cambered, and its static contact point.
 
     Examples
     --------
@@ -127,6 +147,18 @@ class WheelContact:
     ...                 initial_conditions={vx: 10, z: r}, times=np.linspace(0, 2, 21))
     >>> round(float(system.simulate()['v_x'][-1]), 2)
     6.67
+
+    The same disc is rigid and rolls without slip. A torque of 3 N m accelerates it by
+    τ/(r (m + I/r²)) = 2/3 m/s²:
+
+    >>> rolling = WheelContact(disc, N.y, r, O, N.z, N)
+    >>> system = System(Definition(N, [x, z, q], [vx, vz, w], bodies=[disc],
+    ...                            loads=[(G, -m*g*N.z), (W, 3*N.y)],
+    ...                            holonomic_constraints=rolling.holonomic_constraints,
+    ...                            nonholonomic_constraints=rolling.nonholonomic_constraints),
+    ...                 initial_conditions={z: r})
+    >>> round(float(system.evaluate_ode()[3]), 9)
+    0.666666667
     """
 
     def __init__(
@@ -137,9 +169,14 @@ class WheelContact:
         plane: Point,
         normal: Vector,
         frame: ReferenceFrame,
-        force: Law,
+        force: Law | None = None,
         *,
         crown_radius: Expression | float = 0.0,
+        width: Expression | float | None = None,
+        rolling_radius: Callable[[Expression], Expression | float]
+        | Expression
+        | float
+        | None = None,
         low_speed: Expression | float = 0.1,
         name: str = "touch",
     ) -> None:
@@ -147,12 +184,13 @@ class WheelContact:
         instance(plane, Point, "`plane`")
         instance(frame, ReferenceFrame, "`frame`")
         for label, vector in (("axis", axis), ("normal", normal)):
-            _check_unit(label, vector)
-        if not callable(force):
-            raise TypeError(f"`force` must be a function, got {shown(force)}.")
+            check_unit(label, vector)
+        if not (force is None or callable(force)):
+            raise TypeError(f"`force` must be a function or None, got {shown(force)}.")
+        given = {"radius": radius, "crown_radius": crown_radius, "low_speed": low_speed}
         sizes = checked_parameters(
-            {"radius": radius, "crown_radius": crown_radius, "low_speed": low_speed},
-            positive=("radius", "low_speed"),
+            given if width is None else {**given, "width": width},
+            positive=("radius", "width", "low_speed"),
             not_negative=("crown_radius",),
         )
         r, crown = sizes["radius"], sizes["crown_radius"]
@@ -160,32 +198,52 @@ class WheelContact:
             raise ValueError(
                 f"`crown_radius` must be smaller than `radius`, got {crown!r} and {r!r}."
             )
+        if width is not None and (force is None or crown != 0.0):
+            raise ValueError(
+                "`width` is that of a flat tread, which is deflected unevenly: give a `force`, and "
+                "no `crown_radius`."
+            )
         self.body, self.normal = body, normal
+        self._axis, self._frame = axis, frame
         centre = body.masscenter
-        lean = axis.dot(normal)
+        turning = normal.dt(frame)
+        wheel = WheelMotion(
+            centre.pos_from(plane),
+            centre.vel(frame) - plane.vel(frame),
+            body.frame.ang_vel_in(frame),
+            axis,
+            normal,
+            None if turning == 0 else turning,
+        )
+        lean = wheel.lean
         upright = sm.sqrt(1 - lean**2)  # cos γ
         self.forward = axis.cross(normal) / upright
         self.left = normal.cross(self.forward)
         down = axis.cross(self.forward)
-        height = centre.pos_from(plane).dot(normal)
-        self.gap = height - (r - crown) * upright - crown
-        lowest = (r - crown) * down - crown * normal
-        velocity, rotation = centre.vel(frame), body.frame.ang_vel_in(frame)
-        self.rate = (velocity + rotation.cross(lowest)).dot(normal)
-        self.normal_force = _of_law(force, self.gap, self.rate)
-        self.loaded_radius = height / upright
-        # The deflection is along the wheel plane: C lies on the ground at any camber.
-        self.contact = lowest + self.gap / upright * down
+        if width is None:
+            touch = touch_of_torus(wheel, r, crown, upright, down)
+        else:
+            touch = touch_of_cylinder(wheel, r, sizes["width"], upright, down)
+        self.gap, self.rate = touch.gap, touch.rate
+        self.normal_force = None if force is None else normal_force_of(force, self.gap, self.rate)
+        self.loaded_radius = wheel.position.dot(normal) / upright
+        self.contact = touch.rim if force is None else touch.contact
+        velocity, rotation = wheel.velocity, wheel.rotation
         sliding = velocity + rotation.cross(self.contact)
         self.speed = velocity.dot(self.forward)
-        self._sliding = SlidingSpeeds(
-            r, self.speed, sliding.dot(self.forward), sliding.dot(self.left)
-        )
+        sliding_forward = sliding.dot(self.forward)
+        if rolling_radius is not None:
+            arm = self.contact.cross(axis).dot(self.forward)
+            missing = arm - rolling_radius_of(rolling_radius, self.normal_force)
+            sliding_forward += missing * rotation.dot(axis)
+        self._sliding = SlidingSpeeds(r, self.speed, sliding_forward, sliding.dot(self.left))
         size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
         self.kappa = -self._sliding.forward / size
         self.alpha = sm.atan(self._sliding.left / size)
         self.gamma = sm.asin(lean)
-        self.events = [Event(self.gap, name=name)]
+        self.events = [] if force is None else [Event(self.gap, name=name)]
+        self.holonomic_constraints = [self.gap] if force is None else []
+        self.nonholonomic_constraints = [self._sliding.forward, self._sliding.left]
         self.deflections: tuple[TimeFunction, ...] = ()
         self.kinematic_equations: list[Expression] = []
 
@@ -245,6 +303,53 @@ class WheelContact:
         result.deflections, result.kinematic_equations = tuple(deflections), slips.equations
         return result
 
+    def brake(
+        self,
+        torque: Expression | float,
+        carrier: ReferenceFrame | None = None,
+        *,
+        name: str = "brake",
+    ) -> Stick:
+        """Return a brake that holds, dry friction between the wheel and its carrier.
+
+        While the wheel turns the torque acts against it. At rest as much of it acts as holds the
+        wheel: with relaxation a car with a brake stands still on a slope, and starts when the
+        torque falls short. `pydy.contact.Contacts` simulates a System with brakes; its outputs
+        ``brake_friction`` and ``brake_sliding`` are the torque and the angular speed.
+
+        Parameters
+        ----------
+        torque : number or expression
+            Of the brake (N m), not negative: of states, time and constants.
+        carrier : ReferenceFrame, optional
+            What the brake is fixed to, such as the frame of the axle. By default the inertial one.
+        name : str, optional
+            Name of the brake, for outputs and transitions.
+
+        Returns
+        -------
+        pydy.contact.Stick
+
+        Examples
+        --------
+        >>> import sympy as sm
+        >>> import sympy.physics.mechanics as me
+        >>> from pydy.vehicles import WheelContact
+        >>> z, q = me.dynamicsymbols('z q')
+        >>> N, W, O = me.ReferenceFrame('N'), me.ReferenceFrame('W'), me.Point('O')
+        >>> W.orient_axis(N, N.y, q)
+        >>> O.set_vel(N, 0)
+        >>> G = O.locatenew('G', z*N.z)
+        >>> wheel = me.RigidBody('wheel', G, W, 20, (me.inertia(W, 0, 1, 0), G))
+        >>> WheelContact(wheel, N.y, 0.3, O, N.z, N).brake(sm.Symbol('T'), name='front')
+        <Stick front>
+        """
+        if carrier is not None:
+            instance(carrier, ReferenceFrame, "`carrier`")
+        checked = checked_parameters({"torque": torque}, not_negative=("torque",))
+        turning = self.body.frame.ang_vel_in(carrier or self._frame)
+        return Stick(turning.dot(self._axis), mu=1, normal=checked["torque"], name=name)
+
     def forces(self, tire: Tire, pressure: Expression | float | None = None) -> TireForces:
         """Return the forces and moments of a tire on this wheel, for outputs.
 
@@ -261,15 +366,25 @@ class WheelContact:
         """
         if not hasattr(tire, "forces") or isinstance(tire, type):
             raise TypeError(f"`tire` must be a tire, such as MagicFormula, got {shown(tire)}.")
+        if self.normal_force is None:
+            raise ValueError(
+                "`tire` needs a normal force, and this wheel is rigid: give the WheelContact a "
+                "`force`, or use its constraints without a tire."
+            )
         inputs = (self.normal_force, self.kappa, self.alpha, self.gamma)
         return tire.forces(*inputs, speed=self.speed, pressure=pressure)
 
-    def loads(self, tire: Tire, pressure: Expression | float | None = None) -> list[Load]:
+    def loads(
+        self, tire: Tire | None = None, pressure: Expression | float | None = None
+    ) -> list[Load]:
         """Return the force at the wheel's centre and the torque, with what acts at C moved there.
 
         Parameters
         ----------
-        tire, pressure
+        tire : tire, optional
+            As for `forces`. Without one the normal force alone acts at C, none on a rigid wheel:
+            for wheels that roll without slip.
+        pressure : number or expression, optional
             As for `forces`.
 
         Returns
@@ -278,27 +393,12 @@ class WheelContact:
             Pairs for `pydy.mechanics.Definition`, or a method of SymPy: of the centre and the
             force, with the normal force, and of the wheel's frame and the torque.
         """
-        found = self.forces(tire, pressure)
-        force = found.Fx * self.forward + found.Fy * self.left + self.normal_force * self.normal
-        moment = found.Mx * self.forward + found.My * self.left + found.Mz * self.normal
+        if tire is None and pressure is not None:
+            raise ValueError("`pressure` is that of a tire, and `tire` is None.")
+        if tire is None and self.normal_force is None:
+            return []
+        forces = TireForces(0, 0, 0, 0, 0) if tire is None else self.forces(tire, pressure)
+        force = forces.Fx * self.forward + forces.Fy * self.left + self.normal_force * self.normal
+        moment = forces.Mx * self.forward + forces.My * self.left + forces.Mz * self.normal
         torque = moment + self.contact.cross(force)
         return [(self.body.masscenter, force), (self.body.frame, torque)]
-
-
-def _of_law(law: Law, gap: Expression, rate: Expression) -> Expression:
-    """Return the normal force that a user's law gives."""
-    try:
-        result = law(gap, rate)
-    except Exception as error:
-        error.add_note("This was raised by `force(gap, rate)`, called with expressions.")
-        raise
-    return sm.sympify(checked_quantity(result, "`force(gap, rate)`", arrays=False))
-
-
-def _check_unit(label: str, vector: object) -> None:
-    instance(vector, Vector, f"`{label}`")
-    length = sm.simplify(vector.dot(vector))  # type: ignore[attr-defined]
-    if length.is_number and not abs(length - 1) <= ROUNDED:
-        raise ValueError(
-            f"`{label}` must be of unit length, got {vector}. Divide it by its length."
-        )

@@ -3,3 +3,4 @@
 from pydy.viz.views import OrthoGraphicCamera, PerspectiveCamera
 
 __all__ = ["OrthoGraphicCamera", "PerspectiveCamera"]
+__dir__ = __all__.copy

@@ -3,3 +3,4 @@
 from pydy.viz.views import PointLight
 
 __all__ = ["PointLight"]
+__dir__ = __all__.copy

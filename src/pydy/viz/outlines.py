@@ -121,9 +121,13 @@ class _Numbers:
         moving = [k for k, s in enumerate(names.states) if s in self.speeds]
         states[_SAMPLES:] = half
         states[_SAMPLES:, moving] = 0.0
-        inputs = rng.uniform(0.3, 1.2, (m, len(names.specifieds)))
-        inputs[_SAMPLES:] = inputs[:_SAMPLES]
         times = np.tile(rng.uniform(0.3, 1.2, _SAMPLES), 2)
+        inputs = np.zeros((m, len(names.specifieds)))
+        for k, s in enumerate(names.specifieds):  # the same ones, whichever others there are
+            by_name = np.random.default_rng([*str(s).encode()])
+            inputs[:, k] = np.tile(by_name.uniform(0.3, 1.2, _SAMPLES), 2)
+        rates = [k for k, s in enumerate(names.specifieds) if isinstance(s, sm.Derivative)]
+        inputs[_SAMPLES:, rates] = 0.0
         with np.errstate(all="ignore"):
             out, _ = run(program, times, states, inputs, np.array([*constants.values()]))
         blocks = program.signature.by_block(out)
@@ -444,7 +448,9 @@ class _Outliner:
                 continue
             tension = -(displacement * pull).sum(1) / length
             rising = np.diff(tension[static][np.argsort(length[static])])
-            if {*_functions(force)} - {*self.names.states} or _constant(tension):
+            # An input that moves an end, such as the height of a road, is none of the force.
+            moving = {*self.names.states, *_functions(displacements.vectors[k])}
+            if {*_functions(force)} - moving or _constant(tension):
                 self.pulled.add(key)  # an input: tension of a rope, or an actuator
             elif (rising >= -HALF * size.max()).all():
                 self.result.springs.append((a, b))

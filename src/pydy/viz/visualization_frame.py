@@ -3,3 +3,4 @@
 from pydy.viz.views import VisualizationFrame
 
 __all__ = ["VisualizationFrame"]
+__dir__ = __all__.copy

@@ -9,15 +9,18 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
-from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
+from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
 from fuzz.table import expression, mapping, one_of, plotted, target
 from pydy.vehicles import (
     BrushTire,
     LinearTire,
     MagicFormula,
+    RoadProfile,
+    RoadSurface,
     TMeasy,
     WheelContact,
     fit_tire,
+    iso_road,
     plot_tire,
     plot_tire_carpet,
     read_tir,
@@ -141,6 +144,12 @@ for _name in ("gap", "rate"):
         return str(tire.normal_force(**{"gap": -0.01, "rate": 0.0, name: v}))
 
 
+@target("MagicFormula.rolling_radius.Fz", _inputs)
+def _(v):
+    tire = _tire().replace(VERTICAL_STIFFNESS=2e5, BREFF=8.4, DREFF=0.27, FREFF=0.045)
+    return str(tire.rolling_radius(v))
+
+
 for _name in _USUAL:
 
     @target(f"forces.{_name}", _inputs)
@@ -258,19 +267,29 @@ def _wheel() -> Any:
     }  # fmt: skip
 
 
-def _law(value: Any) -> Any:
+def _called(function: Any, *names: str) -> Any:
     try:
-        found = value(sm.Symbol("a"), sm.Symbol("b"))
+        result = function(*map(sm.Symbol, names))
     except Exception as error:
         raise RefusedError from error
-    return _parameter(found)
+    return _parameter(result)
+
+
+def _law(value: Any) -> Any:
+    return _called(value, "a", "b")
+
+
+def _radius(value: Any) -> Any:
+    return _called(value, "a") if callable(value) else _positive.read(value)
 
 
 _WHEEL: dict[str, Kind] = {
     **dict.fromkeys(("body", "axis", "plane", "normal", "frame"), nothing("texts", "symbols")),
     "radius": _positive,
-    "force": Kind(_law, ("common", "functions"), compare=False),
+    "force": Kind(_law, ("common", "functions"), compare=False).or_none(),
     "crown_radius": _amount(least=0.0, below=0.3),
+    "width": _amount(above=0.0).or_none(),
+    "rolling_radius": Kind(_radius, ("common", "numbers", "symbols"), compare=False).or_none(),
     "low_speed": _positive,
     "name": nothing("texts", allowed=lambda v: isinstance(v, str)),
 }
@@ -287,7 +306,7 @@ def _(v):
     return str(WheelContact(**_wheel()).forces(v))
 
 
-@target("WheelContact.loads.tire", nothing("texts", "symbols"))
+@target("WheelContact.loads.tire", nothing("texts", "symbols", allowed=one_of(None)))
 def _(v):
     return str(WheelContact(**_wheel()).loads(v))
 
@@ -298,6 +317,21 @@ for _method in ("forces", "loads"):
     def _(v, method=_method):
         tire = LinearTire(4000, 1e5)
         return str(getattr(WheelContact(**_wheel()), method)(tire, v))
+
+
+@target("WheelContact.brake.torque", _not_negative)
+def _(v):
+    return str(WheelContact(**_wheel()).brake(v).normal)
+
+
+@target("WheelContact.brake.carrier", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return str(WheelContact(**_wheel()).brake(1.0, v).point)
+
+
+@target("WheelContact.brake.name", nothing("texts", allowed=lambda v: isinstance(v, str)), "`name`")
+def _(v):
+    return repr(WheelContact(**_wheel()).brake(1.0, name=v))
 
 
 def _lengths(value: Any) -> Any:
@@ -319,6 +353,83 @@ for _name, _kind in _RELAXATION.items():
     def _(v, name=_name):
         usual = {"lengths": (0.3, 0.5), "deflections": dynamicsymbols("u v")}
         return str(WheelContact(**_wheel()).with_relaxation(**{**usual, name: v}).kappa)
+
+
+def _surface(**given: Any) -> RoadSurface:
+    N, O = inertial_frame()
+    places = dynamicsymbols("X Y")
+    usual = {"height": places[0] ** 2, "place": places, "origin": O, "frame": N}
+    return RoadSurface(**{**usual, **given})
+
+
+@target("RoadSurface.height", _any)
+def _(v):
+    return str(_surface(height=v).normal)
+
+
+for _name in ("place", "origin", "frame"):
+
+    @target(f"RoadSurface.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return str(_surface(**{name: v}).normal)
+
+
+@target("RoadSurface.residuals.wheel", nothing("texts", "symbols"))
+def _(v):
+    return str(_surface().residuals(v))
+
+
+_three = array((3,), check=lambda a: np.isfinite(a).all())
+
+
+_even = array((3,), check=lambda a: np.isfinite(a).all() and a[1] - a[0] == a[2] - a[1] > 0)
+
+
+@target("RoadProfile.from_samples.x", _even, "`x`")
+def _(v):
+    return RoadProfile.from_samples(v, [0.0, 0.1, 0.0]).height(0.5)
+
+
+@target("RoadProfile.from_samples.heights", _three)
+def _(v):
+    return RoadProfile.from_samples([0.0, 1.0, 2.0], v).height(0.5)
+
+
+_WAVES = {"frequencies": [0.1, 0.2, 0.3], "amplitudes": [0.1, 0.1, 0.1], "phases": [0.0, 0.1, 0.2]}
+for _name in _WAVES:
+
+    @target(f"RoadProfile.{_name}", _three)
+    def _(v, name=_name):
+        return RoadProfile(**{**_WAVES, name: v}).height(0.5)
+
+
+for _name in ("offset", "gradient"):
+
+    @target(f"RoadProfile.{_name}", real())
+    def _(v, name=_name):
+        return RoadProfile(**_WAVES, **{name: v}).height(0.5)
+
+
+for _method in ("height", "slope"):
+
+    @target(f"RoadProfile.{_method}.x", _inputs)
+    def _(v, method=_method):
+        return str(getattr(RoadProfile(**_WAVES), method)(v))
+
+
+_ROAD: dict[str, Kind] = {
+    "road_class": choice(*"ABCDEFGH"),
+    "length": real(least=100.0, most=2000.0),
+    "longest": real(above=0.5, most=200.0),
+    "shortest": real(above=0.0, below=100.0),
+    "seed": integer(0).or_none(),
+}
+for _name, _kind in _ROAD.items():
+
+    @target(f"iso_road.{_name}", _kind)
+    def _(v, name=_name):
+        usual = {"road_class": "C", "length": 200.0, "seed": 1}
+        return iso_road(**{**usual, name: v}).rms
 
 
 _brush = BrushTire(4000.0, 1e5, 1.0, 0.05)

@@ -23,7 +23,7 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import unique_names
-from pydy._problem import AssumptionChecks, CallArguments, Problem, with_settings, with_unknowns
+from pydy._problem import Problem, warn_of_contradictions, with_settings, with_unknowns
 from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
@@ -117,7 +117,7 @@ class FitProblem:
         trial = merged(check_mapping(label, getattr(d.trial, argument)))
         trial_values = symbol_index.by_symbol(trial, label, allow_others=True)
         numbers = {s: v for s, v in trial_values.items() if isinstance(v, (int, float))}
-        AssumptionChecks(self.base).values(argument, numbers, f"`{label}` for ")
+        warn_of_contradictions(self.base, argument, numbers, f"`{label}` for ")
         if len(self.trials) > 1 and (conflicts := parameters & trial_values.keys()):
             raise ValueError(
                 f"`{label}` gives {describe([*conflicts])} a value of its own, but `parameters` "
@@ -130,12 +130,10 @@ class FitProblem:
         base, argument = self.base, f"initial_conditions of {d.label}"
         states = base.definition.places["states"]
         conditions = merged(check_mapping(argument, d.trial.initial_conditions))
-        x, chosen = (
-            CallArguments(base).states(conditions, argument),
-            states.chosen(conditions, argument),
-        )
+        x = states.read(argument, conditions, base.x)
+        chosen = states.chosen(conditions, argument)
         numbers = {s: x[k] for k, s in enumerate(states.symbols) if s in chosen}
-        AssumptionChecks(base).values("states", numbers, f"`{argument}` for ")
+        warn_of_contradictions(base, "states", numbers, f"`{argument}` for ")
         start = with_unknowns(base.at(np.array([d.start]), x[None]), {}, base.inputs.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 

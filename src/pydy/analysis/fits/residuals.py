@@ -40,19 +40,36 @@ def autocorrelation(series: Sequence[np.ndarray]) -> tuple[float, float]:
     return r, r * count**0.5
 
 
+def is_smooth(series: Sequence[np.ndarray], r: float) -> bool:
+    """Return whether residuals are samples of a smooth curve, as no noise with a memory is.
+
+    With r₂ the autocorrelation of samples two apart, (1 − r₂)/(1 − r) is 1 + r of AR(1) noise, less
+    than 2, and nearly 4 of a smooth curve.
+    """
+    finite = [e[np.isfinite(e)] for e in series]
+    power = sum(float(e @ e) for e in finite)
+    second = sum(float(e[2:] @ e[:-2]) for e in finite) / power
+    return 1.0 - second > 3.0 * (1.0 - r)
+
+
 def text_of_correlation(
-    residuals: Sequence[dict[str, np.ndarray]], least: dict[str, float], noise_is_known: bool
+    residuals: Sequence[dict[str, np.ndarray]],
+    least: dict[str, float],
+    noise_is_known: bool,
+    unknowns: int,
 ) -> str:
     """Return a warning about quantities with correlated neighbouring residuals, or ''.
 
     The residuals are in units of their noise. If `noise_is_known`, the warning applies only if
     correlation and size together exceed that noise. White noise is reported as correlated in the
     fraction `FALSE_ALARM_RATE` of all fits. Residuals with a root mean square below the quantity's
-    `least` are errors of the motion, not noise.
+    `least` are errors of the motion, not noise. Residuals that are smooth, or worth no more
+    independent samples than there are `unknowns`, or too large for the noise that was given
+    whatever its memory, are those of a wrong model or of a local minimum.
     """
     names = [*residuals[0]] if residuals else []
     limit = float(scipy.special.ndtri(1.0 - FALSE_ALARM_RATE / max(len(names), 1)))
-    correlated = []
+    correlated, misfits = [], []
     for name in names:
         series = [table[name] for table in residuals if name in table]
         combined = np.concatenate(series)
@@ -65,9 +82,27 @@ def text_of_correlation(
         factor = factor * size if noise_is_known else factor
         if size > least.get(name, 0.0) and factor > 1.0:
             correlated.append((factor, r, name, len(combined)))
+            independent = len(combined) * max(1.0 - r, 0.0) / (1.0 + r)
+            if noise_is_known:
+                # Chi-squared with as many degrees of freedom, at least one.
+                half = max(independent, 1.0) / 2.0
+                is_misfit = size**2 > scipy.special.gammainccinv(half, FALSE_ALARM_RATE) / half
+            else:
+                is_misfit = independent <= unknowns or is_smooth(series, r)
+            if is_misfit:
+                times_noise = f", and {size:.3g} times the noise" if noise_is_known else ""
+                misfits.append(f"{name} are correlated by {r:.2g}{times_noise}")
     if not correlated:
         return ""
     factor, r, _, count = max(correlated)
+    if misfits:
+        return (
+            "The model does not describe the data, or the search ended in a local minimum: "
+            f"neighbouring residuals of {few(misfits)}, of {count} samples. Plot them "
+            "(`result.plot_residuals()`), and try other starting values, `segments=` or "
+            "method='collocation'. Standard errors and confidence intervals mean nothing here, "
+            "unless the noise itself has such a memory."
+        )
     every_nth = int(min(np.ceil(np.log(THINNED_CORRELATION) / np.log(min(r, 0.999))), count))
     texts = [f"{name} by {r:.2g}" for _, r, name, _ in correlated]
     return (

@@ -17,7 +17,7 @@ from pydy._checks import number
 from pydy._errors import warn_user
 from pydy._names import few, place_of, some, table_of
 from pydy._optional import require
-from pydy._problem import FIT, AssumptionChecks
+from pydy._problem import FIT, warn_of_contradictions
 from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.fits.residuals import autocorrelation, text_of_correlation
@@ -323,13 +323,13 @@ def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
     messages += warn_of_estimates(undetermined, at_bounds)
     if minimum.white and success and not at_bounds and degrees > 0:
         scaled, errors = in_units_of_noise(problem.trials, residuals, max(minimum.tolerance, FIT))
-        if text := text_of_correlation(scaled, errors, not problem.noise_is_estimated):
+        if text := text_of_correlation(scaled, errors, not problem.noise_is_estimated, k):
             messages.append(text)
             warn_user(text)
     shared = list(zip(problem.shared, z.tolist(), strict=False))
     for group in ("constants", "states", "specifieds"):
         estimates = {s: v for (kind, s), v in shared if kind == group}
-        AssumptionChecks(problem.base).values(group, estimates, "The estimate of ")
+        warn_of_contradictions(problem.base, group, estimates, "The estimate of ")
     return FitResult(
         names=names,
         estimates=z[:k].copy(),

@@ -13,10 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._checks import flag
 from pydy._errors import IntegrationError, SingularMatrixError
-from pydy._integration import SensitivityRequest, simulate
-from pydy._motion import SolveIvp, call_odeint, is_odeint, native_solver
+from pydy._integration import simulate
+from pydy._motion import call_odeint, is_implicit, is_odeint, native_solver
 from pydy._optional import progress_of
 from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
@@ -51,8 +50,6 @@ class ShootingFit:
     def __init__(self, problem: FitProblem, segments: int, options: dict[str, Any]) -> None:
         self.problem = problem
         self.options = {"rtol": FIT, "atol": FIT, **options}
-        controlled = self.options.pop("control_sensitivities", False)
-        self.controlled = flag(controlled, "`control_sensitivities`")
         self.chosen = "atol" not in options  # whether absolute tolerances follow the states' sizes
         if problem.dependents:
             self.options.setdefault("constraints", "project")
@@ -93,8 +90,8 @@ class ShootingFit:
         solver, segment = self.problem.model.solver, self.segments[0][0]
         times = self.problem.trials[0].times[segment.first : segment.last]
         times = np.unique(np.append(segment.begin, times))
-        if isinstance(solver, SolveIvp):
-            return solver.method.__name__ in ("Radau", "BDF")
+        if is_implicit(solver):
+            return True
         if not is_odeint(solver) or "events" in self.options or len(times) < 2:
             return False
         trial_problem, _, _ = self.problem.motion(self.problem.start, 0, times)
@@ -112,12 +109,11 @@ class ShootingFit:
 
     def simulate(self, trial_problem: Problem, parameters: list[AnySymbol]) -> Trajectory:
         """Simulate with sensitivities."""
-        request = SensitivityRequest(parameters, self.controlled)
         motion = simulate(
             trial_problem,
             trial_problem.settings.times,
             solver=self.solver,
-            sensitivities=request,
+            sensitivities=parameters,
             **self.options,
         )
         return motion.trajectory

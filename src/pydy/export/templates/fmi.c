@@ -42,7 +42,6 @@ typedef void (*Logger)(void *, const char *, Status, const char *, const char *,
 
 #define MASS_IS_SINGULAR "the mass matrix is singular, or a value reference is wrong"
 #define WRONG_SIZE "an array has the wrong size"
-#define GAVE_UP "the state is singular or infinite, or an event is NaN"
 
 /* Return a status, and log why it is not well. */
 static Status logged(Instance *self, Status status, const char *message)
@@ -51,13 +50,54 @@ static Status logged(Instance *self, Status status, const char *message)
     memcpy(&logger, &self->logger, sizeof logger);
     if (status != OK && logger != NULL)
         LOG(logger, self->environment, self->name, status,
-            status == DISCARD ? "logStatusDiscard" : "logStatusError", message);
+            status == WARNING       ? "logStatusWarning"
+                : status == DISCARD ? "logStatusDiscard"
+                                    : "logStatusError",
+            message);
     return status;
 }
 
 static Status told(Instance *self, int failed, const char *message)
 {
     return logged(self, failed ? ERROR : OK, message);
+}
+
+/* Log why the motion has ended or failed, except by a terminal event; ERROR where it has failed. */
+static Status ended(Instance *self)
+{
+    const Model *m = &self->model;
+    const char *event = "";
+    char message[512];
+#if NE > 0
+    event = MODEL(event_names)[m->event];
+#endif
+    switch (m->outcome) {
+    case FINISHED:
+    case TERMINATED:
+        return OK;
+    case EVENTS_ACCUMULATE:
+        snprintf(message, sizeof message,
+            "the simulation ends at t = %.9g, where the events %s accumulate: they follow each other ever"
+            " faster, or faster than the importer's steps. Make the event terminal, or let its reset stop"
+            " the motion as it stops in reality",
+            m->t, event);
+        return logged(self, WARNING, message), OK;
+    case RESET_NOT_FINITE:
+        snprintf(message, sizeof message, "the reset of the event %s gives a state that is not finite at t = %.9g",
+            event, m->t);
+        break;
+    case EVENT_UNDEFINED:
+        snprintf(message, sizeof message, "the event %s is NaN at t = %.9g", event, m->t);
+        break;
+    default:
+        snprintf(message, sizeof message, "%s at t = %.9g",
+            m->outcome == SINGULAR             ? "the mass matrix is singular"
+                : m->outcome == NOT_FINITE     ? "derivatives or errors are not finite"
+                : m->outcome == TOO_MANY_STEPS ? "the communication step takes too many steps of the solver"
+                                               : "steps of the solver become ever smaller",
+            m->t);
+    }
+    return logged(self, ERROR, message);
 }
 
 /* -- instances ------------------------------------------------------------------------------------ */
@@ -164,7 +204,6 @@ STATUS NAME(Reset)(void *instance)
 {
     SELF;
     model_reset(m);
-    self->stopped = 0;
     return OK;
 }
 
@@ -371,11 +410,11 @@ STATUS fmi3UpdateDiscreteStates(void *instance, bool *again, bool *terminate,
 {
     SELF;
     int moved;
-    *terminate = handle_events(m, &moved);
+    *terminate = is_end(handle_events(m, &moved));
     *again = *nominals_changed = *next_event_defined = false;
     *states_changed = moved;
     *next_event = 0.0;
-    return OK;
+    return ended(self);
 }
 
 STATUS fmi3GetNumberOfEventIndicators(void *instance, size_t *n) { *n = NE; return OK; }
@@ -394,11 +433,11 @@ STATUS fmi2NewDiscreteStates(void *instance, EventInfo *info)
 {
     SELF;
     int moved;
-    info->terminate = handle_events(m, &moved);
+    info->terminate = is_end(handle_events(m, &moved));
     info->again = info->nominals_changed = info->next_event_defined = 0;
     info->states_changed = moved;
     info->next_event = 0.0;
-    return OK;
+    return ended(self);
 }
 
 #define GET_DERIVATIVES fmi2GetDerivatives
@@ -410,8 +449,11 @@ TRIVIAL(EnterContinuousTimeMode, void *instance)
 STATUS NAME(CompletedIntegratorStep)(
     void *instance, Flag no_set_state, Flag *event_mode, Flag *terminate)
 {
-    *event_mode = *terminate = 0;
-    return OK;
+    SELF;
+    int waits;
+    *terminate = is_end(complete_step(m, &waits));
+    *event_mode = waits;
+    return ended(self);
 }
 
 STATUS NAME(SetTime)(void *instance, double time)
@@ -457,6 +499,7 @@ STATUS NAME(GetEventIndicators)(void *instance, double *values, size_t n)
         return told(self, 1, WRONG_SIZE);
 #if NE > 0
     event_values(m, m->t, m->x, m->z);
+    note_seen(m, SEEN);
     memcpy(values, m->z, NE * sizeof(double));
     for (int k = 0; k < NE; k++)
         if (isnan(values[k])) {
@@ -480,13 +523,16 @@ STATUS NAME(GetNominalsOfContinuousStates)(void *instance, double *nominals, siz
 /* Integrate over a step, unless an event has ended the motion before. A point is told with roundings. */
 static Status stepped(Instance *self, double point, double step)
 {
-    const double goal = point + step, apart = fabs(point - self->model.t);
-    const double told_to = CLOSE * step + ROUNDINGS * ROUNDING * fabs(self->model.t);
-    if (!(step >= 0.0 && isfinite(goal) && (apart <= told_to || self->stopped)))
+    Model *m = &self->model;
+    const double goal = point + step, apart = fabs(point - m->t);
+    const double told_to = CLOSE * step + ROUNDINGS * ROUNDING * fabs(m->t);
+    if (!(step >= 0.0 && isfinite(goal) && (apart <= told_to || is_end(m->outcome))))
         return told(self, 1, "the step must be finite, not negative, and begin at the present time");
-    const int outcome = self->stopped ? ENDED : integrate(&self->model, goal);
-    self->stopped = outcome == ENDED;
-    return told(self, outcome == FAILED, GAVE_UP);
+    if (is_end(m->outcome))
+        return OK;
+    m->outcome = FINISHED;
+    integrate(m, goal);
+    return ended(self);
 }
 
 #if FMI == 3
@@ -501,7 +547,7 @@ STATUS fmi3DoStep(void *instance, double point, double step, bool no_set_state,
     SELF;
     const Status status = stepped(self, point, step);
     *event_needed = *early = false;
-    *terminate = self->stopped;
+    *terminate = is_end(m->outcome);
     *last = m->t;
     return status;
 }
@@ -519,10 +565,10 @@ STATUS fmi2DoStep(void *instance, double point, double step, int no_set_state)
 {
     Instance *self = instance;
     const Status status = stepped(self, point, step);
-    return status == OK && self->stopped ? DISCARD : status;
+    return status == OK && is_end(self->model.outcome) ? DISCARD : status;
 }
 
-enum { DO_STEP_STATUS, PENDING_STATUS, LAST_SUCCESSFUL_TIME, TERMINATED };
+enum { DO_STEP_STATUS, PENDING_STATUS, LAST_SUCCESSFUL_TIME, HAS_TERMINATED };
 
 #define ASKED(KIND, TYPE, WHAT, VALUE) \
     STATUS fmi2Get##KIND##Status(void *instance, int kind, TYPE *value) \
@@ -535,7 +581,7 @@ enum { DO_STEP_STATUS, PENDING_STATUS, LAST_SUCCESSFUL_TIME, TERMINATED };
     }
 
 ASKED(Real, double, LAST_SUCCESSFUL_TIME, self->model.t)
-ASKED(Boolean, int, TERMINATED, self->stopped)
+ASKED(Boolean, int, HAS_TERMINATED, is_end(self->model.outcome))
 
 STATUS fmi2GetStatus(void *instance, int kind, Status *value) { return DISCARD; }
 STATUS fmi2GetIntegerStatus(void *instance, int kind, int *value) { return DISCARD; }

@@ -26,11 +26,12 @@ typedef struct {
     double t, x[NX + 1], u[NU + 1], p[NP + 1], prepared[NPREPARED];
     double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[NE + 1];
     int prepared_fresh, rates_fresh, outputs_fresh, running, starting;
-    int64_t sides[NE + 1], fired[NE + 1], off[NE + 1];
+    int64_t sides[NE + 1], fired[NE + 1], off[NE + 1], seen[NE + 1];
+    /* the outcome with which the motion has ended or failed, and the event, if it is one's */
+    int64_t outcome, event;
     /* of the integration */
-    double rtol, last_event[NE + 1], state[FOUND + 1];
+    double rtol, latest[NE * CROWD + 1], state[FOUND + 1];
     int64_t counts[PROJECTIONS + 1];
-    int crowd[NE + 1];
     double stages[NVECTORS * NX + 1], fresh[NX + 1], trial[NX + 1], errors[2 * NX + 1];
     double interpolant[NPARTS * NX + 1], probes[PROBES * NE + 1], probe[NX + 1];
     double resets[NE * NX + 1], derivatives[(NX + NY) * (NX + NU) + 1];
@@ -41,7 +42,6 @@ typedef struct {
     void *environment;
     void *logger;
     char *name;
-    int stopped;
 } Instance;
 
 static void model_reset(Model *m)
@@ -53,7 +53,18 @@ static void model_reset(Model *m)
     m->t = START_TIME;
     m->rtol = TOLERANCE;
     m->starting = 1;
+    for (int k = 0; k < NE * CROWD; k++)
+        m->latest[k] = -INFINITY;
 }
+
+static int64_t ends_with(Model *m, int64_t outcome, int64_t event)
+{
+    m->event = event;
+    return m->outcome = outcome;
+}
+
+/* Tell whether an outcome is an end of the motion, not a failure. */
+static int is_end(int64_t outcome) { return outcome == TERMINATED || outcome == EVENTS_ACCUMULATE; }
 
 /* Note that the state, an input, the time or a constant is another one. */
 static void changed(Model *m)
@@ -293,46 +304,70 @@ static int departure(Model *m, int k)
     return side;
 }
 
+/* Note the time of an event. Tell whether so many have happened so close together that they accumulate, as
+   of a ball that comes to rest, or as close as times are told: the rule of `act_on_event.c`. */
+static int is_crowded(Model *m, int k)
+{
+    double *latest = m->latest + k * CROWD;
+    const double span = STOP_TIME - START_TIME, t = m->t;
+    const int crowded = t - latest[0] <= NO_LATER * ROUNDING * maximum(fabs(t), span)
+        || t - latest[CROWD - 2] < CROWDED * span;
+    for (int i = CROWD - 1; i > 0; i--)
+        latest[i] = latest[i - 1];
+    latest[0] = t;
+    return crowded;
+}
+
 #endif
 
-/* Reset the states for the events that have fired; 1 where one of them ends the motion. */
-static int act(Model *m)
+/* Reset the states for the events that have fired: FINISHED, or the outcome with which that ends the
+   motion. */
+static int64_t act(Model *m)
 {
-    int ends = 0;
 #if NE > 0
     int64_t origins[NE], fired[NE];
+    int terminal = -1, crowded = -1;
     memcpy(origins, m->sides, sizeof origins);
-    memcpy(fired, m->fired, sizeof fired);
     for (int k = 0; k < NE; k++) {
-        if (m->fired[k] <= 0)
+        fired[k] = m->fired[k] > 0; /* others depart */
+        if (!fired[k])
             continue;
         if (EVENT_ACTING[k])
             reset_states(m, k);
-        ends = ends || EVENT_TERMINAL[k];
-        /* so many so close together that they accumulate, as of a ball that comes to rest, or as
-           close as times are told */
-        const double since = m->t - m->last_event[k];
-        m->crowd[k] = since < 1e-11 * (fabs(m->t) + 1.0) ? m->crowd[k] + 1 : 0;
-        m->last_event[k] = m->t;
-        ends = ends || m->crowd[k] > 100 || (m->crowd[k] > 1 && since <= NO_LATER * ROUNDING * fabs(m->t));
+        for (int i = 0; i < NX; i++)
+            if (!isfinite(m->x[i]))
+                return ends_with(m, RESET_NOT_FINITE, k);
+        if (EVENT_TERMINAL[k] && terminal < 0)
+            terminal = k;
+        if (is_crowded(m, k) && crowded < 0)
+            crowded = k;
     }
+    int64_t rests[NE];
     for (int k = 0; k < NE; k++)
-        fired[k] = fired[k] > 0 && EVENT_REDIRECTS[k] && !m->off[k];
-#endif
+        rests[k] = fired[k] && EVENT_REDIRECTS[k] && !m->off[k];
     take_sides(m);
-#if NE > 0
+    if (terminal >= 0)
+        return ends_with(m, TERMINATED, terminal);
     for (int k = 0; k < NE; k++)
-        if (fired[k] && is_stationary(m, k)) {
+        if (origins[k] != 0 && !fired[k] && isnan(m->z[k]))
+            return ends_with(m, EVENT_UNDEFINED, k);
+    for (int k = 0; k < NE; k++)
+        if (rests[k] && is_stationary(m, k)) {
             m->sides[k] = departure(m, k);
-            ends = ends || follows_itself(m->sides[k], origins[k], EVENT_DIRECTIONS[k]);
+            if (follows_itself(m->sides[k], origins[k], EVENT_DIRECTIONS[k]))
+                crowded = k;
         }
+    if (crowded >= 0)
+        return ends_with(m, EVENTS_ACCUMULATE, crowded);
+#else
+    take_sides(m);
 #endif
-    return ends;
+    return FINISHED;
 }
 
-/* Act on the events on whose surfaces the motion starts. Returns 1 where one ends the motion; `moved`
-   tells whether states were reset. */
-static int start_events(Model *m, int *moved)
+/* Act on the events on whose surfaces the motion starts: FINISHED, or the outcome with which that ends
+   the motion. `moved` tells whether states were reset. */
+static int64_t start_events(Model *m, int *moved)
 {
     int some = 0;
     m->starting = 0;
@@ -351,37 +386,98 @@ static int start_events(Model *m, int *moved)
         m->sides[k] = 0; /* where the motion came from is not known */
     }
 #endif
-    return some ? act(m) : 0;
+    return some ? act(m) : FINISHED;
 }
 
-/* In Model Exchange: fire the events whose indicators have crossed zero since they were last seen.
-   Returns 1 where one ends the motion; `moved` tells whether states were reset. */
-static int handle_events(Model *m, int *moved)
+/* -- Model Exchange: the importer looks for events -------------------------------------------------
+
+   It stops a little late, so that the state is beyond the surface after a reset too, on the other side
+   than the one the motion leaves to (`sides`). Where the motion comes back before the importer has seen
+   it on that side, no indicator changes its sign. */
+
+enum { UNSEEN, SEEN, SEEN_AT_STEP };
+
+/* Note which events the importer sees on their sides, from the indicators in m->z. */
+static void note_seen(Model *m, int64_t how)
 {
-    int some = 0;
-    *moved = 0;
-    if (m->starting)
-        return start_events(m, moved);
+    for (int k = 0; k < NE; k++)
+        if (m->z[k] * (double)m->sides[k] > 0.0 && m->seen[k] < how)
+            m->seen[k] = how;
+}
+
+/* Tell, from m->z and m->dz, whether an event is across its surface but on its way back to the side that
+   it has left to. A reset that turns motions back would turn that one away. */
+static int returns(const Model *m, int k)
+{
+    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && m->dz[k] * (double)m->sides[k] > 0.0
+        && (m->seen[k] == UNSEEN || EVENT_REDIRECTS[k]);
+}
+
+static int is_across(const Model *m, int k)
+{
+    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && !returns(m, k);
+}
+
+static void evaluate_events(Model *m)
+{
     event_values(m, m->t, m->x, m->z);
 #if NE > 0
     MODEL(event_rates)(m->t, m->x, m->u, m->prepared, m->dz);
 #endif
-    for (int k = 0; k < NE; k++) {
+}
+
+/* After a step of the importer: tell in `waits` whether an event is to be handled that indicators at the
+   ends of steps do not tell of. FINISHED, or the outcome where one has happened again before it could be
+   seen: the importer's step has passed over events. */
+static int64_t complete_step(Model *m, int *waits)
+{
+    int64_t outcome = FINISHED;
+    evaluate_events(m);
+    *waits = 0;
+    for (int k = 0; k < NE; k++)
+        if (EVENT_ACTING[k] && m->seen[k] < SEEN_AT_STEP && is_across(m, k)) {
+            *waits = 1;
+            if (m->seen[k] == UNSEEN)
+                outcome = ends_with(m, EVENTS_ACCUMULATE, k);
+        }
+    note_seen(m, SEEN_AT_STEP);
+    return outcome;
+}
+
+/* Fire the events whose indicators have crossed zero since they were last seen: FINISHED, or the outcome
+   with which that ends the motion. `moved` tells whether states were reset. */
+static int64_t handle_events(Model *m, int *moved)
+{
+    int some = 0;
+    int64_t outcome = FINISHED;
+    double was[NE + 1];
+    int64_t sides[NE + 1];
+    *moved = 0;
+    const int starting = m->starting;
+    evaluate_events(m);
+    for (int k = 0; k < NE && !starting; k++) {
+        const double side = (double)m->sides[k];
         /* importers may stop exactly at the crossing */
-        const int there = m->z[k] == 0.0 && m->dz[k] * (double)m->sides[k] < 0.0
-            && EVENT_DIRECTIONS[k] != m->sides[k];
-        m->fired[k] = crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) || there;
-        /* just handled, it moves to its side, where it is not yet by a rounding of the time */
-        if (m->dz[k] * (double)m->sides[k] > 0.0 && m->z[k] * (double)m->sides[k] < 0.0
-            && m->t - m->last_event[k] <= NO_LATER * ROUNDING * fabs(m->t))
-            m->fired[k] = DEPARTS;
-        some = some || m->fired[k] > 0;
-        *moved = *moved || (m->fired[k] > 0 && EVENT_ACTING[k]);
+        const int there = m->z[k] == 0.0 && m->dz[k] * side < 0.0 && EVENT_DIRECTIONS[k] != m->sides[k];
+        m->fired[k] = is_across(m, k) || there;
+        was[k] = m->z[k];
+        sides[k] = returns(m, k) ? m->sides[k] : 0;
+        some = some || m->fired[k];
+        *moved = *moved || (m->fired[k] && EVENT_ACTING[k]);
     }
-    if (some)
-        return act(m);
-    take_sides(m);
-    return 0;
+    if (starting)
+        outcome = start_events(m, moved);
+    else if (some)
+        outcome = act(m);
+    else
+        take_sides(m);
+    for (int k = 0; k < NE; k++) {
+        if (!starting && sides[k] != 0 && m->z[k] == was[k])
+            m->sides[k] = sides[k];
+        m->seen[k] = UNSEEN; /* the importer begins anew */
+    }
+    note_seen(m, SEEN_AT_STEP);
+    return outcome;
 }
 
 #include "fmu_solver.c"

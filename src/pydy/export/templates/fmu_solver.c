@@ -1,7 +1,7 @@
 /* The solver behind Co-Simulation: the loop of pydy's native solvers (advance.c) on the arrays of an
    instance, up to the next communication point. Included by fmu_core.c. */
 
-enum { REACHED, ENDED, FAILED };
+enum { MOST_STEPS = 10000000 }; /* in a communication step */
 
 /* How the loop calls the model. */
 static int32_t call_rates(const double *t, const double *x, const double *u, const double *c, double *out)
@@ -31,8 +31,8 @@ static int32_t call_event_rates(const double *t, const double *x, const double *
 #define AT(array) {(void *)(array), sizeof(array) / 8, 1}
 #define VECTORS(array, number) {(double *)(array), (number) * NX, 1}
 
-/* Integrate up to the time `goal`. */
-static int integrate(Model *m, double goal)
+/* Integrate up to the time `goal`: FINISHED, or the outcome with which the motion ends or fails before. */
+static int64_t integrate(Model *m, double goal)
 {
     static Kernel *const rates_at = call_rates, *const events_at = call_events;
     static Kernel *const event_rates_at = call_event_rates;
@@ -66,23 +66,28 @@ static int integrate(Model *m, double goal)
     m->probes[PROBES * NE] = UNKNOWN;
     if (m->starting) {
         int moved = 0;
-        if (start_events(m, &moved))
-            return ENDED;
+        const int64_t outcome = start_events(m, &moved);
+        if (outcome != FINISHED)
+            return outcome;
     }
     while (m->t < goal) {
         m->state[TIME] = m->t, m->state[LARGEST] = goal - m->t;
         m->counts[STEPS] = m->counts[REJECTED] = m->counts[NEXT] = 0;
-        m->counts[LIMIT] = 10000000, m->counts[BUDGET] = -1;
-        const int64_t code = advance(&run, row, 0);
-        if (code != FINISHED && code != EVENT)
-            return FAILED;
+        m->counts[LIMIT] = MOST_STEPS, m->counts[BUDGET] = -1;
+        int64_t code = advance(&run, row, 0);
         m->t = m->state[TIME];
         m->rates_fresh = m->outputs_fresh = 0;
         if (code == EVENT) {
             changed(m);
-            if (act(m))
-                return ENDED;
+            code = act(m);
+        } else if (code != FINISHED) {
+            int64_t event = 0;
+            while (event < NE - 1 && !m->fired[event])
+                event++;
+            ends_with(m, code == STEP_UNDERFLOW ? m->counts[FAILURE] : code, event);
         }
+        if (code != FINISHED)
+            return m->outcome;
     }
-    return REACHED;
+    return FINISHED;
 }

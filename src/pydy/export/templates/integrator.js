@@ -513,9 +513,11 @@ class Integration {
     if (!x.every(Number.isFinite)) return this.fail("a reset gave no finite state");
     if (ends || crowded) this.status = "stopped";
     else {
-      const origins = Int8Array.from(this.sides);
+      const origins = Int8Array.from(this.sides), acted = fired.slice();
       for (const k of off) fired[k] = 0;
       this.takeSides();
+      for (let k = 0; k < fired.length; k++)
+        if (origins[k] && !acted[k] && Number.isNaN(this.values[k])) return this.fail(`the event ${events.names[k]} is NaN`);
       for (let k = 0; k < fired.length; k++) if (fired[k] > 0 && events.redirects[k] && this.isStationary(k)) {
         // At rest on the surface it happens again at once where its direction points to.
         const side = this.sides[k] = this.departure(k), direction = events.directions[k];

@@ -129,6 +129,8 @@ INLINE int64_t step_on(const Run *run, double *flat)
             if (code != 0)
                 count[FAILURE] = SINGULAR;
             h = shorter_size(control, size, error, measured);
+            if (measured)
+                h = size_to_knot(&run->problem, t, after, h);
             if (!adaptive) {
                 state[SIZE] = size;
                 return STEP_UNDERFLOW;
@@ -164,6 +166,9 @@ INLINE int64_t step_on(const Run *run, double *flat)
         }
         if (adaptive) {
             h = next_size(control, size, error, state[LAST_ERROR], state[GROWTH]);
+            if (state[GROWTH] == 1.0)
+                h = size_from_knot(&run->problem, t, after, h,
+                    next_size(control, size, error, state[LAST_ERROR], control[GROW]));
             if (after == goal) /* shortened to end there: who goes on wants the longer one */
                 h = maximum(wanted, h);
             state[LAST_ERROR] = maximum(error, FIRST_ERROR), state[GROWTH] = control[GROW];

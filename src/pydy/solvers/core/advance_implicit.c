@@ -87,6 +87,8 @@ INLINE int64_t step_on(const Run *run, double *flat)
         h = a.next;
         if (a.good == 0) {
             count[REJECTED] += 1, count[FAILURE] = (int64_t)a.reason;
+            if (a.error >= 1.0 && is_finite(a.error))
+                h = size_to_knot(&run->problem, t, after, h);
             continue;
         }
         if (held && hold(run, after, m->new.at, m->x.at) != 0) {
@@ -115,6 +117,8 @@ INLINE int64_t step_on(const Run *run, double *flat)
                 return code;
             }
         }
+        if (a.again != 0)
+            h = size_from_knot(&run->problem, t, after, h, h);
         t = after;
         for (int64_t i = 0; i < n; i++)
             m->x.at[i] = m->new.at[i];

@@ -48,6 +48,61 @@ INLINE double sampled(const Equations *e, int64_t k, double t, int64_t *interval
     return a[0] + s * (a[1] + s * (a[2] + s * a[3]));
 }
 
+/* -- knots ---------------------------------------------------------------------------------------
+
+   Between two knots inputs are polynomials. Whether a kink matters, the error of a step across it tells: a
+   step that was rejected is tried again up to a knot, and so is the next one. */
+
+/* Return the first knot of inputs after a time, or INF: one nearer than the shortest step has passed. */
+APART double knot_after(const Equations *e, double t)
+{
+    const double now = t + INSTANT * ROUNDING * LIBRARY(fabs)(t);
+    double first = INF;
+    for (int64_t k = 0; k < e->tables.size; k++) {
+        const int64_t *row = e->tables.at + k * e->tables.columns;
+        const double *knots = e->knots.at + row[1];
+        const int64_t next = knots[0] > now ? 0 : interval_of(knots, row[2], now, 0) + 1;
+        if (next < row[2] && knots[next] < first)
+            first = knots[next];
+    }
+    return first;
+}
+
+/* Tell whether a step from t has no knot within it: one as near to its end as a step may be stretched to
+   reach a goal is at its end. */
+INLINE int is_smooth(double first_knot, double t, double after)
+{
+    return !(first_knot < after - SLIVER * (after - t) - INSTANT * ROUNDING * LIBRARY(fabs)(after));
+}
+
+/* Return the size with which a step from t to `after` is tried again after an error that asks for a size
+   `shorter`: up to the first knot, if that is the only one this size reaches, or is farther. Where knots
+   are dense, none of them is the cause. */
+INLINE double size_to_knot(const Equations *e, double t, double after, double shorter)
+{
+    if (e->tables.size == 0)
+        return shorter;
+    const double first = knot_after(e, t);
+    if (is_smooth(first, t, after) || knot_after(e, first) <= t + shorter)
+        return shorter;
+    return first - t;
+}
+
+/* Return the size of the step after one from t to `after` that was tried again: `next`; or, where that one
+   went up to the first knot, up to the following knot, or `longest`. */
+INLINE double size_from_knot(const Equations *e, double t, double after, double next, double longest)
+{
+    if (e->tables.size == 0)
+        return next;
+    const double first = knot_after(e, t);
+    if (!is_smooth(first, t, after) || first > after + INSTANT * ROUNDING * LIBRARY(fabs)(after))
+        return next;
+    const double size = knot_after(e, after) - after;
+    return size < longest ? size : longest;
+}
+
+/* -- jumps, and values ---------------------------------------------------------------------------- */
+
 /* Return how many jumps are not after t. */
 INLINE int64_t jumps_by(const Equations *e, double t)
 {

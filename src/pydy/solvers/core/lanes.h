@@ -28,6 +28,22 @@ INLINE void copy_out(const double *buffer, int64_t lane, const Numbers *values, 
         to[i] = buffer[i * W + lane];
 }
 
+/* Return the sizes of the steps of lanes after those from t to `after`, where inputs have knots: of lanes
+   whose step was `refused`, and of lanes that were trying `again`; else `next`. */
+INLINE Real sizes_at_knots(const LaneProblem *p, Real t, Real after, int64_t refused, int64_t again, Real next,
+    Real longest)
+{
+    double sizes[W];
+    put(sizes, 0, next);
+    SERIAL
+    for (int64_t lane = 0; lane < W; lane++)
+        if (refused >> lane & 1)
+            sizes[lane] = size_to_knot(p, t[lane], after[lane], next[lane]);
+        else if (again >> lane & 1)
+            sizes[lane] = size_from_knot(p, t[lane], after[lane], next[lane], longest[lane]);
+    return item(sizes, 0);
+}
+
 /* What the projection notes, in all lanes. */
 INLINE double *seen_by(const LaneRun *run)
 {

@@ -103,6 +103,7 @@ typedef struct {
     Real next, error; /* the size of the step to try next, and this one's error */
     Real reason; /* where it is not good: the code of what it met */
     int64_t slow; /* who converged slowly */
+    int64_t again; /* who tries again */
 } Attempt;
 
 INLINE Implicit implicit_of(const Equations *equations, const Memory *memory, const Newton *newton,
@@ -539,6 +540,7 @@ INLINE Attempt try_step(const Implicit *s, Real t, Real h, Real size, Real after
     const int64_t n = s->equations->words.at[STATES], wanted = w->words.at[WANTED] & which;
     int64_t *words = w->words.at;
     Attempt a = {.next = h, .reason = (Real)(STEP_UNDERFLOW), .jacobians = wanted};
+    a.again = words[FIRST] & which;
     a.evaluations = a.error = (Real)(0.0);
     if (wanted != 0) {
         if (set_jacobian(s, t, wanted, &a.evaluations) < 0)

@@ -277,7 +277,11 @@ INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t good, cons
     const Lanes *l = &run->lanes;
     const int64_t bad = trial->working & ~good, undone = bad & (trial->missed | trial->unresolved);
     const Flags off = flags(trial->missed), some = flags(undone);
-    Real h = where(flags(good) & (trial->after == trial->goal), maximum(OF(size), a->next), a->next);
+    const int64_t refused = bad & ~undone & bits((a->error >= 1.0) & finite(a->error));
+    Real next = a->next;
+    if (run->lane_problem.tables.size > 0)
+        next = sizes_at_knots(&run->lane_problem, trial->t, trial->after, refused, good & a->again, next, next);
+    Real h = where(flags(good) & (trial->after == trial->goal), maximum(OF(size), next), next);
     h = where(some, AFTER_FAILURE * trial->size, h);
     const Real reason = where(some, where(off, (Real)(CONSTRAINTS_NOT_MET), (Real)(STEP_UNDERFLOW)), a->reason);
     SET(reason, flags(bad), reason);
@@ -374,6 +378,10 @@ INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t which, con
     Real h = OF(size);
     if (adaptive) {
         h = next_size(control, trial->size, a->error, OF(last_error), OF(growth));
+        const int64_t again = which & bits(OF(growth) == 1.0);
+        if (again != 0 && run->lane_problem.tables.size > 0)
+            h = sizes_at_knots(&run->lane_problem, trial->t, trial->after, 0, again, h,
+                next_size(control, trial->size, a->error, OF(last_error), (Real)(control[GROW])));
         /* shortened to end there */
         h = where(trial->after == trial->goal, maximum(OF(size), h), h);
         SET(last_error, good, maximum(a->error, (Real)(FIRST_ERROR)));
@@ -387,6 +395,8 @@ INLINE void set_sizes(const LaneRun *run, const Trial *trial, int64_t which, con
             adaptive ? shorter_size(control, trial->size, a->error, measured) : (Real)(0.0);
         const Real reason = where(measured | far, (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE));
         h = where(bad, shorter, h);
+        if (adaptive && run->lane_problem.tables.size > 0)
+            h = sizes_at_knots(&run->lane_problem, trial->t, trial->after, bits(bad & measured), 0, h, h);
         SET(reason, bad, where(off, (Real)(CONSTRAINTS_NOT_MET), reason));
         SET(reason, bad, where(singular, (Real)(SINGULAR), reason));
     }

@@ -1,4 +1,4 @@
-; sources 68e86d4c1cd2df2fa780ced180d42fc850dfca569a17bd278c7a7f2dc1098c1d
+; sources 3b99022341efdefaf504d14e99571481c2f1eb3b27aa61f6f247752c3ed177a9
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 8a8b12805fc8917a4859c6111d5ca4d3d5f2bf2533759d39dbd8505364afe6d5
+; sources 783ed61051ae737cb559f156f6685c122ed35752f1aa72e0d592075b838b82a0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -196,2397 +196,2512 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %167 = getelementptr inbounds i8, ptr %0, i64 456
   %168 = getelementptr inbounds i8, ptr %0, i64 408
   %169 = getelementptr inbounds i8, ptr %0, i64 456
-  %170 = getelementptr inbounds i8, ptr %0, i64 336
-  %171 = getelementptr inbounds i8, ptr %0, i64 168
-  %172 = getelementptr inbounds i8, ptr %0, i64 248
-  %173 = getelementptr inbounds i8, ptr %0, i64 192
-  %174 = getelementptr inbounds i8, ptr %0, i64 216
-  %175 = getelementptr inbounds i8, ptr %0, i64 768
-  br label %176
+  %170 = getelementptr inbounds i8, ptr %0, i64 248
+  %171 = getelementptr inbounds i8, ptr %0, i64 336
+  %172 = getelementptr inbounds i8, ptr %0, i64 168
+  %173 = getelementptr inbounds i8, ptr %0, i64 248
+  %174 = getelementptr inbounds i8, ptr %0, i64 192
+  %175 = getelementptr inbounds i8, ptr %0, i64 216
+  %176 = getelementptr inbounds i8, ptr %0, i64 248
+  %177 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %178
 
-176:                                              ; preds = %1948, %74
-  %177 = load ptr, ptr %77, align 8
-  %178 = load ptr, ptr %78, align 8
-  %179 = load ptr, ptr %79, align 8
-  %180 = getelementptr inbounds i8, ptr %179, i64 56
-  %181 = load i64, ptr %180, align 8
-  %182 = icmp eq i64 %181, 0
-  br i1 %182, label %1933, label %183
+178:                                              ; preds = %2041, %74
+  %179 = load ptr, ptr %77, align 8
+  %180 = load ptr, ptr %78, align 8
+  %181 = load ptr, ptr %79, align 8
+  %182 = getelementptr inbounds i8, ptr %181, i64 56
+  %183 = load i64, ptr %182, align 8
+  %184 = icmp eq i64 %183, 0
+  br i1 %184, label %2026, label %185
 
-183:                                              ; preds = %176
-  %184 = load ptr, ptr %80, align 8
-  %185 = load ptr, ptr %81, align 8
-  %186 = load ptr, ptr %0, align 8
-  %187 = load i64, ptr %82, align 8
-  %188 = load ptr, ptr %83, align 8
-  %189 = load i64, ptr %188, align 8
-  %190 = icmp ne i64 %189, 1
-  %191 = getelementptr inbounds i8, ptr %186, i64 8
-  %192 = load i64, ptr %191, align 8
-  %193 = icmp slt i64 %192, 1
-  %194 = getelementptr inbounds i8, ptr %186, i64 32
-  %195 = load i64, ptr %194, align 8
-  %196 = icmp eq i64 %195, 1
-  %197 = load ptr, ptr %84, align 8
-  %198 = getelementptr inbounds i8, ptr %197, i64 8
-  %199 = load i64, ptr %198, align 8
-  %200 = icmp sgt i64 %199, 0
-  %201 = load i64, ptr %85, align 8
-  %202 = getelementptr double, ptr %184, i64 %201
-  %203 = getelementptr i8, ptr %202, i64 -8
-  %204 = load double, ptr %203, align 8
-  %205 = load double, ptr %184, align 8
-  %206 = fsub double %204, %205
-  %207 = fmul double %206, 0x3D70000000000000
-  %208 = load ptr, ptr %86, align 8
-  %209 = load i64, ptr %186, align 8
-  %210 = mul nsw i64 %209, %187
-  %211 = getelementptr inbounds double, ptr %208, i64 %210
-  %212 = load double, ptr %177, align 8
-  %213 = getelementptr inbounds i8, ptr %177, i64 8
-  %214 = load double, ptr %213, align 8
-  %215 = load i64, ptr %179, align 8
-  %216 = icmp eq i64 %215, 0
-  br i1 %216, label %217, label %477
+185:                                              ; preds = %178
+  %186 = load ptr, ptr %80, align 8
+  %187 = load ptr, ptr %81, align 8
+  %188 = load ptr, ptr %0, align 8
+  %189 = load i64, ptr %82, align 8
+  %190 = load ptr, ptr %83, align 8
+  %191 = load i64, ptr %190, align 8
+  %192 = icmp ne i64 %191, 1
+  %193 = getelementptr inbounds i8, ptr %188, i64 8
+  %194 = load i64, ptr %193, align 8
+  %195 = icmp slt i64 %194, 1
+  %196 = getelementptr inbounds i8, ptr %188, i64 32
+  %197 = load i64, ptr %196, align 8
+  %198 = icmp eq i64 %197, 1
+  %199 = load ptr, ptr %84, align 8
+  %200 = getelementptr inbounds i8, ptr %199, i64 8
+  %201 = load i64, ptr %200, align 8
+  %202 = icmp sgt i64 %201, 0
+  %203 = load i64, ptr %85, align 8
+  %204 = getelementptr double, ptr %186, i64 %203
+  %205 = getelementptr i8, ptr %204, i64 -8
+  %206 = load double, ptr %205, align 8
+  %207 = load double, ptr %186, align 8
+  %208 = fsub double %206, %207
+  %209 = fmul double %208, 0x3D70000000000000
+  %210 = load ptr, ptr %86, align 8
+  %211 = load i64, ptr %188, align 8
+  %212 = mul nsw i64 %211, %189
+  %213 = getelementptr inbounds double, ptr %210, i64 %212
+  %214 = load double, ptr %179, align 8
+  %215 = getelementptr inbounds i8, ptr %179, i64 8
+  %216 = load double, ptr %215, align 8
+  %217 = load i64, ptr %181, align 8
+  %218 = icmp eq i64 %217, 0
+  br i1 %218, label %219, label %479
 
-217:                                              ; preds = %183
-  %218 = load i64, ptr %87, align 8
-  %219 = icmp eq i64 %218, 0
-  br i1 %219, label %249, label %220
+219:                                              ; preds = %185
+  %220 = load i64, ptr %87, align 8
+  %221 = icmp eq i64 %220, 0
+  br i1 %221, label %251, label %222
 
-220:                                              ; preds = %217
-  %221 = icmp sgt i64 %218, 0
-  br i1 %221, label %222, label %237
+222:                                              ; preds = %219
+  %223 = icmp sgt i64 %220, 0
+  br i1 %223, label %224, label %239
 
-222:                                              ; preds = %220
-  %223 = load ptr, ptr %88, align 8
-  br label %224
+224:                                              ; preds = %222
+  %225 = load ptr, ptr %88, align 8
+  br label %226
 
-224:                                              ; preds = %222, %224
-  %225 = phi i64 [ 0, %222 ], [ %235, %224 ]
-  %226 = phi i64 [ %218, %222 ], [ %234, %224 ]
-  %227 = add nuw nsw i64 %225, %226
-  %228 = lshr i64 %227, 1
-  %229 = mul i64 %228, 24
-  %230 = getelementptr inbounds i8, ptr %223, i64 %229
-  %231 = load double, ptr %230, align 8
-  %232 = fcmp ogt double %231, %212
-  %233 = add nuw nsw i64 %228, 1
-  %234 = select i1 %232, i64 %228, i64 %226
-  %235 = select i1 %232, i64 %225, i64 %233
-  %236 = icmp slt i64 %235, %234
-  br i1 %236, label %224, label %237, !llvm.loop !8
+226:                                              ; preds = %224, %226
+  %227 = phi i64 [ 0, %224 ], [ %237, %226 ]
+  %228 = phi i64 [ %220, %224 ], [ %236, %226 ]
+  %229 = add nuw nsw i64 %227, %228
+  %230 = lshr i64 %229, 1
+  %231 = mul i64 %230, 24
+  %232 = getelementptr inbounds i8, ptr %225, i64 %231
+  %233 = load double, ptr %232, align 8
+  %234 = fcmp ogt double %233, %214
+  %235 = add nuw nsw i64 %230, 1
+  %236 = select i1 %234, i64 %230, i64 %228
+  %237 = select i1 %234, i64 %227, i64 %235
+  %238 = icmp slt i64 %237, %236
+  br i1 %238, label %226, label %239, !llvm.loop !8
 
-237:                                              ; preds = %224, %220
-  %238 = phi i64 [ 0, %220 ], [ %235, %224 ]
-  %239 = icmp slt i64 %238, %218
-  br i1 %239, label %240, label %246
+239:                                              ; preds = %226, %222
+  %240 = phi i64 [ 0, %222 ], [ %237, %226 ]
+  %241 = icmp slt i64 %240, %220
+  br i1 %241, label %242, label %248
 
-240:                                              ; preds = %237
-  %241 = load ptr, ptr %88, align 8
-  %242 = mul i64 %238, 24
-  %243 = getelementptr inbounds i8, ptr %241, i64 %242
-  %244 = getelementptr inbounds i8, ptr %243, i64 8
-  %245 = load double, ptr %244, align 8
-  br label %246
+242:                                              ; preds = %239
+  %243 = load ptr, ptr %88, align 8
+  %244 = mul i64 %240, 24
+  %245 = getelementptr inbounds i8, ptr %243, i64 %244
+  %246 = getelementptr inbounds i8, ptr %245, i64 8
+  %247 = load double, ptr %246, align 8
+  br label %248
 
-246:                                              ; preds = %240, %237
-  %247 = phi double [ %245, %240 ], [ 0x7FF0000000000000, %237 ]
-  %248 = load ptr, ptr %89, align 8
-  store double %247, ptr %248, align 8
-  br label %249
+248:                                              ; preds = %242, %239
+  %249 = phi double [ %247, %242 ], [ 0x7FF0000000000000, %239 ]
+  %250 = load ptr, ptr %89, align 8
+  store double %249, ptr %250, align 8
+  br label %251
 
-249:                                              ; preds = %246, %217
-  %250 = getelementptr inbounds i8, ptr %179, i64 24
-  %251 = load i64, ptr %250, align 8
-  %252 = add nsw i64 %251, 1
-  store i64 %252, ptr %250, align 8
-  %253 = load ptr, ptr %76, align 8
-  %254 = load ptr, ptr %86, align 8
-  %255 = load ptr, ptr %90, align 8
-  store double %212, ptr %255, align 8
-  %256 = load ptr, ptr %75, align 8
-  %257 = getelementptr inbounds i8, ptr %256, i64 40
-  %258 = load i64, ptr %257, align 8
-  %259 = icmp eq i64 %258, 0
-  br i1 %259, label %261, label %260
+251:                                              ; preds = %248, %219
+  %252 = getelementptr inbounds i8, ptr %181, i64 24
+  %253 = load i64, ptr %252, align 8
+  %254 = add nsw i64 %253, 1
+  store i64 %254, ptr %252, align 8
+  %255 = load ptr, ptr %76, align 8
+  %256 = load ptr, ptr %86, align 8
+  %257 = load ptr, ptr %90, align 8
+  store double %214, ptr %257, align 8
+  %258 = load ptr, ptr %75, align 8
+  %259 = getelementptr inbounds i8, ptr %258, i64 40
+  %260 = load i64, ptr %259, align 8
+  %261 = icmp eq i64 %260, 0
+  br i1 %261, label %263, label %262
 
-260:                                              ; preds = %249
-  tail call fastcc void @settle(ptr noundef nonnull %75) #9
-  br label %261
+262:                                              ; preds = %251
+  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+  br label %263
 
-261:                                              ; preds = %260, %249
-  %262 = load i64, ptr %91, align 8
-  %263 = icmp sgt i64 %262, 0
-  br i1 %263, label %264, label %265
+263:                                              ; preds = %262, %251
+  %264 = load i64, ptr %91, align 8
+  %265 = icmp sgt i64 %264, 0
+  br i1 %265, label %266, label %267
 
-264:                                              ; preds = %261
-  tail call fastcc void @sample(ptr noundef nonnull %75) #9
-  br label %265
+266:                                              ; preds = %263
+  tail call fastcc void @sample(ptr noundef nonnull %75) #10
+  br label %267
 
-265:                                              ; preds = %261, %264
-  %266 = load ptr, ptr %75, align 8
-  %267 = load i64, ptr %266, align 8
-  %268 = load ptr, ptr %90, align 8
-  %269 = load ptr, ptr %92, align 8
-  %270 = load ptr, ptr %93, align 8
-  %271 = inttoptr i64 %267 to ptr
-  %272 = load ptr, ptr %271, align 8
-  %273 = tail call i32 %272(ptr noundef %268, ptr noundef %253, ptr noundef %269, ptr noundef %270, ptr noundef %254) #10
-  %274 = icmp eq i32 %273, 0
-  br i1 %274, label %279, label %275
+267:                                              ; preds = %263, %266
+  %268 = load ptr, ptr %75, align 8
+  %269 = load i64, ptr %268, align 8
+  %270 = load ptr, ptr %90, align 8
+  %271 = load ptr, ptr %92, align 8
+  %272 = load ptr, ptr %93, align 8
+  %273 = inttoptr i64 %269 to ptr
+  %274 = load ptr, ptr %273, align 8
+  %275 = tail call i32 %274(ptr noundef %270, ptr noundef %255, ptr noundef %271, ptr noundef %272, ptr noundef %256) #11
+  %276 = icmp eq i32 %275, 0
+  br i1 %276, label %281, label %277
 
-275:                                              ; preds = %265
-  %276 = getelementptr inbounds i8, ptr %179, i64 72
-  store i64 3, ptr %276, align 8
-  %277 = icmp slt i32 %273, 0
-  %278 = select i1 %277, i64 -4, i64 2
-  br label %1933
+277:                                              ; preds = %267
+  %278 = getelementptr inbounds i8, ptr %181, i64 72
+  store i64 3, ptr %278, align 8
+  %279 = icmp slt i32 %275, 0
+  %280 = select i1 %279, i64 -4, i64 2
+  br label %2026
 
-279:                                              ; preds = %265
-  store i64 1, ptr %179, align 8
-  %280 = getelementptr inbounds i8, ptr %177, i64 24
-  store double 1.000000e-04, ptr %280, align 8
-  %281 = getelementptr inbounds i8, ptr %185, i64 40
-  %282 = load double, ptr %281, align 8
-  %283 = getelementptr inbounds i8, ptr %177, i64 40
-  store double %282, ptr %283, align 8
-  %284 = load ptr, ptr %76, align 8
-  %285 = load ptr, ptr %75, align 8
-  %286 = getelementptr inbounds i8, ptr %285, i64 8
-  %287 = load i64, ptr %286, align 8
-  %288 = load i64, ptr %85, align 8
-  %289 = load ptr, ptr %80, align 8
-  %290 = load ptr, ptr %79, align 8
-  %291 = getelementptr inbounds i8, ptr %290, i64 48
-  %292 = load i64, ptr %291, align 8
-  %293 = icmp slt i64 %292, %288
-  br i1 %293, label %294, label %317
+281:                                              ; preds = %267
+  store i64 1, ptr %181, align 8
+  %282 = getelementptr inbounds i8, ptr %179, i64 24
+  store double 1.000000e-04, ptr %282, align 8
+  %283 = getelementptr inbounds i8, ptr %187, i64 40
+  %284 = load double, ptr %283, align 8
+  %285 = getelementptr inbounds i8, ptr %179, i64 40
+  store double %284, ptr %285, align 8
+  %286 = load ptr, ptr %76, align 8
+  %287 = load ptr, ptr %75, align 8
+  %288 = getelementptr inbounds i8, ptr %287, i64 8
+  %289 = load i64, ptr %288, align 8
+  %290 = load i64, ptr %85, align 8
+  %291 = load ptr, ptr %80, align 8
+  %292 = load ptr, ptr %79, align 8
+  %293 = getelementptr inbounds i8, ptr %292, i64 48
+  %294 = load i64, ptr %293, align 8
+  %295 = icmp slt i64 %294, %290
+  br i1 %295, label %296, label %319
 
-294:                                              ; preds = %279
-  %295 = icmp sgt i64 %287, 0
-  br label %296
+296:                                              ; preds = %281
+  %297 = icmp sgt i64 %289, 0
+  br label %298
 
-296:                                              ; preds = %294, %307
-  %297 = phi i64 [ %292, %294 ], [ %308, %307 ]
-  %298 = getelementptr inbounds double, ptr %289, i64 %297
-  %299 = load double, ptr %298, align 8
-  %300 = load ptr, ptr %77, align 8
+298:                                              ; preds = %296, %309
+  %299 = phi i64 [ %294, %296 ], [ %310, %309 ]
+  %300 = getelementptr inbounds double, ptr %291, i64 %299
   %301 = load double, ptr %300, align 8
-  %302 = fcmp ugt double %299, %301
-  br i1 %302, label %317, label %303
+  %302 = load ptr, ptr %77, align 8
+  %303 = load double, ptr %302, align 8
+  %304 = fcmp ugt double %301, %303
+  br i1 %304, label %319, label %305
 
-303:                                              ; preds = %296
-  br i1 %295, label %304, label %307
+305:                                              ; preds = %298
+  br i1 %297, label %306, label %309
 
-304:                                              ; preds = %303
-  %305 = mul nsw i64 %297, %287
-  %306 = getelementptr double, ptr %1, i64 %305
-  br label %310
+306:                                              ; preds = %305
+  %307 = mul nsw i64 %299, %289
+  %308 = getelementptr double, ptr %1, i64 %307
+  br label %312
 
-307:                                              ; preds = %310, %303
-  %308 = add i64 %297, 1
-  %309 = icmp eq i64 %308, %288
-  br i1 %309, label %317, label %296, !llvm.loop !9
+309:                                              ; preds = %312, %305
+  %310 = add i64 %299, 1
+  %311 = icmp eq i64 %310, %290
+  br i1 %311, label %319, label %298, !llvm.loop !9
 
-310:                                              ; preds = %304, %310
-  %311 = phi i64 [ 0, %304 ], [ %315, %310 ]
-  %312 = getelementptr inbounds double, ptr %284, i64 %311
-  %313 = load double, ptr %312, align 8
-  %314 = getelementptr double, ptr %306, i64 %311
-  store double %313, ptr %314, align 8
-  %315 = add nuw nsw i64 %311, 1
-  %316 = icmp eq i64 %315, %287
-  br i1 %316, label %307, label %310, !llvm.loop !10
+312:                                              ; preds = %306, %312
+  %313 = phi i64 [ 0, %306 ], [ %317, %312 ]
+  %314 = getelementptr inbounds double, ptr %286, i64 %313
+  %315 = load double, ptr %314, align 8
+  %316 = getelementptr double, ptr %308, i64 %313
+  store double %315, ptr %316, align 8
+  %317 = add nuw nsw i64 %313, 1
+  %318 = icmp eq i64 %317, %289
+  br i1 %318, label %309, label %312, !llvm.loop !10
 
-317:                                              ; preds = %296, %307, %279
-  %318 = phi i64 [ %292, %279 ], [ %297, %296 ], [ %288, %307 ]
-  %319 = load ptr, ptr %79, align 8
-  %320 = getelementptr inbounds i8, ptr %319, i64 48
-  store i64 %318, ptr %320, align 8
-  %321 = icmp eq i64 %318, %288
-  br i1 %321, label %1933, label %322
+319:                                              ; preds = %298, %309, %281
+  %320 = phi i64 [ %294, %281 ], [ %299, %298 ], [ %290, %309 ]
+  %321 = load ptr, ptr %79, align 8
+  %322 = getelementptr inbounds i8, ptr %321, i64 48
+  store i64 %320, ptr %322, align 8
+  %323 = icmp eq i64 %320, %290
+  br i1 %323, label %2026, label %324
 
-322:                                              ; preds = %317
-  %323 = fcmp oeq double %214, 0.000000e+00
-  br i1 %323, label %324, label %477
+324:                                              ; preds = %319
+  %325 = fcmp oeq double %216, 0.000000e+00
+  br i1 %325, label %326, label %479
 
-324:                                              ; preds = %322
-  %325 = load ptr, ptr %75, align 8
-  %326 = getelementptr inbounds i8, ptr %325, i64 24
-  %327 = load i64, ptr %326, align 8
-  %328 = load ptr, ptr %77, align 8
-  %329 = getelementptr inbounds i8, ptr %328, i64 16
-  %330 = load double, ptr %329, align 8
-  %331 = load ptr, ptr %76, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %331, ptr noundef %331, ptr noundef nonnull %76, i64 noundef %327) #9
-  %332 = load double, ptr %6, align 8
-  %333 = load ptr, ptr %94, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %333, ptr noundef %331, ptr noundef nonnull %76, i64 noundef %327) #9
-  %334 = load double, ptr %7, align 8
-  %335 = fcmp uge double %332, 1.000000e-05
-  %336 = fcmp uge double %334, 1.000000e-05
-  %337 = and i1 %335, %336
-  %338 = fmul double %332, 1.000000e-02
-  %339 = fdiv double %338, %334
-  %340 = select i1 %337, double %339, double 0x3EB0C6F7A0B5ED8D
-  %341 = fcmp olt double %330, %340
-  %342 = select i1 %341, double %330, double %340
-  %343 = load ptr, ptr %75, align 8
-  %344 = getelementptr inbounds i8, ptr %343, i64 8
-  %345 = load i64, ptr %344, align 8
-  %346 = icmp sgt i64 %345, 0
-  br i1 %346, label %377, label %347
+326:                                              ; preds = %324
+  %327 = load ptr, ptr %75, align 8
+  %328 = getelementptr inbounds i8, ptr %327, i64 24
+  %329 = load i64, ptr %328, align 8
+  %330 = load ptr, ptr %77, align 8
+  %331 = getelementptr inbounds i8, ptr %330, i64 16
+  %332 = load double, ptr %331, align 8
+  %333 = load ptr, ptr %76, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %333, ptr noundef %333, ptr noundef nonnull %76, i64 noundef %329) #10
+  %334 = load double, ptr %6, align 8
+  %335 = load ptr, ptr %94, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %335, ptr noundef %333, ptr noundef nonnull %76, i64 noundef %329) #10
+  %336 = load double, ptr %7, align 8
+  %337 = fcmp uge double %334, 1.000000e-05
+  %338 = fcmp uge double %336, 1.000000e-05
+  %339 = and i1 %337, %338
+  %340 = fmul double %334, 1.000000e-02
+  %341 = fdiv double %340, %336
+  %342 = select i1 %339, double %341, double 0x3EB0C6F7A0B5ED8D
+  %343 = fcmp olt double %332, %342
+  %344 = select i1 %343, double %332, double %342
+  %345 = load ptr, ptr %75, align 8
+  %346 = getelementptr inbounds i8, ptr %345, i64 8
+  %347 = load i64, ptr %346, align 8
+  %348 = icmp sgt i64 %347, 0
+  br i1 %348, label %379, label %349
 
-347:                                              ; preds = %377, %324
-  %348 = load ptr, ptr %79, align 8
-  %349 = getelementptr inbounds i8, ptr %348, i64 24
-  %350 = load i64, ptr %349, align 8
-  %351 = add nsw i64 %350, 1
-  store i64 %351, ptr %349, align 8
-  %352 = fadd double %212, %342
-  %353 = load ptr, ptr %96, align 8
-  %354 = load ptr, ptr %86, align 8
-  %355 = load i64, ptr %82, align 8
-  %356 = getelementptr inbounds double, ptr %354, i64 %355
-  %357 = load ptr, ptr %90, align 8
-  store double %352, ptr %357, align 8
-  %358 = load ptr, ptr %75, align 8
-  %359 = getelementptr inbounds i8, ptr %358, i64 40
-  %360 = load i64, ptr %359, align 8
-  %361 = icmp eq i64 %360, 0
-  br i1 %361, label %363, label %362
+349:                                              ; preds = %379, %326
+  %350 = load ptr, ptr %79, align 8
+  %351 = getelementptr inbounds i8, ptr %350, i64 24
+  %352 = load i64, ptr %351, align 8
+  %353 = add nsw i64 %352, 1
+  store i64 %353, ptr %351, align 8
+  %354 = fadd double %214, %344
+  %355 = load ptr, ptr %96, align 8
+  %356 = load ptr, ptr %86, align 8
+  %357 = load i64, ptr %82, align 8
+  %358 = getelementptr inbounds double, ptr %356, i64 %357
+  %359 = load ptr, ptr %90, align 8
+  store double %354, ptr %359, align 8
+  %360 = load ptr, ptr %75, align 8
+  %361 = getelementptr inbounds i8, ptr %360, i64 40
+  %362 = load i64, ptr %361, align 8
+  %363 = icmp eq i64 %362, 0
+  br i1 %363, label %365, label %364
 
-362:                                              ; preds = %347
-  tail call fastcc void @settle(ptr noundef nonnull %75) #9
-  br label %363
+364:                                              ; preds = %349
+  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+  br label %365
 
-363:                                              ; preds = %362, %347
-  %364 = load i64, ptr %91, align 8
-  %365 = icmp sgt i64 %364, 0
-  br i1 %365, label %366, label %367
+365:                                              ; preds = %364, %349
+  %366 = load i64, ptr %91, align 8
+  %367 = icmp sgt i64 %366, 0
+  br i1 %367, label %368, label %369
 
-366:                                              ; preds = %363
-  tail call fastcc void @sample(ptr noundef nonnull %75) #9
-  br label %367
+368:                                              ; preds = %365
+  tail call fastcc void @sample(ptr noundef nonnull %75) #10
+  br label %369
 
-367:                                              ; preds = %363, %366
-  %368 = load ptr, ptr %75, align 8
-  %369 = load i64, ptr %368, align 8
-  %370 = load ptr, ptr %90, align 8
-  %371 = load ptr, ptr %92, align 8
-  %372 = load ptr, ptr %93, align 8
-  %373 = inttoptr i64 %369 to ptr
-  %374 = load ptr, ptr %373, align 8
-  %375 = tail call i32 %374(ptr noundef %370, ptr noundef %353, ptr noundef %371, ptr noundef %372, ptr noundef %356) #10
-  %376 = icmp eq i32 %375, 0
-  br i1 %376, label %396, label %394
+369:                                              ; preds = %365, %368
+  %370 = load ptr, ptr %75, align 8
+  %371 = load i64, ptr %370, align 8
+  %372 = load ptr, ptr %90, align 8
+  %373 = load ptr, ptr %92, align 8
+  %374 = load ptr, ptr %93, align 8
+  %375 = inttoptr i64 %371 to ptr
+  %376 = load ptr, ptr %375, align 8
+  %377 = tail call i32 %376(ptr noundef %372, ptr noundef %355, ptr noundef %373, ptr noundef %374, ptr noundef %358) #11
+  %378 = icmp eq i32 %377, 0
+  br i1 %378, label %398, label %396
 
-377:                                              ; preds = %324, %377
-  %378 = phi i64 [ %389, %377 ], [ 0, %324 ]
-  %379 = load ptr, ptr %76, align 8
-  %380 = getelementptr inbounds double, ptr %379, i64 %378
-  %381 = load double, ptr %380, align 8
-  %382 = load ptr, ptr %86, align 8
-  %383 = getelementptr inbounds double, ptr %382, i64 %378
-  %384 = load double, ptr %383, align 8
-  %385 = fmul double %342, %384
-  %386 = fadd double %381, %385
-  %387 = load ptr, ptr %95, align 8
-  %388 = getelementptr inbounds double, ptr %387, i64 %378
-  store double %386, ptr %388, align 8
-  %389 = add nuw nsw i64 %378, 1
-  %390 = load ptr, ptr %75, align 8
-  %391 = getelementptr inbounds i8, ptr %390, i64 8
-  %392 = load i64, ptr %391, align 8
-  %393 = icmp slt i64 %389, %392
-  br i1 %393, label %377, label %347, !llvm.loop !11
+379:                                              ; preds = %326, %379
+  %380 = phi i64 [ %391, %379 ], [ 0, %326 ]
+  %381 = load ptr, ptr %76, align 8
+  %382 = getelementptr inbounds double, ptr %381, i64 %380
+  %383 = load double, ptr %382, align 8
+  %384 = load ptr, ptr %86, align 8
+  %385 = getelementptr inbounds double, ptr %384, i64 %380
+  %386 = load double, ptr %385, align 8
+  %387 = fmul double %344, %386
+  %388 = fadd double %383, %387
+  %389 = load ptr, ptr %95, align 8
+  %390 = getelementptr inbounds double, ptr %389, i64 %380
+  store double %388, ptr %390, align 8
+  %391 = add nuw nsw i64 %380, 1
+  %392 = load ptr, ptr %75, align 8
+  %393 = getelementptr inbounds i8, ptr %392, i64 8
+  %394 = load i64, ptr %393, align 8
+  %395 = icmp slt i64 %391, %394
+  br i1 %395, label %379, label %349, !llvm.loop !11
 
-394:                                              ; preds = %367
-  %395 = fmul double %342, 1.000000e-03
-  br label %472
+396:                                              ; preds = %369
+  %397 = fmul double %344, 1.000000e-03
+  br label %474
 
-396:                                              ; preds = %367
-  %397 = load ptr, ptr %81, align 8
-  %398 = load double, ptr %397, align 8
-  %399 = load ptr, ptr %94, align 8
-  %400 = load i64, ptr %97, align 8
-  %401 = getelementptr inbounds double, ptr %399, i64 %400
-  %402 = icmp sgt i64 %327, 0
-  br i1 %402, label %403, label %412
+398:                                              ; preds = %369
+  %399 = load ptr, ptr %81, align 8
+  %400 = load double, ptr %399, align 8
+  %401 = load ptr, ptr %94, align 8
+  %402 = load i64, ptr %97, align 8
+  %403 = getelementptr inbounds double, ptr %401, i64 %402
+  %404 = icmp sgt i64 %329, 0
+  br i1 %404, label %405, label %414
 
-403:                                              ; preds = %396, %403
-  %404 = phi i64 [ %410, %403 ], [ 0, %396 ]
-  %405 = getelementptr inbounds double, ptr %401, i64 %404
-  %406 = load double, ptr %405, align 8
-  %407 = getelementptr inbounds double, ptr %399, i64 %404
+405:                                              ; preds = %398, %405
+  %406 = phi i64 [ %412, %405 ], [ 0, %398 ]
+  %407 = getelementptr inbounds double, ptr %403, i64 %406
   %408 = load double, ptr %407, align 8
-  %409 = fsub double %406, %408
-  store double %409, ptr %405, align 8
-  %410 = add nuw nsw i64 %404, 1
-  %411 = icmp eq i64 %410, %327
-  br i1 %411, label %412, label %403, !llvm.loop !12
+  %409 = getelementptr inbounds double, ptr %401, i64 %406
+  %410 = load double, ptr %409, align 8
+  %411 = fsub double %408, %410
+  store double %411, ptr %407, align 8
+  %412 = add nuw nsw i64 %406, 1
+  %413 = icmp eq i64 %412, %329
+  br i1 %413, label %414, label %405, !llvm.loop !12
 
-412:                                              ; preds = %403, %396
-  %413 = load ptr, ptr %76, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %401, ptr noundef %413, ptr noundef nonnull %76, i64 noundef %327) #9
-  %414 = load double, ptr %8, align 8
-  %415 = fdiv double %414, %342
-  %416 = fcmp ogt double %334, %415
-  %417 = select i1 %416, double %334, double %415
-  %418 = fcmp ule double %417, 1.000000e-15
-  %419 = fdiv double 1.000000e-02, %417
-  %420 = select i1 %418, double 1.000000e+13, double %419
-  %421 = bitcast double %420 to i64
-  %422 = add nsw i64 %421, -4604544271217802189
-  %423 = ashr i64 %422, 52
-  %424 = and i64 %422, -4503599627370496
-  %425 = sub nsw i64 %421, %424
-  %426 = bitcast i64 %425 to double
-  %427 = fadd double %426, -1.000000e+00
-  %428 = fadd double %426, 1.000000e+00
-  %429 = fdiv double %427, %428
-  %430 = fmul double %429, %429
-  %431 = tail call double @llvm.fma.f64(double %430, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %432 = tail call double @llvm.fma.f64(double %431, double %430, double 0x3FE2776C50EF9BFE)
-  %433 = tail call double @llvm.fma.f64(double %432, double %430, double 0x3FEEC709DC3A03FD)
-  %434 = tail call double @llvm.fma.f64(double %433, double %430, double 0x40071547652B82FE)
-  %435 = trunc nsw i64 %423 to i32
-  %436 = sitofp i32 %435 to double
-  %437 = fmul double %429, %434
-  %438 = fadd double %437, %436
-  %439 = fmul double %398, %438
-  %440 = fcmp ogt double %439, -1.000000e+03
-  %441 = select i1 %440, double %439, double -1.000000e+03
-  %442 = fcmp olt double %441, 1.000000e+03
-  %443 = select i1 %442, double %441, double 1.000000e+03
-  %444 = tail call double @llvm.rint.f64(double %443)
-  %445 = fsub double %443, %444
-  %446 = tail call double @llvm.fma.f64(double %445, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %447 = tail call double @llvm.fma.f64(double %446, double %445, double 0x3F55D87FE78A6730)
-  %448 = tail call double @llvm.fma.f64(double %447, double %445, double 0x3F83B2AB6FBA4E77)
-  %449 = tail call double @llvm.fma.f64(double %448, double %445, double 0x3FAC6B08D704A0BF)
-  %450 = tail call double @llvm.fma.f64(double %449, double %445, double 0x3FCEBFBDFF82C58E)
-  %451 = tail call double @llvm.fma.f64(double %450, double %445, double 0x3FE62E42FEFA39EF)
-  %452 = tail call double @llvm.fma.f64(double %451, double %445, double 1.000000e+00)
-  %453 = bitcast double %452 to i64
-  %454 = fptosi double %444 to i32
-  %455 = sext i32 %454 to i64
-  %456 = shl nsw i64 %455, 52
-  %457 = add nsw i64 %456, %453
-  %458 = bitcast i64 %457 to double
-  %459 = fmul double %342, 1.000000e-03
-  %460 = fcmp olt double %459, 0x3EB0C6F7A0B5ED8D
-  %461 = select i1 %460, double 0x3EB0C6F7A0B5ED8D, double %459
-  %462 = fmul double %342, 1.000000e+02
-  %463 = select i1 %418, double %461, double %458
-  %464 = fcmp olt double %462, %463
-  %465 = select i1 %464, double %462, double %463
-  %466 = tail call double @llvm.fabs.f64(double %212)
-  %467 = fmul double %466, 0x3D30000000000000
-  %468 = fcmp ogt double %467, %465
-  %469 = select i1 %468, double %467, double %465
-  %470 = fcmp olt double %330, %469
-  %471 = select i1 %470, double %330, double %469
-  br label %472
+414:                                              ; preds = %405, %398
+  %415 = load ptr, ptr %76, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %403, ptr noundef %415, ptr noundef nonnull %76, i64 noundef %329) #10
+  %416 = load double, ptr %8, align 8
+  %417 = fdiv double %416, %344
+  %418 = fcmp ogt double %336, %417
+  %419 = select i1 %418, double %336, double %417
+  %420 = fcmp ule double %419, 1.000000e-15
+  %421 = fdiv double 1.000000e-02, %419
+  %422 = select i1 %420, double 1.000000e+13, double %421
+  %423 = bitcast double %422 to i64
+  %424 = add nsw i64 %423, -4604544271217802189
+  %425 = ashr i64 %424, 52
+  %426 = and i64 %424, -4503599627370496
+  %427 = sub nsw i64 %423, %426
+  %428 = bitcast i64 %427 to double
+  %429 = fadd double %428, -1.000000e+00
+  %430 = fadd double %428, 1.000000e+00
+  %431 = fdiv double %429, %430
+  %432 = fmul double %431, %431
+  %433 = tail call double @llvm.fma.f64(double %432, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %434 = tail call double @llvm.fma.f64(double %433, double %432, double 0x3FE2776C50EF9BFE)
+  %435 = tail call double @llvm.fma.f64(double %434, double %432, double 0x3FEEC709DC3A03FD)
+  %436 = tail call double @llvm.fma.f64(double %435, double %432, double 0x40071547652B82FE)
+  %437 = trunc nsw i64 %425 to i32
+  %438 = sitofp i32 %437 to double
+  %439 = fmul double %431, %436
+  %440 = fadd double %439, %438
+  %441 = fmul double %400, %440
+  %442 = fcmp ogt double %441, -1.000000e+03
+  %443 = select i1 %442, double %441, double -1.000000e+03
+  %444 = fcmp olt double %443, 1.000000e+03
+  %445 = select i1 %444, double %443, double 1.000000e+03
+  %446 = tail call double @llvm.rint.f64(double %445)
+  %447 = fsub double %445, %446
+  %448 = tail call double @llvm.fma.f64(double %447, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %449 = tail call double @llvm.fma.f64(double %448, double %447, double 0x3F55D87FE78A6730)
+  %450 = tail call double @llvm.fma.f64(double %449, double %447, double 0x3F83B2AB6FBA4E77)
+  %451 = tail call double @llvm.fma.f64(double %450, double %447, double 0x3FAC6B08D704A0BF)
+  %452 = tail call double @llvm.fma.f64(double %451, double %447, double 0x3FCEBFBDFF82C58E)
+  %453 = tail call double @llvm.fma.f64(double %452, double %447, double 0x3FE62E42FEFA39EF)
+  %454 = tail call double @llvm.fma.f64(double %453, double %447, double 1.000000e+00)
+  %455 = bitcast double %454 to i64
+  %456 = fptosi double %446 to i32
+  %457 = sext i32 %456 to i64
+  %458 = shl nsw i64 %457, 52
+  %459 = add nsw i64 %458, %455
+  %460 = bitcast i64 %459 to double
+  %461 = fmul double %344, 1.000000e-03
+  %462 = fcmp olt double %461, 0x3EB0C6F7A0B5ED8D
+  %463 = select i1 %462, double 0x3EB0C6F7A0B5ED8D, double %461
+  %464 = fmul double %344, 1.000000e+02
+  %465 = select i1 %420, double %463, double %460
+  %466 = fcmp olt double %464, %465
+  %467 = select i1 %466, double %464, double %465
+  %468 = tail call double @llvm.fabs.f64(double %214)
+  %469 = fmul double %468, 0x3D30000000000000
+  %470 = fcmp ogt double %469, %467
+  %471 = select i1 %470, double %469, double %467
+  %472 = fcmp olt double %332, %471
+  %473 = select i1 %472, double %332, double %471
+  br label %474
 
-472:                                              ; preds = %394, %412
-  %473 = phi double [ %395, %394 ], [ %471, %412 ]
-  %474 = tail call i1 @llvm.is.fpclass.f64(double %473, i32 639)
-  br i1 %474, label %475, label %477
+474:                                              ; preds = %396, %414
+  %475 = phi double [ %397, %396 ], [ %473, %414 ]
+  %476 = tail call i1 @llvm.is.fpclass.f64(double %475, i32 639)
+  br i1 %476, label %477, label %479
 
-475:                                              ; preds = %472
-  %476 = getelementptr inbounds i8, ptr %179, i64 72
-  store i64 4, ptr %476, align 8
-  br label %477
+477:                                              ; preds = %474
+  %478 = getelementptr inbounds i8, ptr %181, i64 72
+  store i64 4, ptr %478, align 8
+  br label %479
 
-477:                                              ; preds = %475, %472, %322, %183
-  %478 = phi double [ %473, %472 ], [ %473, %475 ], [ %214, %322 ], [ %214, %183 ]
-  %479 = load i64, ptr %180, align 8
-  %480 = icmp eq i64 %479, 0
-  br i1 %480, label %509, label %481
+479:                                              ; preds = %477, %474, %324, %185
+  %480 = phi double [ %475, %474 ], [ %475, %477 ], [ %216, %324 ], [ %216, %185 ]
+  %481 = load i64, ptr %182, align 8
+  %482 = icmp eq i64 %481, 0
+  br i1 %482, label %512, label %483
 
-481:                                              ; preds = %477
-  %482 = getelementptr inbounds i8, ptr %179, i64 8
-  %483 = getelementptr inbounds i8, ptr %179, i64 16
-  %484 = getelementptr inbounds i8, ptr %179, i64 64
-  %485 = getelementptr inbounds i8, ptr %179, i64 48
-  %486 = getelementptr inbounds i8, ptr %177, i64 16
-  %487 = getelementptr inbounds i8, ptr %179, i64 24
-  %488 = icmp sgt i64 %187, 0
-  %489 = select i1 %190, i1 %196, i1 false
-  %490 = getelementptr inbounds i8, ptr %177, i64 32
-  %491 = getelementptr inbounds i8, ptr %179, i64 48
-  %492 = getelementptr inbounds i8, ptr %179, i64 72
-  %493 = getelementptr inbounds i8, ptr %177, i64 24
-  %494 = getelementptr inbounds i8, ptr %177, i64 40
-  %495 = getelementptr inbounds i8, ptr %185, i64 24
-  %496 = getelementptr inbounds i8, ptr %185, i64 8
-  %497 = getelementptr inbounds i8, ptr %185, i64 16
-  %498 = getelementptr inbounds i8, ptr %185, i64 32
-  %499 = getelementptr inbounds i8, ptr %185, i64 40
-  %500 = icmp sgt i64 %187, 0
-  %501 = getelementptr inbounds i8, ptr %179, i64 48
-  %502 = getelementptr inbounds i8, ptr %179, i64 72
-  %503 = getelementptr inbounds i8, ptr %179, i64 72
-  %504 = getelementptr inbounds i8, ptr %177, i64 40
-  %505 = getelementptr inbounds i8, ptr %179, i64 72
-  %506 = getelementptr inbounds i8, ptr %185, i64 24
-  %507 = getelementptr inbounds i8, ptr %185, i64 32
-  %508 = getelementptr inbounds i8, ptr %177, i64 40
-  br label %511
+483:                                              ; preds = %479
+  %484 = getelementptr inbounds i8, ptr %181, i64 8
+  %485 = getelementptr inbounds i8, ptr %181, i64 16
+  %486 = getelementptr inbounds i8, ptr %181, i64 64
+  %487 = getelementptr inbounds i8, ptr %181, i64 48
+  %488 = getelementptr inbounds i8, ptr %179, i64 16
+  %489 = getelementptr inbounds i8, ptr %181, i64 24
+  %490 = icmp sgt i64 %189, 0
+  %491 = select i1 %192, i1 %198, i1 false
+  %492 = getelementptr inbounds i8, ptr %179, i64 32
+  %493 = getelementptr inbounds i8, ptr %181, i64 48
+  %494 = getelementptr inbounds i8, ptr %181, i64 72
+  %495 = getelementptr inbounds i8, ptr %179, i64 24
+  %496 = getelementptr inbounds i8, ptr %179, i64 40
+  %497 = getelementptr inbounds i8, ptr %187, i64 24
+  %498 = getelementptr inbounds i8, ptr %187, i64 8
+  %499 = getelementptr inbounds i8, ptr %187, i64 16
+  %500 = getelementptr inbounds i8, ptr %187, i64 32
+  %501 = getelementptr inbounds i8, ptr %187, i64 40
+  %502 = getelementptr inbounds i8, ptr %187, i64 40
+  %503 = icmp sgt i64 %189, 0
+  %504 = getelementptr inbounds i8, ptr %181, i64 48
+  %505 = getelementptr inbounds i8, ptr %181, i64 72
+  %506 = getelementptr inbounds i8, ptr %181, i64 72
+  %507 = getelementptr inbounds i8, ptr %179, i64 40
+  %508 = getelementptr inbounds i8, ptr %181, i64 72
+  %509 = getelementptr inbounds i8, ptr %187, i64 24
+  %510 = getelementptr inbounds i8, ptr %187, i64 32
+  %511 = getelementptr inbounds i8, ptr %179, i64 40
+  br label %514
 
-509:                                              ; preds = %1930, %477
-  %510 = phi double [ %478, %477 ], [ %1926, %1930 ]
-  store double %510, ptr %213, align 8
-  br label %1933
+512:                                              ; preds = %2023, %479
+  %513 = phi double [ %480, %479 ], [ %2019, %2023 ]
+  store double %513, ptr %215, align 8
+  br label %2026
 
-511:                                              ; preds = %481, %1930
-  %512 = phi i64 [ %479, %481 ], [ %1931, %1930 ]
-  %513 = phi i64 [ undef, %481 ], [ %1929, %1930 ]
-  %514 = phi double [ %212, %481 ], [ %1927, %1930 ]
-  %515 = phi double [ %478, %481 ], [ %1926, %1930 ]
-  %516 = load ptr, ptr %98, align 8
-  %517 = getelementptr inbounds i8, ptr %516, i64 8
-  %518 = load i64, ptr %517, align 8
-  %519 = icmp sgt i64 %518, 0
-  br i1 %519, label %520, label %525
+514:                                              ; preds = %483, %2023
+  %515 = phi i64 [ %481, %483 ], [ %2024, %2023 ]
+  %516 = phi i64 [ undef, %483 ], [ %2022, %2023 ]
+  %517 = phi double [ %214, %483 ], [ %2020, %2023 ]
+  %518 = phi double [ %480, %483 ], [ %2019, %2023 ]
+  %519 = load ptr, ptr %98, align 8
+  %520 = getelementptr inbounds i8, ptr %519, i64 8
+  %521 = load i64, ptr %520, align 8
+  %522 = icmp sgt i64 %521, 0
+  br i1 %522, label %523, label %528
 
-520:                                              ; preds = %511
-  %521 = load i64, ptr %516, align 8
-  %522 = add nsw i64 %521, 3
-  %523 = icmp slt i64 %518, %522
-  %524 = zext i1 %523 to i32
-  br label %525
+523:                                              ; preds = %514
+  %524 = load i64, ptr %519, align 8
+  %525 = add nsw i64 %524, 3
+  %526 = icmp slt i64 %521, %525
+  %527 = zext i1 %526 to i32
+  br label %528
 
-525:                                              ; preds = %511, %520
-  %526 = phi i32 [ 0, %511 ], [ %524, %520 ]
-  %527 = icmp eq i32 %526, 0
-  br i1 %527, label %529, label %528
+528:                                              ; preds = %514, %523
+  %529 = phi i32 [ 0, %514 ], [ %527, %523 ]
+  %530 = icmp eq i32 %529, 0
+  br i1 %530, label %532, label %531
 
-528:                                              ; preds = %525
-  store double %515, ptr %213, align 8
-  br label %1933
+531:                                              ; preds = %528
+  store double %518, ptr %215, align 8
+  br label %2026
 
-529:                                              ; preds = %525
-  %530 = add nsw i64 %512, -1
-  store i64 %530, ptr %180, align 8
-  %531 = load i64, ptr %482, align 8
-  %532 = load i64, ptr %483, align 8
-  %533 = add nsw i64 %532, %531
+532:                                              ; preds = %528
+  %533 = add nsw i64 %515, -1
+  store i64 %533, ptr %182, align 8
   %534 = load i64, ptr %484, align 8
-  %535 = icmp slt i64 %533, %534
-  br i1 %535, label %537, label %536
+  %535 = load i64, ptr %485, align 8
+  %536 = add nsw i64 %535, %534
+  %537 = load i64, ptr %486, align 8
+  %538 = icmp slt i64 %536, %537
+  br i1 %538, label %540, label %539
 
-536:                                              ; preds = %529
-  store double %515, ptr %213, align 8
-  br label %1933
+539:                                              ; preds = %532
+  store double %518, ptr %215, align 8
+  br label %2026
 
-537:                                              ; preds = %529
-  %538 = load i64, ptr %99, align 8
-  %539 = icmp eq i64 %538, 0
-  br i1 %539, label %573, label %540
+540:                                              ; preds = %532
+  %541 = load i64, ptr %99, align 8
+  %542 = icmp eq i64 %541, 0
+  br i1 %542, label %576, label %543
 
-540:                                              ; preds = %537
-  %541 = icmp sgt i64 %538, 0
-  br i1 %541, label %542, label %557
+543:                                              ; preds = %540
+  %544 = icmp sgt i64 %541, 0
+  br i1 %544, label %545, label %560
 
-542:                                              ; preds = %540
-  %543 = load ptr, ptr %100, align 8
-  br label %544
+545:                                              ; preds = %543
+  %546 = load ptr, ptr %100, align 8
+  br label %547
 
-544:                                              ; preds = %542, %544
-  %545 = phi i64 [ 0, %542 ], [ %555, %544 ]
-  %546 = phi i64 [ %538, %542 ], [ %554, %544 ]
-  %547 = add nuw nsw i64 %545, %546
-  %548 = lshr i64 %547, 1
-  %549 = mul i64 %548, 24
-  %550 = getelementptr inbounds i8, ptr %543, i64 %549
-  %551 = load double, ptr %550, align 8
-  %552 = fcmp ogt double %551, %514
-  %553 = add nuw nsw i64 %548, 1
-  %554 = select i1 %552, i64 %548, i64 %546
-  %555 = select i1 %552, i64 %545, i64 %553
-  %556 = icmp slt i64 %555, %554
-  br i1 %556, label %544, label %557, !llvm.loop !8
+547:                                              ; preds = %545, %547
+  %548 = phi i64 [ 0, %545 ], [ %558, %547 ]
+  %549 = phi i64 [ %541, %545 ], [ %557, %547 ]
+  %550 = add nuw nsw i64 %548, %549
+  %551 = lshr i64 %550, 1
+  %552 = mul i64 %551, 24
+  %553 = getelementptr inbounds i8, ptr %546, i64 %552
+  %554 = load double, ptr %553, align 8
+  %555 = fcmp ogt double %554, %517
+  %556 = add nuw nsw i64 %551, 1
+  %557 = select i1 %555, i64 %551, i64 %549
+  %558 = select i1 %555, i64 %548, i64 %556
+  %559 = icmp slt i64 %558, %557
+  br i1 %559, label %547, label %560, !llvm.loop !8
 
-557:                                              ; preds = %544, %540
-  %558 = phi i64 [ 0, %540 ], [ %555, %544 ]
-  %559 = load ptr, ptr %100, align 8
-  %560 = mul i64 %558, 24
-  %561 = getelementptr inbounds i8, ptr %559, i64 %560
-  %562 = icmp slt i64 %558, %538
-  br i1 %562, label %563, label %566
+560:                                              ; preds = %547, %543
+  %561 = phi i64 [ 0, %543 ], [ %558, %547 ]
+  %562 = load ptr, ptr %100, align 8
+  %563 = mul i64 %561, 24
+  %564 = getelementptr inbounds i8, ptr %562, i64 %563
+  %565 = icmp slt i64 %561, %541
+  br i1 %565, label %566, label %569
 
-563:                                              ; preds = %557
-  %564 = getelementptr inbounds i8, ptr %561, i64 8
-  %565 = load double, ptr %564, align 8
-  br label %566
+566:                                              ; preds = %560
+  %567 = getelementptr inbounds i8, ptr %564, i64 8
+  %568 = load double, ptr %567, align 8
+  br label %569
 
-566:                                              ; preds = %563, %557
-  %567 = phi double [ %565, %563 ], [ 0x7FF0000000000000, %557 ]
-  %568 = load ptr, ptr %101, align 8
-  store double %567, ptr %568, align 8
-  %569 = load i64, ptr %99, align 8
-  %570 = icmp slt i64 %558, %569
-  br i1 %570, label %571, label %573
+569:                                              ; preds = %566, %560
+  %570 = phi double [ %568, %566 ], [ 0x7FF0000000000000, %560 ]
+  %571 = load ptr, ptr %101, align 8
+  store double %570, ptr %571, align 8
+  %572 = load i64, ptr %99, align 8
+  %573 = icmp slt i64 %561, %572
+  br i1 %573, label %574, label %576
 
-571:                                              ; preds = %566
-  %572 = load double, ptr %561, align 8
-  br label %573
+574:                                              ; preds = %569
+  %575 = load double, ptr %564, align 8
+  br label %576
 
-573:                                              ; preds = %537, %566, %571
-  %574 = phi double [ 0x7FF0000000000000, %537 ], [ %572, %571 ], [ 0x7FF0000000000000, %566 ]
-  br i1 %193, label %575, label %579
+576:                                              ; preds = %540, %569, %574
+  %577 = phi double [ 0x7FF0000000000000, %540 ], [ %575, %574 ], [ 0x7FF0000000000000, %569 ]
+  br i1 %195, label %578, label %582
 
-575:                                              ; preds = %573
-  %576 = load i64, ptr %485, align 8
-  %577 = getelementptr inbounds double, ptr %184, i64 %576
-  %578 = load double, ptr %577, align 8
-  br label %579
+578:                                              ; preds = %576
+  %579 = load i64, ptr %487, align 8
+  %580 = getelementptr inbounds double, ptr %186, i64 %579
+  %581 = load double, ptr %580, align 8
+  br label %582
 
-579:                                              ; preds = %575, %573
-  %580 = phi double [ %578, %575 ], [ %204, %573 ]
-  %581 = fcmp olt double %580, %574
-  %582 = select i1 %581, double %580, double %574
-  br i1 %193, label %587, label %583
+582:                                              ; preds = %578, %576
+  %583 = phi double [ %581, %578 ], [ %206, %576 ]
+  %584 = fcmp olt double %583, %577
+  %585 = select i1 %584, double %583, double %577
+  br i1 %195, label %590, label %586
 
-583:                                              ; preds = %579
-  %584 = load double, ptr %486, align 8
-  %585 = fcmp olt double %515, %584
-  %586 = select i1 %585, double %515, double %584
-  br label %593
+586:                                              ; preds = %582
+  %587 = load double, ptr %488, align 8
+  %588 = fcmp olt double %518, %587
+  %589 = select i1 %588, double %518, double %587
+  br label %596
 
-587:                                              ; preds = %579
-  %588 = fsub double %582, %514
-  %589 = fdiv double %588, %515
-  %590 = fmul double %589, 0x3FEFFFFFFFFFDCD1
-  %591 = tail call double @llvm.ceil.f64(double %590)
-  %592 = fdiv double %588, %591
-  br label %593
+590:                                              ; preds = %582
+  %591 = fsub double %585, %517
+  %592 = fdiv double %591, %518
+  %593 = fmul double %592, 0x3FEFFFFFFFFFDCD1
+  %594 = tail call double @llvm.ceil.f64(double %593)
+  %595 = fdiv double %591, %594
+  br label %596
 
-593:                                              ; preds = %587, %583
-  %594 = phi double [ %586, %583 ], [ %592, %587 ]
-  %595 = fadd double %514, %594
-  %596 = fmul double %594, 1.000000e-03
-  %597 = fsub double %582, %596
-  %598 = fcmp ule double %595, %597
-  %599 = select i1 %598, double %595, double %582
-  %600 = fsub double %599, %514
-  %601 = fmul double %600, 6.250000e-02
-  %602 = fadd double %514, %601
-  %603 = fcmp ule double %602, %514
-  %604 = fcmp une double %599, %582
-  %605 = and i1 %604, %603
-  br i1 %605, label %606, label %607
+596:                                              ; preds = %590, %586
+  %597 = phi double [ %589, %586 ], [ %595, %590 ]
+  %598 = fadd double %517, %597
+  %599 = fmul double %597, 1.000000e-03
+  %600 = fsub double %585, %599
+  %601 = fcmp ule double %598, %600
+  %602 = select i1 %601, double %598, double %585
+  %603 = fsub double %602, %517
+  %604 = fmul double %603, 6.250000e-02
+  %605 = fadd double %517, %604
+  %606 = fcmp ule double %605, %517
+  %607 = fcmp une double %602, %585
+  %608 = and i1 %607, %606
+  br i1 %608, label %609, label %610
 
-606:                                              ; preds = %593
-  store double %600, ptr %213, align 8
-  br label %1925
+609:                                              ; preds = %596
+  store double %603, ptr %215, align 8
+  br label %2018
 
-607:                                              ; preds = %593
-  %608 = load ptr, ptr %0, align 8
-  %609 = load i64, ptr %608, align 8
-  %610 = load ptr, ptr %102, align 8
-  %611 = insertelement <8 x double> poison, double %600, i64 0
-  %612 = shufflevector <8 x double> %611, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %612, ptr %610, align 8
-  %613 = icmp sgt i64 %609, 1
-  br i1 %613, label %618, label %709
+610:                                              ; preds = %596
+  %611 = load ptr, ptr %0, align 8
+  %612 = load i64, ptr %611, align 8
+  %613 = load ptr, ptr %102, align 8
+  %614 = insertelement <8 x double> poison, double %603, i64 0
+  %615 = shufflevector <8 x double> %614, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %615, ptr %613, align 8
+  %616 = icmp sgt i64 %612, 1
+  br i1 %616, label %621, label %712
 
-614:                                              ; preds = %697
-  %615 = add nuw nsw i64 %621, 1
-  %616 = icmp slt i64 %615, %609
-  %617 = icmp eq i64 %615, %609
-  br i1 %617, label %709, label %618, !llvm.loop !13
+617:                                              ; preds = %700
+  %618 = add nuw nsw i64 %624, 1
+  %619 = icmp slt i64 %618, %612
+  %620 = icmp eq i64 %618, %612
+  br i1 %620, label %712, label %621, !llvm.loop !13
 
-618:                                              ; preds = %607, %614
-  %619 = phi i1 [ %616, %614 ], [ %613, %607 ]
-  %620 = phi i64 [ %708, %614 ], [ undef, %607 ]
-  %621 = phi i64 [ %615, %614 ], [ 1, %607 ]
-  %622 = load ptr, ptr %103, align 8
-  %623 = load ptr, ptr %76, align 8
-  %624 = load ptr, ptr %75, align 8
-  %625 = getelementptr inbounds i8, ptr %624, i64 16
-  %626 = load i64, ptr %625, align 8
-  %627 = icmp sgt i64 %626, 1
-  %628 = zext i1 %627 to i64
-  %629 = load ptr, ptr %104, align 8
-  %630 = getelementptr inbounds i64, ptr %629, i64 %621
-  %631 = load i64, ptr %630, align 8
-  %632 = getelementptr i8, ptr %630, i64 8
-  %633 = load i64, ptr %632, align 8
-  %634 = xor i64 %631, -1
-  %635 = add i64 %633, %634
-  %636 = load ptr, ptr %102, align 8
-  %637 = load ptr, ptr %105, align 8
-  %638 = load ptr, ptr %106, align 8
-  %639 = getelementptr inbounds i64, ptr %638, i64 %631
-  %640 = load ptr, ptr %107, align 8
-  %641 = getelementptr inbounds double, ptr %640, i64 %631
-  tail call fastcc void @combine(ptr noundef %622, ptr noundef %623, ptr noundef %636, ptr noundef %637, ptr noundef %639, ptr noundef %641, i64 noundef %635, i64 noundef %628, i64 noundef %626) #9
-  %642 = icmp eq i64 %626, 1
-  br i1 %642, label %643, label %674
+621:                                              ; preds = %610, %617
+  %622 = phi i1 [ %619, %617 ], [ %616, %610 ]
+  %623 = phi i64 [ %711, %617 ], [ undef, %610 ]
+  %624 = phi i64 [ %618, %617 ], [ 1, %610 ]
+  %625 = load ptr, ptr %103, align 8
+  %626 = load ptr, ptr %76, align 8
+  %627 = load ptr, ptr %75, align 8
+  %628 = getelementptr inbounds i8, ptr %627, i64 16
+  %629 = load i64, ptr %628, align 8
+  %630 = icmp sgt i64 %629, 1
+  %631 = zext i1 %630 to i64
+  %632 = load ptr, ptr %104, align 8
+  %633 = getelementptr inbounds i64, ptr %632, i64 %624
+  %634 = load i64, ptr %633, align 8
+  %635 = getelementptr i8, ptr %633, i64 8
+  %636 = load i64, ptr %635, align 8
+  %637 = xor i64 %634, -1
+  %638 = add i64 %636, %637
+  %639 = load ptr, ptr %102, align 8
+  %640 = load ptr, ptr %105, align 8
+  %641 = load ptr, ptr %106, align 8
+  %642 = getelementptr inbounds i64, ptr %641, i64 %634
+  %643 = load ptr, ptr %107, align 8
+  %644 = getelementptr inbounds double, ptr %643, i64 %634
+  tail call fastcc void @combine(ptr noundef %625, ptr noundef %626, ptr noundef %639, ptr noundef %640, ptr noundef %642, ptr noundef %644, i64 noundef %638, i64 noundef %631, i64 noundef %629) #10
+  %645 = icmp eq i64 %629, 1
+  br i1 %645, label %646, label %677
 
-643:                                              ; preds = %618
-  %644 = load ptr, ptr %104, align 8
-  %645 = getelementptr i64, ptr %644, i64 %621
-  %646 = getelementptr i8, ptr %645, i64 8
-  %647 = load i64, ptr %646, align 8
-  %648 = add nsw i64 %647, -1
-  %649 = load ptr, ptr %107, align 8
-  %650 = getelementptr inbounds double, ptr %649, i64 %648
-  %651 = load double, ptr %650, align 8
-  %652 = fmul double %600, %651
-  %653 = load ptr, ptr %105, align 8
-  %654 = load ptr, ptr %106, align 8
-  %655 = getelementptr inbounds i64, ptr %654, i64 %648
-  %656 = load i64, ptr %655, align 8
-  %657 = getelementptr inbounds double, ptr %653, i64 %656
-  %658 = load ptr, ptr %75, align 8
-  %659 = getelementptr inbounds i8, ptr %658, i64 8
-  %660 = load i64, ptr %659, align 8
-  %661 = icmp sgt i64 %660, 0
-  br i1 %661, label %662, label %674
+646:                                              ; preds = %621
+  %647 = load ptr, ptr %104, align 8
+  %648 = getelementptr i64, ptr %647, i64 %624
+  %649 = getelementptr i8, ptr %648, i64 8
+  %650 = load i64, ptr %649, align 8
+  %651 = add nsw i64 %650, -1
+  %652 = load ptr, ptr %107, align 8
+  %653 = getelementptr inbounds double, ptr %652, i64 %651
+  %654 = load double, ptr %653, align 8
+  %655 = fmul double %603, %654
+  %656 = load ptr, ptr %105, align 8
+  %657 = load ptr, ptr %106, align 8
+  %658 = getelementptr inbounds i64, ptr %657, i64 %651
+  %659 = load i64, ptr %658, align 8
+  %660 = getelementptr inbounds double, ptr %656, i64 %659
+  %661 = load ptr, ptr %75, align 8
+  %662 = getelementptr inbounds i8, ptr %661, i64 8
+  %663 = load i64, ptr %662, align 8
+  %664 = icmp sgt i64 %663, 0
+  br i1 %664, label %665, label %677
 
-662:                                              ; preds = %643, %662
-  %663 = phi i64 [ %669, %662 ], [ 0, %643 ]
-  %664 = getelementptr inbounds double, ptr %657, i64 %663
-  %665 = load double, ptr %664, align 8
-  %666 = getelementptr inbounds double, ptr %622, i64 %663
-  %667 = load double, ptr %666, align 8
-  %668 = tail call double @llvm.fma.f64(double %652, double %665, double %667)
-  store double %668, ptr %666, align 8
-  %669 = add nuw nsw i64 %663, 1
-  %670 = load ptr, ptr %75, align 8
-  %671 = getelementptr inbounds i8, ptr %670, i64 8
-  %672 = load i64, ptr %671, align 8
-  %673 = icmp slt i64 %669, %672
-  br i1 %673, label %662, label %674, !llvm.loop !14
+665:                                              ; preds = %646, %665
+  %666 = phi i64 [ %672, %665 ], [ 0, %646 ]
+  %667 = getelementptr inbounds double, ptr %660, i64 %666
+  %668 = load double, ptr %667, align 8
+  %669 = getelementptr inbounds double, ptr %625, i64 %666
+  %670 = load double, ptr %669, align 8
+  %671 = tail call double @llvm.fma.f64(double %655, double %668, double %670)
+  store double %671, ptr %669, align 8
+  %672 = add nuw nsw i64 %666, 1
+  %673 = load ptr, ptr %75, align 8
+  %674 = getelementptr inbounds i8, ptr %673, i64 8
+  %675 = load i64, ptr %674, align 8
+  %676 = icmp slt i64 %672, %675
+  br i1 %676, label %665, label %677, !llvm.loop !14
 
-674:                                              ; preds = %662, %643, %618
-  %675 = load ptr, ptr %105, align 8
-  %676 = load i64, ptr %108, align 8
-  %677 = mul nsw i64 %676, %621
-  %678 = getelementptr inbounds double, ptr %675, i64 %677
-  %679 = load i64, ptr %487, align 8
-  %680 = add nsw i64 %679, 1
-  store i64 %680, ptr %487, align 8
-  %681 = load ptr, ptr %109, align 8
-  %682 = getelementptr inbounds double, ptr %681, i64 %621
-  %683 = load double, ptr %682, align 8
-  %684 = fmul double %600, %683
-  %685 = fadd double %514, %684
-  %686 = load ptr, ptr %103, align 8
-  %687 = load ptr, ptr %110, align 8
-  store double %685, ptr %687, align 8
-  %688 = load ptr, ptr %75, align 8
-  %689 = getelementptr inbounds i8, ptr %688, i64 40
-  %690 = load i64, ptr %689, align 8
-  %691 = icmp eq i64 %690, 0
-  br i1 %691, label %693, label %692
+677:                                              ; preds = %665, %646, %621
+  %678 = load ptr, ptr %105, align 8
+  %679 = load i64, ptr %108, align 8
+  %680 = mul nsw i64 %679, %624
+  %681 = getelementptr inbounds double, ptr %678, i64 %680
+  %682 = load i64, ptr %489, align 8
+  %683 = add nsw i64 %682, 1
+  store i64 %683, ptr %489, align 8
+  %684 = load ptr, ptr %109, align 8
+  %685 = getelementptr inbounds double, ptr %684, i64 %624
+  %686 = load double, ptr %685, align 8
+  %687 = fmul double %603, %686
+  %688 = fadd double %517, %687
+  %689 = load ptr, ptr %103, align 8
+  %690 = load ptr, ptr %110, align 8
+  store double %688, ptr %690, align 8
+  %691 = load ptr, ptr %75, align 8
+  %692 = getelementptr inbounds i8, ptr %691, i64 40
+  %693 = load i64, ptr %692, align 8
+  %694 = icmp eq i64 %693, 0
+  br i1 %694, label %696, label %695
 
-692:                                              ; preds = %674
-  tail call fastcc void @settle(ptr noundef nonnull %75) #9
-  br label %693
+695:                                              ; preds = %677
+  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+  br label %696
 
-693:                                              ; preds = %692, %674
-  %694 = load i64, ptr %111, align 8
-  %695 = icmp sgt i64 %694, 0
-  br i1 %695, label %696, label %697
+696:                                              ; preds = %695, %677
+  %697 = load i64, ptr %111, align 8
+  %698 = icmp sgt i64 %697, 0
+  br i1 %698, label %699, label %700
 
-696:                                              ; preds = %693
-  tail call fastcc void @sample(ptr noundef nonnull %75) #9
-  br label %697
+699:                                              ; preds = %696
+  tail call fastcc void @sample(ptr noundef nonnull %75) #10
+  br label %700
 
-697:                                              ; preds = %693, %696
-  %698 = load ptr, ptr %75, align 8
-  %699 = load i64, ptr %698, align 8
-  %700 = load ptr, ptr %110, align 8
-  %701 = load ptr, ptr %112, align 8
-  %702 = load ptr, ptr %113, align 8
-  %703 = inttoptr i64 %699 to ptr
-  %704 = load ptr, ptr %703, align 8
-  %705 = tail call i32 %704(ptr noundef %700, ptr noundef %686, ptr noundef %701, ptr noundef %702, ptr noundef %678) #10
-  %706 = sext i32 %705 to i64
-  %707 = icmp eq i32 %705, 0
-  %708 = select i1 %707, i64 %620, i64 %706
-  br i1 %707, label %614, label %709
+700:                                              ; preds = %696, %699
+  %701 = load ptr, ptr %75, align 8
+  %702 = load i64, ptr %701, align 8
+  %703 = load ptr, ptr %110, align 8
+  %704 = load ptr, ptr %112, align 8
+  %705 = load ptr, ptr %113, align 8
+  %706 = inttoptr i64 %702 to ptr
+  %707 = load ptr, ptr %706, align 8
+  %708 = tail call i32 %707(ptr noundef %703, ptr noundef %689, ptr noundef %704, ptr noundef %705, ptr noundef %681) #11
+  %709 = sext i32 %708 to i64
+  %710 = icmp eq i32 %708, 0
+  %711 = select i1 %710, i64 %623, i64 %709
+  br i1 %710, label %617, label %712
 
-709:                                              ; preds = %614, %697, %607
-  %710 = phi i1 [ %613, %607 ], [ %616, %614 ], [ %619, %697 ]
-  %711 = phi i64 [ 0, %607 ], [ %706, %697 ], [ %706, %614 ]
-  %712 = phi i64 [ undef, %607 ], [ %708, %697 ], [ %708, %614 ]
-  br i1 %710, label %766, label %713
+712:                                              ; preds = %617, %700, %610
+  %713 = phi i1 [ %616, %610 ], [ %619, %617 ], [ %622, %700 ]
+  %714 = phi i64 [ 0, %610 ], [ %709, %700 ], [ %709, %617 ]
+  %715 = phi i64 [ undef, %610 ], [ %711, %700 ], [ %711, %617 ]
+  br i1 %713, label %769, label %716
 
-713:                                              ; preds = %709
-  %714 = load ptr, ptr %114, align 8
-  %715 = load ptr, ptr %76, align 8
-  %716 = load ptr, ptr %75, align 8
-  %717 = getelementptr inbounds i8, ptr %716, i64 16
-  %718 = load i64, ptr %717, align 8
-  %719 = icmp sgt i64 %718, 1
-  %720 = zext i1 %719 to i64
-  %721 = load ptr, ptr %115, align 8
-  %722 = getelementptr inbounds i64, ptr %721, i64 %609
-  %723 = load i64, ptr %722, align 8
-  %724 = getelementptr i8, ptr %722, i64 8
-  %725 = load i64, ptr %724, align 8
-  %726 = xor i64 %723, -1
-  %727 = add i64 %725, %726
-  %728 = load ptr, ptr %102, align 8
-  %729 = load ptr, ptr %116, align 8
-  %730 = load ptr, ptr %117, align 8
-  %731 = getelementptr inbounds i64, ptr %730, i64 %723
-  %732 = load ptr, ptr %118, align 8
-  %733 = getelementptr inbounds double, ptr %732, i64 %723
-  tail call fastcc void @combine(ptr noundef %714, ptr noundef %715, ptr noundef %728, ptr noundef %729, ptr noundef %731, ptr noundef %733, i64 noundef %727, i64 noundef %720, i64 noundef %718) #9
-  %734 = icmp eq i64 %718, 1
-  br i1 %734, label %735, label %766
+716:                                              ; preds = %712
+  %717 = load ptr, ptr %114, align 8
+  %718 = load ptr, ptr %76, align 8
+  %719 = load ptr, ptr %75, align 8
+  %720 = getelementptr inbounds i8, ptr %719, i64 16
+  %721 = load i64, ptr %720, align 8
+  %722 = icmp sgt i64 %721, 1
+  %723 = zext i1 %722 to i64
+  %724 = load ptr, ptr %115, align 8
+  %725 = getelementptr inbounds i64, ptr %724, i64 %612
+  %726 = load i64, ptr %725, align 8
+  %727 = getelementptr i8, ptr %725, i64 8
+  %728 = load i64, ptr %727, align 8
+  %729 = xor i64 %726, -1
+  %730 = add i64 %728, %729
+  %731 = load ptr, ptr %102, align 8
+  %732 = load ptr, ptr %116, align 8
+  %733 = load ptr, ptr %117, align 8
+  %734 = getelementptr inbounds i64, ptr %733, i64 %726
+  %735 = load ptr, ptr %118, align 8
+  %736 = getelementptr inbounds double, ptr %735, i64 %726
+  tail call fastcc void @combine(ptr noundef %717, ptr noundef %718, ptr noundef %731, ptr noundef %732, ptr noundef %734, ptr noundef %736, i64 noundef %730, i64 noundef %723, i64 noundef %721) #10
+  %737 = icmp eq i64 %721, 1
+  br i1 %737, label %738, label %769
 
-735:                                              ; preds = %713
-  %736 = load ptr, ptr %115, align 8
-  %737 = getelementptr i64, ptr %736, i64 %609
-  %738 = getelementptr i8, ptr %737, i64 8
-  %739 = load i64, ptr %738, align 8
-  %740 = add nsw i64 %739, -1
-  %741 = load ptr, ptr %118, align 8
-  %742 = getelementptr inbounds double, ptr %741, i64 %740
-  %743 = load double, ptr %742, align 8
-  %744 = fmul double %600, %743
-  %745 = load ptr, ptr %116, align 8
-  %746 = load ptr, ptr %117, align 8
-  %747 = getelementptr inbounds i64, ptr %746, i64 %740
-  %748 = load i64, ptr %747, align 8
-  %749 = getelementptr inbounds double, ptr %745, i64 %748
-  %750 = load ptr, ptr %75, align 8
-  %751 = getelementptr inbounds i8, ptr %750, i64 8
-  %752 = load i64, ptr %751, align 8
-  %753 = icmp sgt i64 %752, 0
-  br i1 %753, label %754, label %766
+738:                                              ; preds = %716
+  %739 = load ptr, ptr %115, align 8
+  %740 = getelementptr i64, ptr %739, i64 %612
+  %741 = getelementptr i8, ptr %740, i64 8
+  %742 = load i64, ptr %741, align 8
+  %743 = add nsw i64 %742, -1
+  %744 = load ptr, ptr %118, align 8
+  %745 = getelementptr inbounds double, ptr %744, i64 %743
+  %746 = load double, ptr %745, align 8
+  %747 = fmul double %603, %746
+  %748 = load ptr, ptr %116, align 8
+  %749 = load ptr, ptr %117, align 8
+  %750 = getelementptr inbounds i64, ptr %749, i64 %743
+  %751 = load i64, ptr %750, align 8
+  %752 = getelementptr inbounds double, ptr %748, i64 %751
+  %753 = load ptr, ptr %75, align 8
+  %754 = getelementptr inbounds i8, ptr %753, i64 8
+  %755 = load i64, ptr %754, align 8
+  %756 = icmp sgt i64 %755, 0
+  br i1 %756, label %757, label %769
 
-754:                                              ; preds = %735, %754
-  %755 = phi i64 [ %761, %754 ], [ 0, %735 ]
-  %756 = getelementptr inbounds double, ptr %749, i64 %755
-  %757 = load double, ptr %756, align 8
-  %758 = getelementptr inbounds double, ptr %714, i64 %755
-  %759 = load double, ptr %758, align 8
-  %760 = tail call double @llvm.fma.f64(double %744, double %757, double %759)
-  store double %760, ptr %758, align 8
-  %761 = add nuw nsw i64 %755, 1
-  %762 = load ptr, ptr %75, align 8
-  %763 = getelementptr inbounds i8, ptr %762, i64 8
-  %764 = load i64, ptr %763, align 8
-  %765 = icmp slt i64 %761, %764
-  br i1 %765, label %754, label %766, !llvm.loop !14
+757:                                              ; preds = %738, %757
+  %758 = phi i64 [ %764, %757 ], [ 0, %738 ]
+  %759 = getelementptr inbounds double, ptr %752, i64 %758
+  %760 = load double, ptr %759, align 8
+  %761 = getelementptr inbounds double, ptr %717, i64 %758
+  %762 = load double, ptr %761, align 8
+  %763 = tail call double @llvm.fma.f64(double %747, double %760, double %762)
+  store double %763, ptr %761, align 8
+  %764 = add nuw nsw i64 %758, 1
+  %765 = load ptr, ptr %75, align 8
+  %766 = getelementptr inbounds i8, ptr %765, i64 8
+  %767 = load i64, ptr %766, align 8
+  %768 = icmp slt i64 %764, %767
+  br i1 %768, label %757, label %769, !llvm.loop !14
 
-766:                                              ; preds = %754, %735, %713, %709
-  %767 = phi i64 [ %712, %709 ], [ %711, %713 ], [ %711, %735 ], [ %711, %754 ]
-  %768 = icmp eq i64 %767, 0
-  %769 = select i1 %768, i1 %196, i1 false
-  br i1 %769, label %770, label %793
+769:                                              ; preds = %757, %738, %716, %712
+  %770 = phi i64 [ %715, %712 ], [ %714, %716 ], [ %714, %738 ], [ %714, %757 ]
+  %771 = icmp eq i64 %770, 0
+  %772 = select i1 %771, i1 %198, i1 false
+  br i1 %772, label %773, label %796
 
-770:                                              ; preds = %766
-  %771 = load i64, ptr %487, align 8
-  %772 = add nsw i64 %771, 1
-  store i64 %772, ptr %487, align 8
-  %773 = load ptr, ptr %119, align 8
-  store double %599, ptr %773, align 8
-  %774 = load ptr, ptr %75, align 8
-  %775 = getelementptr inbounds i8, ptr %774, i64 40
-  %776 = load i64, ptr %775, align 8
-  %777 = icmp eq i64 %776, 0
-  br i1 %777, label %779, label %778
+773:                                              ; preds = %769
+  %774 = load i64, ptr %489, align 8
+  %775 = add nsw i64 %774, 1
+  store i64 %775, ptr %489, align 8
+  %776 = load ptr, ptr %119, align 8
+  store double %602, ptr %776, align 8
+  %777 = load ptr, ptr %75, align 8
+  %778 = getelementptr inbounds i8, ptr %777, i64 40
+  %779 = load i64, ptr %778, align 8
+  %780 = icmp eq i64 %779, 0
+  br i1 %780, label %782, label %781
 
-778:                                              ; preds = %770
-  tail call fastcc void @settle(ptr noundef nonnull %75) #9
-  br label %779
+781:                                              ; preds = %773
+  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+  br label %782
 
-779:                                              ; preds = %778, %770
-  %780 = load i64, ptr %120, align 8
-  %781 = icmp sgt i64 %780, 0
-  br i1 %781, label %782, label %783
+782:                                              ; preds = %781, %773
+  %783 = load i64, ptr %120, align 8
+  %784 = icmp sgt i64 %783, 0
+  br i1 %784, label %785, label %786
 
-782:                                              ; preds = %779
-  tail call fastcc void @sample(ptr noundef nonnull %75) #9
-  br label %783
+785:                                              ; preds = %782
+  tail call fastcc void @sample(ptr noundef nonnull %75) #10
+  br label %786
 
-783:                                              ; preds = %779, %782
-  %784 = load ptr, ptr %75, align 8
-  %785 = load i64, ptr %784, align 8
-  %786 = load ptr, ptr %119, align 8
-  %787 = load ptr, ptr %121, align 8
-  %788 = load ptr, ptr %122, align 8
-  %789 = inttoptr i64 %785 to ptr
-  %790 = load ptr, ptr %789, align 8
-  %791 = tail call i32 %790(ptr noundef %786, ptr noundef %178, ptr noundef %787, ptr noundef %788, ptr noundef %211) #10
-  %792 = sext i32 %791 to i64
-  br label %793
+786:                                              ; preds = %782, %785
+  %787 = load ptr, ptr %75, align 8
+  %788 = load i64, ptr %787, align 8
+  %789 = load ptr, ptr %119, align 8
+  %790 = load ptr, ptr %121, align 8
+  %791 = load ptr, ptr %122, align 8
+  %792 = inttoptr i64 %788 to ptr
+  %793 = load ptr, ptr %792, align 8
+  %794 = tail call i32 %793(ptr noundef %789, ptr noundef %180, ptr noundef %790, ptr noundef %791, ptr noundef %213) #11
+  %795 = sext i32 %794 to i64
+  br label %796
 
-793:                                              ; preds = %783, %766
-  %794 = phi i64 [ %792, %783 ], [ %767, %766 ]
-  %795 = icmp slt i64 %794, 0
-  br i1 %795, label %1925, label %796
+796:                                              ; preds = %786, %769
+  %797 = phi i64 [ %795, %786 ], [ %770, %769 ]
+  %798 = icmp slt i64 %797, 0
+  br i1 %798, label %2018, label %799
 
-796:                                              ; preds = %793
-  %797 = icmp eq i64 %794, 0
-  br i1 %797, label %798, label %1140
+799:                                              ; preds = %796
+  %800 = icmp eq i64 %797, 0
+  br i1 %800, label %801, label %1143
 
-798:                                              ; preds = %796
-  br i1 %193, label %799, label %800
+801:                                              ; preds = %799
+  br i1 %195, label %802, label %803
 
-799:                                              ; preds = %798
-  br i1 %488, label %1089, label %1098
+802:                                              ; preds = %801
+  br i1 %490, label %1092, label %1101
 
-800:                                              ; preds = %798
-  %801 = load ptr, ptr %75, align 8
-  %802 = load ptr, ptr %0, align 8
-  %803 = getelementptr inbounds i8, ptr %801, i64 24
-  %804 = load i64, ptr %803, align 8
-  %805 = getelementptr inbounds i8, ptr %802, i64 8
-  %806 = load i64, ptr %805, align 8
-  %807 = load ptr, ptr %123, align 8
-  %808 = load i64, ptr %124, align 8
-  %809 = getelementptr inbounds double, ptr %807, i64 %808
-  %810 = icmp sgt i64 %806, 0
-  br i1 %810, label %811, label %813
+803:                                              ; preds = %801
+  %804 = load ptr, ptr %75, align 8
+  %805 = load ptr, ptr %0, align 8
+  %806 = getelementptr inbounds i8, ptr %804, i64 24
+  %807 = load i64, ptr %806, align 8
+  %808 = getelementptr inbounds i8, ptr %805, i64 8
+  %809 = load i64, ptr %808, align 8
+  %810 = load ptr, ptr %123, align 8
+  %811 = load i64, ptr %124, align 8
+  %812 = getelementptr inbounds double, ptr %810, i64 %811
+  %813 = icmp sgt i64 %809, 0
+  br i1 %813, label %814, label %816
 
-811:                                              ; preds = %800
-  %812 = getelementptr inbounds i8, ptr %801, i64 32
-  br label %821
+814:                                              ; preds = %803
+  %815 = getelementptr inbounds i8, ptr %804, i64 32
+  br label %824
 
-813:                                              ; preds = %821, %800
-  %814 = icmp sgt i64 %804, 0
-  br i1 %814, label %815, label %878
+816:                                              ; preds = %824, %803
+  %817 = icmp sgt i64 %807, 0
+  br i1 %817, label %818, label %881
 
-815:                                              ; preds = %813
-  %816 = load ptr, ptr %76, align 8
-  %817 = load ptr, ptr %130, align 8
-  %818 = load ptr, ptr %131, align 8
-  %819 = load ptr, ptr %132, align 8
-  %820 = load ptr, ptr %123, align 8
-  br label %847
+818:                                              ; preds = %816
+  %819 = load ptr, ptr %76, align 8
+  %820 = load ptr, ptr %130, align 8
+  %821 = load ptr, ptr %131, align 8
+  %822 = load ptr, ptr %132, align 8
+  %823 = load ptr, ptr %123, align 8
+  br label %850
 
-821:                                              ; preds = %811, %821
-  %822 = phi i64 [ 0, %811 ], [ %845, %821 ]
-  %823 = load i64, ptr %802, align 8
-  %824 = load i64, ptr %812, align 8
-  %825 = load ptr, ptr %123, align 8
-  %826 = load i64, ptr %124, align 8
-  %827 = mul nsw i64 %826, %822
-  %828 = getelementptr inbounds double, ptr %825, i64 %827
-  %829 = load ptr, ptr %125, align 8
-  %830 = load ptr, ptr %126, align 8
-  %831 = getelementptr i64, ptr %830, i64 %823
-  %832 = getelementptr i8, ptr %831, i64 8
-  %833 = getelementptr i64, ptr %832, i64 %822
-  %834 = load i64, ptr %833, align 8
-  %835 = getelementptr i8, ptr %833, i64 8
-  %836 = load i64, ptr %835, align 8
-  %837 = xor i64 %834, -1
-  %838 = add i64 %836, %837
-  %839 = load ptr, ptr %102, align 8
-  %840 = load ptr, ptr %127, align 8
-  %841 = load ptr, ptr %128, align 8
-  %842 = getelementptr inbounds i64, ptr %841, i64 %834
-  %843 = load ptr, ptr %129, align 8
-  %844 = getelementptr inbounds double, ptr %843, i64 %834
-  tail call fastcc void @combine(ptr noundef %828, ptr noundef %829, ptr noundef %839, ptr noundef %840, ptr noundef %842, ptr noundef %844, i64 noundef %838, i64 noundef 1, i64 noundef %824) #9
-  %845 = add nuw nsw i64 %822, 1
-  %846 = icmp eq i64 %845, %806
-  br i1 %846, label %813, label %821, !llvm.loop !15
+824:                                              ; preds = %814, %824
+  %825 = phi i64 [ 0, %814 ], [ %848, %824 ]
+  %826 = load i64, ptr %805, align 8
+  %827 = load i64, ptr %815, align 8
+  %828 = load ptr, ptr %123, align 8
+  %829 = load i64, ptr %124, align 8
+  %830 = mul nsw i64 %829, %825
+  %831 = getelementptr inbounds double, ptr %828, i64 %830
+  %832 = load ptr, ptr %125, align 8
+  %833 = load ptr, ptr %126, align 8
+  %834 = getelementptr i64, ptr %833, i64 %826
+  %835 = getelementptr i8, ptr %834, i64 8
+  %836 = getelementptr i64, ptr %835, i64 %825
+  %837 = load i64, ptr %836, align 8
+  %838 = getelementptr i8, ptr %836, i64 8
+  %839 = load i64, ptr %838, align 8
+  %840 = xor i64 %837, -1
+  %841 = add i64 %839, %840
+  %842 = load ptr, ptr %102, align 8
+  %843 = load ptr, ptr %127, align 8
+  %844 = load ptr, ptr %128, align 8
+  %845 = getelementptr inbounds i64, ptr %844, i64 %837
+  %846 = load ptr, ptr %129, align 8
+  %847 = getelementptr inbounds double, ptr %846, i64 %837
+  tail call fastcc void @combine(ptr noundef %831, ptr noundef %832, ptr noundef %842, ptr noundef %843, ptr noundef %845, ptr noundef %847, i64 noundef %841, i64 noundef 1, i64 noundef %827) #10
+  %848 = add nuw nsw i64 %825, 1
+  %849 = icmp eq i64 %848, %809
+  br i1 %849, label %816, label %824, !llvm.loop !15
 
-847:                                              ; preds = %815, %847
-  %848 = phi double [ 0.000000e+00, %815 ], [ %873, %847 ]
-  %849 = phi double [ 0.000000e+00, %815 ], [ %875, %847 ]
-  %850 = phi i64 [ 0, %815 ], [ %876, %847 ]
-  %851 = getelementptr inbounds double, ptr %816, i64 %850
-  %852 = load double, ptr %851, align 8
-  %853 = getelementptr inbounds double, ptr %817, i64 %850
-  %854 = load double, ptr %853, align 8
-  %855 = getelementptr inbounds double, ptr %818, i64 %850
-  %856 = load double, ptr %855, align 8
-  %857 = getelementptr inbounds double, ptr %819, i64 %850
-  %858 = load double, ptr %857, align 8
-  %859 = tail call double @llvm.fabs.f64(double %852)
-  %860 = tail call double @llvm.fabs.f64(double %854)
-  %861 = fcmp ogt double %859, %860
-  %862 = select i1 %861, double %859, double %860
-  %863 = fmul double %862, %858
-  %864 = fadd double %856, %863
-  %865 = fdiv double 1.000000e+00, %864
-  %866 = getelementptr inbounds double, ptr %820, i64 %850
-  %867 = load double, ptr %866, align 8
-  %868 = fmul double %867, %865
-  %869 = getelementptr inbounds double, ptr %809, i64 %850
+850:                                              ; preds = %818, %850
+  %851 = phi double [ 0.000000e+00, %818 ], [ %876, %850 ]
+  %852 = phi double [ 0.000000e+00, %818 ], [ %878, %850 ]
+  %853 = phi i64 [ 0, %818 ], [ %879, %850 ]
+  %854 = getelementptr inbounds double, ptr %819, i64 %853
+  %855 = load double, ptr %854, align 8
+  %856 = getelementptr inbounds double, ptr %820, i64 %853
+  %857 = load double, ptr %856, align 8
+  %858 = getelementptr inbounds double, ptr %821, i64 %853
+  %859 = load double, ptr %858, align 8
+  %860 = getelementptr inbounds double, ptr %822, i64 %853
+  %861 = load double, ptr %860, align 8
+  %862 = tail call double @llvm.fabs.f64(double %855)
+  %863 = tail call double @llvm.fabs.f64(double %857)
+  %864 = fcmp ogt double %862, %863
+  %865 = select i1 %864, double %862, double %863
+  %866 = fmul double %865, %861
+  %867 = fadd double %859, %866
+  %868 = fdiv double 1.000000e+00, %867
+  %869 = getelementptr inbounds double, ptr %823, i64 %853
   %870 = load double, ptr %869, align 8
-  %871 = fmul double %870, %865
-  %872 = fmul double %868, %868
-  %873 = fadd double %848, %872
-  %874 = fmul double %871, %871
-  %875 = fadd double %849, %874
-  %876 = add nuw nsw i64 %850, 1
-  %877 = icmp eq i64 %876, %804
-  br i1 %877, label %878, label %847, !llvm.loop !16
+  %871 = fmul double %870, %868
+  %872 = getelementptr inbounds double, ptr %812, i64 %853
+  %873 = load double, ptr %872, align 8
+  %874 = fmul double %873, %868
+  %875 = fmul double %871, %871
+  %876 = fadd double %851, %875
+  %877 = fmul double %874, %874
+  %878 = fadd double %852, %877
+  %879 = add nuw nsw i64 %853, 1
+  %880 = icmp eq i64 %879, %807
+  br i1 %880, label %881, label %850, !llvm.loop !16
 
-878:                                              ; preds = %847, %813
-  %879 = phi double [ 0.000000e+00, %813 ], [ %875, %847 ]
-  %880 = phi double [ 0.000000e+00, %813 ], [ %873, %847 ]
-  %881 = load ptr, ptr %133, align 8
-  %882 = getelementptr inbounds i8, ptr %801, i64 8
-  %883 = load i64, ptr %882, align 8
-  %884 = add nsw i64 %883, -3
-  %885 = getelementptr i8, ptr %881, i64 8
-  %886 = getelementptr i8, ptr %881, i64 16
-  %887 = getelementptr i8, ptr %881, i64 24
-  %888 = icmp slt i64 %804, %884
-  br i1 %888, label %896, label %889
+881:                                              ; preds = %850, %816
+  %882 = phi double [ 0.000000e+00, %816 ], [ %878, %850 ]
+  %883 = phi double [ 0.000000e+00, %816 ], [ %876, %850 ]
+  %884 = load ptr, ptr %133, align 8
+  %885 = getelementptr inbounds i8, ptr %804, i64 8
+  %886 = load i64, ptr %885, align 8
+  %887 = add nsw i64 %886, -3
+  %888 = getelementptr i8, ptr %884, i64 8
+  %889 = getelementptr i8, ptr %884, i64 16
+  %890 = getelementptr i8, ptr %884, i64 24
+  %891 = icmp slt i64 %807, %887
+  br i1 %891, label %899, label %892
 
-889:                                              ; preds = %896, %878
-  %890 = phi double [ 0.000000e+00, %878 ], [ %905, %896 ]
-  %891 = phi double [ 0.000000e+00, %878 ], [ %909, %896 ]
-  %892 = phi double [ 0.000000e+00, %878 ], [ %913, %896 ]
-  %893 = phi double [ 0.000000e+00, %878 ], [ %917, %896 ]
-  %894 = phi i64 [ %804, %878 ], [ %918, %896 ]
-  %895 = icmp slt i64 %894, %883
-  br i1 %895, label %920, label %929
+892:                                              ; preds = %899, %881
+  %893 = phi double [ 0.000000e+00, %881 ], [ %908, %899 ]
+  %894 = phi double [ 0.000000e+00, %881 ], [ %912, %899 ]
+  %895 = phi double [ 0.000000e+00, %881 ], [ %916, %899 ]
+  %896 = phi double [ 0.000000e+00, %881 ], [ %920, %899 ]
+  %897 = phi i64 [ %807, %881 ], [ %921, %899 ]
+  %898 = icmp slt i64 %897, %886
+  br i1 %898, label %923, label %932
 
-896:                                              ; preds = %878, %896
-  %897 = phi i64 [ %918, %896 ], [ %804, %878 ]
-  %898 = phi double [ %917, %896 ], [ 0.000000e+00, %878 ]
-  %899 = phi double [ %913, %896 ], [ 0.000000e+00, %878 ]
-  %900 = phi double [ %909, %896 ], [ 0.000000e+00, %878 ]
-  %901 = phi double [ %905, %896 ], [ 0.000000e+00, %878 ]
-  %902 = getelementptr inbounds double, ptr %881, i64 %897
-  %903 = load double, ptr %902, align 8
-  %904 = fmul double %903, 0.000000e+00
-  %905 = fadd double %901, %904
-  %906 = getelementptr double, ptr %885, i64 %897
-  %907 = load double, ptr %906, align 8
-  %908 = fmul double %907, 0.000000e+00
-  %909 = fadd double %900, %908
-  %910 = getelementptr double, ptr %886, i64 %897
-  %911 = load double, ptr %910, align 8
-  %912 = fmul double %911, 0.000000e+00
-  %913 = fadd double %899, %912
-  %914 = getelementptr double, ptr %887, i64 %897
-  %915 = load double, ptr %914, align 8
-  %916 = fmul double %915, 0.000000e+00
-  %917 = fadd double %898, %916
-  %918 = add nsw i64 %897, 4
-  %919 = icmp slt i64 %918, %884
-  br i1 %919, label %896, label %889, !llvm.loop !17
+899:                                              ; preds = %881, %899
+  %900 = phi i64 [ %921, %899 ], [ %807, %881 ]
+  %901 = phi double [ %920, %899 ], [ 0.000000e+00, %881 ]
+  %902 = phi double [ %916, %899 ], [ 0.000000e+00, %881 ]
+  %903 = phi double [ %912, %899 ], [ 0.000000e+00, %881 ]
+  %904 = phi double [ %908, %899 ], [ 0.000000e+00, %881 ]
+  %905 = getelementptr inbounds double, ptr %884, i64 %900
+  %906 = load double, ptr %905, align 8
+  %907 = fmul double %906, 0.000000e+00
+  %908 = fadd double %904, %907
+  %909 = getelementptr double, ptr %888, i64 %900
+  %910 = load double, ptr %909, align 8
+  %911 = fmul double %910, 0.000000e+00
+  %912 = fadd double %903, %911
+  %913 = getelementptr double, ptr %889, i64 %900
+  %914 = load double, ptr %913, align 8
+  %915 = fmul double %914, 0.000000e+00
+  %916 = fadd double %902, %915
+  %917 = getelementptr double, ptr %890, i64 %900
+  %918 = load double, ptr %917, align 8
+  %919 = fmul double %918, 0.000000e+00
+  %920 = fadd double %901, %919
+  %921 = add nsw i64 %900, 4
+  %922 = icmp slt i64 %921, %887
+  br i1 %922, label %899, label %892, !llvm.loop !17
 
-920:                                              ; preds = %889, %920
-  %921 = phi i64 [ %927, %920 ], [ %894, %889 ]
-  %922 = phi double [ %926, %920 ], [ %890, %889 ]
-  %923 = getelementptr inbounds double, ptr %881, i64 %921
-  %924 = load double, ptr %923, align 8
-  %925 = fmul double %924, 0.000000e+00
-  %926 = fadd double %922, %925
-  %927 = add nsw i64 %921, 1
-  %928 = icmp eq i64 %927, %883
-  br i1 %928, label %929, label %920, !llvm.loop !18
+923:                                              ; preds = %892, %923
+  %924 = phi i64 [ %930, %923 ], [ %897, %892 ]
+  %925 = phi double [ %929, %923 ], [ %893, %892 ]
+  %926 = getelementptr inbounds double, ptr %884, i64 %924
+  %927 = load double, ptr %926, align 8
+  %928 = fmul double %927, 0.000000e+00
+  %929 = fadd double %925, %928
+  %930 = add nsw i64 %924, 1
+  %931 = icmp eq i64 %930, %886
+  br i1 %931, label %932, label %923, !llvm.loop !18
 
-929:                                              ; preds = %920, %889
-  %930 = phi double [ %890, %889 ], [ %926, %920 ]
-  %931 = fadd double %891, %930
-  %932 = fadd double %892, %893
-  %933 = fadd double %932, %931
-  %934 = fadd double %880, %933
-  %935 = icmp eq i64 %806, 2
-  br i1 %935, label %936, label %945
+932:                                              ; preds = %923, %892
+  %933 = phi double [ %893, %892 ], [ %929, %923 ]
+  %934 = fadd double %894, %933
+  %935 = fadd double %895, %896
+  %936 = fadd double %935, %934
+  %937 = fadd double %883, %936
+  %938 = icmp eq i64 %809, 2
+  br i1 %938, label %939, label %948
 
-936:                                              ; preds = %929
-  %937 = fmul double %879, 1.000000e-02
-  %938 = fadd double %937, %934
-  %939 = sitofp i64 %804 to double
-  %940 = fmul double %938, %939
-  %941 = tail call double @llvm.sqrt.f64(double %940)
-  %942 = fdiv double %934, %941
-  %943 = fcmp une double %934, 0.000000e+00
-  %944 = select i1 %943, double %942, double 0.000000e+00
-  br label %949
+939:                                              ; preds = %932
+  %940 = fmul double %882, 1.000000e-02
+  %941 = fadd double %940, %937
+  %942 = sitofp i64 %807 to double
+  %943 = fmul double %941, %942
+  %944 = tail call double @llvm.sqrt.f64(double %943)
+  %945 = fdiv double %937, %944
+  %946 = fcmp une double %937, 0.000000e+00
+  %947 = select i1 %946, double %945, double 0.000000e+00
+  br label %952
 
-945:                                              ; preds = %929
-  %946 = sitofp i64 %804 to double
-  %947 = fdiv double %934, %946
-  %948 = tail call double @llvm.sqrt.f64(double %947)
-  br label %949
+948:                                              ; preds = %932
+  %949 = sitofp i64 %807 to double
+  %950 = fdiv double %937, %949
+  %951 = tail call double @llvm.sqrt.f64(double %950)
+  br label %952
 
-949:                                              ; preds = %936, %945
-  %950 = phi double [ %944, %936 ], [ %948, %945 ]
-  %951 = load ptr, ptr %123, align 8
-  %952 = load ptr, ptr %102, align 8
-  %953 = load double, ptr %952, align 8
-  %954 = load i64, ptr %803, align 8
-  %955 = getelementptr inbounds i8, ptr %801, i64 48
-  %956 = load i64, ptr %955, align 8
+952:                                              ; preds = %939, %948
+  %953 = phi double [ %947, %939 ], [ %951, %948 ]
+  %954 = load ptr, ptr %123, align 8
+  %955 = load ptr, ptr %102, align 8
+  %956 = load double, ptr %955, align 8
+  %957 = load i64, ptr %806, align 8
+  %958 = getelementptr inbounds i8, ptr %804, i64 48
+  %959 = load i64, ptr %958, align 8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %4, i8 0, i64 64, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %5, i8 0, i64 64, i1 false)
-  %957 = icmp eq i64 %956, 0
-  br i1 %957, label %1087, label %958
+  %960 = icmp eq i64 %959, 0
+  br i1 %960, label %1090, label %961
 
-958:                                              ; preds = %949
-  br i1 %935, label %959, label %961
+961:                                              ; preds = %952
+  br i1 %938, label %962, label %964
 
-959:                                              ; preds = %958
-  %960 = load i64, ptr %124, align 8
-  br label %961
+962:                                              ; preds = %961
+  %963 = load i64, ptr %124, align 8
+  br label %964
 
-961:                                              ; preds = %959, %958
-  %962 = phi i64 [ %960, %959 ], [ 0, %958 ]
-  %963 = getelementptr inbounds double, ptr %951, i64 %962
-  %964 = add nsw i64 %954, 7
-  %965 = sdiv i64 %964, 8
-  %966 = shl nsw i64 %965, 3
-  %967 = tail call i64 @llvm.smin.i64(i64 %966, i64 %956)
-  %968 = icmp slt i64 %954, %967
-  br i1 %968, label %969, label %1007
+964:                                              ; preds = %962, %961
+  %965 = phi i64 [ %963, %962 ], [ 0, %961 ]
+  %966 = getelementptr inbounds double, ptr %954, i64 %965
+  %967 = add nsw i64 %957, 7
+  %968 = sdiv i64 %967, 8
+  %969 = shl nsw i64 %968, 3
+  %970 = tail call i64 @llvm.smin.i64(i64 %969, i64 %959)
+  %971 = icmp slt i64 %957, %970
+  br i1 %971, label %972, label %1010
 
-969:                                              ; preds = %961
-  %970 = load ptr, ptr %76, align 8
-  %971 = load ptr, ptr %134, align 8
-  %972 = load ptr, ptr %135, align 8
-  br label %973
+972:                                              ; preds = %964
+  %973 = load ptr, ptr %76, align 8
+  %974 = load ptr, ptr %134, align 8
+  %975 = load ptr, ptr %135, align 8
+  br label %976
 
-973:                                              ; preds = %969, %973
-  %974 = phi i64 [ %954, %969 ], [ %1005, %973 ]
-  %975 = getelementptr inbounds double, ptr %970, i64 %974
-  %976 = load double, ptr %975, align 8
-  %977 = tail call double @llvm.fabs.f64(double %976)
-  %978 = getelementptr inbounds double, ptr %881, i64 %974
+976:                                              ; preds = %972, %976
+  %977 = phi i64 [ %957, %972 ], [ %1008, %976 ]
+  %978 = getelementptr inbounds double, ptr %973, i64 %977
   %979 = load double, ptr %978, align 8
   %980 = tail call double @llvm.fabs.f64(double %979)
-  %981 = fcmp ogt double %977, %980
-  %982 = select i1 %981, double %977, double %980
-  %983 = getelementptr inbounds double, ptr %971, i64 %974
-  %984 = load double, ptr %983, align 8
-  %985 = getelementptr inbounds double, ptr %972, i64 %974
-  %986 = load double, ptr %985, align 8
-  %987 = fmul double %982, %986
-  %988 = fadd double %984, %987
-  %989 = fdiv double 1.000000e+00, %988
-  %990 = getelementptr inbounds double, ptr %951, i64 %974
-  %991 = load double, ptr %990, align 8
-  %992 = fmul double %991, %989
-  %993 = getelementptr inbounds double, ptr %963, i64 %974
+  %981 = getelementptr inbounds double, ptr %884, i64 %977
+  %982 = load double, ptr %981, align 8
+  %983 = tail call double @llvm.fabs.f64(double %982)
+  %984 = fcmp ogt double %980, %983
+  %985 = select i1 %984, double %980, double %983
+  %986 = getelementptr inbounds double, ptr %974, i64 %977
+  %987 = load double, ptr %986, align 8
+  %988 = getelementptr inbounds double, ptr %975, i64 %977
+  %989 = load double, ptr %988, align 8
+  %990 = fmul double %985, %989
+  %991 = fadd double %987, %990
+  %992 = fdiv double 1.000000e+00, %991
+  %993 = getelementptr inbounds double, ptr %954, i64 %977
   %994 = load double, ptr %993, align 8
-  %995 = fmul double %994, %989
-  %996 = srem i64 %974, 8
-  %997 = getelementptr inbounds double, ptr %4, i64 %996
-  %998 = load double, ptr %997, align 8
-  %999 = fmul double %992, %992
-  %1000 = fadd double %998, %999
-  store double %1000, ptr %997, align 8
-  %1001 = getelementptr inbounds double, ptr %5, i64 %996
-  %1002 = load double, ptr %1001, align 8
-  %1003 = fmul double %995, %995
-  %1004 = fadd double %1002, %1003
-  store double %1004, ptr %1001, align 8
-  %1005 = add nsw i64 %974, 1
-  %1006 = icmp eq i64 %1005, %967
-  br i1 %1006, label %1007, label %973, !llvm.loop !19
+  %995 = fmul double %994, %992
+  %996 = getelementptr inbounds double, ptr %966, i64 %977
+  %997 = load double, ptr %996, align 8
+  %998 = fmul double %997, %992
+  %999 = srem i64 %977, 8
+  %1000 = getelementptr inbounds double, ptr %4, i64 %999
+  %1001 = load double, ptr %1000, align 8
+  %1002 = fmul double %995, %995
+  %1003 = fadd double %1001, %1002
+  store double %1003, ptr %1000, align 8
+  %1004 = getelementptr inbounds double, ptr %5, i64 %999
+  %1005 = load double, ptr %1004, align 8
+  %1006 = fmul double %998, %998
+  %1007 = fadd double %1005, %1006
+  store double %1007, ptr %1004, align 8
+  %1008 = add nsw i64 %977, 1
+  %1009 = icmp eq i64 %1008, %970
+  br i1 %1009, label %1010, label %976, !llvm.loop !19
 
-1007:                                             ; preds = %973, %961
-  %1008 = phi i64 [ %954, %961 ], [ %1005, %973 ]
-  %1009 = load <8 x double>, ptr %4, align 16
-  %1010 = load <8 x double>, ptr %5, align 16
-  %1011 = icmp slt i64 %1008, %956
-  br i1 %1011, label %1012, label %1051
+1010:                                             ; preds = %976, %964
+  %1011 = phi i64 [ %957, %964 ], [ %1008, %976 ]
+  %1012 = load <8 x double>, ptr %4, align 16
+  %1013 = load <8 x double>, ptr %5, align 16
+  %1014 = icmp slt i64 %1011, %959
+  br i1 %1014, label %1015, label %1054
 
-1012:                                             ; preds = %1007
-  %1013 = load ptr, ptr %76, align 8
-  %1014 = load ptr, ptr %136, align 8
-  %1015 = load ptr, ptr %137, align 8
-  br label %1016
+1015:                                             ; preds = %1010
+  %1016 = load ptr, ptr %76, align 8
+  %1017 = load ptr, ptr %136, align 8
+  %1018 = load ptr, ptr %137, align 8
+  br label %1019
 
-1016:                                             ; preds = %1012, %1016
-  %1017 = phi i64 [ %1008, %1012 ], [ %1049, %1016 ]
-  %1018 = phi <8 x double> [ %1009, %1012 ], [ %1046, %1016 ]
-  %1019 = phi <8 x double> [ %1010, %1012 ], [ %1048, %1016 ]
-  %1020 = getelementptr inbounds double, ptr %1013, i64 %1017
-  %1021 = load <8 x double>, ptr %1020, align 8
-  %1022 = fneg <8 x double> %1021
-  %1023 = fcmp ogt <8 x double> %1021, zeroinitializer
-  %1024 = select <8 x i1> %1023, <8 x double> %1021, <8 x double> %1022
-  %1025 = getelementptr inbounds double, ptr %881, i64 %1017
-  %1026 = load <8 x double>, ptr %1025, align 8
-  %1027 = fneg <8 x double> %1026
-  %1028 = fcmp ogt <8 x double> %1026, zeroinitializer
-  %1029 = select <8 x i1> %1028, <8 x double> %1026, <8 x double> %1027
-  %1030 = fcmp ogt <8 x double> %1024, %1029
-  %1031 = select <8 x i1> %1030, <8 x double> %1024, <8 x double> %1029
-  %1032 = getelementptr inbounds double, ptr %1014, i64 %1017
-  %1033 = load <8 x double>, ptr %1032, align 8
-  %1034 = getelementptr inbounds double, ptr %1015, i64 %1017
-  %1035 = load <8 x double>, ptr %1034, align 8
-  %1036 = fmul <8 x double> %1035, %1031
-  %1037 = fadd <8 x double> %1033, %1036
-  %1038 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1037
-  %1039 = getelementptr inbounds double, ptr %951, i64 %1017
-  %1040 = load <8 x double>, ptr %1039, align 8
-  %1041 = fmul <8 x double> %1040, %1038
-  %1042 = getelementptr inbounds double, ptr %963, i64 %1017
+1019:                                             ; preds = %1015, %1019
+  %1020 = phi i64 [ %1011, %1015 ], [ %1052, %1019 ]
+  %1021 = phi <8 x double> [ %1012, %1015 ], [ %1049, %1019 ]
+  %1022 = phi <8 x double> [ %1013, %1015 ], [ %1051, %1019 ]
+  %1023 = getelementptr inbounds double, ptr %1016, i64 %1020
+  %1024 = load <8 x double>, ptr %1023, align 8
+  %1025 = fneg <8 x double> %1024
+  %1026 = fcmp ogt <8 x double> %1024, zeroinitializer
+  %1027 = select <8 x i1> %1026, <8 x double> %1024, <8 x double> %1025
+  %1028 = getelementptr inbounds double, ptr %884, i64 %1020
+  %1029 = load <8 x double>, ptr %1028, align 8
+  %1030 = fneg <8 x double> %1029
+  %1031 = fcmp ogt <8 x double> %1029, zeroinitializer
+  %1032 = select <8 x i1> %1031, <8 x double> %1029, <8 x double> %1030
+  %1033 = fcmp ogt <8 x double> %1027, %1032
+  %1034 = select <8 x i1> %1033, <8 x double> %1027, <8 x double> %1032
+  %1035 = getelementptr inbounds double, ptr %1017, i64 %1020
+  %1036 = load <8 x double>, ptr %1035, align 8
+  %1037 = getelementptr inbounds double, ptr %1018, i64 %1020
+  %1038 = load <8 x double>, ptr %1037, align 8
+  %1039 = fmul <8 x double> %1038, %1034
+  %1040 = fadd <8 x double> %1036, %1039
+  %1041 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1040
+  %1042 = getelementptr inbounds double, ptr %954, i64 %1020
   %1043 = load <8 x double>, ptr %1042, align 8
-  %1044 = fmul <8 x double> %1043, %1038
-  %1045 = fmul <8 x double> %1041, %1041
-  %1046 = fadd <8 x double> %1018, %1045
-  %1047 = fmul <8 x double> %1044, %1044
-  %1048 = fadd <8 x double> %1019, %1047
-  %1049 = add nsw i64 %1017, 8
-  %1050 = icmp slt i64 %1049, %956
-  br i1 %1050, label %1016, label %1051, !llvm.loop !20
+  %1044 = fmul <8 x double> %1043, %1041
+  %1045 = getelementptr inbounds double, ptr %966, i64 %1020
+  %1046 = load <8 x double>, ptr %1045, align 8
+  %1047 = fmul <8 x double> %1046, %1041
+  %1048 = fmul <8 x double> %1044, %1044
+  %1049 = fadd <8 x double> %1021, %1048
+  %1050 = fmul <8 x double> %1047, %1047
+  %1051 = fadd <8 x double> %1022, %1050
+  %1052 = add nsw i64 %1020, 8
+  %1053 = icmp slt i64 %1052, %959
+  br i1 %1053, label %1019, label %1054, !llvm.loop !20
 
-1051:                                             ; preds = %1016, %1007
-  %1052 = phi <8 x double> [ %1010, %1007 ], [ %1048, %1016 ]
-  %1053 = phi <8 x double> [ %1009, %1007 ], [ %1046, %1016 ]
-  store <8 x double> %1053, ptr %4, align 16
-  store <8 x double> %1052, ptr %5, align 16
-  br label %1075
+1054:                                             ; preds = %1019, %1010
+  %1055 = phi <8 x double> [ %1013, %1010 ], [ %1051, %1019 ]
+  %1056 = phi <8 x double> [ %1012, %1010 ], [ %1049, %1019 ]
+  store <8 x double> %1056, ptr %4, align 16
+  store <8 x double> %1055, ptr %5, align 16
+  br label %1078
 
-1054:                                             ; preds = %1075
-  %1055 = sub nsw i64 %956, %954
-  br i1 %935, label %1056, label %1065
+1057:                                             ; preds = %1078
+  %1058 = sub nsw i64 %959, %957
+  br i1 %938, label %1059, label %1068
 
-1056:                                             ; preds = %1054
-  %1057 = fmul double %1084, 1.000000e-02
-  %1058 = fadd double %1081, %1057
-  %1059 = sitofp i64 %1055 to double
-  %1060 = fmul double %1058, %1059
-  %1061 = tail call double @llvm.sqrt.f64(double %1060)
-  %1062 = fdiv double %1081, %1061
-  %1063 = fcmp une double %1081, 0.000000e+00
-  %1064 = select i1 %1063, double %1062, double 0.000000e+00
-  br label %1069
+1059:                                             ; preds = %1057
+  %1060 = fmul double %1087, 1.000000e-02
+  %1061 = fadd double %1084, %1060
+  %1062 = sitofp i64 %1058 to double
+  %1063 = fmul double %1061, %1062
+  %1064 = tail call double @llvm.sqrt.f64(double %1063)
+  %1065 = fdiv double %1084, %1064
+  %1066 = fcmp une double %1084, 0.000000e+00
+  %1067 = select i1 %1066, double %1065, double 0.000000e+00
+  br label %1072
 
-1065:                                             ; preds = %1054
-  %1066 = sitofp i64 %1055 to double
-  %1067 = fdiv double %1081, %1066
-  %1068 = tail call double @llvm.sqrt.f64(double %1067)
-  br label %1069
+1068:                                             ; preds = %1057
+  %1069 = sitofp i64 %1058 to double
+  %1070 = fdiv double %1084, %1069
+  %1071 = tail call double @llvm.sqrt.f64(double %1070)
+  br label %1072
 
-1069:                                             ; preds = %1065, %1056
-  %1070 = phi double [ %1064, %1056 ], [ %1068, %1065 ]
-  %1071 = fcmp ule double %953, %207
-  %1072 = fcmp ogt double %1070, %950
-  %1073 = select i1 %1072, double %1070, double %950
-  %1074 = select i1 %1071, double %950, double %1073
-  br label %1087
+1072:                                             ; preds = %1068, %1059
+  %1073 = phi double [ %1067, %1059 ], [ %1071, %1068 ]
+  %1074 = fcmp ule double %956, %209
+  %1075 = fcmp ogt double %1073, %953
+  %1076 = select i1 %1075, double %1073, double %953
+  %1077 = select i1 %1074, double %953, double %1076
+  br label %1090
 
-1075:                                             ; preds = %1051, %1075
-  %1076 = phi i64 [ 0, %1051 ], [ %1085, %1075 ]
-  %1077 = phi double [ 0.000000e+00, %1051 ], [ %1084, %1075 ]
-  %1078 = phi double [ 0.000000e+00, %1051 ], [ %1081, %1075 ]
-  %1079 = getelementptr inbounds double, ptr %4, i64 %1076
-  %1080 = load double, ptr %1079, align 8
-  %1081 = fadd double %1078, %1080
-  %1082 = getelementptr inbounds double, ptr %5, i64 %1076
+1078:                                             ; preds = %1054, %1078
+  %1079 = phi i64 [ 0, %1054 ], [ %1088, %1078 ]
+  %1080 = phi double [ 0.000000e+00, %1054 ], [ %1087, %1078 ]
+  %1081 = phi double [ 0.000000e+00, %1054 ], [ %1084, %1078 ]
+  %1082 = getelementptr inbounds double, ptr %4, i64 %1079
   %1083 = load double, ptr %1082, align 8
-  %1084 = fadd double %1077, %1083
-  %1085 = add nuw nsw i64 %1076, 1
-  %1086 = icmp eq i64 %1085, 8
-  br i1 %1086, label %1054, label %1075, !llvm.loop !21
+  %1084 = fadd double %1081, %1083
+  %1085 = getelementptr inbounds double, ptr %5, i64 %1079
+  %1086 = load double, ptr %1085, align 8
+  %1087 = fadd double %1080, %1086
+  %1088 = add nuw nsw i64 %1079, 1
+  %1089 = icmp eq i64 %1088, 8
+  br i1 %1089, label %1057, label %1078, !llvm.loop !21
 
-1087:                                             ; preds = %949, %1069
-  %1088 = phi double [ %1074, %1069 ], [ %950, %949 ]
-  br label %1098
+1090:                                             ; preds = %952, %1072
+  %1091 = phi double [ %1077, %1072 ], [ %953, %952 ]
+  br label %1101
 
-1089:                                             ; preds = %799, %1089
-  %1090 = phi i64 [ %1096, %1089 ], [ 0, %799 ]
-  %1091 = phi double [ %1095, %1089 ], [ 0.000000e+00, %799 ]
-  %1092 = getelementptr inbounds double, ptr %178, i64 %1090
-  %1093 = load double, ptr %1092, align 8
-  %1094 = fmul double %1093, 0.000000e+00
-  %1095 = fadd double %1091, %1094
-  %1096 = add nuw nsw i64 %1090, 1
-  %1097 = icmp eq i64 %1096, %187
-  br i1 %1097, label %1098, label %1089, !llvm.loop !22
+1092:                                             ; preds = %802, %1092
+  %1093 = phi i64 [ %1099, %1092 ], [ 0, %802 ]
+  %1094 = phi double [ %1098, %1092 ], [ 0.000000e+00, %802 ]
+  %1095 = getelementptr inbounds double, ptr %180, i64 %1093
+  %1096 = load double, ptr %1095, align 8
+  %1097 = fmul double %1096, 0.000000e+00
+  %1098 = fadd double %1094, %1097
+  %1099 = add nuw nsw i64 %1093, 1
+  %1100 = icmp eq i64 %1099, %189
+  br i1 %1100, label %1101, label %1092, !llvm.loop !22
 
-1098:                                             ; preds = %1089, %799, %1087
-  %1099 = phi double [ %1088, %1087 ], [ 0.000000e+00, %799 ], [ %1095, %1089 ]
-  %1100 = fcmp uge double %1099, 1.000000e+00
-  %1101 = select i1 %1100, i1 true, i1 %489
-  br i1 %1101, label %1140, label %1102
+1101:                                             ; preds = %1092, %802, %1090
+  %1102 = phi double [ %1091, %1090 ], [ 0.000000e+00, %802 ], [ %1098, %1092 ]
+  %1103 = fcmp uge double %1102, 1.000000e+00
+  %1104 = select i1 %1103, i1 true, i1 %491
+  br i1 %1104, label %1143, label %1105
 
-1102:                                             ; preds = %1098
-  br i1 %190, label %1114, label %1103
+1105:                                             ; preds = %1101
+  br i1 %192, label %1117, label %1106
 
-1103:                                             ; preds = %1102
-  br i1 %193, label %1106, label %1104
+1106:                                             ; preds = %1105
+  br i1 %195, label %1109, label %1107
 
-1104:                                             ; preds = %1103
-  %1105 = load ptr, ptr %76, align 8
-  br label %1106
+1107:                                             ; preds = %1106
+  %1108 = load ptr, ptr %76, align 8
+  br label %1109
 
-1106:                                             ; preds = %1104, %1103
-  %1107 = phi ptr [ %1105, %1104 ], [ null, %1103 ]
-  %1108 = load ptr, ptr %83, align 8
-  %1109 = getelementptr inbounds i8, ptr %1108, i64 56
-  %1110 = load i64, ptr %1109, align 8
-  %1111 = inttoptr i64 %1110 to ptr
-  %1112 = tail call i64 %1111(ptr noundef %0, double noundef %599, ptr noundef %178, ptr noundef %1107) #10
-  %1113 = icmp ne i64 %1112, 0
-  br label %1114
+1109:                                             ; preds = %1107, %1106
+  %1110 = phi ptr [ %1108, %1107 ], [ null, %1106 ]
+  %1111 = load ptr, ptr %83, align 8
+  %1112 = getelementptr inbounds i8, ptr %1111, i64 56
+  %1113 = load i64, ptr %1112, align 8
+  %1114 = inttoptr i64 %1113 to ptr
+  %1115 = tail call i64 %1114(ptr noundef %0, double noundef %602, ptr noundef %180, ptr noundef %1110) #11
+  %1116 = icmp ne i64 %1115, 0
+  br label %1117
 
-1114:                                             ; preds = %1106, %1102
-  %1115 = phi i1 [ false, %1102 ], [ %1113, %1106 ]
-  br i1 %1115, label %1140, label %1116
+1117:                                             ; preds = %1109, %1105
+  %1118 = phi i1 [ false, %1105 ], [ %1116, %1109 ]
+  br i1 %1118, label %1143, label %1119
 
-1116:                                             ; preds = %1114
-  %1117 = load i64, ptr %487, align 8
-  %1118 = add nsw i64 %1117, 1
-  store i64 %1118, ptr %487, align 8
-  %1119 = load ptr, ptr %138, align 8
-  store double %599, ptr %1119, align 8
-  %1120 = load ptr, ptr %75, align 8
-  %1121 = getelementptr inbounds i8, ptr %1120, i64 40
-  %1122 = load i64, ptr %1121, align 8
-  %1123 = icmp eq i64 %1122, 0
-  br i1 %1123, label %1125, label %1124
+1119:                                             ; preds = %1117
+  %1120 = load i64, ptr %489, align 8
+  %1121 = add nsw i64 %1120, 1
+  store i64 %1121, ptr %489, align 8
+  %1122 = load ptr, ptr %138, align 8
+  store double %602, ptr %1122, align 8
+  %1123 = load ptr, ptr %75, align 8
+  %1124 = getelementptr inbounds i8, ptr %1123, i64 40
+  %1125 = load i64, ptr %1124, align 8
+  %1126 = icmp eq i64 %1125, 0
+  br i1 %1126, label %1128, label %1127
 
-1124:                                             ; preds = %1116
-  tail call fastcc void @settle(ptr noundef nonnull %75) #9
-  br label %1125
+1127:                                             ; preds = %1119
+  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+  br label %1128
 
-1125:                                             ; preds = %1124, %1116
-  %1126 = load i64, ptr %139, align 8
-  %1127 = icmp sgt i64 %1126, 0
-  br i1 %1127, label %1128, label %1129
+1128:                                             ; preds = %1127, %1119
+  %1129 = load i64, ptr %139, align 8
+  %1130 = icmp sgt i64 %1129, 0
+  br i1 %1130, label %1131, label %1132
 
-1128:                                             ; preds = %1125
-  tail call fastcc void @sample(ptr noundef nonnull %75) #9
-  br label %1129
+1131:                                             ; preds = %1128
+  tail call fastcc void @sample(ptr noundef nonnull %75) #10
+  br label %1132
 
-1129:                                             ; preds = %1125, %1128
-  %1130 = load ptr, ptr %75, align 8
-  %1131 = load i64, ptr %1130, align 8
-  %1132 = load ptr, ptr %138, align 8
-  %1133 = load ptr, ptr %140, align 8
-  %1134 = load ptr, ptr %141, align 8
-  %1135 = inttoptr i64 %1131 to ptr
-  %1136 = load ptr, ptr %1135, align 8
-  %1137 = tail call i32 %1136(ptr noundef %1132, ptr noundef %178, ptr noundef %1133, ptr noundef %1134, ptr noundef %211) #10
-  %1138 = sext i32 %1137 to i64
-  %1139 = icmp slt i32 %1137, 0
-  br i1 %1139, label %1925, label %1140
+1132:                                             ; preds = %1128, %1131
+  %1133 = load ptr, ptr %75, align 8
+  %1134 = load i64, ptr %1133, align 8
+  %1135 = load ptr, ptr %138, align 8
+  %1136 = load ptr, ptr %140, align 8
+  %1137 = load ptr, ptr %141, align 8
+  %1138 = inttoptr i64 %1134 to ptr
+  %1139 = load ptr, ptr %1138, align 8
+  %1140 = tail call i32 %1139(ptr noundef %1135, ptr noundef %180, ptr noundef %1136, ptr noundef %1137, ptr noundef %213) #11
+  %1141 = sext i32 %1140 to i64
+  %1142 = icmp slt i32 %1140, 0
+  br i1 %1142, label %2018, label %1143
 
-1140:                                             ; preds = %1129, %1114, %1098, %796
-  %1141 = phi i64 [ 0, %1114 ], [ %1138, %1129 ], [ 0, %1098 ], [ %794, %796 ]
-  %1142 = phi double [ %1099, %1114 ], [ %1099, %1129 ], [ %1099, %1098 ], [ 0.000000e+00, %796 ]
-  %1143 = phi i1 [ %1115, %1114 ], [ %1115, %1129 ], [ false, %1098 ], [ false, %796 ]
-  %1144 = icmp ne i64 %1141, 0
-  %1145 = fcmp uge double %1142, 1.000000e+00
-  %1146 = or i1 %1144, %1145
-  %1147 = or i1 %1143, %1146
-  br i1 %1147, label %1148, label %1211
+1143:                                             ; preds = %1132, %1117, %1101, %799
+  %1144 = phi i64 [ 0, %1117 ], [ %1141, %1132 ], [ 0, %1101 ], [ %797, %799 ]
+  %1145 = phi double [ %1102, %1117 ], [ %1102, %1132 ], [ %1102, %1101 ], [ 0.000000e+00, %799 ]
+  %1146 = phi i1 [ %1118, %1117 ], [ %1118, %1132 ], [ false, %1101 ], [ false, %799 ]
+  %1147 = icmp ne i64 %1144, 0
+  %1148 = fcmp uge double %1145, 1.000000e+00
+  %1149 = or i1 %1147, %1148
+  %1150 = or i1 %1146, %1149
+  br i1 %1150, label %1151, label %1233
 
-1148:                                             ; preds = %1140
-  %1149 = load i64, ptr %483, align 8
-  %1150 = add nsw i64 %1149, 1
-  store i64 %1150, ptr %483, align 8
-  %1151 = or i1 %1144, %1143
-  br i1 %1151, label %1155, label %1152
+1151:                                             ; preds = %1143
+  %1152 = load i64, ptr %485, align 8
+  %1153 = add nsw i64 %1152, 1
+  store i64 %1153, ptr %485, align 8
+  %1154 = or i1 %1147, %1146
+  br i1 %1154, label %1158, label %1155
 
-1152:                                             ; preds = %1148
-  %1153 = tail call double @llvm.fabs.f64(double %1142)
-  %1154 = fcmp one double %1153, 0x7FF0000000000000
-  br label %1155
+1155:                                             ; preds = %1151
+  %1156 = tail call double @llvm.fabs.f64(double %1145)
+  %1157 = fcmp one double %1156, 0x7FF0000000000000
+  br label %1158
 
-1155:                                             ; preds = %1152, %1148
-  %1156 = phi i1 [ false, %1148 ], [ %1154, %1152 ]
-  %1157 = select i1 %1156, i64 2, i64 4
-  %1158 = select i1 %1143, i64 6, i64 %1157
-  %1159 = select i1 %1144, i64 3, i64 %1158
-  store i64 %1159, ptr %505, align 8
-  %1160 = fcmp ogt double %1142, 1.000000e-10
-  %1161 = select i1 %1160, double %1142, double 1.000000e-10
-  %1162 = load double, ptr %506, align 8
-  %1163 = load double, ptr %185, align 8
-  %1164 = fneg double %1163
-  %1165 = bitcast double %1161 to i64
-  %1166 = add nsw i64 %1165, -4604544271217802189
-  %1167 = ashr i64 %1166, 52
-  %1168 = and i64 %1166, -4503599627370496
-  %1169 = sub nsw i64 %1165, %1168
-  %1170 = bitcast i64 %1169 to double
-  %1171 = fadd double %1170, -1.000000e+00
-  %1172 = fadd double %1170, 1.000000e+00
-  %1173 = fdiv double %1171, %1172
-  %1174 = fmul double %1173, %1173
-  %1175 = tail call double @llvm.fma.f64(double %1174, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1176 = tail call double @llvm.fma.f64(double %1175, double %1174, double 0x3FE2776C50EF9BFE)
-  %1177 = tail call double @llvm.fma.f64(double %1176, double %1174, double 0x3FEEC709DC3A03FD)
-  %1178 = tail call double @llvm.fma.f64(double %1177, double %1174, double 0x40071547652B82FE)
-  %1179 = trunc nsw i64 %1167 to i32
-  %1180 = sitofp i32 %1179 to double
-  %1181 = fmul double %1173, %1178
-  %1182 = fadd double %1181, %1180
-  %1183 = fmul double %1182, %1164
-  %1184 = fcmp ogt double %1183, -1.000000e+03
-  %1185 = select i1 %1184, double %1183, double -1.000000e+03
-  %1186 = fcmp olt double %1185, 1.000000e+03
-  %1187 = select i1 %1186, double %1185, double 1.000000e+03
-  %1188 = tail call double @llvm.rint.f64(double %1187)
-  %1189 = fsub double %1187, %1188
-  %1190 = tail call double @llvm.fma.f64(double %1189, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1191 = tail call double @llvm.fma.f64(double %1190, double %1189, double 0x3F55D87FE78A6730)
-  %1192 = tail call double @llvm.fma.f64(double %1191, double %1189, double 0x3F83B2AB6FBA4E77)
-  %1193 = tail call double @llvm.fma.f64(double %1192, double %1189, double 0x3FAC6B08D704A0BF)
-  %1194 = tail call double @llvm.fma.f64(double %1193, double %1189, double 0x3FCEBFBDFF82C58E)
-  %1195 = tail call double @llvm.fma.f64(double %1194, double %1189, double 0x3FE62E42FEFA39EF)
-  %1196 = tail call double @llvm.fma.f64(double %1195, double %1189, double 1.000000e+00)
-  %1197 = bitcast double %1196 to i64
-  %1198 = fptosi double %1188 to i32
-  %1199 = sext i32 %1198 to i64
-  %1200 = shl nsw i64 %1199, 52
-  %1201 = add nsw i64 %1200, %1197
-  %1202 = bitcast i64 %1201 to double
-  %1203 = fmul double %1162, %1202
-  %1204 = load double, ptr %507, align 8
-  %1205 = fcmp ogt double %1203, %1204
-  %1206 = select i1 %1205, double %1203, double %1204
-  %1207 = select i1 %1156, double %1206, double 2.500000e-01
-  %1208 = fmul double %600, %1207
-  br i1 %193, label %1209, label %1210
+1158:                                             ; preds = %1155, %1151
+  %1159 = phi i1 [ false, %1151 ], [ %1157, %1155 ]
+  %1160 = select i1 %1159, i64 2, i64 4
+  %1161 = select i1 %1146, i64 6, i64 %1160
+  %1162 = select i1 %1147, i64 3, i64 %1161
+  store i64 %1162, ptr %508, align 8
+  %1163 = fcmp ogt double %1145, 1.000000e-10
+  %1164 = select i1 %1163, double %1145, double 1.000000e-10
+  %1165 = load double, ptr %509, align 8
+  %1166 = load double, ptr %187, align 8
+  %1167 = fneg double %1166
+  %1168 = bitcast double %1164 to i64
+  %1169 = add nsw i64 %1168, -4604544271217802189
+  %1170 = ashr i64 %1169, 52
+  %1171 = and i64 %1169, -4503599627370496
+  %1172 = sub nsw i64 %1168, %1171
+  %1173 = bitcast i64 %1172 to double
+  %1174 = fadd double %1173, -1.000000e+00
+  %1175 = fadd double %1173, 1.000000e+00
+  %1176 = fdiv double %1174, %1175
+  %1177 = fmul double %1176, %1176
+  %1178 = tail call double @llvm.fma.f64(double %1177, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1179 = tail call double @llvm.fma.f64(double %1178, double %1177, double 0x3FE2776C50EF9BFE)
+  %1180 = tail call double @llvm.fma.f64(double %1179, double %1177, double 0x3FEEC709DC3A03FD)
+  %1181 = tail call double @llvm.fma.f64(double %1180, double %1177, double 0x40071547652B82FE)
+  %1182 = trunc nsw i64 %1170 to i32
+  %1183 = sitofp i32 %1182 to double
+  %1184 = fmul double %1176, %1181
+  %1185 = fadd double %1184, %1183
+  %1186 = fmul double %1185, %1167
+  %1187 = fcmp ogt double %1186, -1.000000e+03
+  %1188 = select i1 %1187, double %1186, double -1.000000e+03
+  %1189 = fcmp olt double %1188, 1.000000e+03
+  %1190 = select i1 %1189, double %1188, double 1.000000e+03
+  %1191 = tail call double @llvm.rint.f64(double %1190)
+  %1192 = fsub double %1190, %1191
+  %1193 = tail call double @llvm.fma.f64(double %1192, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1194 = tail call double @llvm.fma.f64(double %1193, double %1192, double 0x3F55D87FE78A6730)
+  %1195 = tail call double @llvm.fma.f64(double %1194, double %1192, double 0x3F83B2AB6FBA4E77)
+  %1196 = tail call double @llvm.fma.f64(double %1195, double %1192, double 0x3FAC6B08D704A0BF)
+  %1197 = tail call double @llvm.fma.f64(double %1196, double %1192, double 0x3FCEBFBDFF82C58E)
+  %1198 = tail call double @llvm.fma.f64(double %1197, double %1192, double 0x3FE62E42FEFA39EF)
+  %1199 = tail call double @llvm.fma.f64(double %1198, double %1192, double 1.000000e+00)
+  %1200 = bitcast double %1199 to i64
+  %1201 = fptosi double %1191 to i32
+  %1202 = sext i32 %1201 to i64
+  %1203 = shl nsw i64 %1202, 52
+  %1204 = add nsw i64 %1203, %1200
+  %1205 = bitcast i64 %1204 to double
+  %1206 = fmul double %1165, %1205
+  %1207 = load double, ptr %510, align 8
+  %1208 = fcmp ogt double %1206, %1207
+  %1209 = select i1 %1208, double %1206, double %1207
+  %1210 = select i1 %1159, double %1209, double 2.500000e-01
+  %1211 = fmul double %603, %1210
+  br i1 %1159, label %1212, label %1229
 
-1209:                                             ; preds = %1155
-  store double %600, ptr %213, align 8
-  br label %1925
+1212:                                             ; preds = %1158
+  %1213 = load i64, ptr %176, align 8
+  %1214 = icmp eq i64 %1213, 0
+  br i1 %1214, label %1229, label %1215
 
-1210:                                             ; preds = %1155
-  store double 1.000000e+00, ptr %508, align 8
-  br label %1925, !llvm.loop !23
+1215:                                             ; preds = %1212
+  %1216 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %517) #10
+  %1217 = fmul double %603, 1.000000e-03
+  %1218 = fsub double %602, %1217
+  %1219 = tail call double @llvm.fabs.f64(double %602)
+  %1220 = fmul double %1219, 0x3D10000000000000
+  %1221 = fsub double %1218, %1220
+  %1222 = fcmp ogt double %1221, %1216
+  br i1 %1222, label %1223, label %1229
 
-1211:                                             ; preds = %1140
-  %1212 = load i64, ptr %482, align 8
-  %1213 = add nsw i64 %1212, 1
-  store i64 %1213, ptr %482, align 8
-  store double %599, ptr %177, align 8
-  store double %600, ptr %490, align 8
-  %1214 = load ptr, ptr %98, align 8
-  %1215 = getelementptr inbounds i8, ptr %1214, i64 8
-  %1216 = load i64, ptr %1215, align 8
-  %1217 = icmp eq i64 %1216, 0
-  br i1 %1217, label %1247, label %1218
+1223:                                             ; preds = %1215
+  %1224 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %1216) #10
+  %1225 = fadd double %517, %1211
+  %1226 = fcmp ugt double %1224, %1225
+  br i1 %1226, label %1227, label %1229
 
-1218:                                             ; preds = %1211
-  %1219 = load i64, ptr %1214, align 8
-  %1220 = load ptr, ptr %75, align 8
-  %1221 = getelementptr inbounds i8, ptr %1220, i64 8
-  %1222 = load i64, ptr %1221, align 8
-  %1223 = load ptr, ptr %142, align 8
-  %1224 = load i64, ptr %143, align 8
-  %1225 = mul nsw i64 %1224, %1219
-  %1226 = getelementptr inbounds double, ptr %1223, i64 %1225
-  %1227 = getelementptr inbounds double, ptr %1226, i64 %1224
-  store double %514, ptr %1226, align 8
-  %1228 = getelementptr inbounds i8, ptr %1226, i64 8
-  store double %600, ptr %1228, align 8
-  store double %599, ptr %1227, align 8
-  %1229 = getelementptr inbounds i8, ptr %1227, i64 8
-  store double 0.000000e+00, ptr %1229, align 8
-  %1230 = icmp sgt i64 %1222, 0
-  br i1 %1230, label %1234, label %1231
+1227:                                             ; preds = %1223
+  %1228 = fsub double %1216, %517
+  br label %1229
 
-1231:                                             ; preds = %1234, %1218
-  %1232 = add nsw i64 %1219, 1
-  %1233 = load ptr, ptr %98, align 8
-  store i64 %1232, ptr %1233, align 8
-  br label %1247
+1229:                                             ; preds = %1227, %1223, %1215, %1212, %1158
+  %1230 = phi double [ %1211, %1158 ], [ %1211, %1212 ], [ %1228, %1227 ], [ %1211, %1223 ], [ %1211, %1215 ]
+  br i1 %195, label %1231, label %1232
 
-1234:                                             ; preds = %1218, %1234
-  %1235 = phi i64 [ %1245, %1234 ], [ 0, %1218 ]
-  %1236 = load ptr, ptr %76, align 8
-  %1237 = getelementptr inbounds double, ptr %1236, i64 %1235
-  %1238 = load double, ptr %1237, align 8
-  %1239 = add nuw nsw i64 %1235, 2
-  %1240 = getelementptr inbounds double, ptr %1226, i64 %1239
-  store double %1238, ptr %1240, align 8
-  %1241 = load ptr, ptr %78, align 8
-  %1242 = getelementptr inbounds double, ptr %1241, i64 %1235
-  %1243 = load double, ptr %1242, align 8
-  %1244 = getelementptr inbounds double, ptr %1227, i64 %1239
-  store double %1243, ptr %1244, align 8
-  %1245 = add nuw nsw i64 %1235, 1
-  %1246 = icmp eq i64 %1245, %1222
-  br i1 %1246, label %1231, label %1234, !llvm.loop !24
+1231:                                             ; preds = %1229
+  store double %603, ptr %215, align 8
+  br label %2018
 
-1247:                                             ; preds = %1211, %1231
-  br i1 %200, label %1248, label %1358
+1232:                                             ; preds = %1229
+  store double 1.000000e+00, ptr %511, align 8
+  br label %2018, !llvm.loop !23
 
-1248:                                             ; preds = %1247
-  %1249 = load ptr, ptr %84, align 8
-  %1250 = load i64, ptr %82, align 8
-  %1251 = load ptr, ptr %144, align 8
-  %1252 = getelementptr inbounds i8, ptr %1249, i64 32
-  %1253 = load i64, ptr %1252, align 8
-  %1254 = getelementptr inbounds double, ptr %1251, i64 %1253
-  %1255 = getelementptr inbounds i8, ptr %1249, i64 24
-  %1256 = load i64, ptr %1255, align 8
-  %1257 = icmp eq i64 %1256, 0
-  br i1 %1257, label %1355, label %1258
+1233:                                             ; preds = %1143
+  %1234 = load i64, ptr %484, align 8
+  %1235 = add nsw i64 %1234, 1
+  store i64 %1235, ptr %484, align 8
+  store double %602, ptr %179, align 8
+  store double %603, ptr %492, align 8
+  %1236 = load ptr, ptr %98, align 8
+  %1237 = getelementptr inbounds i8, ptr %1236, i64 8
+  %1238 = load i64, ptr %1237, align 8
+  %1239 = icmp eq i64 %1238, 0
+  br i1 %1239, label %1269, label %1240
 
-1258:                                             ; preds = %1248
-  %1259 = getelementptr inbounds i8, ptr %1249, i64 40
-  %1260 = load i64, ptr %1259, align 8
-  %1261 = icmp sgt i64 %1260, 0
-  br i1 %1261, label %1316, label %1262
+1240:                                             ; preds = %1233
+  %1241 = load i64, ptr %1236, align 8
+  %1242 = load ptr, ptr %75, align 8
+  %1243 = getelementptr inbounds i8, ptr %1242, i64 8
+  %1244 = load i64, ptr %1243, align 8
+  %1245 = load ptr, ptr %142, align 8
+  %1246 = load i64, ptr %143, align 8
+  %1247 = mul nsw i64 %1246, %1241
+  %1248 = getelementptr inbounds double, ptr %1245, i64 %1247
+  %1249 = getelementptr inbounds double, ptr %1248, i64 %1246
+  store double %517, ptr %1248, align 8
+  %1250 = getelementptr inbounds i8, ptr %1248, i64 8
+  store double %603, ptr %1250, align 8
+  store double %602, ptr %1249, align 8
+  %1251 = getelementptr inbounds i8, ptr %1249, i64 8
+  store double 0.000000e+00, ptr %1251, align 8
+  %1252 = icmp sgt i64 %1244, 0
+  br i1 %1252, label %1256, label %1253
 
-1262:                                             ; preds = %1334, %1258
-  %1263 = load ptr, ptr %145, align 8
-  %1264 = load ptr, ptr %84, align 8
-  %1265 = getelementptr inbounds i8, ptr %1264, i64 8
-  %1266 = load i64, ptr %1265, align 8
-  %1267 = load ptr, ptr %146, align 8
-  %1268 = load ptr, ptr %144, align 8
-  %1269 = getelementptr inbounds i8, ptr %1264, i64 32
-  %1270 = load i64, ptr %1269, align 8
-  %1271 = getelementptr inbounds i8, ptr %1264, i64 40
-  %1272 = load i64, ptr %1271, align 8
-  %1273 = getelementptr double, ptr %1268, i64 %1270
-  %1274 = getelementptr double, ptr %1273, i64 %1272
-  store double %600, ptr %1274, align 8
-  %1275 = load ptr, ptr %145, align 8
-  store double %514, ptr %1275, align 8
-  %1276 = load ptr, ptr %84, align 8
-  %1277 = getelementptr inbounds i8, ptr %1276, i64 24
+1253:                                             ; preds = %1256, %1240
+  %1254 = add nsw i64 %1241, 1
+  %1255 = load ptr, ptr %98, align 8
+  store i64 %1254, ptr %1255, align 8
+  br label %1269
+
+1256:                                             ; preds = %1240, %1256
+  %1257 = phi i64 [ %1267, %1256 ], [ 0, %1240 ]
+  %1258 = load ptr, ptr %76, align 8
+  %1259 = getelementptr inbounds double, ptr %1258, i64 %1257
+  %1260 = load double, ptr %1259, align 8
+  %1261 = add nuw nsw i64 %1257, 2
+  %1262 = getelementptr inbounds double, ptr %1248, i64 %1261
+  store double %1260, ptr %1262, align 8
+  %1263 = load ptr, ptr %78, align 8
+  %1264 = getelementptr inbounds double, ptr %1263, i64 %1257
+  %1265 = load double, ptr %1264, align 8
+  %1266 = getelementptr inbounds double, ptr %1249, i64 %1261
+  store double %1265, ptr %1266, align 8
+  %1267 = add nuw nsw i64 %1257, 1
+  %1268 = icmp eq i64 %1267, %1244
+  br i1 %1268, label %1253, label %1256, !llvm.loop !24
+
+1269:                                             ; preds = %1233, %1253
+  br i1 %202, label %1270, label %1380
+
+1270:                                             ; preds = %1269
+  %1271 = load ptr, ptr %84, align 8
+  %1272 = load i64, ptr %82, align 8
+  %1273 = load ptr, ptr %144, align 8
+  %1274 = getelementptr inbounds i8, ptr %1271, i64 32
+  %1275 = load i64, ptr %1274, align 8
+  %1276 = getelementptr inbounds double, ptr %1273, i64 %1275
+  %1277 = getelementptr inbounds i8, ptr %1271, i64 24
   %1278 = load i64, ptr %1277, align 8
-  %1279 = load ptr, ptr %76, align 8
-  %1280 = load ptr, ptr %144, align 8
-  %1281 = load ptr, ptr %147, align 8
-  %1282 = inttoptr i64 %1278 to ptr
-  %1283 = load ptr, ptr %1282, align 8
-  %1284 = tail call i32 %1283(ptr noundef %1263, ptr noundef %1279, ptr noundef %1280, ptr noundef %1281, ptr noundef %1267) #10
-  %1285 = icmp eq i32 %1284, 0
-  br i1 %1285, label %1286, label %1355
+  %1279 = icmp eq i64 %1278, 0
+  br i1 %1279, label %1377, label %1280
 
-1286:                                             ; preds = %1262
-  %1287 = icmp slt i64 %1266, 1
-  br i1 %1287, label %1313, label %1288
+1280:                                             ; preds = %1270
+  %1281 = getelementptr inbounds i8, ptr %1271, i64 40
+  %1282 = load i64, ptr %1281, align 8
+  %1283 = icmp sgt i64 %1282, 0
+  br i1 %1283, label %1338, label %1284
 
-1288:                                             ; preds = %1286
-  %1289 = load ptr, ptr %148, align 8
-  %1290 = getelementptr double, ptr %1267, i64 %1266
-  br label %1291
+1284:                                             ; preds = %1356, %1280
+  %1285 = load ptr, ptr %145, align 8
+  %1286 = load ptr, ptr %84, align 8
+  %1287 = getelementptr inbounds i8, ptr %1286, i64 8
+  %1288 = load i64, ptr %1287, align 8
+  %1289 = load ptr, ptr %146, align 8
+  %1290 = load ptr, ptr %144, align 8
+  %1291 = getelementptr inbounds i8, ptr %1286, i64 32
+  %1292 = load i64, ptr %1291, align 8
+  %1293 = getelementptr inbounds i8, ptr %1286, i64 40
+  %1294 = load i64, ptr %1293, align 8
+  %1295 = getelementptr double, ptr %1290, i64 %1292
+  %1296 = getelementptr double, ptr %1295, i64 %1294
+  store double %603, ptr %1296, align 8
+  %1297 = load ptr, ptr %145, align 8
+  store double %517, ptr %1297, align 8
+  %1298 = load ptr, ptr %84, align 8
+  %1299 = getelementptr inbounds i8, ptr %1298, i64 24
+  %1300 = load i64, ptr %1299, align 8
+  %1301 = load ptr, ptr %76, align 8
+  %1302 = load ptr, ptr %144, align 8
+  %1303 = load ptr, ptr %147, align 8
+  %1304 = inttoptr i64 %1300 to ptr
+  %1305 = load ptr, ptr %1304, align 8
+  %1306 = tail call i32 %1305(ptr noundef %1285, ptr noundef %1301, ptr noundef %1302, ptr noundef %1303, ptr noundef %1289) #11
+  %1307 = icmp eq i32 %1306, 0
+  br i1 %1307, label %1308, label %1377
 
-1291:                                             ; preds = %1288, %1309
-  %1292 = phi i1 [ %1287, %1288 ], [ %1311, %1309 ]
-  %1293 = phi i64 [ 0, %1288 ], [ %1310, %1309 ]
-  %1294 = getelementptr inbounds i64, ptr %1289, i64 %1293
-  %1295 = load i64, ptr %1294, align 8
-  %1296 = and i64 %1295, 2
-  %1297 = icmp eq i64 %1296, 0
-  br i1 %1297, label %1298, label %1309
+1308:                                             ; preds = %1284
+  %1309 = icmp slt i64 %1288, 1
+  br i1 %1309, label %1335, label %1310
 
-1298:                                             ; preds = %1291
-  %1299 = getelementptr inbounds double, ptr %1267, i64 %1293
-  %1300 = load double, ptr %1299, align 8
-  %1301 = load ptr, ptr %149, align 8
-  %1302 = getelementptr inbounds i64, ptr %1301, i64 %1293
-  %1303 = load i64, ptr %1302, align 8
-  %1304 = sitofp i64 %1303 to double
-  %1305 = fmul double %1300, %1304
-  %1306 = getelementptr double, ptr %1290, i64 %1293
-  %1307 = load double, ptr %1306, align 8
-  %1308 = fcmp ogt double %1305, %1307
-  br i1 %1308, label %1309, label %1313
+1310:                                             ; preds = %1308
+  %1311 = load ptr, ptr %148, align 8
+  %1312 = getelementptr double, ptr %1289, i64 %1288
+  br label %1313
 
-1309:                                             ; preds = %1298, %1291
-  %1310 = add nuw nsw i64 %1293, 1
-  %1311 = icmp sge i64 %1310, %1266
-  %1312 = icmp eq i64 %1310, %1266
-  br i1 %1312, label %1313, label %1291, !llvm.loop !25
+1313:                                             ; preds = %1310, %1331
+  %1314 = phi i1 [ %1309, %1310 ], [ %1333, %1331 ]
+  %1315 = phi i64 [ 0, %1310 ], [ %1332, %1331 ]
+  %1316 = getelementptr inbounds i64, ptr %1311, i64 %1315
+  %1317 = load i64, ptr %1316, align 8
+  %1318 = and i64 %1317, 2
+  %1319 = icmp eq i64 %1318, 0
+  br i1 %1319, label %1320, label %1331
 
-1313:                                             ; preds = %1309, %1298, %1286
-  %1314 = phi i1 [ %1287, %1286 ], [ %1311, %1309 ], [ %1292, %1298 ]
-  %1315 = zext i1 %1314 to i32
-  br label %1355
+1320:                                             ; preds = %1313
+  %1321 = getelementptr inbounds double, ptr %1289, i64 %1315
+  %1322 = load double, ptr %1321, align 8
+  %1323 = load ptr, ptr %149, align 8
+  %1324 = getelementptr inbounds i64, ptr %1323, i64 %1315
+  %1325 = load i64, ptr %1324, align 8
+  %1326 = sitofp i64 %1325 to double
+  %1327 = fmul double %1322, %1326
+  %1328 = getelementptr double, ptr %1312, i64 %1315
+  %1329 = load double, ptr %1328, align 8
+  %1330 = fcmp ogt double %1327, %1329
+  br i1 %1330, label %1331, label %1335
 
-1316:                                             ; preds = %1258, %1334
-  %1317 = phi i64 [ %1338, %1334 ], [ 0, %1258 ]
-  %1318 = load ptr, ptr %78, align 8
-  %1319 = getelementptr inbounds double, ptr %1318, i64 %1317
-  %1320 = load <8 x double>, ptr %1319, align 8
-  %1321 = load ptr, ptr %76, align 8
-  %1322 = getelementptr inbounds double, ptr %1321, i64 %1317
-  %1323 = load <8 x double>, ptr %1322, align 8
-  %1324 = fsub <8 x double> %1320, %1323
-  %1325 = fneg <8 x double> %1324
-  %1326 = fcmp ogt <8 x double> %1324, zeroinitializer
-  %1327 = select <8 x i1> %1326, <8 x double> %1324, <8 x double> %1325
-  %1328 = load ptr, ptr %0, align 8
-  %1329 = load i64, ptr %1328, align 8
-  %1330 = icmp slt i64 %1329, 0
-  br i1 %1330, label %1334, label %1331
+1331:                                             ; preds = %1320, %1313
+  %1332 = add nuw nsw i64 %1315, 1
+  %1333 = icmp sge i64 %1332, %1288
+  %1334 = icmp eq i64 %1332, %1288
+  br i1 %1334, label %1335, label %1313, !llvm.loop !25
 
-1331:                                             ; preds = %1316
-  %1332 = load ptr, ptr %86, align 8
-  %1333 = getelementptr double, ptr %1332, i64 %1317
-  br label %1341
+1335:                                             ; preds = %1331, %1320, %1308
+  %1336 = phi i1 [ %1309, %1308 ], [ %1333, %1331 ], [ %1314, %1320 ]
+  %1337 = zext i1 %1336 to i32
+  br label %1377
 
-1334:                                             ; preds = %1341, %1316
-  %1335 = phi <8 x double> [ %1327, %1316 ], [ %1352, %1341 ]
-  %1336 = getelementptr inbounds double, ptr %1254, i64 %1317
-  %1337 = fmul <8 x double> %1335, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  store <8 x double> %1337, ptr %1336, align 8
-  %1338 = add nuw nsw i64 %1317, 8
-  %1339 = load i64, ptr %1259, align 8
-  %1340 = icmp slt i64 %1338, %1339
-  br i1 %1340, label %1316, label %1262, !llvm.loop !26
-
-1341:                                             ; preds = %1331, %1341
-  %1342 = phi i64 [ 0, %1331 ], [ %1353, %1341 ]
-  %1343 = phi <8 x double> [ %1327, %1331 ], [ %1352, %1341 ]
-  %1344 = mul nsw i64 %1342, %1250
-  %1345 = getelementptr double, ptr %1333, i64 %1344
-  %1346 = load <8 x double>, ptr %1345, align 8
+1338:                                             ; preds = %1280, %1356
+  %1339 = phi i64 [ %1360, %1356 ], [ 0, %1280 ]
+  %1340 = load ptr, ptr %78, align 8
+  %1341 = getelementptr inbounds double, ptr %1340, i64 %1339
+  %1342 = load <8 x double>, ptr %1341, align 8
+  %1343 = load ptr, ptr %76, align 8
+  %1344 = getelementptr inbounds double, ptr %1343, i64 %1339
+  %1345 = load <8 x double>, ptr %1344, align 8
+  %1346 = fsub <8 x double> %1342, %1345
   %1347 = fneg <8 x double> %1346
   %1348 = fcmp ogt <8 x double> %1346, zeroinitializer
   %1349 = select <8 x i1> %1348, <8 x double> %1346, <8 x double> %1347
-  %1350 = fmul <8 x double> %612, %1349
-  %1351 = fcmp ogt <8 x double> %1343, %1350
-  %1352 = select <8 x i1> %1351, <8 x double> %1343, <8 x double> %1350
-  %1353 = add nuw i64 %1342, 1
-  %1354 = icmp eq i64 %1342, %1329
-  br i1 %1354, label %1334, label %1341, !llvm.loop !27
+  %1350 = load ptr, ptr %0, align 8
+  %1351 = load i64, ptr %1350, align 8
+  %1352 = icmp slt i64 %1351, 0
+  br i1 %1352, label %1356, label %1353
 
-1355:                                             ; preds = %1313, %1262, %1248
-  %1356 = phi i32 [ 0, %1248 ], [ 0, %1262 ], [ %1315, %1313 ]
-  %1357 = icmp eq i32 %1356, 0
-  br label %1358
+1353:                                             ; preds = %1338
+  %1354 = load ptr, ptr %86, align 8
+  %1355 = getelementptr double, ptr %1354, i64 %1339
+  br label %1363
 
-1358:                                             ; preds = %1355, %1247
-  %1359 = phi i1 [ false, %1247 ], [ %1357, %1355 ]
-  br i1 %1359, label %1402, label %1360
+1356:                                             ; preds = %1363, %1338
+  %1357 = phi <8 x double> [ %1349, %1338 ], [ %1374, %1363 ]
+  %1358 = getelementptr inbounds double, ptr %1276, i64 %1339
+  %1359 = fmul <8 x double> %1357, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  store <8 x double> %1359, ptr %1358, align 8
+  %1360 = add nuw nsw i64 %1339, 8
+  %1361 = load i64, ptr %1281, align 8
+  %1362 = icmp slt i64 %1360, %1361
+  br i1 %1362, label %1338, label %1284, !llvm.loop !26
 
-1360:                                             ; preds = %1358
-  %1361 = load i64, ptr %491, align 8
-  %1362 = getelementptr inbounds double, ptr %184, i64 %1361
-  %1363 = load double, ptr %1362, align 8
-  %1364 = fcmp ult double %1363, %599
-  br i1 %1364, label %1402, label %1365
+1363:                                             ; preds = %1353, %1363
+  %1364 = phi i64 [ 0, %1353 ], [ %1375, %1363 ]
+  %1365 = phi <8 x double> [ %1349, %1353 ], [ %1374, %1363 ]
+  %1366 = mul nsw i64 %1364, %1272
+  %1367 = getelementptr double, ptr %1355, i64 %1366
+  %1368 = load <8 x double>, ptr %1367, align 8
+  %1369 = fneg <8 x double> %1368
+  %1370 = fcmp ogt <8 x double> %1368, zeroinitializer
+  %1371 = select <8 x i1> %1370, <8 x double> %1368, <8 x double> %1369
+  %1372 = fmul <8 x double> %615, %1371
+  %1373 = fcmp ogt <8 x double> %1365, %1372
+  %1374 = select <8 x i1> %1373, <8 x double> %1365, <8 x double> %1372
+  %1375 = add nuw i64 %1364, 1
+  %1376 = icmp eq i64 %1364, %1351
+  br i1 %1376, label %1356, label %1363, !llvm.loop !27
 
-1365:                                             ; preds = %1360
-  %1366 = load ptr, ptr %75, align 8
-  %1367 = getelementptr inbounds i8, ptr %1366, i64 8
-  %1368 = load i64, ptr %1367, align 8
-  %1369 = load i64, ptr %85, align 8
-  %1370 = load ptr, ptr %80, align 8
-  %1371 = load ptr, ptr %79, align 8
-  %1372 = getelementptr inbounds i8, ptr %1371, i64 48
-  %1373 = load i64, ptr %1372, align 8
-  %1374 = icmp slt i64 %1373, %1369
-  br i1 %1374, label %1375, label %1398
+1377:                                             ; preds = %1335, %1284, %1270
+  %1378 = phi i32 [ 0, %1270 ], [ 0, %1284 ], [ %1337, %1335 ]
+  %1379 = icmp eq i32 %1378, 0
+  br label %1380
 
-1375:                                             ; preds = %1365
-  %1376 = icmp sgt i64 %1368, 0
-  br label %1377
+1380:                                             ; preds = %1377, %1269
+  %1381 = phi i1 [ false, %1269 ], [ %1379, %1377 ]
+  br i1 %1381, label %1424, label %1382
 
-1377:                                             ; preds = %1375, %1388
-  %1378 = phi i64 [ %1373, %1375 ], [ %1389, %1388 ]
-  %1379 = getelementptr inbounds double, ptr %1370, i64 %1378
-  %1380 = load double, ptr %1379, align 8
-  %1381 = load ptr, ptr %77, align 8
-  %1382 = load double, ptr %1381, align 8
-  %1383 = fcmp ugt double %1380, %1382
-  br i1 %1383, label %1398, label %1384
+1382:                                             ; preds = %1380
+  %1383 = load i64, ptr %493, align 8
+  %1384 = getelementptr inbounds double, ptr %186, i64 %1383
+  %1385 = load double, ptr %1384, align 8
+  %1386 = fcmp ult double %1385, %602
+  br i1 %1386, label %1424, label %1387
 
-1384:                                             ; preds = %1377
-  br i1 %1376, label %1385, label %1388
+1387:                                             ; preds = %1382
+  %1388 = load ptr, ptr %75, align 8
+  %1389 = getelementptr inbounds i8, ptr %1388, i64 8
+  %1390 = load i64, ptr %1389, align 8
+  %1391 = load i64, ptr %85, align 8
+  %1392 = load ptr, ptr %80, align 8
+  %1393 = load ptr, ptr %79, align 8
+  %1394 = getelementptr inbounds i8, ptr %1393, i64 48
+  %1395 = load i64, ptr %1394, align 8
+  %1396 = icmp slt i64 %1395, %1391
+  br i1 %1396, label %1397, label %1420
 
-1385:                                             ; preds = %1384
-  %1386 = mul nsw i64 %1378, %1368
-  %1387 = getelementptr double, ptr %1, i64 %1386
-  br label %1391
+1397:                                             ; preds = %1387
+  %1398 = icmp sgt i64 %1390, 0
+  br label %1399
 
-1388:                                             ; preds = %1391, %1384
-  %1389 = add i64 %1378, 1
-  %1390 = icmp eq i64 %1389, %1369
-  br i1 %1390, label %1398, label %1377, !llvm.loop !9
+1399:                                             ; preds = %1397, %1410
+  %1400 = phi i64 [ %1395, %1397 ], [ %1411, %1410 ]
+  %1401 = getelementptr inbounds double, ptr %1392, i64 %1400
+  %1402 = load double, ptr %1401, align 8
+  %1403 = load ptr, ptr %77, align 8
+  %1404 = load double, ptr %1403, align 8
+  %1405 = fcmp ugt double %1402, %1404
+  br i1 %1405, label %1420, label %1406
 
-1391:                                             ; preds = %1385, %1391
-  %1392 = phi i64 [ 0, %1385 ], [ %1396, %1391 ]
-  %1393 = getelementptr inbounds double, ptr %178, i64 %1392
-  %1394 = load double, ptr %1393, align 8
-  %1395 = getelementptr double, ptr %1387, i64 %1392
-  store double %1394, ptr %1395, align 8
-  %1396 = add nuw nsw i64 %1392, 1
-  %1397 = icmp eq i64 %1396, %1368
-  br i1 %1397, label %1388, label %1391, !llvm.loop !10
+1406:                                             ; preds = %1399
+  br i1 %1398, label %1407, label %1410
 
-1398:                                             ; preds = %1377, %1388, %1365
-  %1399 = phi i64 [ %1373, %1365 ], [ %1378, %1377 ], [ %1369, %1388 ]
-  %1400 = load ptr, ptr %79, align 8
-  %1401 = getelementptr inbounds i8, ptr %1400, i64 48
-  store i64 %1399, ptr %1401, align 8
-  br label %1768
+1407:                                             ; preds = %1406
+  %1408 = mul nsw i64 %1400, %1390
+  %1409 = getelementptr double, ptr %1, i64 %1408
+  br label %1413
 
-1402:                                             ; preds = %1360, %1358
-  %1403 = load ptr, ptr %0, align 8
-  %1404 = load ptr, ptr %75, align 8
-  %1405 = getelementptr inbounds i8, ptr %1404, i64 16
-  %1406 = load i64, ptr %1405, align 8
-  %1407 = load i64, ptr %1403, align 8
-  %1408 = load i64, ptr %150, align 8
-  %1409 = load ptr, ptr %151, align 8
-  %1410 = mul nsw i64 %1408, %1407
-  %1411 = getelementptr inbounds double, ptr %1409, i64 %1410
-  %1412 = load ptr, ptr %152, align 8
-  %1413 = add nsw i64 %1407, 1
-  %1414 = getelementptr inbounds i8, ptr %1403, i64 16
-  %1415 = load i64, ptr %1414, align 8
-  %1416 = icmp sgt i64 %1415, 0
-  br i1 %1416, label %1417, label %1478
+1410:                                             ; preds = %1413, %1406
+  %1411 = add i64 %1400, 1
+  %1412 = icmp eq i64 %1411, %1391
+  br i1 %1412, label %1420, label %1399, !llvm.loop !9
 
-1417:                                             ; preds = %1402
-  %1418 = getelementptr inbounds i8, ptr %1403, i64 8
-  br label %1424
+1413:                                             ; preds = %1407, %1413
+  %1414 = phi i64 [ 0, %1407 ], [ %1418, %1413 ]
+  %1415 = getelementptr inbounds double, ptr %180, i64 %1414
+  %1416 = load double, ptr %1415, align 8
+  %1417 = getelementptr double, ptr %1409, i64 %1414
+  store double %1416, ptr %1417, align 8
+  %1418 = add nuw nsw i64 %1414, 1
+  %1419 = icmp eq i64 %1418, %1390
+  br i1 %1419, label %1410, label %1413, !llvm.loop !10
 
-1419:                                             ; preds = %1466
-  %1420 = add nsw i64 %1427, 1
-  %1421 = load i64, ptr %1414, align 8
-  %1422 = add nsw i64 %1421, %1413
-  %1423 = icmp slt i64 %1420, %1422
-  br i1 %1423, label %1424, label %1478, !llvm.loop !28
+1420:                                             ; preds = %1399, %1410, %1387
+  %1421 = phi i64 [ %1395, %1387 ], [ %1400, %1399 ], [ %1391, %1410 ]
+  %1422 = load ptr, ptr %79, align 8
+  %1423 = getelementptr inbounds i8, ptr %1422, i64 48
+  store i64 %1421, ptr %1423, align 8
+  br label %1790
 
-1424:                                             ; preds = %1417, %1419
-  %1425 = phi i1 [ %1416, %1417 ], [ %1423, %1419 ]
-  %1426 = phi i64 [ undef, %1417 ], [ %1477, %1419 ]
-  %1427 = phi i64 [ %1413, %1417 ], [ %1420, %1419 ]
-  %1428 = load i64, ptr %1418, align 8
-  %1429 = load ptr, ptr %153, align 8
-  %1430 = load ptr, ptr %76, align 8
-  %1431 = load ptr, ptr %154, align 8
-  %1432 = getelementptr i64, ptr %1431, i64 %1427
-  %1433 = getelementptr i64, ptr %1432, i64 %1428
-  %1434 = load i64, ptr %1433, align 8
-  %1435 = getelementptr i8, ptr %1433, i64 8
-  %1436 = load i64, ptr %1435, align 8
-  %1437 = xor i64 %1434, -1
-  %1438 = add i64 %1436, %1437
-  %1439 = load ptr, ptr %102, align 8
-  %1440 = load ptr, ptr %151, align 8
-  %1441 = load ptr, ptr %155, align 8
-  %1442 = getelementptr inbounds i64, ptr %1441, i64 %1434
-  %1443 = load ptr, ptr %156, align 8
-  %1444 = getelementptr inbounds double, ptr %1443, i64 %1434
-  tail call fastcc void @combine(ptr noundef %1429, ptr noundef %1430, ptr noundef %1439, ptr noundef %1440, ptr noundef %1442, ptr noundef %1444, i64 noundef %1438, i64 noundef 1, i64 noundef %1406) #9
-  %1445 = load ptr, ptr %151, align 8
-  %1446 = mul nsw i64 %1427, %1408
-  %1447 = getelementptr inbounds double, ptr %1445, i64 %1446
-  %1448 = load i64, ptr %487, align 8
-  %1449 = add nsw i64 %1448, 1
-  store i64 %1449, ptr %487, align 8
-  %1450 = load ptr, ptr %157, align 8
-  %1451 = getelementptr inbounds double, ptr %1450, i64 %1427
-  %1452 = load double, ptr %1451, align 8
-  %1453 = fmul double %600, %1452
-  %1454 = fadd double %514, %1453
-  %1455 = load ptr, ptr %153, align 8
-  %1456 = load ptr, ptr %158, align 8
-  store double %1454, ptr %1456, align 8
-  %1457 = load ptr, ptr %75, align 8
-  %1458 = getelementptr inbounds i8, ptr %1457, i64 40
-  %1459 = load i64, ptr %1458, align 8
-  %1460 = icmp eq i64 %1459, 0
-  br i1 %1460, label %1462, label %1461
+1424:                                             ; preds = %1382, %1380
+  %1425 = load ptr, ptr %0, align 8
+  %1426 = load ptr, ptr %75, align 8
+  %1427 = getelementptr inbounds i8, ptr %1426, i64 16
+  %1428 = load i64, ptr %1427, align 8
+  %1429 = load i64, ptr %1425, align 8
+  %1430 = load i64, ptr %150, align 8
+  %1431 = load ptr, ptr %151, align 8
+  %1432 = mul nsw i64 %1430, %1429
+  %1433 = getelementptr inbounds double, ptr %1431, i64 %1432
+  %1434 = load ptr, ptr %152, align 8
+  %1435 = add nsw i64 %1429, 1
+  %1436 = getelementptr inbounds i8, ptr %1425, i64 16
+  %1437 = load i64, ptr %1436, align 8
+  %1438 = icmp sgt i64 %1437, 0
+  br i1 %1438, label %1439, label %1500
 
-1461:                                             ; preds = %1424
-  tail call fastcc void @settle(ptr noundef nonnull %75) #9
-  br label %1462
+1439:                                             ; preds = %1424
+  %1440 = getelementptr inbounds i8, ptr %1425, i64 8
+  br label %1446
 
-1462:                                             ; preds = %1461, %1424
-  %1463 = load i64, ptr %159, align 8
-  %1464 = icmp sgt i64 %1463, 0
-  br i1 %1464, label %1465, label %1466
+1441:                                             ; preds = %1488
+  %1442 = add nsw i64 %1449, 1
+  %1443 = load i64, ptr %1436, align 8
+  %1444 = add nsw i64 %1443, %1435
+  %1445 = icmp slt i64 %1442, %1444
+  br i1 %1445, label %1446, label %1500, !llvm.loop !28
 
-1465:                                             ; preds = %1462
-  tail call fastcc void @sample(ptr noundef nonnull %75) #9
-  br label %1466
+1446:                                             ; preds = %1439, %1441
+  %1447 = phi i1 [ %1438, %1439 ], [ %1445, %1441 ]
+  %1448 = phi i64 [ undef, %1439 ], [ %1499, %1441 ]
+  %1449 = phi i64 [ %1435, %1439 ], [ %1442, %1441 ]
+  %1450 = load i64, ptr %1440, align 8
+  %1451 = load ptr, ptr %153, align 8
+  %1452 = load ptr, ptr %76, align 8
+  %1453 = load ptr, ptr %154, align 8
+  %1454 = getelementptr i64, ptr %1453, i64 %1449
+  %1455 = getelementptr i64, ptr %1454, i64 %1450
+  %1456 = load i64, ptr %1455, align 8
+  %1457 = getelementptr i8, ptr %1455, i64 8
+  %1458 = load i64, ptr %1457, align 8
+  %1459 = xor i64 %1456, -1
+  %1460 = add i64 %1458, %1459
+  %1461 = load ptr, ptr %102, align 8
+  %1462 = load ptr, ptr %151, align 8
+  %1463 = load ptr, ptr %155, align 8
+  %1464 = getelementptr inbounds i64, ptr %1463, i64 %1456
+  %1465 = load ptr, ptr %156, align 8
+  %1466 = getelementptr inbounds double, ptr %1465, i64 %1456
+  tail call fastcc void @combine(ptr noundef %1451, ptr noundef %1452, ptr noundef %1461, ptr noundef %1462, ptr noundef %1464, ptr noundef %1466, i64 noundef %1460, i64 noundef 1, i64 noundef %1428) #10
+  %1467 = load ptr, ptr %151, align 8
+  %1468 = mul nsw i64 %1449, %1430
+  %1469 = getelementptr inbounds double, ptr %1467, i64 %1468
+  %1470 = load i64, ptr %489, align 8
+  %1471 = add nsw i64 %1470, 1
+  store i64 %1471, ptr %489, align 8
+  %1472 = load ptr, ptr %157, align 8
+  %1473 = getelementptr inbounds double, ptr %1472, i64 %1449
+  %1474 = load double, ptr %1473, align 8
+  %1475 = fmul double %603, %1474
+  %1476 = fadd double %517, %1475
+  %1477 = load ptr, ptr %153, align 8
+  %1478 = load ptr, ptr %158, align 8
+  store double %1476, ptr %1478, align 8
+  %1479 = load ptr, ptr %75, align 8
+  %1480 = getelementptr inbounds i8, ptr %1479, i64 40
+  %1481 = load i64, ptr %1480, align 8
+  %1482 = icmp eq i64 %1481, 0
+  br i1 %1482, label %1484, label %1483
 
-1466:                                             ; preds = %1462, %1465
-  %1467 = load ptr, ptr %75, align 8
-  %1468 = load i64, ptr %1467, align 8
-  %1469 = load ptr, ptr %158, align 8
-  %1470 = load ptr, ptr %160, align 8
-  %1471 = load ptr, ptr %161, align 8
-  %1472 = inttoptr i64 %1468 to ptr
-  %1473 = load ptr, ptr %1472, align 8
-  %1474 = tail call i32 %1473(ptr noundef %1469, ptr noundef %1455, ptr noundef %1470, ptr noundef %1471, ptr noundef %1447) #10
-  %1475 = sext i32 %1474 to i64
-  %1476 = icmp eq i32 %1474, 0
-  %1477 = select i1 %1476, i64 %1426, i64 %1475
-  br i1 %1476, label %1419, label %1478
+1483:                                             ; preds = %1446
+  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+  br label %1484
 
-1478:                                             ; preds = %1419, %1466, %1402
-  %1479 = phi i1 [ %1416, %1402 ], [ %1423, %1419 ], [ %1425, %1466 ]
-  %1480 = phi i64 [ 0, %1402 ], [ %1475, %1466 ], [ %1475, %1419 ]
-  %1481 = phi i64 [ undef, %1402 ], [ %1477, %1466 ], [ %1477, %1419 ]
-  %1482 = getelementptr inbounds i8, ptr %1403, i64 16
-  br i1 %1479, label %1551, label %1483
+1484:                                             ; preds = %1483, %1446
+  %1485 = load i64, ptr %159, align 8
+  %1486 = icmp sgt i64 %1485, 0
+  br i1 %1486, label %1487, label %1488
 
-1483:                                             ; preds = %1478
-  %1484 = load ptr, ptr %75, align 8
-  %1485 = getelementptr inbounds i8, ptr %1484, i64 8
-  %1486 = load i64, ptr %1485, align 8
-  %1487 = icmp sgt i64 %1486, 0
-  br i1 %1487, label %1488, label %1492
+1487:                                             ; preds = %1484
+  tail call fastcc void @sample(ptr noundef nonnull %75) #10
+  br label %1488
 
-1488:                                             ; preds = %1483
-  %1489 = getelementptr inbounds double, ptr %1412, i64 %1408
-  %1490 = shl nsw i64 %1408, 4
-  %1491 = getelementptr inbounds i8, ptr %1412, i64 %1490
-  br label %1499
+1488:                                             ; preds = %1484, %1487
+  %1489 = load ptr, ptr %75, align 8
+  %1490 = load i64, ptr %1489, align 8
+  %1491 = load ptr, ptr %158, align 8
+  %1492 = load ptr, ptr %160, align 8
+  %1493 = load ptr, ptr %161, align 8
+  %1494 = inttoptr i64 %1490 to ptr
+  %1495 = load ptr, ptr %1494, align 8
+  %1496 = tail call i32 %1495(ptr noundef %1491, ptr noundef %1477, ptr noundef %1492, ptr noundef %1493, ptr noundef %1469) #11
+  %1497 = sext i32 %1496 to i64
+  %1498 = icmp eq i32 %1496, 0
+  %1499 = select i1 %1498, i64 %1448, i64 %1497
+  br i1 %1498, label %1441, label %1500
 
-1492:                                             ; preds = %1499, %1483
-  %1493 = getelementptr inbounds i8, ptr %1403, i64 8
-  %1494 = load i64, ptr %1493, align 8
-  %1495 = load i64, ptr %1482, align 8
-  %1496 = getelementptr inbounds i8, ptr %1403, i64 24
-  %1497 = load i64, ptr %1496, align 8
-  %1498 = icmp sgt i64 %1497, 3
-  br i1 %1498, label %1526, label %1551
+1500:                                             ; preds = %1441, %1488, %1424
+  %1501 = phi i1 [ %1438, %1424 ], [ %1445, %1441 ], [ %1447, %1488 ]
+  %1502 = phi i64 [ 0, %1424 ], [ %1497, %1488 ], [ %1497, %1441 ]
+  %1503 = phi i64 [ undef, %1424 ], [ %1499, %1488 ], [ %1499, %1441 ]
+  %1504 = getelementptr inbounds i8, ptr %1425, i64 16
+  br i1 %1501, label %1573, label %1505
 
-1499:                                             ; preds = %1488, %1499
-  %1500 = phi i64 [ 0, %1488 ], [ %1521, %1499 ]
-  %1501 = load ptr, ptr %162, align 8
-  %1502 = getelementptr inbounds double, ptr %1501, i64 %1500
-  %1503 = load double, ptr %1502, align 8
-  %1504 = load ptr, ptr %76, align 8
-  %1505 = getelementptr inbounds double, ptr %1504, i64 %1500
-  %1506 = load double, ptr %1505, align 8
-  %1507 = fsub double %1503, %1506
-  %1508 = load ptr, ptr %151, align 8
-  %1509 = getelementptr inbounds double, ptr %1508, i64 %1500
-  %1510 = load double, ptr %1509, align 8
-  %1511 = fmul double %600, %1510
-  %1512 = fsub double %1511, %1507
-  %1513 = getelementptr inbounds double, ptr %1412, i64 %1500
-  store double %1507, ptr %1513, align 8
-  %1514 = getelementptr inbounds double, ptr %1489, i64 %1500
-  store double %1512, ptr %1514, align 8
-  %1515 = fsub double %1507, %1512
-  %1516 = getelementptr inbounds double, ptr %1411, i64 %1500
-  %1517 = load double, ptr %1516, align 8
-  %1518 = fmul double %600, %1517
-  %1519 = fsub double %1515, %1518
-  %1520 = getelementptr inbounds double, ptr %1491, i64 %1500
-  store double %1519, ptr %1520, align 8
-  %1521 = add nuw nsw i64 %1500, 1
-  %1522 = load ptr, ptr %75, align 8
-  %1523 = getelementptr inbounds i8, ptr %1522, i64 8
-  %1524 = load i64, ptr %1523, align 8
-  %1525 = icmp slt i64 %1521, %1524
-  br i1 %1525, label %1499, label %1492, !llvm.loop !29
+1505:                                             ; preds = %1500
+  %1506 = load ptr, ptr %75, align 8
+  %1507 = getelementptr inbounds i8, ptr %1506, i64 8
+  %1508 = load i64, ptr %1507, align 8
+  %1509 = icmp sgt i64 %1508, 0
+  br i1 %1509, label %1510, label %1514
 
-1526:                                             ; preds = %1492, %1526
-  %1527 = phi i64 [ %1548, %1526 ], [ 3, %1492 ]
-  %1528 = mul nsw i64 %1527, %1408
-  %1529 = getelementptr inbounds double, ptr %1412, i64 %1528
-  %1530 = load ptr, ptr %163, align 8
-  %1531 = load ptr, ptr %164, align 8
-  %1532 = getelementptr i64, ptr %1531, i64 %1413
-  %1533 = getelementptr i64, ptr %1532, i64 %1494
-  %1534 = getelementptr i64, ptr %1533, i64 %1495
-  %1535 = getelementptr i64, ptr %1534, i64 %1527
-  %1536 = getelementptr i8, ptr %1535, i64 -24
-  %1537 = load i64, ptr %1536, align 8
-  %1538 = getelementptr i8, ptr %1535, i64 -16
-  %1539 = load i64, ptr %1538, align 8
-  %1540 = xor i64 %1537, -1
-  %1541 = add i64 %1539, %1540
-  %1542 = load ptr, ptr %102, align 8
-  %1543 = load ptr, ptr %151, align 8
-  %1544 = load ptr, ptr %165, align 8
-  %1545 = getelementptr inbounds i64, ptr %1544, i64 %1537
-  %1546 = load ptr, ptr %166, align 8
-  %1547 = getelementptr inbounds double, ptr %1546, i64 %1537
-  tail call fastcc void @combine(ptr noundef %1529, ptr noundef %1530, ptr noundef %1542, ptr noundef %1543, ptr noundef %1545, ptr noundef %1547, i64 noundef %1541, i64 noundef 1, i64 noundef %1406) #9
-  %1548 = add nuw nsw i64 %1527, 1
-  %1549 = load i64, ptr %1496, align 8
-  %1550 = icmp slt i64 %1548, %1549
-  br i1 %1550, label %1526, label %1551, !llvm.loop !30
+1510:                                             ; preds = %1505
+  %1511 = getelementptr inbounds double, ptr %1434, i64 %1430
+  %1512 = shl nsw i64 %1430, 4
+  %1513 = getelementptr inbounds i8, ptr %1434, i64 %1512
+  br label %1521
 
-1551:                                             ; preds = %1526, %1492, %1478
-  %1552 = phi i64 [ %1481, %1478 ], [ %1480, %1492 ], [ %1480, %1526 ]
-  %1553 = icmp eq i64 %1552, 0
-  br i1 %1553, label %1557, label %1554
+1514:                                             ; preds = %1521, %1505
+  %1515 = getelementptr inbounds i8, ptr %1425, i64 8
+  %1516 = load i64, ptr %1515, align 8
+  %1517 = load i64, ptr %1504, align 8
+  %1518 = getelementptr inbounds i8, ptr %1425, i64 24
+  %1519 = load i64, ptr %1518, align 8
+  %1520 = icmp sgt i64 %1519, 3
+  br i1 %1520, label %1548, label %1573
 
-1554:                                             ; preds = %1551
-  store i64 3, ptr %492, align 8
-  store double %514, ptr %177, align 8
-  %1555 = icmp slt i64 %1552, 0
-  %1556 = select i1 %1555, i64 -4, i64 2
-  br label %1925
+1521:                                             ; preds = %1510, %1521
+  %1522 = phi i64 [ 0, %1510 ], [ %1543, %1521 ]
+  %1523 = load ptr, ptr %162, align 8
+  %1524 = getelementptr inbounds double, ptr %1523, i64 %1522
+  %1525 = load double, ptr %1524, align 8
+  %1526 = load ptr, ptr %76, align 8
+  %1527 = getelementptr inbounds double, ptr %1526, i64 %1522
+  %1528 = load double, ptr %1527, align 8
+  %1529 = fsub double %1525, %1528
+  %1530 = load ptr, ptr %151, align 8
+  %1531 = getelementptr inbounds double, ptr %1530, i64 %1522
+  %1532 = load double, ptr %1531, align 8
+  %1533 = fmul double %603, %1532
+  %1534 = fsub double %1533, %1529
+  %1535 = getelementptr inbounds double, ptr %1434, i64 %1522
+  store double %1529, ptr %1535, align 8
+  %1536 = getelementptr inbounds double, ptr %1511, i64 %1522
+  store double %1534, ptr %1536, align 8
+  %1537 = fsub double %1529, %1534
+  %1538 = getelementptr inbounds double, ptr %1433, i64 %1522
+  %1539 = load double, ptr %1538, align 8
+  %1540 = fmul double %603, %1539
+  %1541 = fsub double %1537, %1540
+  %1542 = getelementptr inbounds double, ptr %1513, i64 %1522
+  store double %1541, ptr %1542, align 8
+  %1543 = add nuw nsw i64 %1522, 1
+  %1544 = load ptr, ptr %75, align 8
+  %1545 = getelementptr inbounds i8, ptr %1544, i64 8
+  %1546 = load i64, ptr %1545, align 8
+  %1547 = icmp slt i64 %1543, %1546
+  br i1 %1547, label %1521, label %1514, !llvm.loop !29
 
-1557:                                             ; preds = %1551
-  %1558 = load ptr, ptr %77, align 8
-  br i1 %1359, label %1559, label %1570
+1548:                                             ; preds = %1514, %1548
+  %1549 = phi i64 [ %1570, %1548 ], [ 3, %1514 ]
+  %1550 = mul nsw i64 %1549, %1430
+  %1551 = getelementptr inbounds double, ptr %1434, i64 %1550
+  %1552 = load ptr, ptr %163, align 8
+  %1553 = load ptr, ptr %164, align 8
+  %1554 = getelementptr i64, ptr %1553, i64 %1435
+  %1555 = getelementptr i64, ptr %1554, i64 %1516
+  %1556 = getelementptr i64, ptr %1555, i64 %1517
+  %1557 = getelementptr i64, ptr %1556, i64 %1549
+  %1558 = getelementptr i8, ptr %1557, i64 -24
+  %1559 = load i64, ptr %1558, align 8
+  %1560 = getelementptr i8, ptr %1557, i64 -16
+  %1561 = load i64, ptr %1560, align 8
+  %1562 = xor i64 %1559, -1
+  %1563 = add i64 %1561, %1562
+  %1564 = load ptr, ptr %102, align 8
+  %1565 = load ptr, ptr %151, align 8
+  %1566 = load ptr, ptr %165, align 8
+  %1567 = getelementptr inbounds i64, ptr %1566, i64 %1559
+  %1568 = load ptr, ptr %166, align 8
+  %1569 = getelementptr inbounds double, ptr %1568, i64 %1559
+  tail call fastcc void @combine(ptr noundef %1551, ptr noundef %1552, ptr noundef %1564, ptr noundef %1565, ptr noundef %1567, ptr noundef %1569, i64 noundef %1563, i64 noundef 1, i64 noundef %1428) #10
+  %1570 = add nuw nsw i64 %1549, 1
+  %1571 = load i64, ptr %1518, align 8
+  %1572 = icmp slt i64 %1570, %1571
+  br i1 %1572, label %1548, label %1573, !llvm.loop !30
 
-1559:                                             ; preds = %1557
-  %1560 = load ptr, ptr %84, align 8
-  %1561 = getelementptr inbounds i8, ptr %1560, i64 16
-  %1562 = load i64, ptr %1561, align 8
-  %1563 = inttoptr i64 %1562 to ptr
-  %1564 = tail call i64 %1563(ptr noundef %0, double noundef %514, double noundef %600) #10
-  %1565 = icmp eq i64 %1564, -6
-  br i1 %1565, label %1566, label %1567
+1573:                                             ; preds = %1548, %1514, %1500
+  %1574 = phi i64 [ %1503, %1500 ], [ %1502, %1514 ], [ %1502, %1548 ]
+  %1575 = icmp eq i64 %1574, 0
+  br i1 %1575, label %1579, label %1576
 
-1566:                                             ; preds = %1559
-  store double %514, ptr %1558, align 8
-  br label %1745
+1576:                                             ; preds = %1573
+  store i64 3, ptr %494, align 8
+  store double %517, ptr %179, align 8
+  %1577 = icmp slt i64 %1574, 0
+  %1578 = select i1 %1577, i64 -4, i64 2
+  br label %2018
 
-1567:                                             ; preds = %1559
-  %1568 = getelementptr inbounds i8, ptr %1558, i64 48
-  %1569 = load double, ptr %1568, align 8
-  br label %1570
+1579:                                             ; preds = %1573
+  %1580 = load ptr, ptr %77, align 8
+  br i1 %1381, label %1581, label %1592
 
-1570:                                             ; preds = %1567, %1557
-  %1571 = phi double [ %1569, %1567 ], [ 1.000000e+00, %1557 ]
-  %1572 = phi i64 [ %1564, %1567 ], [ 0, %1557 ]
-  %1573 = fcmp oeq double %1571, 1.000000e+00
-  br i1 %1573, label %1574, label %1576
+1581:                                             ; preds = %1579
+  %1582 = load ptr, ptr %84, align 8
+  %1583 = getelementptr inbounds i8, ptr %1582, i64 16
+  %1584 = load i64, ptr %1583, align 8
+  %1585 = inttoptr i64 %1584 to ptr
+  %1586 = tail call i64 %1585(ptr noundef %0, double noundef %517, double noundef %603) #11
+  %1587 = icmp eq i64 %1586, -6
+  br i1 %1587, label %1588, label %1589
 
-1574:                                             ; preds = %1570
-  %1575 = load double, ptr %1558, align 8
-  br label %1579
+1588:                                             ; preds = %1581
+  store double %517, ptr %1580, align 8
+  br label %1767
 
-1576:                                             ; preds = %1570
-  %1577 = fmul double %600, %1571
-  %1578 = fadd double %514, %1577
-  br label %1579
+1589:                                             ; preds = %1581
+  %1590 = getelementptr inbounds i8, ptr %1580, i64 48
+  %1591 = load double, ptr %1590, align 8
+  br label %1592
 
-1579:                                             ; preds = %1576, %1574
-  %1580 = phi double [ %1575, %1574 ], [ %1578, %1576 ]
-  %1581 = icmp eq i64 %1572, -4
-  %1582 = select i1 %1581, i64 -4, i64 0
-  br i1 %1581, label %1640, label %1583
+1592:                                             ; preds = %1589, %1579
+  %1593 = phi double [ %1591, %1589 ], [ 1.000000e+00, %1579 ]
+  %1594 = phi i64 [ %1586, %1589 ], [ 0, %1579 ]
+  %1595 = fcmp oeq double %1593, 1.000000e+00
+  br i1 %1595, label %1596, label %1598
 
-1583:                                             ; preds = %1579
-  %1584 = fcmp olt double %1571, 1.000000e+00
-  %1585 = load ptr, ptr %75, align 8
-  %1586 = getelementptr inbounds i8, ptr %1585, i64 8
-  %1587 = load i64, ptr %1586, align 8
-  %1588 = load i64, ptr %85, align 8
-  %1589 = load ptr, ptr %80, align 8
-  %1590 = load ptr, ptr %79, align 8
-  %1591 = getelementptr inbounds i8, ptr %1590, i64 48
-  %1592 = load i64, ptr %1591, align 8
-  %1593 = icmp slt i64 %1592, %1588
-  br i1 %1593, label %1594, label %1636
+1596:                                             ; preds = %1592
+  %1597 = load double, ptr %1580, align 8
+  br label %1601
 
-1594:                                             ; preds = %1583, %1632
-  %1595 = phi i64 [ %1633, %1632 ], [ undef, %1583 ]
-  %1596 = phi i64 [ %1634, %1632 ], [ %1592, %1583 ]
-  %1597 = getelementptr inbounds double, ptr %1589, i64 %1596
-  %1598 = load double, ptr %1597, align 8
-  %1599 = fcmp olt double %1598, %1580
-  %1600 = fcmp oeq double %1598, %1580
-  %1601 = and i1 %1584, %1600
-  %1602 = or i1 %1599, %1601
-  br i1 %1602, label %1603, label %1636
+1598:                                             ; preds = %1592
+  %1599 = fmul double %603, %1593
+  %1600 = fadd double %517, %1599
+  br label %1601
 
-1603:                                             ; preds = %1594
-  %1604 = fsub double %1598, %514
-  %1605 = fdiv double %1604, %600
-  %1606 = mul nsw i64 %1596, %1587
-  %1607 = getelementptr inbounds double, ptr %1, i64 %1606
-  %1608 = load ptr, ptr %167, align 8
-  %1609 = insertelement <8 x double> poison, double %1605, i64 0
-  %1610 = shufflevector <8 x double> %1609, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1610, ptr %1608, align 8
-  %1611 = load ptr, ptr %76, align 8
-  %1612 = load ptr, ptr %152, align 8
-  %1613 = load i64, ptr %150, align 8
-  %1614 = load ptr, ptr %0, align 8
-  %1615 = getelementptr inbounds i8, ptr %1614, i64 24
-  %1616 = load i64, ptr %1615, align 8
-  %1617 = load ptr, ptr %167, align 8
-  %1618 = load ptr, ptr %75, align 8
-  %1619 = getelementptr inbounds i8, ptr %1618, i64 16
-  %1620 = load i64, ptr %1619, align 8
-  tail call fastcc void @nested(ptr noundef %1607, ptr noundef %1611, ptr noundef %1612, i64 noundef %1613, i64 noundef %1616, ptr noundef %1617, i64 noundef %1620) #9
-  %1621 = load ptr, ptr %83, align 8
-  %1622 = load i64, ptr %1621, align 8
-  %1623 = icmp eq i64 %1622, 1
-  br i1 %1623, label %1624, label %1632
+1601:                                             ; preds = %1598, %1596
+  %1602 = phi double [ %1597, %1596 ], [ %1600, %1598 ]
+  %1603 = icmp eq i64 %1594, -4
+  %1604 = select i1 %1603, i64 -4, i64 0
+  br i1 %1603, label %1662, label %1605
 
-1624:                                             ; preds = %1603
-  %1625 = load double, ptr %1597, align 8
-  %1626 = getelementptr inbounds i8, ptr %1621, i64 56
-  %1627 = load i64, ptr %1626, align 8
-  %1628 = inttoptr i64 %1627 to ptr
-  %1629 = tail call i64 %1628(ptr noundef %0, double noundef %1625, ptr noundef %1607, ptr noundef null) #10
-  %1630 = icmp eq i64 %1629, 0
-  %1631 = select i1 %1630, i64 %1595, i64 %1629
-  br i1 %1630, label %1632, label %1640
+1605:                                             ; preds = %1601
+  %1606 = fcmp olt double %1593, 1.000000e+00
+  %1607 = load ptr, ptr %75, align 8
+  %1608 = getelementptr inbounds i8, ptr %1607, i64 8
+  %1609 = load i64, ptr %1608, align 8
+  %1610 = load i64, ptr %85, align 8
+  %1611 = load ptr, ptr %80, align 8
+  %1612 = load ptr, ptr %79, align 8
+  %1613 = getelementptr inbounds i8, ptr %1612, i64 48
+  %1614 = load i64, ptr %1613, align 8
+  %1615 = icmp slt i64 %1614, %1610
+  br i1 %1615, label %1616, label %1658
 
-1632:                                             ; preds = %1624, %1603
-  %1633 = phi i64 [ %1631, %1624 ], [ %1595, %1603 ]
-  %1634 = add i64 %1596, 1
-  %1635 = icmp eq i64 %1634, %1588
-  br i1 %1635, label %1636, label %1594, !llvm.loop !31
+1616:                                             ; preds = %1605, %1654
+  %1617 = phi i64 [ %1655, %1654 ], [ undef, %1605 ]
+  %1618 = phi i64 [ %1656, %1654 ], [ %1614, %1605 ]
+  %1619 = getelementptr inbounds double, ptr %1611, i64 %1618
+  %1620 = load double, ptr %1619, align 8
+  %1621 = fcmp olt double %1620, %1602
+  %1622 = fcmp oeq double %1620, %1602
+  %1623 = and i1 %1606, %1622
+  %1624 = or i1 %1621, %1623
+  br i1 %1624, label %1625, label %1658
 
-1636:                                             ; preds = %1632, %1594, %1583
-  %1637 = phi i64 [ %1592, %1583 ], [ %1588, %1632 ], [ %1596, %1594 ]
-  %1638 = load ptr, ptr %79, align 8
-  %1639 = getelementptr inbounds i8, ptr %1638, i64 48
-  store i64 %1637, ptr %1639, align 8
-  br label %1640
+1625:                                             ; preds = %1616
+  %1626 = fsub double %1620, %517
+  %1627 = fdiv double %1626, %603
+  %1628 = mul nsw i64 %1618, %1609
+  %1629 = getelementptr inbounds double, ptr %1, i64 %1628
+  %1630 = load ptr, ptr %167, align 8
+  %1631 = insertelement <8 x double> poison, double %1627, i64 0
+  %1632 = shufflevector <8 x double> %1631, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1632, ptr %1630, align 8
+  %1633 = load ptr, ptr %76, align 8
+  %1634 = load ptr, ptr %152, align 8
+  %1635 = load i64, ptr %150, align 8
+  %1636 = load ptr, ptr %0, align 8
+  %1637 = getelementptr inbounds i8, ptr %1636, i64 24
+  %1638 = load i64, ptr %1637, align 8
+  %1639 = load ptr, ptr %167, align 8
+  %1640 = load ptr, ptr %75, align 8
+  %1641 = getelementptr inbounds i8, ptr %1640, i64 16
+  %1642 = load i64, ptr %1641, align 8
+  tail call fastcc void @nested(ptr noundef %1629, ptr noundef %1633, ptr noundef %1634, i64 noundef %1635, i64 noundef %1638, ptr noundef %1639, i64 noundef %1642) #10
+  %1643 = load ptr, ptr %83, align 8
+  %1644 = load i64, ptr %1643, align 8
+  %1645 = icmp eq i64 %1644, 1
+  br i1 %1645, label %1646, label %1654
 
-1640:                                             ; preds = %1624, %1636, %1579
-  %1641 = phi i64 [ %1582, %1579 ], [ 0, %1636 ], [ %1631, %1624 ]
-  %1642 = icmp eq i64 %1641, 0
-  %1643 = icmp ne i64 %1572, 0
-  %1644 = fcmp olt double %1571, 1.000000e+00
-  %1645 = and i1 %1644, %1642
-  %1646 = and i1 %1643, %1645
-  br i1 %1646, label %1647, label %1684
+1646:                                             ; preds = %1625
+  %1647 = load double, ptr %1619, align 8
+  %1648 = getelementptr inbounds i8, ptr %1643, i64 56
+  %1649 = load i64, ptr %1648, align 8
+  %1650 = inttoptr i64 %1649 to ptr
+  %1651 = tail call i64 %1650(ptr noundef %0, double noundef %1647, ptr noundef %1629, ptr noundef null) #11
+  %1652 = icmp eq i64 %1651, 0
+  %1653 = select i1 %1652, i64 %1617, i64 %1651
+  br i1 %1652, label %1654, label %1662
 
-1647:                                             ; preds = %1640
-  %1648 = load ptr, ptr %168, align 8
-  %1649 = load ptr, ptr %169, align 8
-  %1650 = insertelement <8 x double> poison, double %1571, i64 0
-  %1651 = shufflevector <8 x double> %1650, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1651, ptr %1649, align 8
-  %1652 = load ptr, ptr %76, align 8
-  %1653 = load ptr, ptr %152, align 8
-  %1654 = load i64, ptr %150, align 8
-  %1655 = load ptr, ptr %0, align 8
-  %1656 = getelementptr inbounds i8, ptr %1655, i64 24
-  %1657 = load i64, ptr %1656, align 8
-  %1658 = load ptr, ptr %169, align 8
-  %1659 = load ptr, ptr %75, align 8
-  %1660 = getelementptr inbounds i8, ptr %1659, i64 16
-  %1661 = load i64, ptr %1660, align 8
-  tail call fastcc void @nested(ptr noundef %1648, ptr noundef %1652, ptr noundef %1653, i64 noundef %1654, i64 noundef %1657, ptr noundef %1658, i64 noundef %1661) #9
-  %1662 = load i64, ptr %82, align 8
-  %1663 = icmp sgt i64 %1662, 0
-  br i1 %1663, label %1668, label %1664
+1654:                                             ; preds = %1646, %1625
+  %1655 = phi i64 [ %1653, %1646 ], [ %1617, %1625 ]
+  %1656 = add i64 %1618, 1
+  %1657 = icmp eq i64 %1656, %1610
+  br i1 %1657, label %1658, label %1616, !llvm.loop !31
 
-1664:                                             ; preds = %1668, %1647
-  %1665 = load ptr, ptr %83, align 8
-  %1666 = load i64, ptr %1665, align 8
-  %1667 = icmp eq i64 %1666, 1
-  br i1 %1667, label %1678, label %1684
+1658:                                             ; preds = %1654, %1616, %1605
+  %1659 = phi i64 [ %1614, %1605 ], [ %1610, %1654 ], [ %1618, %1616 ]
+  %1660 = load ptr, ptr %79, align 8
+  %1661 = getelementptr inbounds i8, ptr %1660, i64 48
+  store i64 %1659, ptr %1661, align 8
+  br label %1662
 
-1668:                                             ; preds = %1647, %1668
-  %1669 = phi i64 [ %1675, %1668 ], [ 0, %1647 ]
+1662:                                             ; preds = %1646, %1658, %1601
+  %1663 = phi i64 [ %1604, %1601 ], [ 0, %1658 ], [ %1653, %1646 ]
+  %1664 = icmp eq i64 %1663, 0
+  %1665 = icmp ne i64 %1594, 0
+  %1666 = fcmp olt double %1593, 1.000000e+00
+  %1667 = and i1 %1666, %1664
+  %1668 = and i1 %1665, %1667
+  br i1 %1668, label %1669, label %1706
+
+1669:                                             ; preds = %1662
   %1670 = load ptr, ptr %168, align 8
-  %1671 = getelementptr inbounds double, ptr %1670, i64 %1669
-  %1672 = load double, ptr %1671, align 8
-  %1673 = load ptr, ptr %78, align 8
-  %1674 = getelementptr inbounds double, ptr %1673, i64 %1669
-  store double %1672, ptr %1674, align 8
-  %1675 = add nuw nsw i64 %1669, 1
-  %1676 = load i64, ptr %82, align 8
-  %1677 = icmp slt i64 %1675, %1676
-  br i1 %1677, label %1668, label %1664, !llvm.loop !32
+  %1671 = load ptr, ptr %169, align 8
+  %1672 = insertelement <8 x double> poison, double %1593, i64 0
+  %1673 = shufflevector <8 x double> %1672, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1673, ptr %1671, align 8
+  %1674 = load ptr, ptr %76, align 8
+  %1675 = load ptr, ptr %152, align 8
+  %1676 = load i64, ptr %150, align 8
+  %1677 = load ptr, ptr %0, align 8
+  %1678 = getelementptr inbounds i8, ptr %1677, i64 24
+  %1679 = load i64, ptr %1678, align 8
+  %1680 = load ptr, ptr %169, align 8
+  %1681 = load ptr, ptr %75, align 8
+  %1682 = getelementptr inbounds i8, ptr %1681, i64 16
+  %1683 = load i64, ptr %1682, align 8
+  tail call fastcc void @nested(ptr noundef %1670, ptr noundef %1674, ptr noundef %1675, i64 noundef %1676, i64 noundef %1679, ptr noundef %1680, i64 noundef %1683) #10
+  %1684 = load i64, ptr %82, align 8
+  %1685 = icmp sgt i64 %1684, 0
+  br i1 %1685, label %1690, label %1686
 
-1678:                                             ; preds = %1664
-  %1679 = load ptr, ptr %78, align 8
-  %1680 = getelementptr inbounds i8, ptr %1665, i64 56
-  %1681 = load i64, ptr %1680, align 8
-  %1682 = inttoptr i64 %1681 to ptr
-  %1683 = tail call i64 %1682(ptr noundef %0, double noundef %1580, ptr noundef %1679, ptr noundef null) #10
-  br label %1684
+1686:                                             ; preds = %1690, %1669
+  %1687 = load ptr, ptr %83, align 8
+  %1688 = load i64, ptr %1687, align 8
+  %1689 = icmp eq i64 %1688, 1
+  br i1 %1689, label %1700, label %1706
 
-1684:                                             ; preds = %1678, %1664, %1640
-  %1685 = phi i64 [ %1683, %1678 ], [ 0, %1664 ], [ %1641, %1640 ]
-  %1686 = icmp eq i64 %1685, 0
-  br i1 %1686, label %1689, label %1687
+1690:                                             ; preds = %1669, %1690
+  %1691 = phi i64 [ %1697, %1690 ], [ 0, %1669 ]
+  %1692 = load ptr, ptr %168, align 8
+  %1693 = getelementptr inbounds double, ptr %1692, i64 %1691
+  %1694 = load double, ptr %1693, align 8
+  %1695 = load ptr, ptr %78, align 8
+  %1696 = getelementptr inbounds double, ptr %1695, i64 %1691
+  store double %1694, ptr %1696, align 8
+  %1697 = add nuw nsw i64 %1691, 1
+  %1698 = load i64, ptr %82, align 8
+  %1699 = icmp slt i64 %1697, %1698
+  br i1 %1699, label %1690, label %1686, !llvm.loop !32
 
-1687:                                             ; preds = %1684
-  store double %514, ptr %1558, align 8
-  %1688 = getelementptr inbounds i8, ptr %1558, i64 8
-  store double %600, ptr %1688, align 8
-  br label %1745
+1700:                                             ; preds = %1686
+  %1701 = load ptr, ptr %78, align 8
+  %1702 = getelementptr inbounds i8, ptr %1687, i64 56
+  %1703 = load i64, ptr %1702, align 8
+  %1704 = inttoptr i64 %1703 to ptr
+  %1705 = tail call i64 %1704(ptr noundef %0, double noundef %1602, ptr noundef %1701, ptr noundef null) #11
+  br label %1706
 
-1689:                                             ; preds = %1684
-  br i1 %1573, label %1690, label %1728
+1706:                                             ; preds = %1700, %1686, %1662
+  %1707 = phi i64 [ %1705, %1700 ], [ 0, %1686 ], [ %1663, %1662 ]
+  %1708 = icmp eq i64 %1707, 0
+  br i1 %1708, label %1711, label %1709
 
-1690:                                             ; preds = %1689
-  %1691 = load ptr, ptr %78, align 8
-  %1692 = load ptr, ptr %75, align 8
-  %1693 = getelementptr inbounds i8, ptr %1692, i64 8
-  %1694 = load i64, ptr %1693, align 8
-  %1695 = load i64, ptr %85, align 8
-  %1696 = load ptr, ptr %80, align 8
-  %1697 = load ptr, ptr %79, align 8
-  %1698 = getelementptr inbounds i8, ptr %1697, i64 48
-  %1699 = load i64, ptr %1698, align 8
-  %1700 = icmp slt i64 %1699, %1695
-  br i1 %1700, label %1701, label %1724
+1709:                                             ; preds = %1706
+  store double %517, ptr %1580, align 8
+  %1710 = getelementptr inbounds i8, ptr %1580, i64 8
+  store double %603, ptr %1710, align 8
+  br label %1767
 
-1701:                                             ; preds = %1690
-  %1702 = icmp sgt i64 %1694, 0
-  br label %1703
+1711:                                             ; preds = %1706
+  br i1 %1595, label %1712, label %1750
 
-1703:                                             ; preds = %1701, %1714
-  %1704 = phi i64 [ %1699, %1701 ], [ %1715, %1714 ]
-  %1705 = getelementptr inbounds double, ptr %1696, i64 %1704
-  %1706 = load double, ptr %1705, align 8
-  %1707 = load ptr, ptr %77, align 8
-  %1708 = load double, ptr %1707, align 8
-  %1709 = fcmp ugt double %1706, %1708
-  br i1 %1709, label %1724, label %1710
+1712:                                             ; preds = %1711
+  %1713 = load ptr, ptr %78, align 8
+  %1714 = load ptr, ptr %75, align 8
+  %1715 = getelementptr inbounds i8, ptr %1714, i64 8
+  %1716 = load i64, ptr %1715, align 8
+  %1717 = load i64, ptr %85, align 8
+  %1718 = load ptr, ptr %80, align 8
+  %1719 = load ptr, ptr %79, align 8
+  %1720 = getelementptr inbounds i8, ptr %1719, i64 48
+  %1721 = load i64, ptr %1720, align 8
+  %1722 = icmp slt i64 %1721, %1717
+  br i1 %1722, label %1723, label %1746
 
-1710:                                             ; preds = %1703
-  br i1 %1702, label %1711, label %1714
+1723:                                             ; preds = %1712
+  %1724 = icmp sgt i64 %1716, 0
+  br label %1725
 
-1711:                                             ; preds = %1710
-  %1712 = mul nsw i64 %1704, %1694
-  %1713 = getelementptr double, ptr %1, i64 %1712
-  br label %1717
+1725:                                             ; preds = %1723, %1736
+  %1726 = phi i64 [ %1721, %1723 ], [ %1737, %1736 ]
+  %1727 = getelementptr inbounds double, ptr %1718, i64 %1726
+  %1728 = load double, ptr %1727, align 8
+  %1729 = load ptr, ptr %77, align 8
+  %1730 = load double, ptr %1729, align 8
+  %1731 = fcmp ugt double %1728, %1730
+  br i1 %1731, label %1746, label %1732
 
-1714:                                             ; preds = %1717, %1710
-  %1715 = add i64 %1704, 1
-  %1716 = icmp eq i64 %1715, %1695
-  br i1 %1716, label %1724, label %1703, !llvm.loop !9
+1732:                                             ; preds = %1725
+  br i1 %1724, label %1733, label %1736
 
-1717:                                             ; preds = %1711, %1717
-  %1718 = phi i64 [ 0, %1711 ], [ %1722, %1717 ]
-  %1719 = getelementptr inbounds double, ptr %1691, i64 %1718
-  %1720 = load double, ptr %1719, align 8
-  %1721 = getelementptr double, ptr %1713, i64 %1718
-  store double %1720, ptr %1721, align 8
-  %1722 = add nuw nsw i64 %1718, 1
-  %1723 = icmp eq i64 %1722, %1694
-  br i1 %1723, label %1714, label %1717, !llvm.loop !10
+1733:                                             ; preds = %1732
+  %1734 = mul nsw i64 %1726, %1716
+  %1735 = getelementptr double, ptr %1, i64 %1734
+  br label %1739
 
-1724:                                             ; preds = %1714, %1703, %1690
-  %1725 = phi i64 [ %1699, %1690 ], [ %1695, %1714 ], [ %1704, %1703 ]
-  %1726 = load ptr, ptr %79, align 8
-  %1727 = getelementptr inbounds i8, ptr %1726, i64 48
-  store i64 %1725, ptr %1727, align 8
-  br label %1728
+1736:                                             ; preds = %1739, %1732
+  %1737 = add i64 %1726, 1
+  %1738 = icmp eq i64 %1737, %1717
+  br i1 %1738, label %1746, label %1725, !llvm.loop !9
 
-1728:                                             ; preds = %1724, %1689
-  br i1 %1643, label %1729, label %1745
+1739:                                             ; preds = %1733, %1739
+  %1740 = phi i64 [ 0, %1733 ], [ %1744, %1739 ]
+  %1741 = getelementptr inbounds double, ptr %1713, i64 %1740
+  %1742 = load double, ptr %1741, align 8
+  %1743 = getelementptr double, ptr %1735, i64 %1740
+  store double %1742, ptr %1743, align 8
+  %1744 = add nuw nsw i64 %1740, 1
+  %1745 = icmp eq i64 %1744, %1716
+  br i1 %1745, label %1736, label %1739, !llvm.loop !10
 
-1729:                                             ; preds = %1728
-  %1730 = load i64, ptr %82, align 8
-  %1731 = icmp sgt i64 %1730, 0
-  br i1 %1731, label %1735, label %1732
+1746:                                             ; preds = %1736, %1725, %1712
+  %1747 = phi i64 [ %1721, %1712 ], [ %1717, %1736 ], [ %1726, %1725 ]
+  %1748 = load ptr, ptr %79, align 8
+  %1749 = getelementptr inbounds i8, ptr %1748, i64 48
+  store i64 %1747, ptr %1749, align 8
+  br label %1750
 
-1732:                                             ; preds = %1735, %1729
-  store double %1580, ptr %1558, align 8
-  %1733 = getelementptr inbounds i8, ptr %1558, i64 8
-  store double 0.000000e+00, ptr %1733, align 8
-  %1734 = load ptr, ptr %79, align 8
-  store i64 0, ptr %1734, align 8
-  br label %1745
+1750:                                             ; preds = %1746, %1711
+  br i1 %1665, label %1751, label %1767
 
-1735:                                             ; preds = %1729, %1735
-  %1736 = phi i64 [ %1742, %1735 ], [ 0, %1729 ]
-  %1737 = load ptr, ptr %78, align 8
-  %1738 = getelementptr inbounds double, ptr %1737, i64 %1736
-  %1739 = load double, ptr %1738, align 8
-  %1740 = load ptr, ptr %76, align 8
-  %1741 = getelementptr inbounds double, ptr %1740, i64 %1736
-  store double %1739, ptr %1741, align 8
-  %1742 = add nuw nsw i64 %1736, 1
-  %1743 = load i64, ptr %82, align 8
-  %1744 = icmp slt i64 %1742, %1743
-  br i1 %1744, label %1735, label %1732, !llvm.loop !33
+1751:                                             ; preds = %1750
+  %1752 = load i64, ptr %82, align 8
+  %1753 = icmp sgt i64 %1752, 0
+  br i1 %1753, label %1757, label %1754
 
-1745:                                             ; preds = %1566, %1687, %1728, %1732
-  %1746 = phi i64 [ -6, %1566 ], [ %1685, %1687 ], [ %1572, %1732 ], [ %1572, %1728 ]
-  %1747 = icmp eq i64 %1746, -6
-  br i1 %1747, label %1752, label %1748
+1754:                                             ; preds = %1757, %1751
+  store double %1602, ptr %1580, align 8
+  %1755 = getelementptr inbounds i8, ptr %1580, i64 8
+  store double 0.000000e+00, ptr %1755, align 8
+  %1756 = load ptr, ptr %79, align 8
+  store i64 0, ptr %1756, align 8
+  br label %1767
 
-1748:                                             ; preds = %1745
-  %1749 = icmp ne i64 %1746, 6
-  %1750 = select i1 %1749, i1 true, i1 %193
-  %1751 = select i1 %1750, i1 true, i1 %200
-  br i1 %1751, label %1762, label %1752
+1757:                                             ; preds = %1751, %1757
+  %1758 = phi i64 [ %1764, %1757 ], [ 0, %1751 ]
+  %1759 = load ptr, ptr %78, align 8
+  %1760 = getelementptr inbounds double, ptr %1759, i64 %1758
+  %1761 = load double, ptr %1760, align 8
+  %1762 = load ptr, ptr %76, align 8
+  %1763 = getelementptr inbounds double, ptr %1762, i64 %1758
+  store double %1761, ptr %1763, align 8
+  %1764 = add nuw nsw i64 %1758, 1
+  %1765 = load i64, ptr %82, align 8
+  %1766 = icmp slt i64 %1764, %1765
+  br i1 %1766, label %1757, label %1754, !llvm.loop !33
 
-1752:                                             ; preds = %1748, %1745
-  %1753 = phi i64 [ %1746, %1748 ], [ 2, %1745 ]
-  %1754 = load i64, ptr %482, align 8
-  %1755 = add nsw i64 %1754, -1
-  store i64 %1755, ptr %482, align 8
-  %1756 = load ptr, ptr %98, align 8
-  %1757 = load i64, ptr %1756, align 8
-  %1758 = add nsw i64 %1757, -1
-  store i64 %1758, ptr %1756, align 8
-  %1759 = load i64, ptr %483, align 8
-  %1760 = add nsw i64 %1759, 1
-  store i64 %1760, ptr %483, align 8
-  store i64 %1753, ptr %503, align 8
-  store double 1.000000e+00, ptr %504, align 8
-  %1761 = fmul double %600, 2.500000e-01
-  br label %1925, !llvm.loop !23
+1767:                                             ; preds = %1588, %1709, %1750, %1754
+  %1768 = phi i64 [ -6, %1588 ], [ %1707, %1709 ], [ %1594, %1754 ], [ %1594, %1750 ]
+  %1769 = icmp eq i64 %1768, -6
+  br i1 %1769, label %1774, label %1770
 
-1762:                                             ; preds = %1748
-  %1763 = icmp eq i64 %1746, 0
-  br i1 %1763, label %1768, label %1764
+1770:                                             ; preds = %1767
+  %1771 = icmp ne i64 %1768, 6
+  %1772 = select i1 %1771, i1 true, i1 %195
+  %1773 = select i1 %1772, i1 true, i1 %202
+  br i1 %1773, label %1784, label %1774
 
-1764:                                             ; preds = %1762
-  %1765 = load ptr, ptr %98, align 8
-  %1766 = load i64, ptr %1765, align 8
-  %1767 = add nsw i64 %1766, 1
-  store i64 %1767, ptr %1765, align 8
-  br label %1925
+1774:                                             ; preds = %1770, %1767
+  %1775 = phi i64 [ %1768, %1770 ], [ 2, %1767 ]
+  %1776 = load i64, ptr %484, align 8
+  %1777 = add nsw i64 %1776, -1
+  store i64 %1777, ptr %484, align 8
+  %1778 = load ptr, ptr %98, align 8
+  %1779 = load i64, ptr %1778, align 8
+  %1780 = add nsw i64 %1779, -1
+  store i64 %1780, ptr %1778, align 8
+  %1781 = load i64, ptr %485, align 8
+  %1782 = add nsw i64 %1781, 1
+  store i64 %1782, ptr %485, align 8
+  store i64 %1775, ptr %506, align 8
+  store double 1.000000e+00, ptr %507, align 8
+  %1783 = fmul double %603, 2.500000e-01
+  br label %2018, !llvm.loop !23
 
-1768:                                             ; preds = %1762, %1398
-  br i1 %193, label %1871, label %1769
+1784:                                             ; preds = %1770
+  %1785 = icmp eq i64 %1768, 0
+  br i1 %1785, label %1790, label %1786
 
-1769:                                             ; preds = %1768
-  %1770 = load double, ptr %494, align 8
-  %1771 = fcmp ogt double %1142, 1.000000e-10
-  %1772 = select i1 %1771, double %1142, double 1.000000e-10
-  %1773 = load double, ptr %495, align 8
-  %1774 = load double, ptr %496, align 8
-  %1775 = fneg double %1774
-  %1776 = bitcast double %1772 to i64
-  %1777 = add nsw i64 %1776, -4604544271217802189
-  %1778 = ashr i64 %1777, 52
-  %1779 = and i64 %1777, -4503599627370496
-  %1780 = sub nsw i64 %1776, %1779
-  %1781 = bitcast i64 %1780 to double
-  %1782 = fadd double %1781, -1.000000e+00
-  %1783 = fadd double %1781, 1.000000e+00
-  %1784 = fdiv double %1782, %1783
-  %1785 = fmul double %1784, %1784
-  %1786 = tail call double @llvm.fma.f64(double %1785, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1787 = tail call double @llvm.fma.f64(double %1786, double %1785, double 0x3FE2776C50EF9BFE)
-  %1788 = tail call double @llvm.fma.f64(double %1787, double %1785, double 0x3FEEC709DC3A03FD)
-  %1789 = tail call double @llvm.fma.f64(double %1788, double %1785, double 0x40071547652B82FE)
-  %1790 = trunc nsw i64 %1778 to i32
-  %1791 = sitofp i32 %1790 to double
-  %1792 = fmul double %1784, %1789
-  %1793 = fadd double %1792, %1791
-  %1794 = fmul double %1793, %1775
-  %1795 = fcmp ogt double %1794, -1.000000e+03
-  %1796 = select i1 %1795, double %1794, double -1.000000e+03
-  %1797 = fcmp olt double %1796, 1.000000e+03
-  %1798 = select i1 %1797, double %1796, double 1.000000e+03
-  %1799 = tail call double @llvm.rint.f64(double %1798)
-  %1800 = fsub double %1798, %1799
-  %1801 = tail call double @llvm.fma.f64(double %1800, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1802 = tail call double @llvm.fma.f64(double %1801, double %1800, double 0x3F55D87FE78A6730)
-  %1803 = tail call double @llvm.fma.f64(double %1802, double %1800, double 0x3F83B2AB6FBA4E77)
-  %1804 = tail call double @llvm.fma.f64(double %1803, double %1800, double 0x3FAC6B08D704A0BF)
-  %1805 = tail call double @llvm.fma.f64(double %1804, double %1800, double 0x3FCEBFBDFF82C58E)
-  %1806 = tail call double @llvm.fma.f64(double %1805, double %1800, double 0x3FE62E42FEFA39EF)
-  %1807 = tail call double @llvm.fma.f64(double %1806, double %1800, double 1.000000e+00)
-  %1808 = bitcast double %1807 to i64
-  %1809 = fptosi double %1799 to i32
-  %1810 = sext i32 %1809 to i64
-  %1811 = shl nsw i64 %1810, 52
-  %1812 = add nsw i64 %1811, %1808
-  %1813 = bitcast i64 %1812 to double
-  %1814 = fmul double %1773, %1813
-  %1815 = load double, ptr %497, align 8
-  %1816 = fcmp une double %1815, 0.000000e+00
-  br i1 %1816, label %1817, label %1857
+1786:                                             ; preds = %1784
+  %1787 = load ptr, ptr %98, align 8
+  %1788 = load i64, ptr %1787, align 8
+  %1789 = add nsw i64 %1788, 1
+  store i64 %1789, ptr %1787, align 8
+  br label %2018
 
-1817:                                             ; preds = %1769
-  %1818 = load i64, ptr %493, align 8
-  %1819 = add nsw i64 %1818, -4604544271217802189
-  %1820 = ashr i64 %1819, 52
-  %1821 = and i64 %1819, -4503599627370496
-  %1822 = sub nsw i64 %1818, %1821
-  %1823 = bitcast i64 %1822 to double
-  %1824 = fadd double %1823, -1.000000e+00
-  %1825 = fadd double %1823, 1.000000e+00
-  %1826 = fdiv double %1824, %1825
-  %1827 = fmul double %1826, %1826
-  %1828 = tail call double @llvm.fma.f64(double %1827, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1829 = tail call double @llvm.fma.f64(double %1828, double %1827, double 0x3FE2776C50EF9BFE)
-  %1830 = tail call double @llvm.fma.f64(double %1829, double %1827, double 0x3FEEC709DC3A03FD)
-  %1831 = tail call double @llvm.fma.f64(double %1830, double %1827, double 0x40071547652B82FE)
-  %1832 = trunc nsw i64 %1820 to i32
-  %1833 = sitofp i32 %1832 to double
-  %1834 = fmul double %1826, %1831
-  %1835 = fadd double %1834, %1833
-  %1836 = fmul double %1815, %1835
-  %1837 = fcmp ogt double %1836, -1.000000e+03
-  %1838 = select i1 %1837, double %1836, double -1.000000e+03
-  %1839 = fcmp olt double %1838, 1.000000e+03
-  %1840 = select i1 %1839, double %1838, double 1.000000e+03
-  %1841 = tail call double @llvm.rint.f64(double %1840)
-  %1842 = fsub double %1840, %1841
-  %1843 = tail call double @llvm.fma.f64(double %1842, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1844 = tail call double @llvm.fma.f64(double %1843, double %1842, double 0x3F55D87FE78A6730)
-  %1845 = tail call double @llvm.fma.f64(double %1844, double %1842, double 0x3F83B2AB6FBA4E77)
-  %1846 = tail call double @llvm.fma.f64(double %1845, double %1842, double 0x3FAC6B08D704A0BF)
-  %1847 = tail call double @llvm.fma.f64(double %1846, double %1842, double 0x3FCEBFBDFF82C58E)
-  %1848 = tail call double @llvm.fma.f64(double %1847, double %1842, double 0x3FE62E42FEFA39EF)
-  %1849 = tail call double @llvm.fma.f64(double %1848, double %1842, double 1.000000e+00)
-  %1850 = bitcast double %1849 to i64
-  %1851 = fptosi double %1841 to i32
-  %1852 = sext i32 %1851 to i64
-  %1853 = shl nsw i64 %1852, 52
-  %1854 = add nsw i64 %1853, %1850
-  %1855 = bitcast i64 %1854 to double
-  %1856 = fmul double %1814, %1855
-  br label %1857
+1790:                                             ; preds = %1784, %1420
+  br i1 %195, label %1964, label %1791
 
-1857:                                             ; preds = %1769, %1817
-  %1858 = phi double [ %1856, %1817 ], [ %1814, %1769 ]
-  %1859 = load double, ptr %498, align 8
-  %1860 = fcmp ogt double %1858, %1859
-  %1861 = select i1 %1860, double %1858, double %1859
-  %1862 = fcmp olt double %1770, %1861
-  %1863 = select i1 %1862, double %1770, double %1861
-  %1864 = fmul double %600, %1863
-  %1865 = fcmp ogt double %515, %1864
-  %1866 = select i1 %1865, double %515, double %1864
-  %1867 = select i1 %604, double %1864, double %1866
-  %1868 = fcmp ogt double %1142, 1.000000e-04
-  %1869 = select i1 %1868, double %1142, double 1.000000e-04
-  store double %1869, ptr %493, align 8
-  %1870 = load double, ptr %499, align 8
-  store double %1870, ptr %494, align 8
-  br label %1871
+1791:                                             ; preds = %1790
+  %1792 = load double, ptr %495, align 8
+  %1793 = load double, ptr %496, align 8
+  %1794 = fcmp ogt double %1145, 1.000000e-10
+  %1795 = select i1 %1794, double %1145, double 1.000000e-10
+  %1796 = load double, ptr %497, align 8
+  %1797 = load double, ptr %498, align 8
+  %1798 = fneg double %1797
+  %1799 = bitcast double %1795 to i64
+  %1800 = add nsw i64 %1799, -4604544271217802189
+  %1801 = ashr i64 %1800, 52
+  %1802 = and i64 %1800, -4503599627370496
+  %1803 = sub nsw i64 %1799, %1802
+  %1804 = bitcast i64 %1803 to double
+  %1805 = fadd double %1804, -1.000000e+00
+  %1806 = fadd double %1804, 1.000000e+00
+  %1807 = fdiv double %1805, %1806
+  %1808 = fmul double %1807, %1807
+  %1809 = tail call double @llvm.fma.f64(double %1808, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1810 = tail call double @llvm.fma.f64(double %1809, double %1808, double 0x3FE2776C50EF9BFE)
+  %1811 = tail call double @llvm.fma.f64(double %1810, double %1808, double 0x3FEEC709DC3A03FD)
+  %1812 = tail call double @llvm.fma.f64(double %1811, double %1808, double 0x40071547652B82FE)
+  %1813 = trunc nsw i64 %1801 to i32
+  %1814 = sitofp i32 %1813 to double
+  %1815 = fmul double %1807, %1812
+  %1816 = fadd double %1815, %1814
+  %1817 = fmul double %1816, %1798
+  %1818 = fcmp ogt double %1817, -1.000000e+03
+  %1819 = select i1 %1818, double %1817, double -1.000000e+03
+  %1820 = fcmp olt double %1819, 1.000000e+03
+  %1821 = select i1 %1820, double %1819, double 1.000000e+03
+  %1822 = tail call double @llvm.rint.f64(double %1821)
+  %1823 = fsub double %1821, %1822
+  %1824 = tail call double @llvm.fma.f64(double %1823, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1825 = tail call double @llvm.fma.f64(double %1824, double %1823, double 0x3F55D87FE78A6730)
+  %1826 = tail call double @llvm.fma.f64(double %1825, double %1823, double 0x3F83B2AB6FBA4E77)
+  %1827 = tail call double @llvm.fma.f64(double %1826, double %1823, double 0x3FAC6B08D704A0BF)
+  %1828 = tail call double @llvm.fma.f64(double %1827, double %1823, double 0x3FCEBFBDFF82C58E)
+  %1829 = tail call double @llvm.fma.f64(double %1828, double %1823, double 0x3FE62E42FEFA39EF)
+  %1830 = tail call double @llvm.fma.f64(double %1829, double %1823, double 1.000000e+00)
+  %1831 = bitcast double %1830 to i64
+  %1832 = fptosi double %1822 to i32
+  %1833 = sext i32 %1832 to i64
+  %1834 = shl nsw i64 %1833, 52
+  %1835 = add nsw i64 %1834, %1831
+  %1836 = bitcast i64 %1835 to double
+  %1837 = fmul double %1796, %1836
+  %1838 = load double, ptr %499, align 8
+  %1839 = fcmp une double %1838, 0.000000e+00
+  br i1 %1839, label %1840, label %1880
 
-1871:                                             ; preds = %1857, %1768
-  %1872 = phi double [ %1867, %1857 ], [ %515, %1768 ]
-  br i1 %500, label %1877, label %1873
+1840:                                             ; preds = %1791
+  %1841 = bitcast double %1792 to i64
+  %1842 = add nsw i64 %1841, -4604544271217802189
+  %1843 = ashr i64 %1842, 52
+  %1844 = and i64 %1842, -4503599627370496
+  %1845 = sub nsw i64 %1841, %1844
+  %1846 = bitcast i64 %1845 to double
+  %1847 = fadd double %1846, -1.000000e+00
+  %1848 = fadd double %1846, 1.000000e+00
+  %1849 = fdiv double %1847, %1848
+  %1850 = fmul double %1849, %1849
+  %1851 = tail call double @llvm.fma.f64(double %1850, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1852 = tail call double @llvm.fma.f64(double %1851, double %1850, double 0x3FE2776C50EF9BFE)
+  %1853 = tail call double @llvm.fma.f64(double %1852, double %1850, double 0x3FEEC709DC3A03FD)
+  %1854 = tail call double @llvm.fma.f64(double %1853, double %1850, double 0x40071547652B82FE)
+  %1855 = trunc nsw i64 %1843 to i32
+  %1856 = sitofp i32 %1855 to double
+  %1857 = fmul double %1849, %1854
+  %1858 = fadd double %1857, %1856
+  %1859 = fmul double %1838, %1858
+  %1860 = fcmp ogt double %1859, -1.000000e+03
+  %1861 = select i1 %1860, double %1859, double -1.000000e+03
+  %1862 = fcmp olt double %1861, 1.000000e+03
+  %1863 = select i1 %1862, double %1861, double 1.000000e+03
+  %1864 = tail call double @llvm.rint.f64(double %1863)
+  %1865 = fsub double %1863, %1864
+  %1866 = tail call double @llvm.fma.f64(double %1865, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1867 = tail call double @llvm.fma.f64(double %1866, double %1865, double 0x3F55D87FE78A6730)
+  %1868 = tail call double @llvm.fma.f64(double %1867, double %1865, double 0x3F83B2AB6FBA4E77)
+  %1869 = tail call double @llvm.fma.f64(double %1868, double %1865, double 0x3FAC6B08D704A0BF)
+  %1870 = tail call double @llvm.fma.f64(double %1869, double %1865, double 0x3FCEBFBDFF82C58E)
+  %1871 = tail call double @llvm.fma.f64(double %1870, double %1865, double 0x3FE62E42FEFA39EF)
+  %1872 = tail call double @llvm.fma.f64(double %1871, double %1865, double 1.000000e+00)
+  %1873 = bitcast double %1872 to i64
+  %1874 = fptosi double %1864 to i32
+  %1875 = sext i32 %1874 to i64
+  %1876 = shl nsw i64 %1875, 52
+  %1877 = add nsw i64 %1876, %1873
+  %1878 = bitcast i64 %1877 to double
+  %1879 = fmul double %1837, %1878
+  br label %1880
 
-1873:                                             ; preds = %1877, %1871
-  %1874 = load i64, ptr %501, align 8
-  %1875 = load i64, ptr %85, align 8
-  %1876 = icmp eq i64 %1874, %1875
-  br i1 %1876, label %1889, label %1890
+1880:                                             ; preds = %1791, %1840
+  %1881 = phi double [ %1879, %1840 ], [ %1837, %1791 ]
+  %1882 = load double, ptr %500, align 8
+  %1883 = fcmp ogt double %1881, %1882
+  %1884 = select i1 %1883, double %1881, double %1882
+  %1885 = fcmp olt double %1793, %1884
+  %1886 = select i1 %1885, double %1793, double %1884
+  %1887 = fmul double %603, %1886
+  %1888 = fcmp oeq double %1793, 1.000000e+00
+  br i1 %1888, label %1889, label %1956
 
-1877:                                             ; preds = %1871, %1877
-  %1878 = phi i64 [ %1887, %1877 ], [ 0, %1871 ]
-  %1879 = getelementptr inbounds double, ptr %178, i64 %1878
-  %1880 = load double, ptr %1879, align 8
-  %1881 = load ptr, ptr %76, align 8
-  %1882 = getelementptr inbounds double, ptr %1881, i64 %1878
-  store double %1880, ptr %1882, align 8
-  %1883 = getelementptr inbounds double, ptr %211, i64 %1878
-  %1884 = load double, ptr %1883, align 8
-  %1885 = load ptr, ptr %86, align 8
-  %1886 = getelementptr inbounds double, ptr %1885, i64 %1878
-  store double %1884, ptr %1886, align 8
-  %1887 = add nuw nsw i64 %1878, 1
-  %1888 = icmp eq i64 %1887, %187
-  br i1 %1888, label %1873, label %1877, !llvm.loop !34
+1889:                                             ; preds = %1880
+  %1890 = load double, ptr %501, align 8
+  br i1 %1839, label %1891, label %1931
 
-1889:                                             ; preds = %1873
-  store double %1872, ptr %213, align 8
-  br label %1925
+1891:                                             ; preds = %1889
+  %1892 = bitcast double %1792 to i64
+  %1893 = add nsw i64 %1892, -4604544271217802189
+  %1894 = ashr i64 %1893, 52
+  %1895 = and i64 %1893, -4503599627370496
+  %1896 = sub nsw i64 %1892, %1895
+  %1897 = bitcast i64 %1896 to double
+  %1898 = fadd double %1897, -1.000000e+00
+  %1899 = fadd double %1897, 1.000000e+00
+  %1900 = fdiv double %1898, %1899
+  %1901 = fmul double %1900, %1900
+  %1902 = tail call double @llvm.fma.f64(double %1901, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1903 = tail call double @llvm.fma.f64(double %1902, double %1901, double 0x3FE2776C50EF9BFE)
+  %1904 = tail call double @llvm.fma.f64(double %1903, double %1901, double 0x3FEEC709DC3A03FD)
+  %1905 = tail call double @llvm.fma.f64(double %1904, double %1901, double 0x40071547652B82FE)
+  %1906 = trunc nsw i64 %1894 to i32
+  %1907 = sitofp i32 %1906 to double
+  %1908 = fmul double %1900, %1905
+  %1909 = fadd double %1908, %1907
+  %1910 = fmul double %1838, %1909
+  %1911 = fcmp ogt double %1910, -1.000000e+03
+  %1912 = select i1 %1911, double %1910, double -1.000000e+03
+  %1913 = fcmp olt double %1912, 1.000000e+03
+  %1914 = select i1 %1913, double %1912, double 1.000000e+03
+  %1915 = tail call double @llvm.rint.f64(double %1914)
+  %1916 = fsub double %1914, %1915
+  %1917 = tail call double @llvm.fma.f64(double %1916, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1918 = tail call double @llvm.fma.f64(double %1917, double %1916, double 0x3F55D87FE78A6730)
+  %1919 = tail call double @llvm.fma.f64(double %1918, double %1916, double 0x3F83B2AB6FBA4E77)
+  %1920 = tail call double @llvm.fma.f64(double %1919, double %1916, double 0x3FAC6B08D704A0BF)
+  %1921 = tail call double @llvm.fma.f64(double %1920, double %1916, double 0x3FCEBFBDFF82C58E)
+  %1922 = tail call double @llvm.fma.f64(double %1921, double %1916, double 0x3FE62E42FEFA39EF)
+  %1923 = tail call double @llvm.fma.f64(double %1922, double %1916, double 1.000000e+00)
+  %1924 = bitcast double %1923 to i64
+  %1925 = fptosi double %1915 to i32
+  %1926 = sext i32 %1925 to i64
+  %1927 = shl nsw i64 %1926, 52
+  %1928 = add nsw i64 %1927, %1924
+  %1929 = bitcast i64 %1928 to double
+  %1930 = fmul double %1837, %1929
+  br label %1931
 
-1890:                                             ; preds = %1873
-  %1891 = fcmp oeq double %599, %574
-  br i1 %1891, label %1892, label %1925
+1931:                                             ; preds = %1889, %1891
+  %1932 = phi double [ %1930, %1891 ], [ %1837, %1889 ]
+  %1933 = fcmp ogt double %1932, %1882
+  %1934 = select i1 %1933, double %1932, double %1882
+  %1935 = fcmp olt double %1890, %1934
+  %1936 = select i1 %1935, double %1890, double %1934
+  %1937 = fmul double %603, %1936
+  %1938 = load i64, ptr %170, align 8
+  %1939 = icmp eq i64 %1938, 0
+  br i1 %1939, label %1956, label %1940
 
-1892:                                             ; preds = %1890
-  %1893 = load i64, ptr %99, align 8
-  %1894 = icmp sgt i64 %1893, 0
-  br i1 %1894, label %1895, label %1897
+1940:                                             ; preds = %1931
+  %1941 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %517) #10
+  %1942 = fmul double %603, 1.000000e-03
+  %1943 = fsub double %602, %1942
+  %1944 = tail call double @llvm.fabs.f64(double %602)
+  %1945 = fmul double %1944, 0x3D10000000000000
+  %1946 = fsub double %1943, %1945
+  %1947 = fcmp ogt double %1946, %1941
+  %1948 = fadd double %602, %1945
+  %1949 = fcmp ogt double %1941, %1948
+  %1950 = or i1 %1947, %1949
+  br i1 %1950, label %1956, label %1951
 
-1895:                                             ; preds = %1892
-  %1896 = load ptr, ptr %170, align 8
-  store double 0x7FF0000000000000, ptr %1896, align 8
-  br label %1897
+1951:                                             ; preds = %1940
+  %1952 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %602) #10
+  %1953 = fsub double %1952, %602
+  %1954 = fcmp olt double %1953, %1937
+  %1955 = select i1 %1954, double %1953, double %1937
+  br label %1956
 
-1897:                                             ; preds = %1892, %1895
-  %1898 = load i64, ptr %487, align 8
-  %1899 = add nsw i64 %1898, 1
-  store i64 %1899, ptr %487, align 8
-  %1900 = load ptr, ptr %76, align 8
-  %1901 = load ptr, ptr %86, align 8
-  %1902 = load ptr, ptr %171, align 8
-  store double %599, ptr %1902, align 8
-  %1903 = load ptr, ptr %75, align 8
-  %1904 = getelementptr inbounds i8, ptr %1903, i64 40
-  %1905 = load i64, ptr %1904, align 8
-  %1906 = icmp eq i64 %1905, 0
-  br i1 %1906, label %1908, label %1907
+1956:                                             ; preds = %1951, %1940, %1931, %1880
+  %1957 = phi double [ %1887, %1880 ], [ %1887, %1931 ], [ %1955, %1951 ], [ %1887, %1940 ]
+  %1958 = fcmp ogt double %518, %1957
+  %1959 = select i1 %1958, double %518, double %1957
+  %1960 = select i1 %607, double %1957, double %1959
+  %1961 = fcmp ogt double %1145, 1.000000e-04
+  %1962 = select i1 %1961, double %1145, double 1.000000e-04
+  store double %1962, ptr %495, align 8
+  %1963 = load double, ptr %502, align 8
+  store double %1963, ptr %496, align 8
+  br label %1964
 
-1907:                                             ; preds = %1897
-  tail call fastcc void @settle(ptr noundef nonnull %75) #9
-  br label %1908
+1964:                                             ; preds = %1956, %1790
+  %1965 = phi double [ %1960, %1956 ], [ %518, %1790 ]
+  br i1 %503, label %1970, label %1966
 
-1908:                                             ; preds = %1907, %1897
-  %1909 = load i64, ptr %172, align 8
-  %1910 = icmp sgt i64 %1909, 0
-  br i1 %1910, label %1911, label %1912
+1966:                                             ; preds = %1970, %1964
+  %1967 = load i64, ptr %504, align 8
+  %1968 = load i64, ptr %85, align 8
+  %1969 = icmp eq i64 %1967, %1968
+  br i1 %1969, label %1982, label %1983
 
-1911:                                             ; preds = %1908
-  tail call fastcc void @sample(ptr noundef nonnull %75) #9
-  br label %1912
+1970:                                             ; preds = %1964, %1970
+  %1971 = phi i64 [ %1980, %1970 ], [ 0, %1964 ]
+  %1972 = getelementptr inbounds double, ptr %180, i64 %1971
+  %1973 = load double, ptr %1972, align 8
+  %1974 = load ptr, ptr %76, align 8
+  %1975 = getelementptr inbounds double, ptr %1974, i64 %1971
+  store double %1973, ptr %1975, align 8
+  %1976 = getelementptr inbounds double, ptr %213, i64 %1971
+  %1977 = load double, ptr %1976, align 8
+  %1978 = load ptr, ptr %86, align 8
+  %1979 = getelementptr inbounds double, ptr %1978, i64 %1971
+  store double %1977, ptr %1979, align 8
+  %1980 = add nuw nsw i64 %1971, 1
+  %1981 = icmp eq i64 %1980, %189
+  br i1 %1981, label %1966, label %1970, !llvm.loop !34
 
-1912:                                             ; preds = %1908, %1911
-  %1913 = load ptr, ptr %75, align 8
-  %1914 = load i64, ptr %1913, align 8
-  %1915 = load ptr, ptr %171, align 8
-  %1916 = load ptr, ptr %173, align 8
-  %1917 = load ptr, ptr %174, align 8
-  %1918 = inttoptr i64 %1914 to ptr
-  %1919 = load ptr, ptr %1918, align 8
-  %1920 = tail call i32 %1919(ptr noundef %1915, ptr noundef %1900, ptr noundef %1916, ptr noundef %1917, ptr noundef %1901) #10
-  %1921 = icmp eq i32 %1920, 0
-  br i1 %1921, label %1925, label %1922
+1982:                                             ; preds = %1966
+  store double %1965, ptr %215, align 8
+  br label %2018
 
-1922:                                             ; preds = %1912
-  store i64 3, ptr %502, align 8
-  store double %1872, ptr %213, align 8
-  %1923 = icmp slt i32 %1920, 0
-  %1924 = select i1 %1923, i64 -4, i64 2
-  br label %1925
+1983:                                             ; preds = %1966
+  %1984 = fcmp oeq double %602, %577
+  br i1 %1984, label %1985, label %2018
 
-1925:                                             ; preds = %1922, %1912, %1890, %1889, %1764, %1752, %1554, %1210, %1209, %1129, %793, %606
-  %1926 = phi double [ %515, %606 ], [ %515, %793 ], [ %515, %1129 ], [ %1208, %1210 ], [ %1208, %1209 ], [ %515, %1554 ], [ %1761, %1752 ], [ %515, %1764 ], [ %1872, %1889 ], [ %1872, %1922 ], [ %1872, %1912 ], [ %1872, %1890 ]
-  %1927 = phi double [ %514, %606 ], [ %514, %793 ], [ %514, %1129 ], [ %514, %1210 ], [ %514, %1209 ], [ %514, %1554 ], [ %514, %1752 ], [ %514, %1764 ], [ %599, %1889 ], [ %599, %1922 ], [ %599, %1912 ], [ %599, %1890 ]
-  %1928 = phi i32 [ 1, %606 ], [ 1, %793 ], [ 1, %1129 ], [ 3, %1210 ], [ 1, %1209 ], [ 1, %1554 ], [ 3, %1752 ], [ 1, %1764 ], [ 1, %1889 ], [ 1, %1922 ], [ 0, %1912 ], [ 0, %1890 ]
-  %1929 = phi i64 [ 2, %606 ], [ -4, %793 ], [ -4, %1129 ], [ %513, %1210 ], [ 2, %1209 ], [ %1556, %1554 ], [ %513, %1752 ], [ %1746, %1764 ], [ 0, %1889 ], [ %1924, %1922 ], [ %513, %1912 ], [ %513, %1890 ]
-  switch i32 %1928, label %1933 [
-    i32 0, label %1930
-    i32 3, label %1930
+1985:                                             ; preds = %1983
+  %1986 = load i64, ptr %99, align 8
+  %1987 = icmp sgt i64 %1986, 0
+  br i1 %1987, label %1988, label %1990
+
+1988:                                             ; preds = %1985
+  %1989 = load ptr, ptr %171, align 8
+  store double 0x7FF0000000000000, ptr %1989, align 8
+  br label %1990
+
+1990:                                             ; preds = %1985, %1988
+  %1991 = load i64, ptr %489, align 8
+  %1992 = add nsw i64 %1991, 1
+  store i64 %1992, ptr %489, align 8
+  %1993 = load ptr, ptr %76, align 8
+  %1994 = load ptr, ptr %86, align 8
+  %1995 = load ptr, ptr %172, align 8
+  store double %602, ptr %1995, align 8
+  %1996 = load ptr, ptr %75, align 8
+  %1997 = getelementptr inbounds i8, ptr %1996, i64 40
+  %1998 = load i64, ptr %1997, align 8
+  %1999 = icmp eq i64 %1998, 0
+  br i1 %1999, label %2001, label %2000
+
+2000:                                             ; preds = %1990
+  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+  br label %2001
+
+2001:                                             ; preds = %2000, %1990
+  %2002 = load i64, ptr %173, align 8
+  %2003 = icmp sgt i64 %2002, 0
+  br i1 %2003, label %2004, label %2005
+
+2004:                                             ; preds = %2001
+  tail call fastcc void @sample(ptr noundef nonnull %75) #10
+  br label %2005
+
+2005:                                             ; preds = %2001, %2004
+  %2006 = load ptr, ptr %75, align 8
+  %2007 = load i64, ptr %2006, align 8
+  %2008 = load ptr, ptr %172, align 8
+  %2009 = load ptr, ptr %174, align 8
+  %2010 = load ptr, ptr %175, align 8
+  %2011 = inttoptr i64 %2007 to ptr
+  %2012 = load ptr, ptr %2011, align 8
+  %2013 = tail call i32 %2012(ptr noundef %2008, ptr noundef %1993, ptr noundef %2009, ptr noundef %2010, ptr noundef %1994) #11
+  %2014 = icmp eq i32 %2013, 0
+  br i1 %2014, label %2018, label %2015
+
+2015:                                             ; preds = %2005
+  store i64 3, ptr %505, align 8
+  store double %1965, ptr %215, align 8
+  %2016 = icmp slt i32 %2013, 0
+  %2017 = select i1 %2016, i64 -4, i64 2
+  br label %2018
+
+2018:                                             ; preds = %2015, %2005, %1983, %1982, %1786, %1774, %1576, %1232, %1231, %1132, %796, %609
+  %2019 = phi double [ %518, %609 ], [ %518, %796 ], [ %518, %1132 ], [ %1230, %1232 ], [ %1230, %1231 ], [ %518, %1576 ], [ %1783, %1774 ], [ %518, %1786 ], [ %1965, %1982 ], [ %1965, %2015 ], [ %1965, %2005 ], [ %1965, %1983 ]
+  %2020 = phi double [ %517, %609 ], [ %517, %796 ], [ %517, %1132 ], [ %517, %1232 ], [ %517, %1231 ], [ %517, %1576 ], [ %517, %1774 ], [ %517, %1786 ], [ %602, %1982 ], [ %602, %2015 ], [ %602, %2005 ], [ %602, %1983 ]
+  %2021 = phi i32 [ 1, %609 ], [ 1, %796 ], [ 1, %1132 ], [ 3, %1232 ], [ 1, %1231 ], [ 1, %1576 ], [ 3, %1774 ], [ 1, %1786 ], [ 1, %1982 ], [ 1, %2015 ], [ 0, %2005 ], [ 0, %1983 ]
+  %2022 = phi i64 [ 2, %609 ], [ -4, %796 ], [ -4, %1132 ], [ %516, %1232 ], [ 2, %1231 ], [ %1578, %1576 ], [ %516, %1774 ], [ %1768, %1786 ], [ 0, %1982 ], [ %2017, %2015 ], [ %516, %2005 ], [ %516, %1983 ]
+  switch i32 %2021, label %2026 [
+    i32 0, label %2023
+    i32 3, label %2023
   ]
 
-1930:                                             ; preds = %1925, %1925
-  %1931 = load i64, ptr %180, align 8
-  %1932 = icmp eq i64 %1931, 0
-  br i1 %1932, label %509, label %511, !llvm.loop !23
+2023:                                             ; preds = %2018, %2018
+  %2024 = load i64, ptr %182, align 8
+  %2025 = icmp eq i64 %2024, 0
+  br i1 %2025, label %512, label %514, !llvm.loop !23
 
-1933:                                             ; preds = %1925, %176, %275, %317, %509, %528, %536
-  %1934 = phi i64 [ -1, %176 ], [ %278, %275 ], [ -1, %509 ], [ -5, %528 ], [ 1, %536 ], [ 0, %317 ], [ %1929, %1925 ]
-  %1935 = load ptr, ptr %175, align 8
-  %1936 = getelementptr inbounds i8, ptr %1935, i64 48
-  %1937 = load i64, ptr %1936, align 8
-  %1938 = icmp ne i64 %1934, -2
-  %1939 = icmp eq i64 %1937, 0
-  %1940 = select i1 %1938, i1 true, i1 %1939
-  br i1 %1940, label %1948, label %1941
+2026:                                             ; preds = %2018, %178, %277, %319, %512, %531, %539
+  %2027 = phi i64 [ -1, %178 ], [ %280, %277 ], [ -1, %512 ], [ -5, %531 ], [ 1, %539 ], [ 0, %319 ], [ %2022, %2018 ]
+  %2028 = load ptr, ptr %177, align 8
+  %2029 = getelementptr inbounds i8, ptr %2028, i64 48
+  %2030 = load i64, ptr %2029, align 8
+  %2031 = icmp ne i64 %2027, -2
+  %2032 = icmp eq i64 %2030, 0
+  %2033 = select i1 %2031, i1 true, i1 %2032
+  br i1 %2033, label %2041, label %2034
 
-1941:                                             ; preds = %1933
-  %1942 = inttoptr i64 %1937 to ptr
-  %1943 = tail call i64 %1942(ptr noundef %0) #10
-  %1944 = icmp eq i64 %1943, 8
-  %1945 = select i1 %1944, i64 8, i64 %1934
-  %1946 = icmp eq i64 %1943, 1
-  %1947 = zext i1 %1946 to i32
-  br label %1948
+2034:                                             ; preds = %2026
+  %2035 = inttoptr i64 %2030 to ptr
+  %2036 = tail call i64 %2035(ptr noundef %0) #11
+  %2037 = icmp eq i64 %2036, 8
+  %2038 = select i1 %2037, i64 8, i64 %2027
+  %2039 = icmp eq i64 %2036, 1
+  %2040 = zext i1 %2039 to i32
+  br label %2041
 
-1948:                                             ; preds = %1933, %1941
-  %1949 = phi i64 [ %1934, %1933 ], [ %1945, %1941 ]
-  %1950 = phi i32 [ 0, %1933 ], [ %1947, %1941 ]
-  %1951 = icmp eq i32 %1950, 0
-  br i1 %1951, label %1952, label %176, !llvm.loop !35
+2041:                                             ; preds = %2026, %2034
+  %2042 = phi i64 [ %2027, %2026 ], [ %2038, %2034 ]
+  %2043 = phi i32 [ 0, %2026 ], [ %2040, %2034 ]
+  %2044 = icmp eq i32 %2043, 0
+  br i1 %2044, label %2045, label %178, !llvm.loop !35
 
-1952:                                             ; preds = %1948
-  %1953 = getelementptr inbounds i8, ptr %0, i64 320
-  %1954 = load i64, ptr %1953, align 8
-  %1955 = icmp sgt i64 %1954, 0
-  br i1 %1955, label %1956, label %1959
+2045:                                             ; preds = %2041
+  %2046 = getelementptr inbounds i8, ptr %0, i64 320
+  %2047 = load i64, ptr %2046, align 8
+  %2048 = icmp sgt i64 %2047, 0
+  br i1 %2048, label %2049, label %2052
 
-1956:                                             ; preds = %1952
-  %1957 = getelementptr inbounds i8, ptr %0, i64 336
-  %1958 = load ptr, ptr %1957, align 8
-  store double 0x7FF0000000000000, ptr %1958, align 8
-  br label %1959
+2049:                                             ; preds = %2045
+  %2050 = getelementptr inbounds i8, ptr %0, i64 336
+  %2051 = load ptr, ptr %2050, align 8
+  store double 0x7FF0000000000000, ptr %2051, align 8
+  br label %2052
 
-1959:                                             ; preds = %1952, %1956
-  ret i64 %1949
+2052:                                             ; preds = %2045, %2049
+  ret i64 %2042
 }
 
 
@@ -3009,7 +3124,108 @@ declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #
 
 declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg) #6
 
-define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #7 {
+define internal fastcc double @knot_after(ptr noundef readonly %0, double noundef %1) unnamed_addr #7 {
+  %3 = tail call double @llvm.fabs.f64(double %1)
+  %4 = fmul double %3, 0x3D10000000000000
+  %5 = fadd double %4, %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 104
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp sgt i64 %7, 0
+  br i1 %8, label %9, label %16
+
+9:                                                ; preds = %2
+  %10 = getelementptr inbounds i8, ptr %0, i64 96
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %0, i64 112
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 120
+  %15 = load ptr, ptr %14, align 8
+  br label %18
+
+16:                                               ; preds = %68, %2
+  %17 = phi double [ 0x7FF0000000000000, %2 ], [ %69, %68 ]
+  ret double %17
+
+18:                                               ; preds = %9, %68
+  %19 = phi double [ 0x7FF0000000000000, %9 ], [ %69, %68 ]
+  %20 = phi i64 [ 0, %9 ], [ %70, %68 ]
+  %21 = mul nsw i64 %13, %20
+  %22 = getelementptr inbounds i64, ptr %11, i64 %21
+  %23 = getelementptr inbounds i8, ptr %22, i64 8
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %15, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %5
+  br i1 %27, label %58, label %28
+
+28:                                               ; preds = %18
+  %29 = getelementptr inbounds i8, ptr %22, i64 16
+  %30 = load i64, ptr %29, align 8
+  %31 = fcmp ugt double %26, %5
+  br i1 %31, label %40, label %32
+
+32:                                               ; preds = %28
+  %33 = icmp eq i64 %30, 1
+  br i1 %33, label %55, label %34
+
+34:                                               ; preds = %32
+  %35 = getelementptr i8, ptr %25, i64 8
+  %36 = load double, ptr %35, align 8
+  %37 = fcmp ule double %36, %5
+  %38 = icmp sgt i64 %30, 1
+  %39 = select i1 %37, i1 %38, i1 false
+  br i1 %39, label %42, label %55
+
+40:                                               ; preds = %28
+  %41 = icmp sgt i64 %30, 1
+  br i1 %41, label %42, label %55
+
+42:                                               ; preds = %40, %34
+  br label %43
+
+43:                                               ; preds = %42, %43
+  %44 = phi i64 [ %52, %43 ], [ %30, %42 ]
+  %45 = phi i64 [ %51, %43 ], [ 0, %42 ]
+  %46 = add nsw i64 %44, %45
+  %47 = sdiv i64 %46, 2
+  %48 = getelementptr inbounds double, ptr %25, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fcmp ugt double %49, %5
+  %51 = select i1 %50, i64 %45, i64 %47
+  %52 = select i1 %50, i64 %47, i64 %44
+  %53 = sub nsw i64 %52, %51
+  %54 = icmp sgt i64 %53, 1
+  br i1 %54, label %43, label %55, !llvm.loop !36
+
+55:                                               ; preds = %43, %40, %32, %34
+  %56 = phi i64 [ 0, %34 ], [ 0, %32 ], [ 0, %40 ], [ %51, %43 ]
+  %57 = add nsw i64 %56, 1
+  br label %58
+
+58:                                               ; preds = %18, %55
+  %59 = phi i64 [ %57, %55 ], [ 0, %18 ]
+  %60 = getelementptr inbounds i8, ptr %22, i64 16
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp slt i64 %59, %61
+  br i1 %62, label %63, label %68
+
+63:                                               ; preds = %58
+  %64 = getelementptr inbounds double, ptr %25, i64 %59
+  %65 = load double, ptr %64, align 8
+  %66 = fcmp olt double %65, %19
+  br i1 %66, label %67, label %68
+
+67:                                               ; preds = %63
+  br label %68
+
+68:                                               ; preds = %67, %63, %58
+  %69 = phi double [ %65, %67 ], [ %19, %63 ], [ %19, %58 ]
+  %70 = add nuw nsw i64 %20, 1
+  %71 = icmp eq i64 %70, %7
+  br i1 %71, label %16, label %18, !llvm.loop !43
+}
+
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
   %10 = shl nsw i64 %6, 3
@@ -3043,7 +3259,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !43
+  br i1 %31, label %20, label %19, !llvm.loop !44
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -3057,12 +3273,12 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !44
+  br i1 %43, label %32, label %24, !llvm.loop !45
 }
 
-declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #8
+declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #9
 
-declare i64 @llvm.smin.i64(i64, i64) #8
+declare i64 @llvm.smin.i64(i64, i64) #9
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -3072,10 +3288,11 @@ attributes #4 = { nounwind willreturn memory(none) }
 attributes #5 = { noinline nounwind }
 attributes #6 = { nounwind willreturn }
 attributes #7 = { noinline nounwind }
-attributes #8 = { nounwind willreturn memory(none) }
-attributes #9 = { nounwind }
+attributes #8 = { noinline nounwind }
+attributes #9 = { nounwind willreturn memory(none) }
 attributes #10 = { nounwind }
 attributes #11 = { nounwind }
+attributes #12 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -3123,3 +3340,4 @@ attributes #11 = { nounwind }
 !42 = distinct !{!42, !4, !5}
 !43 = distinct !{!43, !4, !5}
 !44 = distinct !{!44, !4, !5}
+!45 = distinct !{!45, !4, !5}

@@ -1,4 +1,4 @@
-; sources 4da5790c9f15c38de3be0883a4dc8bcbbca1a11f5bb7c8cd24edefaed129ceef
+; sources d07328dc3493161394a75329f5eac0fd3f1fcc41f52814ce3f4a51b22a99ac59
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -237,3178 +237,3240 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %203 = getelementptr inbounds i8, ptr %0, i64 384
   %204 = getelementptr inbounds i8, ptr %0, i64 368
   %205 = getelementptr inbounds i8, ptr %0, i64 384
-  %206 = getelementptr inbounds i8, ptr %0, i64 384
-  %207 = getelementptr inbounds i8, ptr %0, i64 336
-  %208 = getelementptr inbounds i8, ptr %0, i64 528
-  %209 = getelementptr inbounds i8, ptr %0, i64 168
-  %210 = getelementptr inbounds i8, ptr %0, i64 248
-  %211 = getelementptr inbounds i8, ptr %0, i64 192
-  %212 = getelementptr inbounds i8, ptr %0, i64 216
-  %213 = getelementptr inbounds i8, ptr %0, i64 768
-  br label %214
+  %206 = getelementptr inbounds i8, ptr %0, i64 248
+  %207 = getelementptr inbounds i8, ptr %0, i64 384
+  %208 = getelementptr inbounds i8, ptr %0, i64 336
+  %209 = getelementptr inbounds i8, ptr %0, i64 528
+  %210 = getelementptr inbounds i8, ptr %0, i64 168
+  %211 = getelementptr inbounds i8, ptr %0, i64 248
+  %212 = getelementptr inbounds i8, ptr %0, i64 192
+  %213 = getelementptr inbounds i8, ptr %0, i64 216
+  %214 = getelementptr inbounds i8, ptr %0, i64 248
+  %215 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %216
 
-214:                                              ; preds = %2626, %80
-  %215 = phi double [ undef, %80 ], [ %2606, %2626 ]
-  %216 = phi double [ undef, %80 ], [ %2607, %2626 ]
-  %217 = phi double [ undef, %80 ], [ %2608, %2626 ]
-  %218 = phi i64 [ undef, %80 ], [ %2609, %2626 ]
-  %219 = phi i64 [ undef, %80 ], [ %2610, %2626 ]
-  %220 = phi i64 [ undef, %80 ], [ %2611, %2626 ]
-  %221 = load ptr, ptr %84, align 8
-  %222 = load ptr, ptr %85, align 8
-  %223 = getelementptr inbounds i8, ptr %222, i64 56
-  %224 = load i64, ptr %223, align 8
-  %225 = icmp eq i64 %224, 0
-  br i1 %225, label %2605, label %226
+216:                                              ; preds = %2672, %80
+  %217 = phi double [ undef, %80 ], [ %2652, %2672 ]
+  %218 = phi double [ undef, %80 ], [ %2653, %2672 ]
+  %219 = phi double [ undef, %80 ], [ %2654, %2672 ]
+  %220 = phi i64 [ undef, %80 ], [ %2655, %2672 ]
+  %221 = phi i64 [ undef, %80 ], [ %2656, %2672 ]
+  %222 = phi i64 [ undef, %80 ], [ %2657, %2672 ]
+  %223 = load ptr, ptr %84, align 8
+  %224 = load ptr, ptr %85, align 8
+  %225 = getelementptr inbounds i8, ptr %224, i64 56
+  %226 = load i64, ptr %225, align 8
+  %227 = icmp eq i64 %226, 0
+  br i1 %227, label %2651, label %228
 
-226:                                              ; preds = %214
-  %227 = load ptr, ptr %81, align 8
-  %228 = getelementptr inbounds i8, ptr %227, i64 8
-  %229 = load i64, ptr %228, align 8
-  %230 = load ptr, ptr %86, align 8
-  %231 = load i64, ptr %87, align 8
-  %232 = getelementptr double, ptr %230, i64 %231
-  %233 = getelementptr i8, ptr %232, i64 -8
-  %234 = load double, ptr %233, align 8
-  %235 = load double, ptr %230, align 8
-  %236 = fsub double %234, %235
-  %237 = fmul double %236, 0x3D70000000000000
-  %238 = load ptr, ptr %88, align 8, !noalias !8
-  %239 = load double, ptr %238, align 8, !noalias !8
-  %240 = icmp sgt i64 %229, 0
-  br i1 %240, label %241, label %250
+228:                                              ; preds = %216
+  %229 = load ptr, ptr %81, align 8
+  %230 = getelementptr inbounds i8, ptr %229, i64 8
+  %231 = load i64, ptr %230, align 8
+  %232 = load ptr, ptr %86, align 8
+  %233 = load i64, ptr %87, align 8
+  %234 = getelementptr double, ptr %232, i64 %233
+  %235 = getelementptr i8, ptr %234, i64 -8
+  %236 = load double, ptr %235, align 8
+  %237 = load double, ptr %232, align 8
+  %238 = fsub double %236, %237
+  %239 = fmul double %238, 0x3D70000000000000
+  %240 = load ptr, ptr %88, align 8, !noalias !8
+  %241 = load double, ptr %240, align 8, !noalias !8
+  %242 = icmp sgt i64 %231, 0
+  br i1 %242, label %243, label %252
 
-241:                                              ; preds = %226, %241
-  %242 = phi i64 [ %248, %241 ], [ 0, %226 ]
-  %243 = phi double [ %247, %241 ], [ %239, %226 ]
-  %244 = getelementptr inbounds double, ptr %238, i64 %242
-  %245 = load double, ptr %244, align 8, !noalias !8
-  %246 = fcmp olt double %245, %243
-  %247 = select i1 %246, double %245, double %243
-  %248 = add nuw nsw i64 %242, 1
-  %249 = icmp eq i64 %248, %229
-  br i1 %249, label %250, label %241, !llvm.loop !11
+243:                                              ; preds = %228, %243
+  %244 = phi i64 [ %250, %243 ], [ 0, %228 ]
+  %245 = phi double [ %249, %243 ], [ %241, %228 ]
+  %246 = getelementptr inbounds double, ptr %240, i64 %244
+  %247 = load double, ptr %246, align 8, !noalias !8
+  %248 = fcmp olt double %247, %245
+  %249 = select i1 %248, double %247, double %245
+  %250 = add nuw nsw i64 %244, 1
+  %251 = icmp eq i64 %250, %231
+  br i1 %251, label %252, label %243, !llvm.loop !11
 
-250:                                              ; preds = %241, %226
-  %251 = phi double [ %239, %226 ], [ %247, %241 ]
-  %252 = load ptr, ptr %89, align 8
-  %253 = load i64, ptr %252, align 8
-  %254 = icmp eq i64 %253, 1
-  %255 = load ptr, ptr %90, align 8
-  %256 = getelementptr inbounds i8, ptr %255, i64 8
-  %257 = load i64, ptr %256, align 8
-  %258 = icmp sgt i64 %257, 0
-  %259 = load double, ptr %221, align 8
-  %260 = getelementptr inbounds i8, ptr %221, i64 8
-  %261 = load double, ptr %260, align 8
-  %262 = load i64, ptr %222, align 8
-  %263 = icmp eq i64 %262, 0
-  br i1 %263, label %264, label %415
+252:                                              ; preds = %243, %228
+  %253 = phi double [ %241, %228 ], [ %249, %243 ]
+  %254 = load ptr, ptr %89, align 8
+  %255 = load i64, ptr %254, align 8
+  %256 = icmp eq i64 %255, 1
+  %257 = load ptr, ptr %90, align 8
+  %258 = getelementptr inbounds i8, ptr %257, i64 8
+  %259 = load i64, ptr %258, align 8
+  %260 = icmp sgt i64 %259, 0
+  %261 = load double, ptr %223, align 8
+  %262 = getelementptr inbounds i8, ptr %223, i64 8
+  %263 = load double, ptr %262, align 8
+  %264 = load i64, ptr %224, align 8
+  %265 = icmp eq i64 %264, 0
+  br i1 %265, label %266, label %417
 
-264:                                              ; preds = %250
-  %265 = load i64, ptr %91, align 8
-  %266 = icmp eq i64 %265, 0
-  br i1 %266, label %296, label %267
+266:                                              ; preds = %252
+  %267 = load i64, ptr %91, align 8
+  %268 = icmp eq i64 %267, 0
+  br i1 %268, label %298, label %269
 
-267:                                              ; preds = %264
-  %268 = icmp sgt i64 %265, 0
-  br i1 %268, label %269, label %284
+269:                                              ; preds = %266
+  %270 = icmp sgt i64 %267, 0
+  br i1 %270, label %271, label %286
 
-269:                                              ; preds = %267
-  %270 = load ptr, ptr %92, align 8
-  br label %271
+271:                                              ; preds = %269
+  %272 = load ptr, ptr %92, align 8
+  br label %273
 
-271:                                              ; preds = %269, %271
-  %272 = phi i64 [ 0, %269 ], [ %282, %271 ]
-  %273 = phi i64 [ %265, %269 ], [ %281, %271 ]
-  %274 = add nuw nsw i64 %272, %273
-  %275 = lshr i64 %274, 1
-  %276 = mul i64 %275, 24
-  %277 = getelementptr inbounds i8, ptr %270, i64 %276
-  %278 = load double, ptr %277, align 8
-  %279 = fcmp ogt double %278, %259
-  %280 = add nuw nsw i64 %275, 1
-  %281 = select i1 %279, i64 %275, i64 %273
-  %282 = select i1 %279, i64 %272, i64 %280
-  %283 = icmp slt i64 %282, %281
-  br i1 %283, label %271, label %284, !llvm.loop !12
+273:                                              ; preds = %271, %273
+  %274 = phi i64 [ 0, %271 ], [ %284, %273 ]
+  %275 = phi i64 [ %267, %271 ], [ %283, %273 ]
+  %276 = add nuw nsw i64 %274, %275
+  %277 = lshr i64 %276, 1
+  %278 = mul i64 %277, 24
+  %279 = getelementptr inbounds i8, ptr %272, i64 %278
+  %280 = load double, ptr %279, align 8
+  %281 = fcmp ogt double %280, %261
+  %282 = add nuw nsw i64 %277, 1
+  %283 = select i1 %281, i64 %277, i64 %275
+  %284 = select i1 %281, i64 %274, i64 %282
+  %285 = icmp slt i64 %284, %283
+  br i1 %285, label %273, label %286, !llvm.loop !12
 
-284:                                              ; preds = %271, %267
-  %285 = phi i64 [ 0, %267 ], [ %282, %271 ]
-  %286 = icmp slt i64 %285, %265
-  br i1 %286, label %287, label %293
+286:                                              ; preds = %273, %269
+  %287 = phi i64 [ 0, %269 ], [ %284, %273 ]
+  %288 = icmp slt i64 %287, %267
+  br i1 %288, label %289, label %295
 
-287:                                              ; preds = %284
-  %288 = load ptr, ptr %92, align 8
-  %289 = mul i64 %285, 24
-  %290 = getelementptr inbounds i8, ptr %288, i64 %289
-  %291 = getelementptr inbounds i8, ptr %290, i64 8
-  %292 = load double, ptr %291, align 8
-  br label %293
+289:                                              ; preds = %286
+  %290 = load ptr, ptr %92, align 8
+  %291 = mul i64 %287, 24
+  %292 = getelementptr inbounds i8, ptr %290, i64 %291
+  %293 = getelementptr inbounds i8, ptr %292, i64 8
+  %294 = load double, ptr %293, align 8
+  br label %295
 
-293:                                              ; preds = %287, %284
-  %294 = phi double [ %292, %287 ], [ 0x7FF0000000000000, %284 ]
-  %295 = load ptr, ptr %93, align 8
-  store double %294, ptr %295, align 8
-  br label %296
+295:                                              ; preds = %289, %286
+  %296 = phi double [ %294, %289 ], [ 0x7FF0000000000000, %286 ]
+  %297 = load ptr, ptr %93, align 8
+  store double %296, ptr %297, align 8
+  br label %298
 
-296:                                              ; preds = %293, %264
-  %297 = getelementptr inbounds i8, ptr %222, i64 24
-  %298 = load i64, ptr %297, align 8
-  %299 = add nsw i64 %298, 1
-  store i64 %299, ptr %297, align 8
-  %300 = load ptr, ptr %82, align 8
-  %301 = load ptr, ptr %94, align 8
-  %302 = load ptr, ptr %95, align 8
-  store double %259, ptr %302, align 8
-  %303 = load ptr, ptr %81, align 8
-  %304 = getelementptr inbounds i8, ptr %303, i64 40
-  %305 = load i64, ptr %304, align 8
-  %306 = icmp eq i64 %305, 0
-  br i1 %306, label %308, label %307
+298:                                              ; preds = %295, %266
+  %299 = getelementptr inbounds i8, ptr %224, i64 24
+  %300 = load i64, ptr %299, align 8
+  %301 = add nsw i64 %300, 1
+  store i64 %301, ptr %299, align 8
+  %302 = load ptr, ptr %82, align 8
+  %303 = load ptr, ptr %94, align 8
+  %304 = load ptr, ptr %95, align 8
+  store double %261, ptr %304, align 8
+  %305 = load ptr, ptr %81, align 8
+  %306 = getelementptr inbounds i8, ptr %305, i64 40
+  %307 = load i64, ptr %306, align 8
+  %308 = icmp eq i64 %307, 0
+  br i1 %308, label %310, label %309
 
-307:                                              ; preds = %296
-  tail call fastcc void @settle(ptr noundef nonnull %81) #9
-  br label %308
+309:                                              ; preds = %298
+  tail call fastcc void @settle(ptr noundef nonnull %81) #10
+  br label %310
 
-308:                                              ; preds = %307, %296
-  %309 = load i64, ptr %96, align 8
-  %310 = icmp sgt i64 %309, 0
-  br i1 %310, label %311, label %312
+310:                                              ; preds = %309, %298
+  %311 = load i64, ptr %96, align 8
+  %312 = icmp sgt i64 %311, 0
+  br i1 %312, label %313, label %314
 
-311:                                              ; preds = %308
-  tail call fastcc void @sample(ptr noundef nonnull %81) #9
-  br label %312
+313:                                              ; preds = %310
+  tail call fastcc void @sample(ptr noundef nonnull %81) #10
+  br label %314
 
-312:                                              ; preds = %308, %311
-  %313 = load ptr, ptr %81, align 8
-  %314 = load i64, ptr %313, align 8
-  %315 = load ptr, ptr %95, align 8
-  %316 = load ptr, ptr %97, align 8
-  %317 = load ptr, ptr %98, align 8
-  %318 = inttoptr i64 %314 to ptr
-  %319 = load ptr, ptr %318, align 8
-  %320 = tail call i32 %319(ptr noundef %315, ptr noundef %300, ptr noundef %316, ptr noundef %317, ptr noundef %301) #10
-  %321 = icmp eq i32 %320, 0
-  br i1 %321, label %326, label %322
+314:                                              ; preds = %310, %313
+  %315 = load ptr, ptr %81, align 8
+  %316 = load i64, ptr %315, align 8
+  %317 = load ptr, ptr %95, align 8
+  %318 = load ptr, ptr %97, align 8
+  %319 = load ptr, ptr %98, align 8
+  %320 = inttoptr i64 %316 to ptr
+  %321 = load ptr, ptr %320, align 8
+  %322 = tail call i32 %321(ptr noundef %317, ptr noundef %302, ptr noundef %318, ptr noundef %319, ptr noundef %303) #11
+  %323 = icmp eq i32 %322, 0
+  br i1 %323, label %328, label %324
 
-322:                                              ; preds = %312
-  %323 = getelementptr inbounds i8, ptr %222, i64 72
-  store i64 3, ptr %323, align 8
-  %324 = icmp slt i32 %320, 0
-  %325 = select i1 %324, i64 -4, i64 2
-  br label %2605
+324:                                              ; preds = %314
+  %325 = getelementptr inbounds i8, ptr %224, i64 72
+  store i64 3, ptr %325, align 8
+  %326 = icmp slt i32 %322, 0
+  %327 = select i1 %326, i64 -4, i64 2
+  br label %2651
 
-326:                                              ; preds = %312
-  store i64 1, ptr %222, align 8
-  %327 = load ptr, ptr %83, align 8
-  %328 = getelementptr inbounds i8, ptr %327, i64 16
-  %329 = load i64, ptr %328, align 8
-  %330 = and i64 %329, -2
-  store i64 %330, ptr %328, align 8
-  %331 = load ptr, ptr %83, align 8
-  %332 = getelementptr inbounds i8, ptr %331, i64 32
-  %333 = load i64, ptr %332, align 8
-  %334 = or i64 %333, 1
-  store i64 %334, ptr %332, align 8
-  %335 = load ptr, ptr %83, align 8
-  %336 = getelementptr inbounds i8, ptr %335, i64 8
-  %337 = load i64, ptr %336, align 8
-  %338 = and i64 %337, -2
-  %339 = getelementptr inbounds i8, ptr %335, i64 16
-  %340 = load i64, ptr %339, align 8
-  %341 = and i64 %340, 1
-  %342 = or disjoint i64 %341, %338
-  %343 = xor i64 %342, 1
-  store i64 %343, ptr %336, align 8
-  %344 = load ptr, ptr %99, align 8
-  %345 = getelementptr inbounds i8, ptr %344, i64 8
-  store double 0.000000e+00, ptr %345, align 8
+328:                                              ; preds = %314
+  store i64 1, ptr %224, align 8
+  %329 = load ptr, ptr %83, align 8
+  %330 = getelementptr inbounds i8, ptr %329, i64 16
+  %331 = load i64, ptr %330, align 8
+  %332 = and i64 %331, -2
+  store i64 %332, ptr %330, align 8
+  %333 = load ptr, ptr %83, align 8
+  %334 = getelementptr inbounds i8, ptr %333, i64 32
+  %335 = load i64, ptr %334, align 8
+  %336 = or i64 %335, 1
+  store i64 %336, ptr %334, align 8
+  %337 = load ptr, ptr %83, align 8
+  %338 = getelementptr inbounds i8, ptr %337, i64 8
+  %339 = load i64, ptr %338, align 8
+  %340 = and i64 %339, -2
+  %341 = getelementptr inbounds i8, ptr %337, i64 16
+  %342 = load i64, ptr %341, align 8
+  %343 = and i64 %342, 1
+  %344 = or disjoint i64 %343, %340
+  %345 = xor i64 %344, 1
+  store i64 %345, ptr %338, align 8
   %346 = load ptr, ptr %99, align 8
-  %347 = getelementptr inbounds i8, ptr %346, i64 24
+  %347 = getelementptr inbounds i8, ptr %346, i64 8
   store double 0.000000e+00, ptr %347, align 8
-  %348 = load ptr, ptr %82, align 8
-  %349 = load ptr, ptr %81, align 8
-  %350 = getelementptr inbounds i8, ptr %349, i64 8
-  %351 = load i64, ptr %350, align 8
-  %352 = load i64, ptr %87, align 8
-  %353 = load ptr, ptr %86, align 8
-  %354 = load ptr, ptr %85, align 8
-  %355 = getelementptr inbounds i8, ptr %354, i64 48
-  %356 = load i64, ptr %355, align 8
-  %357 = icmp slt i64 %356, %352
-  br i1 %357, label %358, label %381
+  %348 = load ptr, ptr %99, align 8
+  %349 = getelementptr inbounds i8, ptr %348, i64 24
+  store double 0.000000e+00, ptr %349, align 8
+  %350 = load ptr, ptr %82, align 8
+  %351 = load ptr, ptr %81, align 8
+  %352 = getelementptr inbounds i8, ptr %351, i64 8
+  %353 = load i64, ptr %352, align 8
+  %354 = load i64, ptr %87, align 8
+  %355 = load ptr, ptr %86, align 8
+  %356 = load ptr, ptr %85, align 8
+  %357 = getelementptr inbounds i8, ptr %356, i64 48
+  %358 = load i64, ptr %357, align 8
+  %359 = icmp slt i64 %358, %354
+  br i1 %359, label %360, label %383
 
-358:                                              ; preds = %326
-  %359 = icmp sgt i64 %351, 0
-  br label %360
+360:                                              ; preds = %328
+  %361 = icmp sgt i64 %353, 0
+  br label %362
 
-360:                                              ; preds = %358, %371
-  %361 = phi i64 [ %356, %358 ], [ %372, %371 ]
-  %362 = getelementptr inbounds double, ptr %353, i64 %361
-  %363 = load double, ptr %362, align 8
-  %364 = load ptr, ptr %84, align 8
+362:                                              ; preds = %360, %373
+  %363 = phi i64 [ %358, %360 ], [ %374, %373 ]
+  %364 = getelementptr inbounds double, ptr %355, i64 %363
   %365 = load double, ptr %364, align 8
-  %366 = fcmp ugt double %363, %365
-  br i1 %366, label %381, label %367
-
-367:                                              ; preds = %360
-  br i1 %359, label %368, label %371
-
-368:                                              ; preds = %367
-  %369 = mul nsw i64 %361, %351
-  %370 = getelementptr double, ptr %1, i64 %369
-  br label %374
-
-371:                                              ; preds = %374, %367
-  %372 = add i64 %361, 1
-  %373 = icmp eq i64 %372, %352
-  br i1 %373, label %381, label %360, !llvm.loop !13
-
-374:                                              ; preds = %368, %374
-  %375 = phi i64 [ 0, %368 ], [ %379, %374 ]
-  %376 = getelementptr inbounds double, ptr %348, i64 %375
-  %377 = load double, ptr %376, align 8
-  %378 = getelementptr double, ptr %370, i64 %375
-  store double %377, ptr %378, align 8
-  %379 = add nuw nsw i64 %375, 1
-  %380 = icmp eq i64 %379, %351
-  br i1 %380, label %371, label %374, !llvm.loop !14
-
-381:                                              ; preds = %360, %371, %326
-  %382 = phi i64 [ %356, %326 ], [ %361, %360 ], [ %352, %371 ]
-  %383 = load ptr, ptr %85, align 8
-  %384 = getelementptr inbounds i8, ptr %383, i64 48
-  store i64 %382, ptr %384, align 8
-  %385 = icmp eq i64 %382, %352
-  br i1 %385, label %2605, label %386
-
-386:                                              ; preds = %381
-  %387 = fcmp oeq double %261, 0.000000e+00
-  br i1 %387, label %388, label %415
-
-388:                                              ; preds = %386
-  %389 = load ptr, ptr %81, align 8
-  %390 = getelementptr inbounds i8, ptr %389, i64 24
-  %391 = load i64, ptr %390, align 8
-  %392 = getelementptr inbounds i8, ptr %221, i64 16
-  %393 = load double, ptr %392, align 8
-  %394 = load ptr, ptr %82, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %11, ptr noundef %394, ptr noundef %394, ptr noundef nonnull %82, i64 noundef %391) #9
-  %395 = load double, ptr %11, align 8
-  %396 = load ptr, ptr %100, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %12, ptr noundef %396, ptr noundef %394, ptr noundef nonnull %82, i64 noundef %391) #9
-  %397 = load double, ptr %12, align 8
-  %398 = fcmp uge double %395, 1.000000e-05
-  %399 = fcmp uge double %397, 1.000000e-05
-  %400 = and i1 %398, %399
-  %401 = fmul double %395, 1.000000e-02
-  %402 = fdiv double %401, %397
-  %403 = select i1 %400, double %402, double 0x3EB0C6F7A0B5ED8D
-  %404 = fcmp olt double %393, %403
-  %405 = select i1 %404, double %393, double %403
-  %406 = tail call double @llvm.fabs.f64(double %259)
-  %407 = fmul double %406, 0x3D30000000000000
-  %408 = fcmp ogt double %407, %405
-  %409 = select i1 %408, double %407, double %405
-  %410 = fcmp olt double %393, %409
-  %411 = select i1 %410, double %393, double %409
-  %412 = tail call i1 @llvm.is.fpclass.f64(double %411, i32 639)
-  br i1 %412, label %413, label %415
-
-413:                                              ; preds = %388
-  %414 = getelementptr inbounds i8, ptr %222, i64 72
-  store i64 4, ptr %414, align 8
-  br label %415
-
-415:                                              ; preds = %388, %413, %386, %250
-  %416 = phi double [ %261, %386 ], [ %261, %250 ], [ %411, %413 ], [ %411, %388 ]
-  %417 = load i64, ptr %223, align 8
-  %418 = icmp eq i64 %417, 0
-  br i1 %418, label %445, label %419
-
-419:                                              ; preds = %415
-  %420 = getelementptr inbounds i8, ptr %222, i64 8
-  %421 = getelementptr inbounds i8, ptr %222, i64 16
-  %422 = getelementptr inbounds i8, ptr %222, i64 64
-  %423 = getelementptr inbounds i8, ptr %221, i64 16
-  %424 = fcmp ogt double %251, 0x3CB0000000000000
-  %425 = select i1 %424, double %251, double 0x3CB0000000000000
-  %426 = fdiv double 0x3CE4000000000000, %425
-  %427 = tail call double @llvm.sqrt.f64(double %251)
-  %428 = fcmp olt double %427, 3.000000e-02
-  %429 = select i1 %428, double %427, double 3.000000e-02
-  %430 = fcmp ogt double %429, %426
-  %431 = select i1 %430, double %429, double %426
-  %432 = fmul double %251, %431
-  %433 = fmul double %432, %432
-  %434 = getelementptr inbounds i8, ptr %222, i64 24
-  %435 = getelementptr inbounds i8, ptr %222, i64 32
-  %436 = getelementptr inbounds i8, ptr %222, i64 40
-  %437 = getelementptr inbounds i8, ptr %222, i64 72
-  %438 = getelementptr inbounds i8, ptr %221, i64 32
-  %439 = getelementptr inbounds i8, ptr %222, i64 48
-  %440 = icmp sgt i64 %229, 0
-  %441 = getelementptr inbounds i8, ptr %222, i64 72
-  %442 = getelementptr inbounds i8, ptr %222, i64 48
-  %443 = getelementptr inbounds i8, ptr %222, i64 72
-  %444 = getelementptr inbounds i8, ptr %222, i64 72
-  br label %453
-
-445:                                              ; preds = %2602, %415
-  %446 = phi double [ %215, %415 ], [ %2592, %2602 ]
-  %447 = phi double [ %216, %415 ], [ %2593, %2602 ]
-  %448 = phi double [ %217, %415 ], [ %2594, %2602 ]
-  %449 = phi i64 [ %218, %415 ], [ %2595, %2602 ]
-  %450 = phi i64 [ %219, %415 ], [ %2596, %2602 ]
-  %451 = phi i64 [ %220, %415 ], [ %2597, %2602 ]
-  %452 = phi double [ %416, %415 ], [ %2598, %2602 ]
-  store double %452, ptr %260, align 8
-  br label %2605
-
-453:                                              ; preds = %419, %2602
-  %454 = phi i64 [ %417, %419 ], [ %2603, %2602 ]
-  %455 = phi i64 [ undef, %419 ], [ %2601, %2602 ]
-  %456 = phi double [ %259, %419 ], [ %2599, %2602 ]
-  %457 = phi double [ %416, %419 ], [ %2598, %2602 ]
-  %458 = phi i64 [ %220, %419 ], [ %2597, %2602 ]
-  %459 = phi i64 [ %219, %419 ], [ %2596, %2602 ]
-  %460 = phi i64 [ %218, %419 ], [ %2595, %2602 ]
-  %461 = phi double [ %217, %419 ], [ %2594, %2602 ]
-  %462 = phi double [ %216, %419 ], [ %2593, %2602 ]
-  %463 = phi double [ %215, %419 ], [ %2592, %2602 ]
-  %464 = load ptr, ptr %101, align 8
-  %465 = getelementptr inbounds i8, ptr %464, i64 8
-  %466 = load i64, ptr %465, align 8
-  %467 = icmp sgt i64 %466, 0
-  br i1 %467, label %468, label %473
-
-468:                                              ; preds = %453
-  %469 = load i64, ptr %464, align 8
-  %470 = add nsw i64 %469, 3
-  %471 = icmp slt i64 %466, %470
-  %472 = zext i1 %471 to i32
-  br label %473
-
-473:                                              ; preds = %453, %468
-  %474 = phi i32 [ 0, %453 ], [ %472, %468 ]
-  %475 = icmp eq i32 %474, 0
-  br i1 %475, label %477, label %476
-
-476:                                              ; preds = %473
-  store double %457, ptr %260, align 8
-  br label %2605
-
-477:                                              ; preds = %473
-  %478 = add nsw i64 %454, -1
-  store i64 %478, ptr %223, align 8
-  %479 = load i64, ptr %420, align 8
-  %480 = load i64, ptr %421, align 8
-  %481 = add nsw i64 %480, %479
-  %482 = load i64, ptr %422, align 8
-  %483 = icmp slt i64 %481, %482
-  br i1 %483, label %485, label %484
-
-484:                                              ; preds = %477
-  store double %457, ptr %260, align 8
-  br label %2605
-
-485:                                              ; preds = %477
-  %486 = load i64, ptr %102, align 8
-  %487 = icmp eq i64 %486, 0
-  br i1 %487, label %521, label %488
-
-488:                                              ; preds = %485
-  %489 = icmp sgt i64 %486, 0
-  br i1 %489, label %490, label %505
-
-490:                                              ; preds = %488
-  %491 = load ptr, ptr %103, align 8
-  br label %492
-
-492:                                              ; preds = %490, %492
-  %493 = phi i64 [ 0, %490 ], [ %503, %492 ]
-  %494 = phi i64 [ %486, %490 ], [ %502, %492 ]
-  %495 = add nuw nsw i64 %493, %494
-  %496 = lshr i64 %495, 1
-  %497 = mul i64 %496, 24
-  %498 = getelementptr inbounds i8, ptr %491, i64 %497
-  %499 = load double, ptr %498, align 8
-  %500 = fcmp ogt double %499, %456
-  %501 = add nuw nsw i64 %496, 1
-  %502 = select i1 %500, i64 %496, i64 %494
-  %503 = select i1 %500, i64 %493, i64 %501
-  %504 = icmp slt i64 %503, %502
-  br i1 %504, label %492, label %505, !llvm.loop !12
-
-505:                                              ; preds = %492, %488
-  %506 = phi i64 [ 0, %488 ], [ %503, %492 ]
-  %507 = load ptr, ptr %103, align 8
-  %508 = mul i64 %506, 24
-  %509 = getelementptr inbounds i8, ptr %507, i64 %508
-  %510 = icmp slt i64 %506, %486
-  br i1 %510, label %511, label %514
-
-511:                                              ; preds = %505
-  %512 = getelementptr inbounds i8, ptr %509, i64 8
-  %513 = load double, ptr %512, align 8
-  br label %514
-
-514:                                              ; preds = %511, %505
-  %515 = phi double [ %513, %511 ], [ 0x7FF0000000000000, %505 ]
-  %516 = load ptr, ptr %104, align 8
-  store double %515, ptr %516, align 8
-  %517 = load i64, ptr %102, align 8
-  %518 = icmp slt i64 %506, %517
-  br i1 %518, label %519, label %521
-
-519:                                              ; preds = %514
-  %520 = load double, ptr %509, align 8
-  br label %521
-
-521:                                              ; preds = %485, %514, %519
-  %522 = phi double [ 0x7FF0000000000000, %485 ], [ %520, %519 ], [ 0x7FF0000000000000, %514 ]
-  %523 = fcmp olt double %234, %522
-  %524 = select i1 %523, double %234, double %522
-  %525 = load double, ptr %423, align 8
-  %526 = fcmp olt double %457, %525
-  %527 = select i1 %526, double %457, double %525
-  %528 = fadd double %456, %527
-  %529 = fmul double %527, 1.000000e-03
-  %530 = fsub double %524, %529
-  %531 = fcmp ule double %528, %530
-  %532 = select i1 %531, double %528, double %524
-  %533 = fsub double %532, %456
-  %534 = fmul double %533, 6.250000e-02
-  %535 = fadd double %456, %534
-  %536 = fcmp ule double %535, %456
-  %537 = fcmp une double %532, %524
-  %538 = and i1 %537, %536
-  br i1 %538, label %539, label %540
-
-539:                                              ; preds = %521
-  store double %533, ptr %260, align 8
-  br label %2591
-
-540:                                              ; preds = %521
-  %541 = load ptr, ptr %81, align 8, !noalias !15
-  %542 = getelementptr inbounds i8, ptr %541, i64 8
-  %543 = load i64, ptr %542, align 8, !noalias !15
-  %544 = load ptr, ptr %83, align 8, !noalias !15
-  %545 = getelementptr inbounds i8, ptr %544, i64 8
-  %546 = load i64, ptr %545, align 8, !noalias !15
-  %547 = and i64 %546, 1
-  %548 = icmp eq i64 %547, 0
-  br i1 %548, label %680, label %549
-
-549:                                              ; preds = %540
-  %550 = load ptr, ptr %106, align 8, !noalias !15
-  %551 = load i64, ptr %544, align 8, !noalias !15
-  %552 = icmp eq i64 %551, 0
-  br i1 %552, label %553, label %555
-
-553:                                              ; preds = %549
-  %554 = icmp sgt i64 %543, 0
-  br i1 %554, label %579, label %577
-
-555:                                              ; preds = %549
-  %556 = load ptr, ptr %107, align 8, !noalias !15
-  store double %456, ptr %556, align 8, !noalias !15
-  %557 = load ptr, ptr %81, align 8, !noalias !15
-  %558 = getelementptr inbounds i8, ptr %557, i64 40
-  %559 = load i64, ptr %558, align 8, !noalias !15
-  %560 = icmp eq i64 %559, 0
-  br i1 %560, label %562, label %561
-
-561:                                              ; preds = %555
-  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !15
-  br label %562
-
-562:                                              ; preds = %561, %555
-  %563 = load i64, ptr %108, align 8, !noalias !15
-  %564 = icmp sgt i64 %563, 0
-  br i1 %564, label %565, label %566
-
-565:                                              ; preds = %562
-  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !15
-  br label %566
-
-566:                                              ; preds = %565, %562
-  %567 = load ptr, ptr %83, align 8, !noalias !15
-  %568 = load i64, ptr %567, align 8, !noalias !15
-  %569 = load ptr, ptr %107, align 8, !noalias !15
-  %570 = load ptr, ptr %82, align 8, !noalias !15
-  %571 = load ptr, ptr %109, align 8, !noalias !15
-  %572 = load ptr, ptr %110, align 8, !noalias !15
-  %573 = inttoptr i64 %568 to ptr
-  %574 = load ptr, ptr %573, align 8, !noalias !15
-  %575 = tail call i32 %574(ptr noundef %569, ptr noundef %570, ptr noundef %571, ptr noundef %572, ptr noundef %550) #10, !noalias !15
-  %576 = sext i32 %575 to i64
-  br label %651
-
-577:                                              ; preds = %579, %553
-  %578 = icmp sgt i64 %543, 0
-  br i1 %578, label %591, label %651
-
-579:                                              ; preds = %553, %579
-  %580 = phi i64 [ %586, %579 ], [ 0, %553 ]
-  %581 = load ptr, ptr %82, align 8, !noalias !15
-  %582 = getelementptr inbounds double, ptr %581, i64 %580
-  %583 = load double, ptr %582, align 8, !noalias !15
-  %584 = load ptr, ptr %111, align 8, !noalias !15
-  %585 = getelementptr inbounds double, ptr %584, i64 %580
-  store double %583, ptr %585, align 8, !noalias !15
-  %586 = add nuw nsw i64 %580, 1
-  %587 = icmp eq i64 %586, %543
-  br i1 %587, label %577, label %579, !llvm.loop !18
-
-588:                                              ; preds = %649
-  %589 = add nuw nsw i64 %593, 1
-  %590 = icmp eq i64 %589, %543
-  br i1 %590, label %651, label %591, !llvm.loop !19
-
-591:                                              ; preds = %577, %588
-  %592 = phi i64 [ %650, %588 ], [ undef, %577 ]
-  %593 = phi i64 [ %589, %588 ], [ 0, %577 ]
-  %594 = phi double [ %605, %588 ], [ 0.000000e+00, %577 ]
-  %595 = load ptr, ptr %82, align 8, !noalias !15
-  %596 = getelementptr inbounds double, ptr %595, i64 %593
-  %597 = load double, ptr %596, align 8, !noalias !15
-  %598 = tail call double @llvm.fabs.f64(double %597)
-  %599 = fcmp olt double %598, 1.000000e-05
-  %600 = select i1 %599, double 1.000000e-05, double %598
-  %601 = fmul double %600, 1.500000e-08
-  %602 = fadd double %597, %601
-  %603 = load ptr, ptr %112, align 8, !noalias !15
-  %604 = getelementptr inbounds double, ptr %603, i64 %593
-  store double %602, ptr %604, align 8, !noalias !15
-  %605 = fadd double %594, 1.000000e+00
-  %606 = load ptr, ptr %112, align 8, !noalias !15
-  %607 = load ptr, ptr %113, align 8, !noalias !15
-  %608 = load ptr, ptr %114, align 8, !noalias !15
-  store double %456, ptr %608, align 8, !noalias !15
-  %609 = load ptr, ptr %81, align 8, !noalias !15
-  %610 = getelementptr inbounds i8, ptr %609, i64 40
-  %611 = load i64, ptr %610, align 8, !noalias !15
-  %612 = icmp eq i64 %611, 0
-  br i1 %612, label %614, label %613
-
-613:                                              ; preds = %591
-  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !15
-  br label %614
-
-614:                                              ; preds = %613, %591
-  %615 = load i64, ptr %115, align 8, !noalias !15
-  %616 = icmp sgt i64 %615, 0
-  br i1 %616, label %617, label %618
-
-617:                                              ; preds = %614
-  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !15
-  br label %618
-
-618:                                              ; preds = %617, %614
-  %619 = load ptr, ptr %81, align 8, !noalias !15
-  %620 = load i64, ptr %619, align 8, !noalias !15
-  %621 = load ptr, ptr %114, align 8, !noalias !15
-  %622 = load ptr, ptr %116, align 8, !noalias !15
-  %623 = load ptr, ptr %117, align 8, !noalias !15
-  %624 = inttoptr i64 %620 to ptr
-  %625 = load ptr, ptr %624, align 8, !noalias !15
-  %626 = tail call i32 %625(ptr noundef %621, ptr noundef %606, ptr noundef %622, ptr noundef %623, ptr noundef %607) #10, !noalias !15
-  %627 = sext i32 %626 to i64
-  %628 = icmp eq i32 %626, 0
-  br i1 %628, label %629, label %649
-
-629:                                              ; preds = %618
-  %630 = getelementptr double, ptr %550, i64 %593
-  %631 = fsub double %602, %597
-  br label %635
-
-632:                                              ; preds = %635
-  %633 = load ptr, ptr %112, align 8, !noalias !15
-  %634 = getelementptr inbounds double, ptr %633, i64 %593
-  store double %597, ptr %634, align 8, !noalias !15
-  br label %649
-
-635:                                              ; preds = %629, %635
-  %636 = phi i64 [ 0, %629 ], [ %647, %635 ]
-  %637 = load ptr, ptr %113, align 8, !noalias !15
-  %638 = getelementptr inbounds double, ptr %637, i64 %636
-  %639 = load double, ptr %638, align 8, !noalias !15
-  %640 = load ptr, ptr %118, align 8, !noalias !15
-  %641 = getelementptr inbounds double, ptr %640, i64 %636
-  %642 = load double, ptr %641, align 8, !noalias !15
-  %643 = fsub double %639, %642
-  %644 = fdiv double %643, %631
-  %645 = mul nuw nsw i64 %636, %543
-  %646 = getelementptr double, ptr %630, i64 %645
-  store double %644, ptr %646, align 8, !noalias !15
-  %647 = add nuw nsw i64 %636, 1
-  %648 = icmp eq i64 %647, %543
-  br i1 %648, label %632, label %635, !llvm.loop !20
-
-649:                                              ; preds = %632, %618
-  %650 = phi i64 [ %592, %632 ], [ %627, %618 ]
-  br i1 %628, label %588, label %651
-
-651:                                              ; preds = %649, %588, %577, %566
-  %652 = phi double [ 0.000000e+00, %566 ], [ 0.000000e+00, %577 ], [ %605, %588 ], [ %605, %649 ]
-  %653 = phi i64 [ %576, %566 ], [ 0, %577 ], [ %650, %649 ], [ 0, %588 ]
-  %654 = load i64, ptr %119, align 8, !noalias !15
-  %655 = icmp sgt i64 %654, 0
-  br i1 %655, label %656, label %669
-
-656:                                              ; preds = %651, %656
-  %657 = phi i64 [ %666, %656 ], [ 0, %651 ]
-  %658 = load ptr, ptr %106, align 8, !noalias !15
-  %659 = getelementptr inbounds double, ptr %658, i64 %657
-  %660 = load double, ptr %659, align 8, !noalias !15
-  %661 = tail call double @llvm.fabs.f64(double %660)
-  %662 = fcmp ueq double %661, 0x7FF0000000000000
-  %663 = select i1 %662, double 0.000000e+00, double %660
-  %664 = load ptr, ptr %105, align 8, !noalias !15
-  %665 = getelementptr inbounds double, ptr %664, i64 %657
-  store double %663, ptr %665, align 8, !noalias !15
-  %666 = add nuw nsw i64 %657, 1
-  %667 = load i64, ptr %119, align 8, !noalias !15
-  %668 = icmp slt i64 %666, %667
-  br i1 %668, label %656, label %669, !llvm.loop !21
-
-669:                                              ; preds = %656, %651
-  %670 = icmp slt i64 %653, 0
-  br i1 %670, label %1981, label %671
-
-671:                                              ; preds = %669
-  %672 = load i64, ptr %545, align 8, !noalias !15
-  %673 = and i64 %672, -2
-  store i64 %673, ptr %545, align 8, !noalias !15
-  %674 = getelementptr inbounds i8, ptr %544, i64 16
-  %675 = load i64, ptr %674, align 8, !noalias !15
-  %676 = or i64 %675, 1
-  store i64 %676, ptr %674, align 8, !noalias !15
-  %677 = getelementptr inbounds i8, ptr %544, i64 24
-  %678 = load i64, ptr %677, align 8, !noalias !15
-  %679 = and i64 %678, -2
-  store i64 %679, ptr %677, align 8, !noalias !15
-  br label %680
-
-680:                                              ; preds = %671, %540
-  %681 = phi double [ 0.000000e+00, %540 ], [ %652, %671 ]
-  %682 = load ptr, ptr %83, align 8, !noalias !15
-  %683 = load ptr, ptr %120, align 8, !noalias !15
-  %684 = load double, ptr %683, align 8, !noalias !15
-  %685 = fsub double %533, %684
-  %686 = tail call double @llvm.fabs.f64(double %685)
-  %687 = tail call double @llvm.fabs.f64(double %532)
-  %688 = fmul double %687, 0x3CB0000000000000
-  %689 = fcmp ogt double %686, %688
-  %690 = getelementptr inbounds i8, ptr %682, i64 24
-  %691 = load i64, ptr %690, align 8, !noalias !15
-  %692 = trunc i64 %691 to i1
-  %693 = xor i1 %692, true
-  %694 = or i1 %689, %693
-  %695 = zext i1 %694 to i64
-  br i1 %694, label %696, label %756
-
-696:                                              ; preds = %680
-  store double %533, ptr %683, align 8, !noalias !15
-  %697 = load i64, ptr %121, align 8, !noalias !15
-  %698 = load ptr, ptr %122, align 8, !noalias !15
-  %699 = load ptr, ptr %123, align 8, !noalias !15
-  %700 = icmp sgt i64 %697, 0
-  br i1 %700, label %701, label %731
-
-701:                                              ; preds = %696
-  %702 = fdiv double 0x400D1A48D83E731D, %533
-  %703 = fdiv double 0x400572DB93E0C672, %533
-  %704 = fdiv double 0xC0086747F2C3FCB6, %533
-  br label %705
-
-705:                                              ; preds = %701, %708
-  %706 = phi i64 [ 0, %701 ], [ %709, %708 ]
-  %707 = mul nuw nsw i64 %706, %697
-  br label %711
-
-708:                                              ; preds = %711
-  %709 = add nuw nsw i64 %706, 1
-  %710 = icmp eq i64 %709, %697
-  br i1 %710, label %731, label %705, !llvm.loop !22
-
-711:                                              ; preds = %705, %711
-  %712 = phi i64 [ 0, %705 ], [ %729, %711 ]
-  %713 = load ptr, ptr %124, align 8, !noalias !15
-  %714 = add nuw nsw i64 %712, %707
-  %715 = getelementptr inbounds double, ptr %713, i64 %714
-  %716 = load double, ptr %715, align 8, !noalias !15
-  %717 = fneg double %716
-  %718 = icmp eq i64 %706, %712
-  %719 = fsub double %702, %716
-  %720 = select i1 %718, double %719, double %717
-  %721 = fsub double %703, %716
-  %722 = select i1 %718, double %721, double %717
-  %723 = getelementptr inbounds double, ptr %698, i64 %714
-  store double %720, ptr %723, align 8, !noalias !15
-  %724 = select i1 %718, double %704, double 0.000000e+00
-  %725 = shl nuw nsw i64 %714, 1
-  %726 = getelementptr inbounds double, ptr %699, i64 %725
-  store double %722, ptr %726, align 8, !noalias !15
-  %727 = or disjoint i64 %725, 1
-  %728 = getelementptr inbounds double, ptr %699, i64 %727
-  store double %724, ptr %728, align 8, !noalias !15
-  %729 = add nuw nsw i64 %712, 1
-  %730 = icmp eq i64 %729, %697
-  br i1 %730, label %708, label %711, !llvm.loop !23
-
-731:                                              ; preds = %708, %696
-  %732 = load ptr, ptr %125, align 8, !noalias !15
-  %733 = tail call fastcc i64 @real_factorise(ptr noundef %698, i64 noundef %697, ptr noundef %732) #9, !noalias !15
-  %734 = load ptr, ptr %126, align 8, !noalias !15
-  %735 = tail call fastcc i64 @pair_factorise(ptr noundef %699, i64 noundef %697, ptr noundef %734) #9, !noalias !15
-  %736 = or i64 %735, %733
-  %737 = and i64 %736, %695
-  %738 = load i64, ptr %690, align 8, !noalias !15
-  %739 = or i64 %738, %695
-  %740 = xor i64 %737, -1
-  %741 = xor i64 %737, %739
-  store i64 %741, ptr %690, align 8, !noalias !15
-  %742 = icmp eq i64 %737, 0
-  %743 = select i1 %742, double 2.000000e+00, double 4.000000e+00
-  %744 = fmul double %533, 5.000000e-01
-  %745 = select i1 %742, double %457, double %744
-  %746 = load ptr, ptr %83, align 8, !noalias !15
-  %747 = getelementptr inbounds i8, ptr %746, i64 8
-  %748 = load i64, ptr %747, align 8, !noalias !15
-  %749 = and i64 %748, %740
-  %750 = getelementptr inbounds i8, ptr %746, i64 16
-  %751 = load i64, ptr %750, align 8, !noalias !15
-  %752 = xor i64 %751, -1
-  %753 = and i64 %737, %752
-  %754 = or disjoint i64 %753, %749
-  store i64 %754, ptr %747, align 8, !noalias !15
-  %755 = and i64 %740, 1
-  br label %756
-
-756:                                              ; preds = %680, %731
-  %757 = phi double [ %457, %680 ], [ %745, %731 ]
-  %758 = phi double [ 2.000000e+00, %680 ], [ %743, %731 ]
-  %759 = phi i64 [ 1, %680 ], [ %755, %731 ]
-  %760 = icmp eq i64 %759, 0
-  br i1 %760, label %1981, label %761
-
-761:                                              ; preds = %756
-  %762 = load ptr, ptr %120, align 8, !noalias !15
-  %763 = getelementptr inbounds i8, ptr %762, i64 8
-  %764 = load double, ptr %763, align 8, !noalias !15
-  %765 = load ptr, ptr %81, align 8, !noalias !15
-  %766 = getelementptr inbounds i8, ptr %765, i64 8
-  %767 = load i64, ptr %766, align 8, !noalias !15
-  %768 = load ptr, ptr %127, align 8, !noalias !15
-  %769 = load ptr, ptr %82, align 8, !noalias !15
-  %770 = load ptr, ptr %128, align 8, !noalias !15
-  %771 = load ptr, ptr %129, align 8, !noalias !15
-  %772 = fcmp ule double %764, 0.000000e+00
-  %773 = icmp sgt i64 %767, 0
-  %774 = shl i64 %767, 4
-  %775 = getelementptr i8, ptr %768, i64 %774
-  %776 = mul i64 %767, 24
-  %777 = getelementptr i8, ptr %768, i64 %776
-  %778 = getelementptr double, ptr %768, i64 %767
-  br label %784
-
-779:                                              ; preds = %795
-  %780 = icmp sgt i64 %767, 0
-  %781 = getelementptr double, ptr %770, i64 %767
-  %782 = shl i64 %767, 4
-  %783 = getelementptr i8, ptr %770, i64 %782
-  br label %821
-
-784:                                              ; preds = %761, %795
-  %785 = phi i64 [ 0, %761 ], [ %796, %795 ]
-  %786 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %785
-  %787 = load double, ptr %786, align 8, !noalias !15
-  %788 = fmul double %533, %787
-  %789 = fdiv double %788, %764
-  %790 = fadd double %789, 1.000000e+00
-  br i1 %773, label %791, label %795
-
-791:                                              ; preds = %784
-  %792 = fsub double 1.000000e+00, %790
-  %793 = mul nuw nsw i64 %767, %785
-  %794 = getelementptr double, ptr %770, i64 %793
-  br label %798
-
-795:                                              ; preds = %798, %784
-  %796 = add nuw nsw i64 %785, 1
-  %797 = icmp eq i64 %796, 3
-  br i1 %797, label %779, label %784, !llvm.loop !24
-
-798:                                              ; preds = %791, %798
-  %799 = phi i64 [ 0, %791 ], [ %819, %798 ]
-  %800 = getelementptr double, ptr %775, i64 %799
-  %801 = load double, ptr %800, align 8, !noalias !15
-  %802 = getelementptr double, ptr %777, i64 %799
-  %803 = load double, ptr %802, align 8, !noalias !15
-  %804 = fmul double %790, %803
-  %805 = fadd double %801, %804
-  %806 = fmul double %792, %805
-  %807 = getelementptr inbounds double, ptr %768, i64 %799
-  %808 = load double, ptr %807, align 8, !noalias !15
-  %809 = getelementptr double, ptr %778, i64 %799
-  %810 = load double, ptr %809, align 8, !noalias !15
-  %811 = fadd double %810, %806
-  %812 = fmul double %790, %811
-  %813 = fadd double %808, %812
-  %814 = getelementptr inbounds double, ptr %769, i64 %799
-  %815 = load double, ptr %814, align 8, !noalias !15
-  %816 = fsub double %813, %815
-  %817 = select i1 %772, double 0.000000e+00, double %816
-  %818 = getelementptr double, ptr %794, i64 %799
-  store double %817, ptr %818, align 8, !noalias !15
-  %819 = add nuw nsw i64 %799, 1
-  %820 = icmp eq i64 %819, %767
-  br i1 %820, label %795, label %798, !llvm.loop !25
-
-821:                                              ; preds = %779, %832
-  %822 = phi i64 [ 0, %779 ], [ %833, %832 ]
-  br i1 %780, label %823, label %832
-
-823:                                              ; preds = %821
-  %824 = mul nuw nsw i64 %767, %822
-  %825 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %822
-  %826 = load double, ptr %825, align 8, !noalias !15
-  %827 = getelementptr inbounds i8, ptr %825, i64 8
-  %828 = load double, ptr %827, align 8, !noalias !15
-  %829 = getelementptr inbounds i8, ptr %825, i64 16
-  %830 = load double, ptr %829, align 8, !noalias !15
-  %831 = getelementptr double, ptr %771, i64 %824
-  br label %835
-
-832:                                              ; preds = %835, %821
-  %833 = add nuw nsw i64 %822, 1
-  %834 = icmp eq i64 %833, 3
-  br i1 %834, label %851, label %821, !llvm.loop !26
-
-835:                                              ; preds = %823, %835
-  %836 = phi i64 [ 0, %823 ], [ %849, %835 ]
-  %837 = getelementptr inbounds double, ptr %770, i64 %836
-  %838 = load double, ptr %837, align 8, !noalias !15
-  %839 = fmul double %826, %838
-  %840 = getelementptr double, ptr %781, i64 %836
-  %841 = load double, ptr %840, align 8, !noalias !15
-  %842 = fmul double %828, %841
-  %843 = fadd double %839, %842
-  %844 = getelementptr double, ptr %783, i64 %836
-  %845 = load double, ptr %844, align 8, !noalias !15
-  %846 = fmul double %830, %845
-  %847 = fadd double %843, %846
-  %848 = getelementptr double, ptr %831, i64 %836
-  store double %847, ptr %848, align 8, !noalias !15
-  %849 = add nuw nsw i64 %836, 1
-  %850 = icmp eq i64 %849, %767
-  br i1 %850, label %832, label %835, !llvm.loop !27
-
-851:                                              ; preds = %832
-  %852 = load ptr, ptr %83, align 8, !noalias !28
-  %853 = getelementptr inbounds i8, ptr %852, i64 40
-  %854 = load i64, ptr %853, align 8, !noalias !28
-  %855 = icmp sgt i64 %854, 0
-  %856 = select i1 %855, i64 10, i64 6
-  %857 = fdiv double 0x400572DB93E0C672, %533
-  %858 = fdiv double 0xC0086747F2C3FCB6, %533
-  %859 = fdiv double 0x400D1A48D83E731D, %533
-  %860 = fneg double %858
-  br label %864
-
-861:                                              ; preds = %1327
-  %862 = add nuw nsw i64 %868, 1
-  %863 = icmp eq i64 %862, %856
-  br i1 %863, label %1342, label %864, !llvm.loop !31
-
-864:                                              ; preds = %851, %861
-  %865 = phi double [ -1.000000e+00, %851 ], [ %1340, %861 ]
-  %866 = phi i64 [ %759, %851 ], [ %1339, %861 ]
-  %867 = phi i64 [ 0, %851 ], [ %1338, %861 ]
-  %868 = phi i64 [ 0, %851 ], [ %862, %861 ]
-  %869 = phi i64 [ 0, %851 ], [ %1336, %861 ]
-  %870 = phi i64 [ 0, %851 ], [ %958, %861 ]
-  %871 = phi i64 [ 0, %851 ], [ %957, %861 ]
-  %872 = phi double [ 0.000000e+00, %851 ], [ %1335, %861 ]
-  %873 = phi double [ 0.000000e+00, %851 ], [ %1334, %861 ]
-  %874 = phi double [ 0.000000e+00, %851 ], [ %956, %861 ]
-  %875 = phi i64 [ %458, %851 ], [ %1333, %861 ]
-  %876 = phi i64 [ %459, %851 ], [ %1332, %861 ]
-  %877 = phi i64 [ %460, %851 ], [ %1331, %861 ]
-  %878 = phi double [ %461, %851 ], [ %1330, %861 ]
-  %879 = phi double [ %462, %851 ], [ %1329, %861 ]
-  %880 = phi double [ %463, %851 ], [ %1328, %861 ]
-  %881 = icmp ugt i64 %868, 5
-  %882 = select i1 %881, i64 %869, i64 -1
-  %883 = and i64 %866, %882
-  %884 = load ptr, ptr %81, align 8, !noalias !28
-  %885 = getelementptr inbounds i8, ptr %884, i64 8
-  %886 = load i64, ptr %885, align 8, !noalias !28
-  %887 = load ptr, ptr %128, align 8, !noalias !28
-  %888 = icmp eq i64 %883, 0
-  br i1 %888, label %955, label %889
-
-889:                                              ; preds = %864
-  %890 = icmp sgt i64 %886, 0
-  br label %891
-
-891:                                              ; preds = %889, %923
-  %892 = phi i64 [ %883, %889 ], [ %938, %923 ]
-  %893 = phi i64 [ 0, %889 ], [ %939, %923 ]
-  %894 = phi i64 [ %870, %889 ], [ %936, %923 ]
-  %895 = phi i64 [ %871, %889 ], [ %934, %923 ]
-  %896 = phi double [ %874, %889 ], [ %904, %923 ]
-  br i1 %890, label %897, label %900
-
-897:                                              ; preds = %891
-  %898 = mul nuw nsw i64 %893, %886
-  %899 = getelementptr double, ptr %887, i64 %898
-  br label %943
-
-900:                                              ; preds = %943, %891
-  %901 = and i64 %892, 4294967295
-  %902 = icmp eq i64 %901, 0
-  %903 = select i1 %902, double 0.000000e+00, double 1.000000e+00
-  %904 = fadd double %896, %903
-  %905 = load ptr, ptr %131, align 8, !noalias !28
-  %906 = mul nsw i64 %893, %886
-  %907 = getelementptr inbounds double, ptr %905, i64 %906
-  %908 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %893
-  %909 = load double, ptr %908, align 8, !noalias !28
-  %910 = fmul double %533, %909
-  %911 = fadd double %456, %910
-  %912 = load ptr, ptr %132, align 8, !noalias !28
-  %913 = load ptr, ptr %133, align 8, !noalias !28
-  store double %911, ptr %913, align 8, !noalias !28
-  %914 = load ptr, ptr %81, align 8, !noalias !28
-  %915 = getelementptr inbounds i8, ptr %914, i64 40
-  %916 = load i64, ptr %915, align 8, !noalias !28
-  %917 = icmp eq i64 %916, 0
-  br i1 %917, label %919, label %918
-
-918:                                              ; preds = %900
-  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !28
-  br label %919
-
-919:                                              ; preds = %918, %900
-  %920 = load i64, ptr %134, align 8, !noalias !28
-  %921 = icmp sgt i64 %920, 0
-  br i1 %921, label %922, label %923
-
-922:                                              ; preds = %919
-  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !28
-  br label %923
-
-923:                                              ; preds = %922, %919
-  %924 = load ptr, ptr %81, align 8, !noalias !28
-  %925 = load i64, ptr %924, align 8, !noalias !28
-  %926 = load ptr, ptr %133, align 8, !noalias !28
-  %927 = load ptr, ptr %135, align 8, !noalias !28
-  %928 = load ptr, ptr %136, align 8, !noalias !28
-  %929 = inttoptr i64 %925 to ptr
-  %930 = load ptr, ptr %929, align 8, !noalias !28
-  %931 = tail call i32 %930(ptr noundef %926, ptr noundef %912, ptr noundef %927, ptr noundef %928, ptr noundef %907) #10, !noalias !28
-  %932 = sext i32 %931 to i64
-  %933 = icmp slt i32 %931, 0
-  %934 = select i1 %933, i64 %932, i64 %895
-  %935 = and i64 %892, %932
-  %936 = or i64 %935, %894
-  %937 = xor i64 %932, -1
-  %938 = and i64 %892, %937
-  %939 = add nuw nsw i64 %893, 1
-  %940 = icmp ult i64 %893, 2
-  %941 = icmp ne i64 %938, 0
-  %942 = select i1 %940, i1 %941, i1 false
-  br i1 %942, label %891, label %955, !llvm.loop !32
-
-943:                                              ; preds = %897, %943
-  %944 = phi i64 [ 0, %897 ], [ %953, %943 ]
-  %945 = load ptr, ptr %130, align 8, !noalias !28
-  %946 = load ptr, ptr %82, align 8, !noalias !28
-  %947 = getelementptr inbounds double, ptr %946, i64 %944
-  %948 = load double, ptr %947, align 8, !noalias !28
-  %949 = getelementptr double, ptr %899, i64 %944
-  %950 = load double, ptr %949, align 8, !noalias !28
-  %951 = fadd double %948, %950
-  %952 = getelementptr inbounds double, ptr %945, i64 %944
-  store double %951, ptr %952, align 8, !noalias !28
-  %953 = add nuw nsw i64 %944, 1
-  %954 = icmp eq i64 %953, %886
-  br i1 %954, label %900, label %943, !llvm.loop !33
-
-955:                                              ; preds = %923, %864
-  %956 = phi double [ %874, %864 ], [ %904, %923 ]
-  %957 = phi i64 [ %871, %864 ], [ %934, %923 ]
-  %958 = phi i64 [ %870, %864 ], [ %936, %923 ]
-  %959 = phi i64 [ %883, %864 ], [ %938, %923 ]
-  %960 = icmp eq i64 %959, 0
-  br i1 %960, label %961, label %965
-
-961:                                              ; preds = %955
-  %962 = or i64 %883, %867
-  %963 = xor i64 %962, -1
-  %964 = and i64 %869, %963
-  br label %1327
-
-965:                                              ; preds = %955
-  %966 = load ptr, ptr %81, align 8, !noalias !28
-  %967 = getelementptr inbounds i8, ptr %966, i64 8
-  %968 = load i64, ptr %967, align 8, !noalias !28
-  %969 = getelementptr inbounds i8, ptr %966, i64 24
-  %970 = load i64, ptr %969, align 8, !noalias !28
-  %971 = load ptr, ptr %137, align 8, !noalias !28
-  %972 = load ptr, ptr %129, align 8, !noalias !28
-  %973 = icmp sgt i64 %968, 0
-  br i1 %973, label %974, label %1056
-
-974:                                              ; preds = %965
-  %975 = shl nuw nsw i64 %968, 1
-  br label %976
-
-976:                                              ; preds = %974, %1052
-  %977 = phi i32 [ 1, %974 ], [ %992, %1052 ]
-  %978 = phi i64 [ 0, %974 ], [ %1054, %1052 ]
-  %979 = phi double [ 0.000000e+00, %974 ], [ %1053, %1052 ]
-  %980 = getelementptr inbounds double, ptr %971, i64 %978
-  %981 = load double, ptr %980, align 8, !noalias !28
-  %982 = add nuw nsw i64 %978, %968
-  %983 = getelementptr inbounds double, ptr %971, i64 %982
-  %984 = load double, ptr %983, align 8, !noalias !28
-  %985 = fadd double %981, %984
-  %986 = add nuw nsw i64 %978, %975
-  %987 = getelementptr inbounds double, ptr %971, i64 %986
-  %988 = load double, ptr %987, align 8, !noalias !28
-  %989 = fadd double %985, %988
-  %990 = tail call double @llvm.fabs.f64(double %989)
-  %991 = fcmp one double %990, 0x7FF0000000000000
-  %992 = select i1 %991, i32 %977, i32 0
-  %993 = getelementptr inbounds double, ptr %972, i64 %982
-  %994 = load double, ptr %993, align 8, !noalias !28
-  %995 = getelementptr inbounds double, ptr %972, i64 %986
-  %996 = load double, ptr %995, align 8, !noalias !28
-  %997 = fmul double %981, 0xC010B70201A79C46
-  %998 = fmul double %984, 0x3FD4F8C15DA84E86
-  %999 = fsub double %997, %998
-  %1000 = fmul double %988, 0x3FDE810014C55221
-  %1001 = fadd double %999, %1000
-  %1002 = fmul double %981, 0x3FE017885A24A7F2
-  %1003 = fmul double %984, 0x4004934E6FCAA598
-  %1004 = fsub double %1002, %1003
-  %1005 = fmul double %988, 0x3FE312C0CF7BDFD1
-  %1006 = fadd double %1004, %1005
-  %1007 = fmul double %981, 0x4010B70201A79C46
-  %1008 = fmul double %984, 0x3FD4F8C15DA84E86
-  %1009 = fadd double %1007, %1008
-  %1010 = fmul double %988, 0x3FE0BF7FF59D56EF
-  %1011 = fadd double %1009, %1010
-  %1012 = getelementptr inbounds double, ptr %972, i64 %978
-  %1013 = load double, ptr %1012, align 8, !noalias !28
-  %1014 = fmul double %859, %1013
-  %1015 = fsub double %1011, %1014
-  %1016 = fmul double %996, %860
-  %1017 = tail call double @llvm.fma.f64(double %857, double %994, double %1016)
-  %1018 = fmul double %858, %994
-  %1019 = tail call double @llvm.fma.f64(double %857, double %996, double %1018)
-  %1020 = fsub double %1001, %1017
-  %1021 = fsub double %1006, %1019
-  %1022 = load ptr, ptr %138, align 8, !noalias !28
-  %1023 = getelementptr inbounds double, ptr %1022, i64 %978
-  store double %1015, ptr %1023, align 8, !noalias !28
-  %1024 = load ptr, ptr %139, align 8, !noalias !28
-  %1025 = shl nuw nsw i64 %978, 1
-  %1026 = getelementptr inbounds double, ptr %1024, i64 %1025
-  store double %1020, ptr %1026, align 8, !noalias !28
-  %1027 = or disjoint i64 %1025, 1
-  %1028 = getelementptr inbounds double, ptr %1024, i64 %1027
-  store double %1021, ptr %1028, align 8, !noalias !28
-  %1029 = icmp slt i64 %978, %970
-  br i1 %1029, label %1030, label %1052
-
-1030:                                             ; preds = %976
-  %1031 = load ptr, ptr %82, align 8, !noalias !28
-  %1032 = getelementptr inbounds double, ptr %1031, i64 %978
-  %1033 = load double, ptr %1032, align 8, !noalias !28
-  %1034 = tail call double @llvm.fabs.f64(double %1015)
-  %1035 = tail call double @llvm.fabs.f64(double %1020)
-  %1036 = tail call double @llvm.fabs.f64(double %1021)
-  %1037 = fadd double %1036, %1035
-  %1038 = fadd double %1034, %1037
-  %1039 = fmul double %533, %1038
-  %1040 = load ptr, ptr %140, align 8, !noalias !28
-  %1041 = getelementptr inbounds double, ptr %1040, i64 %978
-  %1042 = load double, ptr %1041, align 8, !noalias !28
-  %1043 = load ptr, ptr %88, align 8, !noalias !28
-  %1044 = getelementptr inbounds double, ptr %1043, i64 %978
-  %1045 = load double, ptr %1044, align 8, !noalias !28
-  %1046 = tail call double @llvm.fabs.f64(double %1033)
-  %1047 = fmul double %1046, %1045
-  %1048 = fadd double %1042, %1047
-  %1049 = fdiv double %1039, %1048
-  %1050 = fmul double %1049, %1049
-  %1051 = fadd double %979, %1050
-  br label %1052
-
-1052:                                             ; preds = %1030, %976
-  %1053 = phi double [ %1051, %1030 ], [ %979, %976 ]
-  %1054 = add nuw nsw i64 %978, 1
-  %1055 = icmp eq i64 %1054, %968
-  br i1 %1055, label %1056, label %976, !llvm.loop !34
-
-1056:                                             ; preds = %1052, %965
-  %1057 = phi double [ 0.000000e+00, %965 ], [ %1053, %1052 ]
-  %1058 = phi i32 [ 1, %965 ], [ %992, %1052 ]
-  %1059 = zext nneg i32 %1058 to i64
-  %1060 = xor i64 %1059, 4294967295
-  %1061 = and i64 %959, %1060
-  %1062 = icmp eq i64 %1061, 0
-  %1063 = select i1 %1062, double %873, double 0x7FF0000000000000
-  %1064 = load ptr, ptr %81, align 8, !noalias !28
-  %1065 = getelementptr inbounds i8, ptr %1064, i64 24
-  %1066 = load i64, ptr %1065, align 8, !noalias !28
-  %1067 = load i64, ptr %142, align 8, !noalias !28
-  %1068 = load ptr, ptr %83, align 8, !noalias !28
-  %1069 = getelementptr inbounds i8, ptr %1068, i64 40
-  %1070 = load i64, ptr %1069, align 8, !noalias !28
-  %1071 = load ptr, ptr %143, align 8, !noalias !28
-  %1072 = load ptr, ptr %144, align 8, !noalias !28
-  %1073 = load ptr, ptr %145, align 8, !noalias !28
-  %1074 = load ptr, ptr %141, align 8, !noalias !28
-  tail call fastcc void @real_solve(ptr noundef %1073, i64 noundef %1067, ptr noundef %1074, ptr noundef %1071) #9, !noalias !28
-  %1075 = load ptr, ptr %146, align 8, !noalias !28
-  %1076 = load ptr, ptr %147, align 8, !noalias !28
-  tail call fastcc void @pair_solve(ptr noundef %1075, i64 noundef %1067, ptr noundef %1076, ptr noundef %1072) #9, !noalias !28
-  %1077 = icmp sgt i64 %1070, 0
-  br i1 %1077, label %1078, label %1086
-
-1078:                                             ; preds = %1056
-  %1079 = load ptr, ptr %145, align 8, !noalias !28
-  %1080 = load ptr, ptr %141, align 8, !noalias !28
-  %1081 = getelementptr inbounds double, ptr %1071, i64 %1067
-  tail call fastcc void @real_solve_columns(ptr noundef %1079, i64 noundef %1067, ptr noundef %1080, ptr noundef %1081, i64 noundef %1070) #9, !noalias !28
-  %1082 = load ptr, ptr %146, align 8, !noalias !28
-  %1083 = load ptr, ptr %147, align 8, !noalias !28
-  %1084 = shl nsw i64 %1067, 4
-  %1085 = getelementptr inbounds i8, ptr %1072, i64 %1084
-  tail call fastcc void @pair_solve_columns(ptr noundef %1082, i64 noundef %1067, ptr noundef %1083, ptr noundef %1085, i64 noundef %1070) #9, !noalias !28
-  br label %1086
-
-1086:                                             ; preds = %1078, %1056
-  %1087 = icmp sgt i64 %1066, 0
-  br i1 %1087, label %1088, label %1123
-
-1088:                                             ; preds = %1086
-  %1089 = load ptr, ptr %82, align 8, !noalias !28
-  %1090 = load ptr, ptr %148, align 8, !noalias !28
-  %1091 = load ptr, ptr %88, align 8, !noalias !28
-  br label %1092
-
-1092:                                             ; preds = %1088, %1092
-  %1093 = phi double [ 0.000000e+00, %1088 ], [ %1120, %1092 ]
-  %1094 = phi i64 [ 0, %1088 ], [ %1121, %1092 ]
-  %1095 = getelementptr inbounds double, ptr %1089, i64 %1094
-  %1096 = load double, ptr %1095, align 8, !noalias !28
-  %1097 = getelementptr inbounds double, ptr %1090, i64 %1094
-  %1098 = load double, ptr %1097, align 8, !noalias !28
-  %1099 = getelementptr inbounds double, ptr %1091, i64 %1094
-  %1100 = load double, ptr %1099, align 8, !noalias !28
-  %1101 = tail call double @llvm.fabs.f64(double %1096)
-  %1102 = fmul double %1101, %1100
-  %1103 = fadd double %1098, %1102
-  %1104 = getelementptr inbounds double, ptr %1071, i64 %1094
-  %1105 = load double, ptr %1104, align 8, !noalias !28
-  %1106 = fdiv double %1105, %1103
-  %1107 = shl nuw nsw i64 %1094, 1
-  %1108 = getelementptr inbounds double, ptr %1072, i64 %1107
-  %1109 = load double, ptr %1108, align 8, !noalias !28
-  %1110 = or disjoint i64 %1107, 1
-  %1111 = getelementptr inbounds double, ptr %1072, i64 %1110
-  %1112 = load double, ptr %1111, align 8, !noalias !28
-  %1113 = fdiv double %1109, %1103
-  %1114 = fdiv double %1112, %1103
-  %1115 = fmul double %1106, %1106
-  %1116 = fmul double %1113, %1113
-  %1117 = fadd double %1115, %1116
-  %1118 = fmul double %1114, %1114
-  %1119 = fadd double %1117, %1118
-  %1120 = fadd double %1093, %1119
-  %1121 = add nuw nsw i64 %1094, 1
-  %1122 = icmp eq i64 %1121, %1066
-  br i1 %1122, label %1123, label %1092, !llvm.loop !35
-
-1123:                                             ; preds = %1092, %1086
-  %1124 = phi double [ 0.000000e+00, %1086 ], [ %1120, %1092 ]
-  %1125 = mul nsw i64 %1066, 3
-  %1126 = sitofp i64 %1125 to double
-  %1127 = fdiv double %1124, %1126
-  %1128 = tail call double @llvm.sqrt.f64(double %1127)
-  %1129 = fcmp oeq double %1128, 0.000000e+00
-  %1130 = fcmp ogt double %1057, 0.000000e+00
-  %1131 = and i1 %1130, %1129
-  %1132 = zext i1 %1131 to i64
-  %1133 = xor i64 %1132, -1
-  %1134 = and i64 %1059, %1133
-  %1135 = and i64 %1134, %959
-  %1136 = xor i64 %869, -1
-  %1137 = and i64 %1135, %1136
-  %1138 = trunc nuw nsw i64 %1137 to i32
-  %1139 = fcmp ogt double %865, 0.000000e+00
-  %1140 = and i32 %1138, 1
-  %1141 = select i1 %1139, i32 %1140, i32 0
-  %1142 = fdiv double %1128, %865
-  %1143 = icmp eq i32 %1141, 0
-  %1144 = select i1 %1143, double %1063, double %1142
-  %1145 = fsub double 1.000000e+00, %1144
-  %1146 = fdiv double %1128, %1145
-  %1147 = icmp ult i64 %868, 5
-  br i1 %1147, label %1240, label %1148
-
-1148:                                             ; preds = %1240, %1123
-  %1149 = phi double [ %1146, %1123 ], [ %1243, %1240 ]
-  %1150 = fcmp oge double %1144, 1.000000e+00
-  %1151 = fcmp ogt double %1149, %431
-  %1152 = or i1 %1150, %1151
-  %1153 = xor i32 %1141, -1
-  %1154 = zext i32 %1153 to i64
-  %1155 = select i1 %1152, i64 %1154, i64 2147483647
-  %1156 = and i64 %1155, %1135
-  %1157 = xor i64 %1156, -1
-  %1158 = and i64 %883, %1157
-  %1159 = or i64 %1158, %867
-  %1160 = load ptr, ptr %81, align 8, !noalias !28
-  %1161 = getelementptr inbounds i8, ptr %1160, i64 8
-  %1162 = load i64, ptr %1161, align 8, !noalias !28
-  %1163 = load ptr, ptr %128, align 8, !noalias !28
-  %1164 = load ptr, ptr %129, align 8, !noalias !28
-  %1165 = icmp sgt i64 %1162, 0
-  br i1 %1165, label %1166, label %1226
-
-1166:                                             ; preds = %1148
-  %1167 = icmp eq i64 %1156, 0
-  %1168 = getelementptr double, ptr %1164, i64 %1162
-  %1169 = shl i64 %1162, 4
-  %1170 = getelementptr i8, ptr %1164, i64 %1169
-  %1171 = icmp eq i64 %1156, 0
-  br label %1172
-
-1172:                                             ; preds = %1166, %1201
-  %1173 = phi i64 [ 0, %1166 ], [ %1202, %1201 ]
-  %1174 = load ptr, ptr %144, align 8, !noalias !28
-  %1175 = shl nuw nsw i64 %1173, 1
-  %1176 = getelementptr inbounds double, ptr %1174, i64 %1175
-  %1177 = load double, ptr %1176, align 8, !noalias !28
-  %1178 = or disjoint i64 %1175, 1
-  %1179 = getelementptr inbounds double, ptr %1174, i64 %1178
-  %1180 = load double, ptr %1179, align 8, !noalias !28
-  %1181 = load ptr, ptr %143, align 8, !noalias !28
-  %1182 = getelementptr inbounds double, ptr %1181, i64 %1173
-  %1183 = load double, ptr %1182, align 8, !noalias !28
-  store double %1183, ptr %10, align 16, !noalias !28
-  store double %1177, ptr %149, align 8, !noalias !28
-  store double %1180, ptr %150, align 16, !noalias !28
-  %1184 = getelementptr double, ptr %1164, i64 %1173
-  br label %1190
-
-1185:                                             ; preds = %1190
-  %1186 = getelementptr inbounds double, ptr %1164, i64 %1173
-  %1187 = getelementptr double, ptr %1168, i64 %1173
-  %1188 = getelementptr double, ptr %1170, i64 %1173
-  %1189 = getelementptr double, ptr %1163, i64 %1173
-  br label %1204
-
-1190:                                             ; preds = %1172, %1190
-  %1191 = phi i64 [ 0, %1172 ], [ %1199, %1190 ]
-  %1192 = mul nuw nsw i64 %1162, %1191
-  %1193 = getelementptr double, ptr %1184, i64 %1192
-  %1194 = load double, ptr %1193, align 8, !noalias !28
-  %1195 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1191
-  %1196 = load double, ptr %1195, align 8, !noalias !28
-  %1197 = fadd double %1194, %1196
-  %1198 = select i1 %1167, double %1194, double %1197
-  store double %1198, ptr %1193, align 8, !noalias !28
-  %1199 = add nuw nsw i64 %1191, 1
-  %1200 = icmp eq i64 %1199, 3
-  br i1 %1200, label %1185, label %1190, !llvm.loop !36
-
-1201:                                             ; preds = %1204
-  %1202 = add nuw nsw i64 %1173, 1
-  %1203 = icmp eq i64 %1202, %1162
-  br i1 %1203, label %1226, label %1172, !llvm.loop !37
-
-1204:                                             ; preds = %1185, %1204
-  %1205 = phi i64 [ 0, %1185 ], [ %1224, %1204 ]
-  %1206 = mul nuw nsw i64 %1162, %1205
-  %1207 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1205
-  %1208 = load double, ptr %1207, align 8, !noalias !28
-  %1209 = load double, ptr %1186, align 8, !noalias !28
-  %1210 = fmul double %1208, %1209
-  %1211 = getelementptr inbounds i8, ptr %1207, i64 8
-  %1212 = load double, ptr %1211, align 8, !noalias !28
-  %1213 = load double, ptr %1187, align 8, !noalias !28
-  %1214 = fmul double %1212, %1213
-  %1215 = fadd double %1210, %1214
-  %1216 = getelementptr inbounds i8, ptr %1207, i64 16
-  %1217 = load double, ptr %1216, align 8, !noalias !28
-  %1218 = load double, ptr %1188, align 8, !noalias !28
-  %1219 = fmul double %1217, %1218
-  %1220 = fadd double %1215, %1219
-  %1221 = getelementptr double, ptr %1189, i64 %1206
-  %1222 = load double, ptr %1221, align 8, !noalias !28
-  %1223 = select i1 %1171, double %1222, double %1220
-  store double %1223, ptr %1221, align 8, !noalias !28
-  %1224 = add nuw nsw i64 %1205, 1
-  %1225 = icmp eq i64 %1224, 3
-  br i1 %1225, label %1201, label %1204, !llvm.loop !38
-
-1226:                                             ; preds = %1201, %1148
-  %1227 = fdiv double %1144, %1145
-  %1228 = fmul double %1128, %1227
-  %1229 = fcmp olt double %1228, %431
-  %1230 = and i1 %1139, %1229
-  %1231 = or i1 %1129, %1230
-  %1232 = and i64 %1136, 1
-  %1233 = select i1 %1231, i64 %1232, i64 0
-  %1234 = and i64 %1156, %1233
-  %1235 = add nuw nsw i64 %868, 1
-  %1236 = uitofp nneg i64 %1235 to double
-  %1237 = icmp eq i64 %1234, 0
-  %1238 = select i1 %1237, double %872, double %1236
-  %1239 = or i64 %1234, %869
-  br i1 %855, label %1246, label %1320
-
-1240:                                             ; preds = %1123, %1240
-  %1241 = phi i64 [ %1244, %1240 ], [ %868, %1123 ]
-  %1242 = phi double [ %1243, %1240 ], [ %1146, %1123 ]
-  %1243 = fmul double %1144, %1242
-  %1244 = add nuw nsw i64 %1241, 1
-  %1245 = icmp ult i64 %1241, 4
-  br i1 %1245, label %1240, label %1148, !llvm.loop !39
-
-1246:                                             ; preds = %1226
-  %1247 = load i64, ptr %142, align 8, !noalias !28
-  %1248 = load ptr, ptr %83, align 8, !noalias !28
-  %1249 = getelementptr inbounds i8, ptr %1248, i64 40
-  %1250 = load i64, ptr %1249, align 8, !noalias !28
-  %1251 = load ptr, ptr %81, align 8, !noalias !28
-  %1252 = getelementptr inbounds i8, ptr %1251, i64 8
-  %1253 = load i64, ptr %1252, align 8, !noalias !28
-  %1254 = load ptr, ptr %129, align 8, !noalias !28
-  %1255 = icmp sgt i64 %1250, 0
-  br i1 %1255, label %1256, label %1315
-
-1256:                                             ; preds = %1246
-  %1257 = icmp sgt i64 %1247, 0
-  br label %1258
-
-1258:                                             ; preds = %1256, %1266
-  %1259 = phi double [ 0.000000e+00, %1256 ], [ %1274, %1266 ]
-  %1260 = phi i64 [ 0, %1256 ], [ %1275, %1266 ]
-  br i1 %1257, label %1261, label %1266
-
-1261:                                             ; preds = %1258
-  %1262 = add nuw i64 %1260, %1247
-  %1263 = load ptr, ptr %143, align 8, !noalias !28
-  %1264 = load ptr, ptr %82, align 8, !noalias !28
-  %1265 = load ptr, ptr %144, align 8, !noalias !28
-  br label %1277
-
-1266:                                             ; preds = %1301, %1258
-  %1267 = phi double [ 0.000000e+00, %1258 ], [ %1312, %1301 ]
-  %1268 = phi double [ 0.000000e+00, %1258 ], [ %1302, %1301 ]
-  %1269 = fcmp ule double %1267, 0.000000e+00
-  %1270 = fdiv double %1268, %1267
-  %1271 = select i1 %1269, double 1.000000e+00, double %1270
-  %1272 = fmul double %1259, %1267
-  %1273 = fcmp ule double %1268, %1272
-  %1274 = select i1 %1273, double %1259, double %1271
-  %1275 = add nuw nsw i64 %1260, 1
-  %1276 = icmp eq i64 %1275, %1250
-  br i1 %1276, label %1315, label %1258, !llvm.loop !40
-
-1277:                                             ; preds = %1261, %1301
-  %1278 = phi double [ 0.000000e+00, %1261 ], [ %1302, %1301 ]
-  %1279 = phi double [ 0.000000e+00, %1261 ], [ %1312, %1301 ]
-  %1280 = phi i64 [ 0, %1261 ], [ %1303, %1301 ]
-  %1281 = mul nuw nsw i64 %1280, %1250
-  %1282 = add i64 %1262, %1281
-  %1283 = getelementptr inbounds double, ptr %1263, i64 %1282
-  %1284 = load double, ptr %1283, align 8, !noalias !28
-  %1285 = getelementptr inbounds double, ptr %1264, i64 %1282
-  %1286 = load double, ptr %1285, align 8, !noalias !28
-  %1287 = shl nsw i64 %1282, 1
-  %1288 = getelementptr inbounds double, ptr %1265, i64 %1287
-  %1289 = load double, ptr %1288, align 8, !noalias !28
-  %1290 = or disjoint i64 %1287, 1
-  %1291 = getelementptr inbounds double, ptr %1265, i64 %1290
-  %1292 = load double, ptr %1291, align 8, !noalias !28
-  %1293 = fmul double %1284, %1284
-  %1294 = fmul double %1289, %1289
-  %1295 = fmul double %1292, %1292
-  %1296 = fadd double %1294, %1295
-  %1297 = fadd double %1293, %1296
-  %1298 = fmul double %1286, %1286
-  %1299 = fadd double %1279, %1298
-  %1300 = getelementptr double, ptr %1254, i64 %1282
-  br label %1305
-
-1301:                                             ; preds = %1305
-  %1302 = fadd double %1278, %1297
-  %1303 = add nuw nsw i64 %1280, 1
-  %1304 = icmp eq i64 %1303, %1247
-  br i1 %1304, label %1266, label %1277, !llvm.loop !41
-
-1305:                                             ; preds = %1277, %1305
-  %1306 = phi i64 [ 0, %1277 ], [ %1313, %1305 ]
-  %1307 = phi double [ %1299, %1277 ], [ %1312, %1305 ]
-  %1308 = mul nsw i64 %1253, %1306
-  %1309 = getelementptr double, ptr %1300, i64 %1308
-  %1310 = load double, ptr %1309, align 8, !noalias !28
-  %1311 = fmul double %1310, %1310
-  %1312 = fadd double %1307, %1311
-  %1313 = add nuw nsw i64 %1306, 1
-  %1314 = icmp eq i64 %1313, 3
-  br i1 %1314, label %1301, label %1305, !llvm.loop !42
-
-1315:                                             ; preds = %1266, %1246
-  %1316 = phi double [ 0.000000e+00, %1246 ], [ %1274, %1266 ]
-  %1317 = fcmp ole double %1316, %433
-  %1318 = and i64 %1239, 1
-  %1319 = select i1 %1317, i64 %1318, i64 0
-  br label %1320
-
-1320:                                             ; preds = %1315, %1226
-  %1321 = phi i64 [ %1319, %1315 ], [ %1239, %1226 ]
-  %1322 = xor i64 %1321, -1
-  %1323 = and i64 %1156, %1322
-  %1324 = icmp eq i64 %1323, 0
-  %1325 = select i1 %1324, i32 2, i32 0
-  %1326 = select i1 %1324, double %865, double %1128
-  br label %1327
-
-1327:                                             ; preds = %1320, %961
-  %1328 = phi double [ %956, %961 ], [ %880, %1320 ]
-  %1329 = phi double [ %873, %961 ], [ %879, %1320 ]
-  %1330 = phi double [ %872, %961 ], [ %878, %1320 ]
-  %1331 = phi i64 [ %957, %961 ], [ %877, %1320 ]
-  %1332 = phi i64 [ %958, %961 ], [ %876, %1320 ]
-  %1333 = phi i64 [ %964, %961 ], [ %875, %1320 ]
-  %1334 = phi double [ %873, %961 ], [ %1144, %1320 ]
-  %1335 = phi double [ %872, %961 ], [ %1238, %1320 ]
-  %1336 = phi i64 [ %964, %961 ], [ %1239, %1320 ]
-  %1337 = phi i32 [ 1, %961 ], [ %1325, %1320 ]
-  %1338 = phi i64 [ %867, %961 ], [ %1159, %1320 ]
-  %1339 = phi i64 [ %883, %961 ], [ %1323, %1320 ]
-  %1340 = phi double [ %865, %961 ], [ %1326, %1320 ]
-  %1341 = icmp eq i32 %1337, 0
-  br i1 %1341, label %861, label %1342
-
-1342:                                             ; preds = %1327, %861
-  %1343 = phi i32 [ %1337, %1327 ], [ 2, %861 ]
-  %1344 = icmp eq i32 %1343, 2
-  br i1 %1344, label %1345, label %1348
-
-1345:                                             ; preds = %1342
-  %1346 = xor i64 %1338, -1
-  %1347 = and i64 %1336, %1346
-  br label %1348
-
-1348:                                             ; preds = %1342, %1345
-  %1349 = phi double [ %956, %1345 ], [ %1328, %1342 ]
-  %1350 = phi double [ %1334, %1345 ], [ %1329, %1342 ]
-  %1351 = phi double [ %1335, %1345 ], [ %1330, %1342 ]
-  %1352 = phi i64 [ %957, %1345 ], [ %1331, %1342 ]
-  %1353 = phi i64 [ %958, %1345 ], [ %1332, %1342 ]
-  %1354 = phi i64 [ %1347, %1345 ], [ %1333, %1342 ]
-  %1355 = fadd double %681, %1349
-  %1356 = fcmp ogt double %1351, 2.000000e+00
-  %1357 = fcmp ogt double %1350, 1.000000e-03
-  %1358 = and i1 %1357, %1356
-  %1359 = icmp eq i64 %1354, %759
-  br i1 %1359, label %1427, label %1360
-
-1360:                                             ; preds = %1348
-  %1361 = xor i64 %1354, -1
-  %1362 = and i64 %759, %1361
-  %1363 = load ptr, ptr %83, align 8, !noalias !15
-  %1364 = getelementptr inbounds i8, ptr %1363, i64 16
-  %1365 = load i64, ptr %1364, align 8, !noalias !15
-  %1366 = xor i64 %1353, -1
-  %1367 = and i64 %1365, %1366
-  %1368 = and i64 %1367, %1362
-  %1369 = tail call double @llvm.fabs.f64(double %1350)
-  %1370 = fcmp ueq double %1369, 0x7FF0000000000000
-  %1371 = select i1 %1370, double 4.000000e+00, double 7.000000e+00
-  %1372 = and i64 %1353, 4294967295
-  %1373 = icmp eq i64 %1372, 0
-  %1374 = select i1 %1373, double %1371, double 3.000000e+00
-  %1375 = icmp eq i64 %1362, 0
-  %1376 = select i1 %1375, double %758, double %1374
-  %1377 = icmp eq i64 %1368, 0
-  br i1 %1377, label %1398, label %1378
-
-1378:                                             ; preds = %1360
-  %1379 = load i64, ptr %151, align 8, !noalias !15
-  %1380 = icmp sgt i64 %1379, 0
-  br i1 %1380, label %1381, label %1393
-
-1381:                                             ; preds = %1378, %1381
-  %1382 = phi i32 [ %1389, %1381 ], [ 0, %1378 ]
-  %1383 = phi i64 [ %1390, %1381 ], [ 0, %1378 ]
-  %1384 = load ptr, ptr %152, align 8, !noalias !15
-  %1385 = getelementptr inbounds double, ptr %1384, i64 %1383
-  %1386 = load double, ptr %1385, align 8, !noalias !15
-  %1387 = fcmp une double %1386, 0.000000e+00
-  %1388 = zext i1 %1387 to i32
-  %1389 = or i32 %1382, %1388
-  store double 0.000000e+00, ptr %1385, align 8, !noalias !15
-  %1390 = add nuw nsw i64 %1383, 1
-  %1391 = load i64, ptr %151, align 8, !noalias !15
-  %1392 = icmp slt i64 %1390, %1391
-  br i1 %1392, label %1381, label %1393, !llvm.loop !43
-
-1393:                                             ; preds = %1381, %1378
-  %1394 = phi i32 [ 0, %1378 ], [ %1389, %1381 ]
-  %1395 = zext nneg i32 %1394 to i64
-  %1396 = and i64 %1368, %1395
-  %1397 = xor i64 %1396, -1
-  br label %1398
-
-1398:                                             ; preds = %1360, %1393
-  %1399 = phi i64 [ %1397, %1393 ], [ -1, %1360 ]
-  %1400 = and i64 %1399, %1368
-  %1401 = getelementptr inbounds i8, ptr %1363, i64 24
-  %1402 = load i64, ptr %1401, align 8, !noalias !15
-  %1403 = and i64 %1402, %1399
-  store i64 %1403, ptr %1401, align 8, !noalias !15
-  %1404 = xor i64 %1400, -1
-  %1405 = load i64, ptr %1364, align 8, !noalias !15
-  %1406 = and i64 %1405, %1404
-  store i64 %1406, ptr %1364, align 8, !noalias !15
-  %1407 = fmul double %533, 5.000000e-01
-  %1408 = icmp eq i64 %1400, 0
-  %1409 = select i1 %1408, double %757, double %1407
-  %1410 = fmul double %533, 2.500000e-01
-  %1411 = select i1 %1373, double %1409, double %1410
-  %1412 = load ptr, ptr %120, align 8, !noalias !15
-  %1413 = getelementptr inbounds i8, ptr %1412, i64 8
-  %1414 = load double, ptr %1413, align 8, !noalias !15
-  %1415 = select i1 %1373, double %1414, double 0.000000e+00
-  store double %1415, ptr %1413, align 8, !noalias !15
-  %1416 = and i64 %1399, %1362
-  %1417 = load ptr, ptr %83, align 8, !noalias !15
-  %1418 = getelementptr inbounds i8, ptr %1417, i64 8
-  %1419 = load i64, ptr %1418, align 8, !noalias !15
-  %1420 = xor i64 %1416, -1
-  %1421 = and i64 %1419, %1420
-  %1422 = getelementptr inbounds i8, ptr %1417, i64 16
-  %1423 = load i64, ptr %1422, align 8, !noalias !15
-  %1424 = xor i64 %1423, -1
-  %1425 = and i64 %1416, %1424
-  %1426 = or disjoint i64 %1425, %1421
-  store i64 %1426, ptr %1418, align 8, !noalias !15
-  br label %1427
-
-1427:                                             ; preds = %1398, %1348
-  %1428 = phi double [ %757, %1348 ], [ %1411, %1398 ]
-  %1429 = phi double [ %758, %1348 ], [ %1376, %1398 ]
-  %1430 = icmp eq i64 %1354, 0
-  %1431 = icmp ne i64 %1352, 0
-  %1432 = select i1 %1430, i1 true, i1 %1431
-  br i1 %1432, label %1981, label %1433
-
-1433:                                             ; preds = %1427
-  %1434 = icmp sgt i64 %543, 0
-  br i1 %1434, label %1435, label %1437
-
-1435:                                             ; preds = %1433
-  %1436 = shl i64 %543, 4
-  br label %1967
-
-1437:                                             ; preds = %1967, %1433
-  %1438 = getelementptr inbounds i8, ptr %544, i64 32
-  %1439 = load i64, ptr %1438, align 8, !noalias !15
-  %1440 = load ptr, ptr %81, align 8, !noalias !15
-  %1441 = getelementptr inbounds i8, ptr %1440, i64 8
-  %1442 = load i64, ptr %1441, align 8, !noalias !15
-  %1443 = load ptr, ptr %154, align 8, !noalias !15
-  %1444 = load ptr, ptr %155, align 8, !noalias !15
-  %1445 = icmp sgt i64 %1442, 0
-  br i1 %1445, label %1446, label %1448
-
-1446:                                             ; preds = %1437
-  %1447 = shl i64 %1442, 4
-  br label %1633
-
-1448:                                             ; preds = %1633, %1437
-  %1449 = load i64, ptr %158, align 8, !noalias !15
-  %1450 = load ptr, ptr %83, align 8, !noalias !15
-  %1451 = getelementptr inbounds i8, ptr %1450, i64 40
-  %1452 = load i64, ptr %1451, align 8, !noalias !15
-  %1453 = load ptr, ptr %159, align 8, !noalias !15
-  %1454 = load ptr, ptr %157, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1453, i64 noundef %1449, ptr noundef %1454, ptr noundef %1444) #9, !noalias !15
-  %1455 = icmp sgt i64 %1452, 0
-  br i1 %1455, label %1456, label %1460
-
-1456:                                             ; preds = %1448
-  %1457 = load ptr, ptr %159, align 8, !noalias !15
-  %1458 = load ptr, ptr %157, align 8, !noalias !15
-  %1459 = getelementptr inbounds double, ptr %1444, i64 %1449
-  tail call fastcc void @real_solve_columns(ptr noundef %1457, i64 noundef %1449, ptr noundef %1458, ptr noundef %1459, i64 noundef %1452) #9, !noalias !15
-  br label %1460
-
-1460:                                             ; preds = %1448, %1456
-  %1461 = load ptr, ptr %81, align 8, !noalias !15
-  %1462 = getelementptr inbounds i8, ptr %1461, i64 24
-  %1463 = load i64, ptr %1462, align 8, !noalias !15
-  %1464 = load ptr, ptr %160, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %1444, ptr noundef %1464, ptr noundef nonnull %82, i64 noundef %1463) #9, !noalias !15
-  %1465 = load double, ptr %8, align 8, !noalias !15
-  %1466 = getelementptr inbounds i8, ptr %1461, i64 8
-  %1467 = load i64, ptr %1466, align 8, !noalias !15
-  %1468 = add nsw i64 %1467, -3
-  %1469 = getelementptr i8, ptr %1464, i64 8
-  %1470 = getelementptr i8, ptr %1464, i64 16
-  %1471 = getelementptr i8, ptr %1464, i64 24
-  %1472 = icmp slt i64 %1463, %1468
-  br i1 %1472, label %1480, label %1473
-
-1473:                                             ; preds = %1480, %1460
-  %1474 = phi double [ 0.000000e+00, %1460 ], [ %1489, %1480 ]
-  %1475 = phi double [ 0.000000e+00, %1460 ], [ %1493, %1480 ]
-  %1476 = phi double [ 0.000000e+00, %1460 ], [ %1497, %1480 ]
-  %1477 = phi double [ 0.000000e+00, %1460 ], [ %1501, %1480 ]
-  %1478 = phi i64 [ %1463, %1460 ], [ %1502, %1480 ]
-  %1479 = icmp slt i64 %1478, %1467
-  br i1 %1479, label %1504, label %1513
-
-1480:                                             ; preds = %1460, %1480
-  %1481 = phi i64 [ %1502, %1480 ], [ %1463, %1460 ]
-  %1482 = phi double [ %1501, %1480 ], [ 0.000000e+00, %1460 ]
-  %1483 = phi double [ %1497, %1480 ], [ 0.000000e+00, %1460 ]
-  %1484 = phi double [ %1493, %1480 ], [ 0.000000e+00, %1460 ]
-  %1485 = phi double [ %1489, %1480 ], [ 0.000000e+00, %1460 ]
-  %1486 = getelementptr inbounds double, ptr %1464, i64 %1481
-  %1487 = load double, ptr %1486, align 8, !noalias !15
-  %1488 = fmul double %1487, 0.000000e+00
-  %1489 = fadd double %1485, %1488
-  %1490 = getelementptr double, ptr %1469, i64 %1481
-  %1491 = load double, ptr %1490, align 8, !noalias !15
-  %1492 = fmul double %1491, 0.000000e+00
-  %1493 = fadd double %1484, %1492
-  %1494 = getelementptr double, ptr %1470, i64 %1481
-  %1495 = load double, ptr %1494, align 8, !noalias !15
-  %1496 = fmul double %1495, 0.000000e+00
-  %1497 = fadd double %1483, %1496
-  %1498 = getelementptr double, ptr %1471, i64 %1481
-  %1499 = load double, ptr %1498, align 8, !noalias !15
-  %1500 = fmul double %1499, 0.000000e+00
-  %1501 = fadd double %1482, %1500
-  %1502 = add nsw i64 %1481, 4
-  %1503 = icmp slt i64 %1502, %1468
-  br i1 %1503, label %1480, label %1473, !llvm.loop !44
-
-1504:                                             ; preds = %1473, %1504
-  %1505 = phi i64 [ %1511, %1504 ], [ %1478, %1473 ]
-  %1506 = phi double [ %1510, %1504 ], [ %1474, %1473 ]
-  %1507 = getelementptr inbounds double, ptr %1464, i64 %1505
-  %1508 = load double, ptr %1507, align 8, !noalias !15
-  %1509 = fmul double %1508, 0.000000e+00
-  %1510 = fadd double %1506, %1509
-  %1511 = add nsw i64 %1505, 1
-  %1512 = icmp eq i64 %1511, %1467
-  br i1 %1512, label %1513, label %1504, !llvm.loop !45
-
-1513:                                             ; preds = %1504, %1473
-  %1514 = phi double [ %1474, %1473 ], [ %1510, %1504 ]
-  %1515 = fadd double %1475, %1514
-  %1516 = fadd double %1476, %1477
-  %1517 = fadd double %1516, %1515
-  %1518 = fadd double %1465, %1517
-  %1519 = getelementptr inbounds i8, ptr %1461, i64 48
-  %1520 = load i64, ptr %1519, align 8, !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %6, i8 0, i64 64, i1 false), !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %7, i8 0, i64 64, i1 false), !noalias !15
-  %1521 = icmp eq i64 %1520, 0
-  br i1 %1521, label %1622, label %1522
-
-1522:                                             ; preds = %1513
-  %1523 = add nsw i64 %1463, 7
-  %1524 = sdiv i64 %1523, 8
-  %1525 = shl nsw i64 %1524, 3
-  %1526 = tail call i64 @llvm.smin.i64(i64 %1525, i64 %1520)
-  %1527 = icmp slt i64 %1463, %1526
-  br i1 %1527, label %1528, label %1562
-
-1528:                                             ; preds = %1522
-  %1529 = load ptr, ptr %82, align 8, !noalias !15
-  %1530 = load ptr, ptr %161, align 8, !noalias !15
-  %1531 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1532
-
-1532:                                             ; preds = %1528, %1532
-  %1533 = phi i64 [ %1463, %1528 ], [ %1560, %1532 ]
-  %1534 = getelementptr inbounds double, ptr %1529, i64 %1533
-  %1535 = load double, ptr %1534, align 8, !noalias !15
-  %1536 = tail call double @llvm.fabs.f64(double %1535)
-  %1537 = getelementptr inbounds double, ptr %1464, i64 %1533
-  %1538 = load double, ptr %1537, align 8, !noalias !15
-  %1539 = tail call double @llvm.fabs.f64(double %1538)
-  %1540 = fcmp ogt double %1536, %1539
-  %1541 = select i1 %1540, double %1536, double %1539
-  %1542 = getelementptr inbounds double, ptr %1530, i64 %1533
-  %1543 = load double, ptr %1542, align 8, !noalias !15
-  %1544 = getelementptr inbounds double, ptr %1531, i64 %1533
-  %1545 = load double, ptr %1544, align 8, !noalias !15
-  %1546 = fmul double %1541, %1545
-  %1547 = fadd double %1543, %1546
-  %1548 = fdiv double 1.000000e+00, %1547
-  %1549 = getelementptr inbounds double, ptr %1444, i64 %1533
-  %1550 = load double, ptr %1549, align 8, !noalias !15
-  %1551 = fmul double %1550, %1548
-  %1552 = srem i64 %1533, 8
-  %1553 = getelementptr inbounds double, ptr %6, i64 %1552
-  %1554 = load double, ptr %1553, align 8, !noalias !15
-  %1555 = fmul double %1551, %1551
-  %1556 = fadd double %1554, %1555
-  store double %1556, ptr %1553, align 8, !noalias !15
-  %1557 = getelementptr inbounds double, ptr %7, i64 %1552
-  %1558 = load double, ptr %1557, align 8, !noalias !15
-  %1559 = fadd double %1558, %1555
-  store double %1559, ptr %1557, align 8, !noalias !15
-  %1560 = add nsw i64 %1533, 1
-  %1561 = icmp eq i64 %1560, %1526
-  br i1 %1561, label %1562, label %1532, !llvm.loop !46
-
-1562:                                             ; preds = %1532, %1522
-  %1563 = phi i64 [ %1463, %1522 ], [ %1560, %1532 ]
-  %1564 = load <8 x double>, ptr %6, align 16, !noalias !15
-  %1565 = load <8 x double>, ptr %7, align 16, !noalias !15
-  %1566 = icmp slt i64 %1563, %1520
-  br i1 %1566, label %1567, label %1602
-
-1567:                                             ; preds = %1562
-  %1568 = load ptr, ptr %82, align 8, !noalias !15
-  %1569 = load ptr, ptr %162, align 8, !noalias !15
-  %1570 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1571
-
-1571:                                             ; preds = %1567, %1571
-  %1572 = phi i64 [ %1563, %1567 ], [ %1600, %1571 ]
-  %1573 = phi <8 x double> [ %1564, %1567 ], [ %1598, %1571 ]
-  %1574 = phi <8 x double> [ %1565, %1567 ], [ %1599, %1571 ]
-  %1575 = getelementptr inbounds double, ptr %1568, i64 %1572
-  %1576 = load <8 x double>, ptr %1575, align 8, !noalias !15
-  %1577 = fneg <8 x double> %1576
-  %1578 = fcmp ogt <8 x double> %1576, zeroinitializer
-  %1579 = select <8 x i1> %1578, <8 x double> %1576, <8 x double> %1577
-  %1580 = getelementptr inbounds double, ptr %1464, i64 %1572
-  %1581 = load <8 x double>, ptr %1580, align 8, !noalias !15
-  %1582 = fneg <8 x double> %1581
-  %1583 = fcmp ogt <8 x double> %1581, zeroinitializer
-  %1584 = select <8 x i1> %1583, <8 x double> %1581, <8 x double> %1582
-  %1585 = fcmp ogt <8 x double> %1579, %1584
-  %1586 = select <8 x i1> %1585, <8 x double> %1579, <8 x double> %1584
-  %1587 = getelementptr inbounds double, ptr %1569, i64 %1572
-  %1588 = load <8 x double>, ptr %1587, align 8, !noalias !15
-  %1589 = getelementptr inbounds double, ptr %1570, i64 %1572
-  %1590 = load <8 x double>, ptr %1589, align 8, !noalias !15
-  %1591 = fmul <8 x double> %1590, %1586
-  %1592 = fadd <8 x double> %1588, %1591
-  %1593 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1592
-  %1594 = getelementptr inbounds double, ptr %1444, i64 %1572
-  %1595 = load <8 x double>, ptr %1594, align 8, !noalias !15
-  %1596 = fmul <8 x double> %1595, %1593
-  %1597 = fmul <8 x double> %1596, %1596
-  %1598 = fadd <8 x double> %1573, %1597
-  %1599 = fadd <8 x double> %1574, %1597
-  %1600 = add nsw i64 %1572, 8
-  %1601 = icmp slt i64 %1600, %1520
-  br i1 %1601, label %1571, label %1602, !llvm.loop !47
-
-1602:                                             ; preds = %1571, %1562
-  %1603 = phi <8 x double> [ %1565, %1562 ], [ %1599, %1571 ]
-  %1604 = phi <8 x double> [ %1564, %1562 ], [ %1598, %1571 ]
-  store <8 x double> %1604, ptr %6, align 16, !noalias !15
-  store <8 x double> %1603, ptr %7, align 16, !noalias !15
-  br label %1614
-
-1605:                                             ; preds = %1614
-  %1606 = sub nsw i64 %1520, %1463
-  %1607 = sitofp i64 %1606 to double
-  %1608 = fdiv double %1619, %1607
-  %1609 = tail call double @llvm.sqrt.f64(double %1608)
-  %1610 = fcmp ule double %533, %237
-  %1611 = fcmp ogt double %1609, %1518
-  %1612 = select i1 %1611, double %1609, double %1518
-  %1613 = select i1 %1610, double %1518, double %1612
-  br label %1622
-
-1614:                                             ; preds = %1602, %1614
-  %1615 = phi i64 [ 0, %1602 ], [ %1620, %1614 ]
-  %1616 = phi double [ 0.000000e+00, %1602 ], [ %1619, %1614 ]
-  %1617 = getelementptr inbounds double, ptr %6, i64 %1615
-  %1618 = load double, ptr %1617, align 8, !noalias !15
-  %1619 = fadd double %1616, %1618
-  %1620 = add nuw nsw i64 %1615, 1
-  %1621 = icmp eq i64 %1620, 8
-  br i1 %1621, label %1605, label %1614, !llvm.loop !48
-
-1622:                                             ; preds = %1513, %1605
-  %1623 = phi double [ %1613, %1605 ], [ %1518, %1513 ]
-  %1624 = fcmp olt double %1623, 1.000000e+00
-  %1625 = zext i1 %1624 to i64
-  %1626 = xor i64 %1625, -1
-  %1627 = and i64 %1439, %1626
-  %1628 = and i64 %1627, %1354
-  %1629 = and i64 %1354, %1625
-  %1630 = icmp eq i64 %1628, 0
-  br i1 %1630, label %1900, label %1631
-
-1631:                                             ; preds = %1622
-  %1632 = icmp sgt i64 %1442, 0
-  br i1 %1632, label %1692, label %1658
-
-1633:                                             ; preds = %1446, %1633
-  %1634 = phi i64 [ 0, %1446 ], [ %1656, %1633 ]
-  %1635 = load ptr, ptr %128, align 8, !noalias !15
-  %1636 = getelementptr inbounds double, ptr %1635, i64 %1634
-  %1637 = load double, ptr %1636, align 8, !noalias !15
-  %1638 = fmul double %1637, 0x402418FD8BAFFE05
-  %1639 = getelementptr double, ptr %1635, i64 %1442
-  %1640 = getelementptr double, ptr %1639, i64 %1634
-  %1641 = load double, ptr %1640, align 8, !noalias !15
-  %1642 = fmul double %1641, 0x3FF61D41B2D54580
-  %1643 = fsub double %1642, %1638
-  %1644 = getelementptr i8, ptr %1635, i64 %1447
-  %1645 = getelementptr double, ptr %1644, i64 %1634
-  %1646 = load double, ptr %1645, align 8, !noalias !15
-  %1647 = fmul double %1646, 0x3FD5555555555555
-  %1648 = fsub double %1643, %1647
-  %1649 = fdiv double %1648, %533
-  %1650 = getelementptr inbounds double, ptr %1443, i64 %1634
-  store double %1649, ptr %1650, align 8, !noalias !15
-  %1651 = load ptr, ptr %156, align 8, !noalias !15
-  %1652 = getelementptr inbounds double, ptr %1651, i64 %1634
-  %1653 = load double, ptr %1652, align 8, !noalias !15
-  %1654 = fadd double %1653, %1649
-  %1655 = getelementptr inbounds double, ptr %1444, i64 %1634
-  store double %1654, ptr %1655, align 8, !noalias !15
-  %1656 = add nuw nsw i64 %1634, 1
-  %1657 = icmp eq i64 %1656, %1442
-  br i1 %1657, label %1448, label %1633, !llvm.loop !49
-
-1658:                                             ; preds = %1692, %1631
-  %1659 = and i64 %1628, 4294967295
-  %1660 = icmp eq i64 %1659, 0
-  %1661 = select i1 %1660, double 0.000000e+00, double 1.000000e+00
-  %1662 = fadd double %1355, %1661
-  %1663 = load ptr, ptr %164, align 8, !noalias !15
-  %1664 = load ptr, ptr %165, align 8, !noalias !15
-  %1665 = load ptr, ptr %166, align 8, !noalias !15
-  store double %456, ptr %1665, align 8, !noalias !15
-  %1666 = load ptr, ptr %81, align 8, !noalias !15
-  %1667 = getelementptr inbounds i8, ptr %1666, i64 40
-  %1668 = load i64, ptr %1667, align 8, !noalias !15
-  %1669 = icmp eq i64 %1668, 0
-  br i1 %1669, label %1671, label %1670
-
-1670:                                             ; preds = %1658
-  tail call fastcc void @settle(ptr noundef nonnull %81) #9, !noalias !15
-  br label %1671
-
-1671:                                             ; preds = %1670, %1658
-  %1672 = load i64, ptr %167, align 8, !noalias !15
-  %1673 = icmp sgt i64 %1672, 0
-  br i1 %1673, label %1674, label %1675
-
-1674:                                             ; preds = %1671
-  tail call fastcc void @sample(ptr noundef nonnull %81) #9, !noalias !15
-  br label %1675
-
-1675:                                             ; preds = %1674, %1671
-  %1676 = load ptr, ptr %81, align 8, !noalias !15
-  %1677 = load i64, ptr %1676, align 8, !noalias !15
-  %1678 = load ptr, ptr %166, align 8, !noalias !15
-  %1679 = load ptr, ptr %168, align 8, !noalias !15
-  %1680 = load ptr, ptr %169, align 8, !noalias !15
-  %1681 = inttoptr i64 %1677 to ptr
-  %1682 = load ptr, ptr %1681, align 8, !noalias !15
-  %1683 = tail call i32 %1682(ptr noundef %1678, ptr noundef %1663, ptr noundef %1679, ptr noundef %1680, ptr noundef %1664) #10, !noalias !15
-  %1684 = sext i32 %1683 to i64
-  %1685 = icmp slt i32 %1683, 0
-  %1686 = select i1 %1685, i64 %1684, i64 %1352
-  %1687 = trunc i64 %1628 to i32
-  %1688 = and i32 %1683, %1687
-  %1689 = icmp eq i32 %1688, 0
-  %1690 = select i1 %1689, double %1429, double 3.000000e+00
-  %1691 = icmp sgt i64 %1442, 0
-  br i1 %1691, label %1889, label %1704
-
-1692:                                             ; preds = %1631, %1692
-  %1693 = phi i64 [ %1702, %1692 ], [ 0, %1631 ]
-  %1694 = load ptr, ptr %163, align 8, !noalias !15
-  %1695 = load ptr, ptr %82, align 8, !noalias !15
-  %1696 = getelementptr inbounds double, ptr %1695, i64 %1693
-  %1697 = load double, ptr %1696, align 8, !noalias !15
-  %1698 = getelementptr inbounds double, ptr %1444, i64 %1693
-  %1699 = load double, ptr %1698, align 8, !noalias !15
-  %1700 = fadd double %1697, %1699
-  %1701 = getelementptr inbounds double, ptr %1694, i64 %1693
-  store double %1700, ptr %1701, align 8, !noalias !15
-  %1702 = add nuw nsw i64 %1693, 1
-  %1703 = icmp eq i64 %1702, %1442
-  br i1 %1703, label %1658, label %1692, !llvm.loop !50
-
-1704:                                             ; preds = %1889, %1675
-  %1705 = load i64, ptr %158, align 8, !noalias !15
-  %1706 = load ptr, ptr %83, align 8, !noalias !15
-  %1707 = getelementptr inbounds i8, ptr %1706, i64 40
-  %1708 = load i64, ptr %1707, align 8, !noalias !15
-  %1709 = load ptr, ptr %159, align 8, !noalias !15
-  %1710 = load ptr, ptr %157, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1709, i64 noundef %1705, ptr noundef %1710, ptr noundef %1444) #9, !noalias !15
-  %1711 = icmp sgt i64 %1708, 0
-  br i1 %1711, label %1712, label %1716
-
-1712:                                             ; preds = %1704
-  %1713 = load ptr, ptr %159, align 8, !noalias !15
-  %1714 = load ptr, ptr %157, align 8, !noalias !15
-  %1715 = getelementptr inbounds double, ptr %1444, i64 %1705
-  tail call fastcc void @real_solve_columns(ptr noundef %1713, i64 noundef %1705, ptr noundef %1714, ptr noundef %1715, i64 noundef %1708) #9, !noalias !15
-  br label %1716
-
-1716:                                             ; preds = %1704, %1712
-  %1717 = load ptr, ptr %81, align 8, !noalias !15
-  %1718 = getelementptr inbounds i8, ptr %1717, i64 24
-  %1719 = load i64, ptr %1718, align 8, !noalias !15
-  %1720 = load ptr, ptr %160, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1444, ptr noundef %1720, ptr noundef nonnull %82, i64 noundef %1719) #9, !noalias !15
-  %1721 = load double, ptr %9, align 8, !noalias !15
-  %1722 = getelementptr inbounds i8, ptr %1717, i64 8
-  %1723 = load i64, ptr %1722, align 8, !noalias !15
-  %1724 = add nsw i64 %1723, -3
-  %1725 = getelementptr i8, ptr %1720, i64 8
-  %1726 = getelementptr i8, ptr %1720, i64 16
-  %1727 = getelementptr i8, ptr %1720, i64 24
-  %1728 = icmp slt i64 %1719, %1724
-  br i1 %1728, label %1736, label %1729
-
-1729:                                             ; preds = %1736, %1716
-  %1730 = phi double [ 0.000000e+00, %1716 ], [ %1745, %1736 ]
-  %1731 = phi double [ 0.000000e+00, %1716 ], [ %1749, %1736 ]
-  %1732 = phi double [ 0.000000e+00, %1716 ], [ %1753, %1736 ]
-  %1733 = phi double [ 0.000000e+00, %1716 ], [ %1757, %1736 ]
-  %1734 = phi i64 [ %1719, %1716 ], [ %1758, %1736 ]
-  %1735 = icmp slt i64 %1734, %1723
-  br i1 %1735, label %1760, label %1769
-
-1736:                                             ; preds = %1716, %1736
-  %1737 = phi i64 [ %1758, %1736 ], [ %1719, %1716 ]
-  %1738 = phi double [ %1757, %1736 ], [ 0.000000e+00, %1716 ]
-  %1739 = phi double [ %1753, %1736 ], [ 0.000000e+00, %1716 ]
-  %1740 = phi double [ %1749, %1736 ], [ 0.000000e+00, %1716 ]
-  %1741 = phi double [ %1745, %1736 ], [ 0.000000e+00, %1716 ]
-  %1742 = getelementptr inbounds double, ptr %1720, i64 %1737
-  %1743 = load double, ptr %1742, align 8, !noalias !15
-  %1744 = fmul double %1743, 0.000000e+00
-  %1745 = fadd double %1741, %1744
-  %1746 = getelementptr double, ptr %1725, i64 %1737
-  %1747 = load double, ptr %1746, align 8, !noalias !15
-  %1748 = fmul double %1747, 0.000000e+00
-  %1749 = fadd double %1740, %1748
-  %1750 = getelementptr double, ptr %1726, i64 %1737
-  %1751 = load double, ptr %1750, align 8, !noalias !15
-  %1752 = fmul double %1751, 0.000000e+00
-  %1753 = fadd double %1739, %1752
-  %1754 = getelementptr double, ptr %1727, i64 %1737
-  %1755 = load double, ptr %1754, align 8, !noalias !15
-  %1756 = fmul double %1755, 0.000000e+00
-  %1757 = fadd double %1738, %1756
-  %1758 = add nsw i64 %1737, 4
-  %1759 = icmp slt i64 %1758, %1724
-  br i1 %1759, label %1736, label %1729, !llvm.loop !44
-
-1760:                                             ; preds = %1729, %1760
-  %1761 = phi i64 [ %1767, %1760 ], [ %1734, %1729 ]
-  %1762 = phi double [ %1766, %1760 ], [ %1730, %1729 ]
-  %1763 = getelementptr inbounds double, ptr %1720, i64 %1761
-  %1764 = load double, ptr %1763, align 8, !noalias !15
-  %1765 = fmul double %1764, 0.000000e+00
-  %1766 = fadd double %1762, %1765
-  %1767 = add nsw i64 %1761, 1
-  %1768 = icmp eq i64 %1767, %1723
-  br i1 %1768, label %1769, label %1760, !llvm.loop !45
-
-1769:                                             ; preds = %1760, %1729
-  %1770 = phi double [ %1730, %1729 ], [ %1766, %1760 ]
-  %1771 = fadd double %1731, %1770
-  %1772 = fadd double %1732, %1733
-  %1773 = fadd double %1772, %1771
-  %1774 = fadd double %1721, %1773
-  %1775 = getelementptr inbounds i8, ptr %1717, i64 48
-  %1776 = load i64, ptr %1775, align 8, !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %4, i8 0, i64 64, i1 false), !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %5, i8 0, i64 64, i1 false), !noalias !15
-  %1777 = icmp eq i64 %1776, 0
-  br i1 %1777, label %1878, label %1778
-
-1778:                                             ; preds = %1769
-  %1779 = add nsw i64 %1719, 7
-  %1780 = sdiv i64 %1779, 8
-  %1781 = shl nsw i64 %1780, 3
-  %1782 = tail call i64 @llvm.smin.i64(i64 %1781, i64 %1776)
-  %1783 = icmp slt i64 %1719, %1782
-  br i1 %1783, label %1784, label %1818
-
-1784:                                             ; preds = %1778
-  %1785 = load ptr, ptr %82, align 8, !noalias !15
-  %1786 = load ptr, ptr %170, align 8, !noalias !15
-  %1787 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1788
-
-1788:                                             ; preds = %1784, %1788
-  %1789 = phi i64 [ %1719, %1784 ], [ %1816, %1788 ]
-  %1790 = getelementptr inbounds double, ptr %1785, i64 %1789
-  %1791 = load double, ptr %1790, align 8, !noalias !15
-  %1792 = tail call double @llvm.fabs.f64(double %1791)
-  %1793 = getelementptr inbounds double, ptr %1720, i64 %1789
-  %1794 = load double, ptr %1793, align 8, !noalias !15
-  %1795 = tail call double @llvm.fabs.f64(double %1794)
-  %1796 = fcmp ogt double %1792, %1795
-  %1797 = select i1 %1796, double %1792, double %1795
-  %1798 = getelementptr inbounds double, ptr %1786, i64 %1789
-  %1799 = load double, ptr %1798, align 8, !noalias !15
-  %1800 = getelementptr inbounds double, ptr %1787, i64 %1789
-  %1801 = load double, ptr %1800, align 8, !noalias !15
-  %1802 = fmul double %1797, %1801
-  %1803 = fadd double %1799, %1802
-  %1804 = fdiv double 1.000000e+00, %1803
-  %1805 = getelementptr inbounds double, ptr %1444, i64 %1789
-  %1806 = load double, ptr %1805, align 8, !noalias !15
-  %1807 = fmul double %1806, %1804
-  %1808 = srem i64 %1789, 8
-  %1809 = getelementptr inbounds double, ptr %4, i64 %1808
-  %1810 = load double, ptr %1809, align 8, !noalias !15
-  %1811 = fmul double %1807, %1807
-  %1812 = fadd double %1810, %1811
-  store double %1812, ptr %1809, align 8, !noalias !15
-  %1813 = getelementptr inbounds double, ptr %5, i64 %1808
-  %1814 = load double, ptr %1813, align 8, !noalias !15
-  %1815 = fadd double %1814, %1811
-  store double %1815, ptr %1813, align 8, !noalias !15
-  %1816 = add nsw i64 %1789, 1
-  %1817 = icmp eq i64 %1816, %1782
-  br i1 %1817, label %1818, label %1788, !llvm.loop !46
-
-1818:                                             ; preds = %1788, %1778
-  %1819 = phi i64 [ %1719, %1778 ], [ %1816, %1788 ]
-  %1820 = load <8 x double>, ptr %4, align 16, !noalias !15
-  %1821 = load <8 x double>, ptr %5, align 16, !noalias !15
-  %1822 = icmp slt i64 %1819, %1776
-  br i1 %1822, label %1823, label %1858
-
-1823:                                             ; preds = %1818
-  %1824 = load ptr, ptr %82, align 8, !noalias !15
-  %1825 = load ptr, ptr %171, align 8, !noalias !15
-  %1826 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1827
-
-1827:                                             ; preds = %1823, %1827
-  %1828 = phi i64 [ %1819, %1823 ], [ %1856, %1827 ]
-  %1829 = phi <8 x double> [ %1820, %1823 ], [ %1854, %1827 ]
-  %1830 = phi <8 x double> [ %1821, %1823 ], [ %1855, %1827 ]
-  %1831 = getelementptr inbounds double, ptr %1824, i64 %1828
-  %1832 = load <8 x double>, ptr %1831, align 8, !noalias !15
-  %1833 = fneg <8 x double> %1832
-  %1834 = fcmp ogt <8 x double> %1832, zeroinitializer
-  %1835 = select <8 x i1> %1834, <8 x double> %1832, <8 x double> %1833
-  %1836 = getelementptr inbounds double, ptr %1720, i64 %1828
-  %1837 = load <8 x double>, ptr %1836, align 8, !noalias !15
-  %1838 = fneg <8 x double> %1837
-  %1839 = fcmp ogt <8 x double> %1837, zeroinitializer
-  %1840 = select <8 x i1> %1839, <8 x double> %1837, <8 x double> %1838
-  %1841 = fcmp ogt <8 x double> %1835, %1840
-  %1842 = select <8 x i1> %1841, <8 x double> %1835, <8 x double> %1840
-  %1843 = getelementptr inbounds double, ptr %1825, i64 %1828
-  %1844 = load <8 x double>, ptr %1843, align 8, !noalias !15
-  %1845 = getelementptr inbounds double, ptr %1826, i64 %1828
-  %1846 = load <8 x double>, ptr %1845, align 8, !noalias !15
-  %1847 = fmul <8 x double> %1846, %1842
-  %1848 = fadd <8 x double> %1844, %1847
-  %1849 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1848
-  %1850 = getelementptr inbounds double, ptr %1444, i64 %1828
-  %1851 = load <8 x double>, ptr %1850, align 8, !noalias !15
-  %1852 = fmul <8 x double> %1851, %1849
-  %1853 = fmul <8 x double> %1852, %1852
-  %1854 = fadd <8 x double> %1829, %1853
-  %1855 = fadd <8 x double> %1830, %1853
-  %1856 = add nsw i64 %1828, 8
-  %1857 = icmp slt i64 %1856, %1776
-  br i1 %1857, label %1827, label %1858, !llvm.loop !47
-
-1858:                                             ; preds = %1827, %1818
-  %1859 = phi <8 x double> [ %1821, %1818 ], [ %1855, %1827 ]
-  %1860 = phi <8 x double> [ %1820, %1818 ], [ %1854, %1827 ]
-  store <8 x double> %1860, ptr %4, align 16, !noalias !15
-  store <8 x double> %1859, ptr %5, align 16, !noalias !15
-  br label %1870
-
-1861:                                             ; preds = %1870
-  %1862 = sub nsw i64 %1776, %1719
-  %1863 = sitofp i64 %1862 to double
-  %1864 = fdiv double %1875, %1863
-  %1865 = tail call double @llvm.sqrt.f64(double %1864)
-  %1866 = fcmp ule double %533, %237
-  %1867 = fcmp ogt double %1865, %1774
-  %1868 = select i1 %1867, double %1865, double %1774
-  %1869 = select i1 %1866, double %1774, double %1868
-  br label %1878
-
-1870:                                             ; preds = %1858, %1870
-  %1871 = phi i64 [ 0, %1858 ], [ %1876, %1870 ]
-  %1872 = phi double [ 0.000000e+00, %1858 ], [ %1875, %1870 ]
-  %1873 = getelementptr inbounds double, ptr %4, i64 %1871
-  %1874 = load double, ptr %1873, align 8, !noalias !15
-  %1875 = fadd double %1872, %1874
-  %1876 = add nuw nsw i64 %1871, 1
-  %1877 = icmp eq i64 %1876, 8
-  br i1 %1877, label %1861, label %1870, !llvm.loop !48
-
-1878:                                             ; preds = %1769, %1861
-  %1879 = phi double [ %1869, %1861 ], [ %1774, %1769 ]
-  %1880 = xor i64 %1684, -1
-  %1881 = and i64 %1628, %1880
-  %1882 = fcmp olt double %1879, 1.000000e+00
-  %1883 = and i64 %1881, 1
-  %1884 = select i1 %1882, i64 %1883, i64 0
-  %1885 = or i64 %1884, %1629
-  %1886 = and i64 %1881, 4294967295
-  %1887 = icmp eq i64 %1886, 0
-  %1888 = select i1 %1887, double %1623, double %1879
-  br label %1900
-
-1889:                                             ; preds = %1675, %1889
-  %1890 = phi i64 [ %1898, %1889 ], [ 0, %1675 ]
-  %1891 = load ptr, ptr %165, align 8, !noalias !15
-  %1892 = getelementptr inbounds double, ptr %1891, i64 %1890
-  %1893 = load double, ptr %1892, align 8, !noalias !15
-  %1894 = getelementptr inbounds double, ptr %1443, i64 %1890
-  %1895 = load double, ptr %1894, align 8, !noalias !15
-  %1896 = fadd double %1893, %1895
-  %1897 = getelementptr inbounds double, ptr %1444, i64 %1890
-  store double %1896, ptr %1897, align 8, !noalias !15
-  %1898 = add nuw nsw i64 %1890, 1
-  %1899 = icmp eq i64 %1898, %1442
-  br i1 %1899, label %1704, label %1889, !llvm.loop !51
-
-1900:                                             ; preds = %1622, %1878
-  %1901 = phi double [ %1355, %1622 ], [ %1662, %1878 ]
-  %1902 = phi i64 [ %1352, %1622 ], [ %1686, %1878 ]
-  %1903 = phi i64 [ %1629, %1622 ], [ %1885, %1878 ]
-  %1904 = phi double [ %1429, %1622 ], [ %1690, %1878 ]
-  %1905 = phi double [ %1623, %1622 ], [ %1888, %1878 ]
-  %1906 = fcmp olt double %1905, 1.000000e-10
-  %1907 = select i1 %1906, double 1.000000e-10, double %1905
-  %1908 = load ptr, ptr %120, align 8, !noalias !15
-  %1909 = getelementptr inbounds i8, ptr %1908, i64 24
-  %1910 = load double, ptr %1909, align 8, !noalias !15
-  %1911 = fadd double %1351, 1.200000e+01
-  %1912 = fdiv double 0x4027666666666667, %1911
-  %1913 = tail call double @llvm.sqrt.f64(double %1907)
-  %1914 = tail call double @llvm.sqrt.f64(double %1913)
-  %1915 = fdiv double 1.000000e+00, %1914
-  %1916 = fmul double %1912, %1915
-  %1917 = fcmp ogt double %1916, 2.000000e-01
-  %1918 = select i1 %1917, double %1916, double 2.000000e-01
-  %1919 = tail call double @llvm.fabs.f64(double %1905)
-  %1920 = fcmp ueq double %1919, 0x7FF0000000000000
-  %1921 = select i1 %1920, double 2.500000e-01, double %1918
-  %1922 = fmul double %533, %1921
-  %1923 = getelementptr inbounds i8, ptr %1908, i64 16
-  %1924 = load double, ptr %1923, align 8, !noalias !15
-  %1925 = fdiv double %533, %1924
-  %1926 = fdiv double %1910, %1907
-  %1927 = tail call double @llvm.sqrt.f64(double %1926)
-  %1928 = tail call double @llvm.sqrt.f64(double %1927)
-  %1929 = fmul double %1925, %1928
-  %1930 = fcmp ule double %1910, 0.000000e+00
-  %1931 = fcmp olt double %1929, 1.000000e+00
-  %1932 = select i1 %1931, double %1929, double 1.000000e+00
-  %1933 = select i1 %1930, double 1.000000e+00, double %1932
-  %1934 = fmul double %1916, %1933
-  %1935 = fcmp olt double %1934, 1.000000e+01
-  %1936 = select i1 %1935, double %1934, double 1.000000e+01
-  %1937 = fcmp ule double %1936, 1.000000e+00
-  %1938 = fcmp uge double %1936, 1.200000e+00
-  %1939 = or i1 %1937, %1938
-  %1940 = select i1 %1939, i1 true, i1 %1358
-  %1941 = load double, ptr %1908, align 8, !noalias !15
-  %1942 = fcmp ogt double %1936, 2.000000e-01
-  %1943 = select i1 %1942, double %1936, double 2.000000e-01
-  %1944 = fmul double %533, %1943
-  %1945 = select i1 %1940, double %1944, double %1941
-  %1946 = icmp eq i64 %1903, 0
-  %1947 = select i1 %1946, double %1922, double %1945
-  %1948 = and i64 %1354, 4294967295
-  %1949 = icmp eq i64 %1948, 0
-  %1950 = select i1 %1949, double %1428, double %1947
-  %1951 = xor i64 %1903, -1
-  %1952 = and i64 %1354, %1951
-  %1953 = load ptr, ptr %83, align 8, !noalias !15
-  %1954 = getelementptr inbounds i8, ptr %1953, i64 32
-  %1955 = load i64, ptr %1954, align 8, !noalias !15
-  %1956 = or i64 %1955, %1952
-  store i64 %1956, ptr %1954, align 8, !noalias !15
-  %1957 = load ptr, ptr %83, align 8, !noalias !15
-  %1958 = getelementptr inbounds i8, ptr %1957, i64 8
-  %1959 = load i64, ptr %1958, align 8, !noalias !15
-  %1960 = xor i64 %1952, -1
-  %1961 = and i64 %1959, %1960
-  %1962 = getelementptr inbounds i8, ptr %1957, i64 16
-  %1963 = load i64, ptr %1962, align 8, !noalias !15
-  %1964 = xor i64 %1963, -1
-  %1965 = and i64 %1952, %1964
-  %1966 = or disjoint i64 %1965, %1961
-  store i64 %1966, ptr %1958, align 8, !noalias !15
-  br label %1981
-
-1967:                                             ; preds = %1435, %1967
-  %1968 = phi i64 [ 0, %1435 ], [ %1979, %1967 ]
-  %1969 = load ptr, ptr %153, align 8, !noalias !15
-  %1970 = load ptr, ptr %82, align 8, !noalias !15
-  %1971 = getelementptr inbounds double, ptr %1970, i64 %1968
-  %1972 = load double, ptr %1971, align 8, !noalias !15
-  %1973 = load ptr, ptr %128, align 8, !noalias !15
-  %1974 = getelementptr i8, ptr %1973, i64 %1436
-  %1975 = getelementptr double, ptr %1974, i64 %1968
-  %1976 = load double, ptr %1975, align 8, !noalias !15
-  %1977 = fadd double %1972, %1976
-  %1978 = getelementptr inbounds double, ptr %1969, i64 %1968
-  store double %1977, ptr %1978, align 8, !noalias !15
-  %1979 = add nuw nsw i64 %1968, 1
-  %1980 = icmp eq i64 %1979, %543
-  br i1 %1980, label %1437, label %1967, !llvm.loop !52
-
-1981:                                             ; preds = %1900, %1427, %756, %669
-  %1982 = phi double [ %463, %669 ], [ %463, %756 ], [ %1349, %1427 ], [ %1349, %1900 ]
-  %1983 = phi double [ %462, %669 ], [ %462, %756 ], [ %1350, %1427 ], [ %1350, %1900 ]
-  %1984 = phi double [ %461, %669 ], [ %461, %756 ], [ %1351, %1427 ], [ %1351, %1900 ]
-  %1985 = phi i64 [ %460, %669 ], [ %460, %756 ], [ %1352, %1427 ], [ %1352, %1900 ]
-  %1986 = phi i64 [ %459, %669 ], [ %459, %756 ], [ %1353, %1427 ], [ %1353, %1900 ]
-  %1987 = phi i64 [ %458, %669 ], [ %458, %756 ], [ %1354, %1427 ], [ %1354, %1900 ]
-  %1988 = phi i1 [ false, %669 ], [ false, %756 ], [ %1358, %1427 ], [ %1358, %1900 ]
-  %1989 = phi double [ 2.000000e+00, %669 ], [ %758, %756 ], [ %1429, %1427 ], [ %1904, %1900 ]
-  %1990 = phi double [ 0.000000e+00, %669 ], [ 0.000000e+00, %756 ], [ 0.000000e+00, %1427 ], [ %1905, %1900 ]
-  %1991 = phi double [ %457, %669 ], [ %757, %756 ], [ %1428, %1427 ], [ %1950, %1900 ]
-  %1992 = phi double [ %652, %669 ], [ %681, %756 ], [ %1355, %1427 ], [ %1901, %1900 ]
-  %1993 = phi i64 [ 0, %669 ], [ %695, %756 ], [ %695, %1427 ], [ %695, %1900 ]
-  %1994 = phi i64 [ 1, %669 ], [ 0, %756 ], [ %1352, %1427 ], [ %1902, %1900 ]
-  %1995 = phi i64 [ 0, %669 ], [ 0, %756 ], [ 0, %1427 ], [ %1903, %1900 ]
-  %1996 = zext i1 %1988 to i64
-  %1997 = fptosi double %1992 to i64
-  %1998 = load i64, ptr %434, align 8
-  %1999 = add nsw i64 %1998, %1997
-  store i64 %1999, ptr %434, align 8
-  %2000 = load i64, ptr %435, align 8
-  %2001 = add nsw i64 %2000, %547
-  store i64 %2001, ptr %435, align 8
-  %2002 = load i64, ptr %436, align 8
-  %2003 = add nsw i64 %2002, %1993
-  store i64 %2003, ptr %436, align 8
-  %2004 = icmp eq i64 %1994, 0
-  br i1 %2004, label %2005, label %2591
-
-2005:                                             ; preds = %1981
-  %2006 = icmp eq i64 %1995, 0
-  br i1 %2006, label %2007, label %2011
-
-2007:                                             ; preds = %2005
-  %2008 = load i64, ptr %421, align 8
-  %2009 = add nsw i64 %2008, 1
-  store i64 %2009, ptr %421, align 8
-  %2010 = fptosi double %1989 to i64
-  store i64 %2010, ptr %444, align 8
-  br label %2591, !llvm.loop !53
-
-2011:                                             ; preds = %2005
-  br i1 %254, label %2012, label %2040
-
-2012:                                             ; preds = %2011
-  %2013 = load ptr, ptr %172, align 8
-  %2014 = load ptr, ptr %82, align 8
-  %2015 = load ptr, ptr %89, align 8
-  %2016 = getelementptr inbounds i8, ptr %2015, i64 56
-  %2017 = load i64, ptr %2016, align 8
-  %2018 = inttoptr i64 %2017 to ptr
-  %2019 = tail call i64 %2018(ptr noundef %0, double noundef %532, ptr noundef %2013, ptr noundef %2014) #10
-  %2020 = icmp eq i64 %2019, 0
-  br i1 %2020, label %2040, label %2021
-
-2021:                                             ; preds = %2012
-  %2022 = load i64, ptr %421, align 8
-  %2023 = add nsw i64 %2022, 1
-  store i64 %2023, ptr %421, align 8
-  store i64 6, ptr %437, align 8
-  %2024 = fmul double %533, 2.500000e-01
-  %2025 = load ptr, ptr %83, align 8
-  %2026 = getelementptr inbounds i8, ptr %2025, i64 32
-  %2027 = load i64, ptr %2026, align 8
-  %2028 = or i64 %2027, 1
-  store i64 %2028, ptr %2026, align 8
-  %2029 = load ptr, ptr %83, align 8
-  %2030 = getelementptr inbounds i8, ptr %2029, i64 8
-  %2031 = load i64, ptr %2030, align 8
-  %2032 = and i64 %2031, -2
-  %2033 = getelementptr inbounds i8, ptr %2029, i64 16
-  %2034 = load i64, ptr %2033, align 8
-  %2035 = and i64 %2034, 1
-  %2036 = or disjoint i64 %2035, %2032
-  %2037 = xor i64 %2036, 1
-  store i64 %2037, ptr %2030, align 8
-  %2038 = load ptr, ptr %173, align 8
-  %2039 = getelementptr inbounds i8, ptr %2038, i64 8
-  store double 0.000000e+00, ptr %2039, align 8
-  br label %2591, !llvm.loop !53
-
-2040:                                             ; preds = %2012, %2011
-  %2041 = load i64, ptr %420, align 8
-  %2042 = add nsw i64 %2041, 1
-  store i64 %2042, ptr %420, align 8
-  store double %532, ptr %221, align 8
-  store double %533, ptr %438, align 8
-  %2043 = load ptr, ptr %81, align 8
-  %2044 = getelementptr inbounds i8, ptr %2043, i64 8
-  %2045 = load i64, ptr %2044, align 8
-  %2046 = load i64, ptr %174, align 8
-  %2047 = load ptr, ptr %175, align 8
-  %2048 = load ptr, ptr %176, align 8
-  %2049 = load ptr, ptr %177, align 8
-  %2050 = load ptr, ptr %178, align 8
-  br label %2066
-
-2051:                                             ; preds = %2066
-  %2052 = icmp sgt i64 %2045, 0
-  br i1 %2052, label %2053, label %2126
-
-2053:                                             ; preds = %2051
-  %2054 = load double, ptr %13, align 16
-  %2055 = load double, ptr %179, align 8
-  %2056 = getelementptr double, ptr %2047, i64 %2045
-  %2057 = load double, ptr %180, align 16
-  %2058 = shl i64 %2045, 4
-  %2059 = getelementptr i8, ptr %2047, i64 %2058
-  %2060 = load double, ptr %14, align 16
-  %2061 = load double, ptr %181, align 8
-  %2062 = load double, ptr %182, align 16
-  %2063 = getelementptr inbounds double, ptr %2048, i64 %2046
-  %2064 = shl nsw i64 %2046, 4
-  %2065 = getelementptr inbounds i8, ptr %2048, i64 %2064
-  br label %2077
-
-2066:                                             ; preds = %2040, %2066
-  %2067 = phi i64 [ 0, %2040 ], [ %2075, %2066 ]
-  %2068 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %2067
-  %2069 = getelementptr inbounds i8, ptr %2068, i64 8
-  %2070 = load double, ptr %2069, align 8
-  %2071 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %2067
-  store double %2070, ptr %2071, align 8
-  %2072 = getelementptr inbounds i8, ptr %2068, i64 16
-  %2073 = load double, ptr %2072, align 8
-  %2074 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %2067
-  store double %2073, ptr %2074, align 8
-  %2075 = add nuw nsw i64 %2067, 1
-  %2076 = icmp eq i64 %2075, 3
-  br i1 %2076, label %2051, label %2066, !llvm.loop !54
-
-2077:                                             ; preds = %2053, %2114
-  %2078 = phi i64 [ 0, %2053 ], [ %2115, %2114 ]
-  %2079 = getelementptr inbounds double, ptr %2047, i64 %2078
-  %2080 = load double, ptr %2079, align 8
-  %2081 = fmul double %2054, %2080
-  %2082 = getelementptr double, ptr %2056, i64 %2078
-  %2083 = load double, ptr %2082, align 8
-  %2084 = fmul double %2055, %2083
-  %2085 = fadd double %2081, %2084
-  %2086 = getelementptr double, ptr %2059, i64 %2078
-  %2087 = load double, ptr %2086, align 8
-  %2088 = fmul double %2057, %2087
-  %2089 = fadd double %2085, %2088
-  %2090 = fmul double %2080, %2060
-  %2091 = fmul double %2083, %2061
-  %2092 = fadd double %2090, %2091
-  %2093 = fmul double %2087, %2062
-  %2094 = fadd double %2092, %2093
-  %2095 = load ptr, ptr %183, align 8
-  %2096 = getelementptr inbounds double, ptr %2095, i64 %2078
-  %2097 = load double, ptr %2096, align 8
-  %2098 = load ptr, ptr %82, align 8
-  %2099 = getelementptr inbounds double, ptr %2098, i64 %2078
-  %2100 = load double, ptr %2099, align 8
-  %2101 = fsub double %2097, %2100
-  %2102 = getelementptr inbounds double, ptr %2048, i64 %2078
-  store double %2101, ptr %2102, align 8
-  %2103 = fneg double %2089
-  %2104 = fsub double %2103, %2094
-  %2105 = getelementptr inbounds double, ptr %2063, i64 %2078
-  store double %2104, ptr %2105, align 8
-  %2106 = fneg double %2094
-  %2107 = getelementptr inbounds double, ptr %2065, i64 %2078
-  store double %2106, ptr %2107, align 8
-  %2108 = load ptr, ptr %82, align 8
-  %2109 = getelementptr inbounds double, ptr %2108, i64 %2078
-  %2110 = load double, ptr %2109, align 8
-  %2111 = getelementptr inbounds double, ptr %2049, i64 %2078
-  store double %2110, ptr %2111, align 8
-  %2112 = getelementptr double, ptr %2048, i64 %2078
-  %2113 = getelementptr double, ptr %2049, i64 %2078
-  br label %2117
-
-2114:                                             ; preds = %2117
-  %2115 = add nuw nsw i64 %2078, 1
-  %2116 = icmp eq i64 %2115, %2045
-  br i1 %2116, label %2126, label %2077, !llvm.loop !55
-
-2117:                                             ; preds = %2077, %2117
-  %2118 = phi i64 [ 0, %2077 ], [ %2119, %2117 ]
-  %2119 = add nuw nsw i64 %2118, 1
-  %2120 = mul nuw nsw i64 %2045, %2119
-  %2121 = mul nsw i64 %2046, %2118
-  %2122 = getelementptr double, ptr %2112, i64 %2121
-  %2123 = load double, ptr %2122, align 8
-  %2124 = getelementptr double, ptr %2113, i64 %2120
-  store double %2123, ptr %2124, align 8
-  %2125 = icmp eq i64 %2119, 3
-  br i1 %2125, label %2114, label %2117, !llvm.loop !56
-
-2126:                                             ; preds = %2114, %2051
-  %2127 = fcmp olt double %1990, 1.000000e-10
-  %2128 = select i1 %2127, double 1.000000e-10, double %1990
-  %2129 = getelementptr inbounds i8, ptr %2050, i64 8
-  store double %533, ptr %2129, align 8
-  %2130 = getelementptr inbounds i8, ptr %2050, i64 16
-  store double %533, ptr %2130, align 8
-  %2131 = getelementptr inbounds i8, ptr %2050, i64 24
-  store double %2128, ptr %2131, align 8
-  %2132 = load ptr, ptr %83, align 8
-  %2133 = getelementptr inbounds i8, ptr %2132, i64 8
-  %2134 = load i64, ptr %2133, align 8
-  %2135 = and i64 %2134, -2
-  %2136 = or disjoint i64 %2135, %1996
-  store i64 %2136, ptr %2133, align 8
-  %2137 = load ptr, ptr %83, align 8
-  %2138 = getelementptr inbounds i8, ptr %2137, i64 16
-  %2139 = load i64, ptr %2138, align 8
-  %2140 = and i64 %2139, -2
-  store i64 %2140, ptr %2138, align 8
-  %2141 = load ptr, ptr %83, align 8
-  %2142 = getelementptr inbounds i8, ptr %2141, i64 32
-  %2143 = load i64, ptr %2142, align 8
-  %2144 = and i64 %2143, -2
-  store i64 %2144, ptr %2142, align 8
-  %2145 = load ptr, ptr %0, align 8
-  %2146 = getelementptr inbounds i8, ptr %2145, i64 24
-  %2147 = load i64, ptr %2146, align 8
-  %2148 = load ptr, ptr %101, align 8
-  %2149 = getelementptr inbounds i8, ptr %2148, i64 8
-  %2150 = load i64, ptr %2149, align 8
-  %2151 = icmp eq i64 %2150, 0
-  br i1 %2151, label %2198, label %2152
-
-2152:                                             ; preds = %2126
-  %2153 = load i64, ptr %2148, align 8
-  %2154 = load ptr, ptr %81, align 8
-  %2155 = getelementptr inbounds i8, ptr %2154, i64 8
-  %2156 = load i64, ptr %2155, align 8
-  %2157 = load ptr, ptr %184, align 8
-  %2158 = load i64, ptr %185, align 8
-  %2159 = mul nsw i64 %2158, %2153
-  %2160 = getelementptr inbounds double, ptr %2157, i64 %2159
-  %2161 = getelementptr inbounds double, ptr %2160, i64 %2158
-  store double %456, ptr %2160, align 8
-  %2162 = getelementptr inbounds i8, ptr %2160, i64 8
-  store double %533, ptr %2162, align 8
-  store double %532, ptr %2161, align 8
-  %2163 = getelementptr inbounds i8, ptr %2161, i64 8
-  store double 0.000000e+00, ptr %2163, align 8
-  %2164 = icmp sgt i64 %2156, 0
-  br i1 %2164, label %2165, label %2168
-
-2165:                                             ; preds = %2152
-  %2166 = getelementptr i8, ptr %2160, i64 16
-  %2167 = icmp sgt i64 %2147, 0
-  br label %2171
-
-2168:                                             ; preds = %2183, %2152
-  %2169 = add nsw i64 %2153, 1
-  %2170 = load ptr, ptr %101, align 8
-  store i64 %2169, ptr %2170, align 8
-  br label %2198
-
-2171:                                             ; preds = %2165, %2183
-  %2172 = phi i64 [ 0, %2165 ], [ %2184, %2183 ]
-  %2173 = load ptr, ptr %82, align 8
-  %2174 = getelementptr inbounds double, ptr %2173, i64 %2172
-  %2175 = load double, ptr %2174, align 8
-  %2176 = add nuw nsw i64 %2172, 2
-  %2177 = getelementptr inbounds double, ptr %2160, i64 %2176
-  store double %2175, ptr %2177, align 8
-  %2178 = load ptr, ptr %186, align 8
-  %2179 = getelementptr inbounds double, ptr %2178, i64 %2172
-  %2180 = load double, ptr %2179, align 8
-  %2181 = getelementptr inbounds double, ptr %2161, i64 %2176
-  store double %2180, ptr %2181, align 8
-  %2182 = getelementptr double, ptr %2166, i64 %2172
-  br i1 %2167, label %2186, label %2183
-
-2183:                                             ; preds = %2186, %2171
-  %2184 = add nuw nsw i64 %2172, 1
-  %2185 = icmp eq i64 %2184, %2156
-  br i1 %2185, label %2168, label %2171, !llvm.loop !57
-
-2186:                                             ; preds = %2171, %2186
-  %2187 = phi i64 [ %2194, %2186 ], [ 0, %2171 ]
-  %2188 = load ptr, ptr %187, align 8
-  %2189 = load i64, ptr %188, align 8
-  %2190 = mul nsw i64 %2189, %2187
-  %2191 = getelementptr double, ptr %2188, i64 %2190
-  %2192 = getelementptr double, ptr %2191, i64 %2172
-  %2193 = load double, ptr %2192, align 8
-  %2194 = add nuw nsw i64 %2187, 1
-  %2195 = mul nuw nsw i64 %2194, %2156
-  %2196 = getelementptr double, ptr %2182, i64 %2195
-  store double %2193, ptr %2196, align 8
-  %2197 = icmp eq i64 %2194, %2147
-  br i1 %2197, label %2183, label %2186, !llvm.loop !58
-
-2198:                                             ; preds = %2126, %2168
-  br i1 %258, label %2199, label %2307
-
-2199:                                             ; preds = %2198
-  %2200 = load ptr, ptr %90, align 8
-  %2201 = load ptr, ptr %81, align 8
-  %2202 = getelementptr inbounds i8, ptr %2201, i64 8
-  %2203 = load i64, ptr %2202, align 8
-  %2204 = load ptr, ptr %189, align 8
-  %2205 = getelementptr inbounds i8, ptr %2200, i64 32
-  %2206 = load i64, ptr %2205, align 8
-  %2207 = getelementptr inbounds double, ptr %2204, i64 %2206
-  %2208 = load ptr, ptr %190, align 8
-  %2209 = getelementptr inbounds i8, ptr %2200, i64 24
-  %2210 = load i64, ptr %2209, align 8
-  %2211 = icmp eq i64 %2210, 0
-  br i1 %2211, label %2304, label %2212
-
-2212:                                             ; preds = %2199
-  %2213 = getelementptr inbounds i8, ptr %2200, i64 40
-  %2214 = load i64, ptr %2213, align 8
-  %2215 = icmp sgt i64 %2214, 0
-  br i1 %2215, label %2216, label %2220
-
-2216:                                             ; preds = %2212
-  %2217 = getelementptr double, ptr %2208, i64 %2203
-  %2218 = shl i64 %2203, 4
-  %2219 = getelementptr i8, ptr %2208, i64 %2218
-  br label %2274
-
-2220:                                             ; preds = %2274, %2212
-  %2221 = load ptr, ptr %192, align 8
-  %2222 = load ptr, ptr %90, align 8
-  %2223 = getelementptr inbounds i8, ptr %2222, i64 8
-  %2224 = load i64, ptr %2223, align 8
-  %2225 = load ptr, ptr %193, align 8
-  %2226 = load ptr, ptr %189, align 8
-  %2227 = getelementptr inbounds i8, ptr %2222, i64 32
-  %2228 = load i64, ptr %2227, align 8
-  %2229 = getelementptr inbounds i8, ptr %2222, i64 40
-  %2230 = load i64, ptr %2229, align 8
-  %2231 = getelementptr double, ptr %2226, i64 %2228
-  %2232 = getelementptr double, ptr %2231, i64 %2230
-  store double %533, ptr %2232, align 8
-  %2233 = load ptr, ptr %192, align 8
-  store double %456, ptr %2233, align 8
-  %2234 = load ptr, ptr %90, align 8
-  %2235 = getelementptr inbounds i8, ptr %2234, i64 24
-  %2236 = load i64, ptr %2235, align 8
-  %2237 = load ptr, ptr %82, align 8
-  %2238 = load ptr, ptr %189, align 8
-  %2239 = load ptr, ptr %194, align 8
-  %2240 = inttoptr i64 %2236 to ptr
-  %2241 = load ptr, ptr %2240, align 8
-  %2242 = tail call i32 %2241(ptr noundef %2221, ptr noundef %2237, ptr noundef %2238, ptr noundef %2239, ptr noundef %2225) #10
-  %2243 = icmp eq i32 %2242, 0
-  br i1 %2243, label %2244, label %2304
-
-2244:                                             ; preds = %2220
-  %2245 = icmp slt i64 %2224, 1
-  br i1 %2245, label %2271, label %2246
-
-2246:                                             ; preds = %2244
-  %2247 = load ptr, ptr %195, align 8
-  %2248 = getelementptr double, ptr %2225, i64 %2224
-  br label %2249
-
-2249:                                             ; preds = %2246, %2267
-  %2250 = phi i1 [ %2245, %2246 ], [ %2269, %2267 ]
-  %2251 = phi i64 [ 0, %2246 ], [ %2268, %2267 ]
-  %2252 = getelementptr inbounds i64, ptr %2247, i64 %2251
-  %2253 = load i64, ptr %2252, align 8
-  %2254 = and i64 %2253, 2
-  %2255 = icmp eq i64 %2254, 0
-  br i1 %2255, label %2256, label %2267
-
-2256:                                             ; preds = %2249
-  %2257 = getelementptr inbounds double, ptr %2225, i64 %2251
-  %2258 = load double, ptr %2257, align 8
-  %2259 = load ptr, ptr %196, align 8
-  %2260 = getelementptr inbounds i64, ptr %2259, i64 %2251
-  %2261 = load i64, ptr %2260, align 8
-  %2262 = sitofp i64 %2261 to double
-  %2263 = fmul double %2258, %2262
-  %2264 = getelementptr double, ptr %2248, i64 %2251
-  %2265 = load double, ptr %2264, align 8
-  %2266 = fcmp ogt double %2263, %2265
-  br i1 %2266, label %2267, label %2271
-
-2267:                                             ; preds = %2256, %2249
-  %2268 = add nuw nsw i64 %2251, 1
-  %2269 = icmp sge i64 %2268, %2224
-  %2270 = icmp eq i64 %2268, %2224
-  br i1 %2270, label %2271, label %2249, !llvm.loop !59
-
-2271:                                             ; preds = %2267, %2256, %2244
-  %2272 = phi i1 [ %2245, %2244 ], [ %2269, %2267 ], [ %2250, %2256 ]
-  %2273 = zext i1 %2272 to i32
-  br label %2304
-
-2274:                                             ; preds = %2216, %2274
-  %2275 = phi i64 [ 0, %2216 ], [ %2301, %2274 ]
-  %2276 = load ptr, ptr %191, align 8
-  %2277 = getelementptr inbounds double, ptr %2276, i64 %2275
-  %2278 = load double, ptr %2277, align 8
-  %2279 = load ptr, ptr %82, align 8
-  %2280 = getelementptr inbounds double, ptr %2279, i64 %2275
-  %2281 = load double, ptr %2280, align 8
-  %2282 = fsub double %2278, %2281
-  %2283 = tail call double @llvm.fabs.f64(double %2282)
-  %2284 = getelementptr inbounds double, ptr %2208, i64 %2275
-  %2285 = load double, ptr %2284, align 8
-  %2286 = tail call double @llvm.fabs.f64(double %2285)
-  %2287 = getelementptr double, ptr %2217, i64 %2275
-  %2288 = load double, ptr %2287, align 8
-  %2289 = tail call double @llvm.fabs.f64(double %2288)
-  %2290 = fcmp ogt double %2286, %2289
-  %2291 = select i1 %2290, double %2286, double %2289
-  %2292 = getelementptr double, ptr %2219, i64 %2275
-  %2293 = load double, ptr %2292, align 8
-  %2294 = tail call double @llvm.fabs.f64(double %2293)
-  %2295 = fcmp ogt double %2291, %2294
-  %2296 = select i1 %2295, double %2291, double %2294
-  %2297 = fcmp ogt double %2296, %2283
-  %2298 = select i1 %2297, double %2296, double %2283
-  %2299 = fmul double %2298, 8.000000e+00
-  %2300 = getelementptr inbounds double, ptr %2207, i64 %2275
-  store double %2299, ptr %2300, align 8
-  %2301 = add nuw nsw i64 %2275, 1
-  %2302 = load i64, ptr %2213, align 8
-  %2303 = icmp slt i64 %2301, %2302
-  br i1 %2303, label %2274, label %2220, !llvm.loop !60
-
-2304:                                             ; preds = %2271, %2220, %2199
-  %2305 = phi i32 [ 0, %2199 ], [ 0, %2220 ], [ %2273, %2271 ]
-  %2306 = icmp eq i32 %2305, 0
-  br label %2307
-
-2307:                                             ; preds = %2304, %2198
-  %2308 = phi i1 [ false, %2198 ], [ %2306, %2304 ]
-  br i1 %2308, label %2314, label %2309
-
-2309:                                             ; preds = %2307
-  %2310 = load i64, ptr %439, align 8
-  %2311 = getelementptr inbounds double, ptr %230, i64 %2310
-  %2312 = load double, ptr %2311, align 8
-  %2313 = fcmp ugt double %2312, %532
-  br i1 %2313, label %2539, label %2314
-
-2314:                                             ; preds = %2309, %2307
-  %2315 = load ptr, ptr %84, align 8
-  br i1 %2308, label %2316, label %2327
-
-2316:                                             ; preds = %2314
-  %2317 = load ptr, ptr %90, align 8
-  %2318 = getelementptr inbounds i8, ptr %2317, i64 16
-  %2319 = load i64, ptr %2318, align 8
-  %2320 = inttoptr i64 %2319 to ptr
-  %2321 = tail call i64 %2320(ptr noundef %0, double noundef %456, double noundef %533) #10
-  %2322 = icmp eq i64 %2321, -6
-  br i1 %2322, label %2323, label %2324
-
-2323:                                             ; preds = %2316
-  store double %456, ptr %2315, align 8
-  br label %2502
-
-2324:                                             ; preds = %2316
-  %2325 = getelementptr inbounds i8, ptr %2315, i64 48
-  %2326 = load double, ptr %2325, align 8
-  br label %2327
-
-2327:                                             ; preds = %2324, %2314
-  %2328 = phi double [ %2326, %2324 ], [ 1.000000e+00, %2314 ]
-  %2329 = phi i64 [ %2321, %2324 ], [ 0, %2314 ]
-  %2330 = fcmp oeq double %2328, 1.000000e+00
-  br i1 %2330, label %2331, label %2333
-
-2331:                                             ; preds = %2327
-  %2332 = load double, ptr %2315, align 8
-  br label %2336
-
-2333:                                             ; preds = %2327
-  %2334 = fmul double %533, %2328
-  %2335 = fadd double %456, %2334
-  br label %2336
-
-2336:                                             ; preds = %2333, %2331
-  %2337 = phi double [ %2332, %2331 ], [ %2335, %2333 ]
-  %2338 = icmp eq i64 %2329, -4
-  %2339 = select i1 %2338, i64 -4, i64 0
-  br i1 %2338, label %2397, label %2340
-
-2340:                                             ; preds = %2336
-  %2341 = fcmp olt double %2328, 1.000000e+00
-  %2342 = load ptr, ptr %81, align 8
-  %2343 = getelementptr inbounds i8, ptr %2342, i64 8
-  %2344 = load i64, ptr %2343, align 8
-  %2345 = load i64, ptr %87, align 8
-  %2346 = load ptr, ptr %86, align 8
-  %2347 = load ptr, ptr %85, align 8
-  %2348 = getelementptr inbounds i8, ptr %2347, i64 48
-  %2349 = load i64, ptr %2348, align 8
-  %2350 = icmp slt i64 %2349, %2345
-  br i1 %2350, label %2351, label %2393
-
-2351:                                             ; preds = %2340, %2389
-  %2352 = phi i64 [ %2390, %2389 ], [ undef, %2340 ]
-  %2353 = phi i64 [ %2391, %2389 ], [ %2349, %2340 ]
-  %2354 = getelementptr inbounds double, ptr %2346, i64 %2353
-  %2355 = load double, ptr %2354, align 8
-  %2356 = fcmp olt double %2355, %2337
-  %2357 = fcmp oeq double %2355, %2337
-  %2358 = and i1 %2341, %2357
-  %2359 = or i1 %2356, %2358
-  br i1 %2359, label %2360, label %2393
-
-2360:                                             ; preds = %2351
-  %2361 = fsub double %2355, %456
-  %2362 = fdiv double %2361, %533
-  %2363 = mul nsw i64 %2353, %2344
-  %2364 = getelementptr inbounds double, ptr %1, i64 %2363
-  %2365 = load ptr, ptr %197, align 8
-  %2366 = insertelement <8 x double> poison, double %2362, i64 0
-  %2367 = shufflevector <8 x double> %2366, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %2367, ptr %2365, align 8
-  %2368 = load ptr, ptr %82, align 8
-  %2369 = load ptr, ptr %176, align 8
-  %2370 = load i64, ptr %174, align 8
-  %2371 = load ptr, ptr %0, align 8
-  %2372 = getelementptr inbounds i8, ptr %2371, i64 24
-  %2373 = load i64, ptr %2372, align 8
-  %2374 = load ptr, ptr %197, align 8
-  %2375 = load ptr, ptr %81, align 8
-  %2376 = getelementptr inbounds i8, ptr %2375, i64 16
-  %2377 = load i64, ptr %2376, align 8
-  tail call fastcc void @nested(ptr noundef %2364, ptr noundef %2368, ptr noundef %2369, i64 noundef %2370, i64 noundef %2373, ptr noundef %2374, i64 noundef %2377) #9
-  %2378 = load ptr, ptr %89, align 8
-  %2379 = load i64, ptr %2378, align 8
-  %2380 = icmp eq i64 %2379, 1
-  br i1 %2380, label %2381, label %2389
-
-2381:                                             ; preds = %2360
-  %2382 = load double, ptr %2354, align 8
-  %2383 = getelementptr inbounds i8, ptr %2378, i64 56
-  %2384 = load i64, ptr %2383, align 8
-  %2385 = inttoptr i64 %2384 to ptr
-  %2386 = tail call i64 %2385(ptr noundef %0, double noundef %2382, ptr noundef %2364, ptr noundef null) #10
-  %2387 = icmp eq i64 %2386, 0
-  %2388 = select i1 %2387, i64 %2352, i64 %2386
-  br i1 %2387, label %2389, label %2397
-
-2389:                                             ; preds = %2381, %2360
-  %2390 = phi i64 [ %2388, %2381 ], [ %2352, %2360 ]
-  %2391 = add i64 %2353, 1
-  %2392 = icmp eq i64 %2391, %2345
-  br i1 %2392, label %2393, label %2351, !llvm.loop !61
-
-2393:                                             ; preds = %2389, %2351, %2340
-  %2394 = phi i64 [ %2349, %2340 ], [ %2345, %2389 ], [ %2353, %2351 ]
-  %2395 = load ptr, ptr %85, align 8
-  %2396 = getelementptr inbounds i8, ptr %2395, i64 48
-  store i64 %2394, ptr %2396, align 8
-  br label %2397
-
-2397:                                             ; preds = %2381, %2393, %2336
-  %2398 = phi i64 [ %2339, %2336 ], [ 0, %2393 ], [ %2388, %2381 ]
-  %2399 = icmp eq i64 %2398, 0
-  %2400 = icmp ne i64 %2329, 0
-  %2401 = fcmp olt double %2328, 1.000000e+00
-  %2402 = and i1 %2401, %2399
-  %2403 = and i1 %2400, %2402
-  br i1 %2403, label %2404, label %2441
-
-2404:                                             ; preds = %2397
-  %2405 = load ptr, ptr %198, align 8
-  %2406 = load ptr, ptr %199, align 8
-  %2407 = insertelement <8 x double> poison, double %2328, i64 0
-  %2408 = shufflevector <8 x double> %2407, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %2408, ptr %2406, align 8
-  %2409 = load ptr, ptr %82, align 8
-  %2410 = load ptr, ptr %176, align 8
-  %2411 = load i64, ptr %174, align 8
-  %2412 = load ptr, ptr %0, align 8
-  %2413 = getelementptr inbounds i8, ptr %2412, i64 24
-  %2414 = load i64, ptr %2413, align 8
-  %2415 = load ptr, ptr %199, align 8
-  %2416 = load ptr, ptr %81, align 8
-  %2417 = getelementptr inbounds i8, ptr %2416, i64 16
-  %2418 = load i64, ptr %2417, align 8
-  tail call fastcc void @nested(ptr noundef %2405, ptr noundef %2409, ptr noundef %2410, i64 noundef %2411, i64 noundef %2414, ptr noundef %2415, i64 noundef %2418) #9
-  %2419 = load i64, ptr %200, align 8
-  %2420 = icmp sgt i64 %2419, 0
-  br i1 %2420, label %2425, label %2421
-
-2421:                                             ; preds = %2425, %2404
-  %2422 = load ptr, ptr %89, align 8
-  %2423 = load i64, ptr %2422, align 8
-  %2424 = icmp eq i64 %2423, 1
-  br i1 %2424, label %2435, label %2441
-
-2425:                                             ; preds = %2404, %2425
-  %2426 = phi i64 [ %2432, %2425 ], [ 0, %2404 ]
-  %2427 = load ptr, ptr %198, align 8
-  %2428 = getelementptr inbounds double, ptr %2427, i64 %2426
-  %2429 = load double, ptr %2428, align 8
-  %2430 = load ptr, ptr %201, align 8
-  %2431 = getelementptr inbounds double, ptr %2430, i64 %2426
-  store double %2429, ptr %2431, align 8
-  %2432 = add nuw nsw i64 %2426, 1
-  %2433 = load i64, ptr %200, align 8
-  %2434 = icmp slt i64 %2432, %2433
-  br i1 %2434, label %2425, label %2421, !llvm.loop !62
-
-2435:                                             ; preds = %2421
-  %2436 = load ptr, ptr %202, align 8
-  %2437 = getelementptr inbounds i8, ptr %2422, i64 56
-  %2438 = load i64, ptr %2437, align 8
-  %2439 = inttoptr i64 %2438 to ptr
-  %2440 = tail call i64 %2439(ptr noundef %0, double noundef %2337, ptr noundef %2436, ptr noundef null) #10
-  br label %2441
-
-2441:                                             ; preds = %2435, %2421, %2397
-  %2442 = phi i64 [ %2440, %2435 ], [ 0, %2421 ], [ %2398, %2397 ]
-  %2443 = icmp eq i64 %2442, 0
-  br i1 %2443, label %2446, label %2444
-
-2444:                                             ; preds = %2441
-  store double %456, ptr %2315, align 8
-  %2445 = getelementptr inbounds i8, ptr %2315, i64 8
-  store double %533, ptr %2445, align 8
-  br label %2502
-
-2446:                                             ; preds = %2441
-  br i1 %2330, label %2447, label %2485
-
-2447:                                             ; preds = %2446
-  %2448 = load ptr, ptr %203, align 8
-  %2449 = load ptr, ptr %81, align 8
-  %2450 = getelementptr inbounds i8, ptr %2449, i64 8
-  %2451 = load i64, ptr %2450, align 8
-  %2452 = load i64, ptr %87, align 8
-  %2453 = load ptr, ptr %86, align 8
-  %2454 = load ptr, ptr %85, align 8
-  %2455 = getelementptr inbounds i8, ptr %2454, i64 48
-  %2456 = load i64, ptr %2455, align 8
-  %2457 = icmp slt i64 %2456, %2452
-  br i1 %2457, label %2458, label %2481
-
-2458:                                             ; preds = %2447
-  %2459 = icmp sgt i64 %2451, 0
-  br label %2460
-
-2460:                                             ; preds = %2458, %2471
-  %2461 = phi i64 [ %2456, %2458 ], [ %2472, %2471 ]
-  %2462 = getelementptr inbounds double, ptr %2453, i64 %2461
-  %2463 = load double, ptr %2462, align 8
-  %2464 = load ptr, ptr %84, align 8
-  %2465 = load double, ptr %2464, align 8
-  %2466 = fcmp ugt double %2463, %2465
-  br i1 %2466, label %2481, label %2467
-
-2467:                                             ; preds = %2460
-  br i1 %2459, label %2468, label %2471
-
-2468:                                             ; preds = %2467
-  %2469 = mul nsw i64 %2461, %2451
-  %2470 = getelementptr double, ptr %1, i64 %2469
-  br label %2474
-
-2471:                                             ; preds = %2474, %2467
-  %2472 = add i64 %2461, 1
-  %2473 = icmp eq i64 %2472, %2452
-  br i1 %2473, label %2481, label %2460, !llvm.loop !13
-
-2474:                                             ; preds = %2468, %2474
-  %2475 = phi i64 [ 0, %2468 ], [ %2479, %2474 ]
-  %2476 = getelementptr inbounds double, ptr %2448, i64 %2475
-  %2477 = load double, ptr %2476, align 8
-  %2478 = getelementptr double, ptr %2470, i64 %2475
-  store double %2477, ptr %2478, align 8
-  %2479 = add nuw nsw i64 %2475, 1
-  %2480 = icmp eq i64 %2479, %2451
-  br i1 %2480, label %2471, label %2474, !llvm.loop !14
-
-2481:                                             ; preds = %2471, %2460, %2447
-  %2482 = phi i64 [ %2456, %2447 ], [ %2452, %2471 ], [ %2461, %2460 ]
-  %2483 = load ptr, ptr %85, align 8
-  %2484 = getelementptr inbounds i8, ptr %2483, i64 48
-  store i64 %2482, ptr %2484, align 8
-  br label %2485
-
-2485:                                             ; preds = %2481, %2446
-  br i1 %2400, label %2486, label %2502
-
-2486:                                             ; preds = %2485
-  %2487 = load i64, ptr %204, align 8
-  %2488 = icmp sgt i64 %2487, 0
-  br i1 %2488, label %2492, label %2489
-
-2489:                                             ; preds = %2492, %2486
-  store double %2337, ptr %2315, align 8
-  %2490 = getelementptr inbounds i8, ptr %2315, i64 8
-  store double 0.000000e+00, ptr %2490, align 8
-  %2491 = load ptr, ptr %85, align 8
-  store i64 0, ptr %2491, align 8
-  br label %2502
-
-2492:                                             ; preds = %2486, %2492
-  %2493 = phi i64 [ %2499, %2492 ], [ 0, %2486 ]
-  %2494 = load ptr, ptr %205, align 8
-  %2495 = getelementptr inbounds double, ptr %2494, i64 %2493
-  %2496 = load double, ptr %2495, align 8
-  %2497 = load ptr, ptr %82, align 8
-  %2498 = getelementptr inbounds double, ptr %2497, i64 %2493
-  store double %2496, ptr %2498, align 8
-  %2499 = add nuw nsw i64 %2493, 1
-  %2500 = load i64, ptr %204, align 8
-  %2501 = icmp slt i64 %2499, %2500
-  br i1 %2501, label %2492, label %2489, !llvm.loop !63
-
-2502:                                             ; preds = %2323, %2444, %2485, %2489
-  %2503 = phi i64 [ -6, %2323 ], [ %2442, %2444 ], [ %2329, %2489 ], [ %2329, %2485 ]
-  %2504 = icmp eq i64 %2503, -6
-  br i1 %2504, label %2508, label %2505
-
-2505:                                             ; preds = %2502
-  %2506 = icmp ne i64 %2503, 6
-  %2507 = select i1 %2506, i1 true, i1 %258
-  br i1 %2507, label %2533, label %2508
-
-2508:                                             ; preds = %2505, %2502
-  %2509 = phi i64 [ %2503, %2505 ], [ 2, %2502 ]
-  %2510 = load i64, ptr %420, align 8
-  %2511 = add nsw i64 %2510, -1
-  store i64 %2511, ptr %420, align 8
-  %2512 = load ptr, ptr %101, align 8
-  %2513 = load i64, ptr %2512, align 8
-  %2514 = add nsw i64 %2513, -1
-  store i64 %2514, ptr %2512, align 8
-  %2515 = load ptr, ptr %83, align 8
-  %2516 = getelementptr inbounds i8, ptr %2515, i64 32
-  %2517 = load i64, ptr %2516, align 8
-  %2518 = or i64 %2517, 1
-  store i64 %2518, ptr %2516, align 8
-  %2519 = load ptr, ptr %83, align 8
-  %2520 = getelementptr inbounds i8, ptr %2519, i64 8
-  %2521 = load i64, ptr %2520, align 8
-  %2522 = and i64 %2521, -2
-  %2523 = getelementptr inbounds i8, ptr %2519, i64 16
-  %2524 = load i64, ptr %2523, align 8
-  %2525 = and i64 %2524, 1
-  %2526 = or disjoint i64 %2525, %2522
-  %2527 = xor i64 %2526, 1
-  store i64 %2527, ptr %2520, align 8
-  %2528 = load ptr, ptr %178, align 8
-  %2529 = getelementptr inbounds i8, ptr %2528, i64 8
-  store double 0.000000e+00, ptr %2529, align 8
-  %2530 = load i64, ptr %421, align 8
-  %2531 = add nsw i64 %2530, 1
-  store i64 %2531, ptr %421, align 8
-  store i64 %2509, ptr %443, align 8
-  %2532 = fmul double %533, 2.500000e-01
-  br label %2591, !llvm.loop !53
-
-2533:                                             ; preds = %2505
-  %2534 = icmp eq i64 %2503, 0
-  br i1 %2534, label %2539, label %2535
-
-2535:                                             ; preds = %2533
-  %2536 = load ptr, ptr %101, align 8
-  %2537 = load i64, ptr %2536, align 8
-  %2538 = add nsw i64 %2537, 1
-  store i64 %2538, ptr %2536, align 8
-  br label %2591
-
-2539:                                             ; preds = %2533, %2309
-  br i1 %440, label %2570, label %2540
-
-2540:                                             ; preds = %2570, %2539
-  %2541 = load i64, ptr %102, align 8
-  %2542 = icmp sgt i64 %2541, 0
-  br i1 %2542, label %2543, label %2545
-
-2543:                                             ; preds = %2540
-  %2544 = load ptr, ptr %207, align 8
-  store double 0x7FF0000000000000, ptr %2544, align 8
-  br label %2545
-
-2545:                                             ; preds = %2540, %2543
-  %2546 = load i64, ptr %434, align 8
-  %2547 = add nsw i64 %2546, 1
-  store i64 %2547, ptr %434, align 8
-  %2548 = load ptr, ptr %82, align 8
-  %2549 = load ptr, ptr %208, align 8
-  %2550 = load ptr, ptr %209, align 8
-  store double %532, ptr %2550, align 8
-  %2551 = load ptr, ptr %81, align 8
-  %2552 = getelementptr inbounds i8, ptr %2551, i64 40
-  %2553 = load i64, ptr %2552, align 8
-  %2554 = icmp eq i64 %2553, 0
-  br i1 %2554, label %2556, label %2555
-
-2555:                                             ; preds = %2545
-  tail call fastcc void @settle(ptr noundef nonnull %81) #9
-  br label %2556
-
-2556:                                             ; preds = %2555, %2545
-  %2557 = load i64, ptr %210, align 8
-  %2558 = icmp sgt i64 %2557, 0
-  br i1 %2558, label %2559, label %2560
-
-2559:                                             ; preds = %2556
-  tail call fastcc void @sample(ptr noundef nonnull %81) #9
-  br label %2560
-
-2560:                                             ; preds = %2556, %2559
-  %2561 = load ptr, ptr %81, align 8
-  %2562 = load i64, ptr %2561, align 8
-  %2563 = load ptr, ptr %209, align 8
-  %2564 = load ptr, ptr %211, align 8
-  %2565 = load ptr, ptr %212, align 8
-  %2566 = inttoptr i64 %2562 to ptr
-  %2567 = load ptr, ptr %2566, align 8
-  %2568 = tail call i32 %2567(ptr noundef %2563, ptr noundef %2548, ptr noundef %2564, ptr noundef %2565, ptr noundef %2549) #10
-  %2569 = icmp eq i32 %2568, 0
-  br i1 %2569, label %2582, label %2579
-
-2570:                                             ; preds = %2539, %2570
-  %2571 = phi i64 [ %2577, %2570 ], [ 0, %2539 ]
-  %2572 = load ptr, ptr %206, align 8
-  %2573 = getelementptr inbounds double, ptr %2572, i64 %2571
-  %2574 = load double, ptr %2573, align 8
-  %2575 = load ptr, ptr %82, align 8
-  %2576 = getelementptr inbounds double, ptr %2575, i64 %2571
-  store double %2574, ptr %2576, align 8
-  %2577 = add nuw nsw i64 %2571, 1
-  %2578 = icmp eq i64 %2577, %229
-  br i1 %2578, label %2540, label %2570, !llvm.loop !64
-
-2579:                                             ; preds = %2560
-  store i64 3, ptr %441, align 8
-  store double %533, ptr %260, align 8
-  %2580 = icmp slt i32 %2568, 0
-  %2581 = select i1 %2580, i64 -4, i64 2
-  br label %2591
-
-2582:                                             ; preds = %2560
-  %2583 = fcmp oeq double %532, %522
-  %2584 = fcmp ogt double %457, %1991
-  %2585 = select i1 %2583, i1 %2584, i1 false
-  %2586 = select i1 %2585, double %457, double %1991
-  %2587 = load i64, ptr %442, align 8
-  %2588 = load i64, ptr %87, align 8
-  %2589 = icmp eq i64 %2587, %2588
-  br i1 %2589, label %2590, label %2591
-
-2590:                                             ; preds = %2582
-  store double %2586, ptr %260, align 8
-  br label %2591
-
-2591:                                             ; preds = %1981, %2007, %2021, %2508, %2535, %2579, %2582, %2590, %539
-  %2592 = phi double [ %463, %539 ], [ %1982, %2590 ], [ %1982, %2582 ], [ %1982, %2579 ], [ %1982, %2535 ], [ %1982, %2508 ], [ %1982, %2021 ], [ %1982, %2007 ], [ %1982, %1981 ]
-  %2593 = phi double [ %462, %539 ], [ %1983, %2590 ], [ %1983, %2582 ], [ %1983, %2579 ], [ %1983, %2535 ], [ %1983, %2508 ], [ %1983, %2021 ], [ %1983, %2007 ], [ %1983, %1981 ]
-  %2594 = phi double [ %461, %539 ], [ %1984, %2590 ], [ %1984, %2582 ], [ %1984, %2579 ], [ %1984, %2535 ], [ %1984, %2508 ], [ %1984, %2021 ], [ %1984, %2007 ], [ %1984, %1981 ]
-  %2595 = phi i64 [ %460, %539 ], [ %1985, %2590 ], [ %1985, %2582 ], [ %1985, %2579 ], [ %1985, %2535 ], [ %1985, %2508 ], [ %1985, %2021 ], [ %1985, %2007 ], [ %1985, %1981 ]
-  %2596 = phi i64 [ %459, %539 ], [ %1986, %2590 ], [ %1986, %2582 ], [ %1986, %2579 ], [ %1986, %2535 ], [ %1986, %2508 ], [ %1986, %2021 ], [ %1986, %2007 ], [ %1986, %1981 ]
-  %2597 = phi i64 [ %458, %539 ], [ %1987, %2590 ], [ %1987, %2582 ], [ %1987, %2579 ], [ %1987, %2535 ], [ %1987, %2508 ], [ %1987, %2021 ], [ %1987, %2007 ], [ %1987, %1981 ]
-  %2598 = phi double [ %457, %539 ], [ %2586, %2590 ], [ %2586, %2582 ], [ %1991, %2579 ], [ %1991, %2535 ], [ %2532, %2508 ], [ %2024, %2021 ], [ %1991, %2007 ], [ %457, %1981 ]
-  %2599 = phi double [ %456, %539 ], [ %532, %2590 ], [ %532, %2582 ], [ %532, %2579 ], [ %456, %2535 ], [ %456, %2508 ], [ %456, %2021 ], [ %456, %2007 ], [ %456, %1981 ]
-  %2600 = phi i32 [ 1, %539 ], [ 1, %2590 ], [ 0, %2582 ], [ 1, %2579 ], [ 1, %2535 ], [ 3, %2508 ], [ 3, %2021 ], [ 3, %2007 ], [ 1, %1981 ]
-  %2601 = phi i64 [ 2, %539 ], [ 0, %2590 ], [ %455, %2582 ], [ %2581, %2579 ], [ %2503, %2535 ], [ %455, %2508 ], [ %455, %2021 ], [ %455, %2007 ], [ -4, %1981 ]
-  switch i32 %2600, label %2605 [
-    i32 0, label %2602
-    i32 3, label %2602
-  ]
-
-2602:                                             ; preds = %2591, %2591
-  %2603 = load i64, ptr %223, align 8
-  %2604 = icmp eq i64 %2603, 0
-  br i1 %2604, label %445, label %453, !llvm.loop !53
-
-2605:                                             ; preds = %2591, %322, %381, %445, %476, %484, %214
-  %2606 = phi double [ %215, %214 ], [ %446, %445 ], [ %463, %484 ], [ %463, %476 ], [ %215, %381 ], [ %215, %322 ], [ %2592, %2591 ]
-  %2607 = phi double [ %216, %214 ], [ %447, %445 ], [ %462, %484 ], [ %462, %476 ], [ %216, %381 ], [ %216, %322 ], [ %2593, %2591 ]
-  %2608 = phi double [ %217, %214 ], [ %448, %445 ], [ %461, %484 ], [ %461, %476 ], [ %217, %381 ], [ %217, %322 ], [ %2594, %2591 ]
-  %2609 = phi i64 [ %218, %214 ], [ %449, %445 ], [ %460, %484 ], [ %460, %476 ], [ %218, %381 ], [ %218, %322 ], [ %2595, %2591 ]
-  %2610 = phi i64 [ %219, %214 ], [ %450, %445 ], [ %459, %484 ], [ %459, %476 ], [ %219, %381 ], [ %219, %322 ], [ %2596, %2591 ]
-  %2611 = phi i64 [ %220, %214 ], [ %451, %445 ], [ %458, %484 ], [ %458, %476 ], [ %220, %381 ], [ %220, %322 ], [ %2597, %2591 ]
-  %2612 = phi i64 [ -1, %214 ], [ -1, %445 ], [ 1, %484 ], [ -5, %476 ], [ 0, %381 ], [ %325, %322 ], [ %2601, %2591 ]
-  %2613 = load ptr, ptr %213, align 8
-  %2614 = getelementptr inbounds i8, ptr %2613, i64 48
-  %2615 = load i64, ptr %2614, align 8
-  %2616 = icmp ne i64 %2612, -2
-  %2617 = icmp eq i64 %2615, 0
-  %2618 = select i1 %2616, i1 true, i1 %2617
-  br i1 %2618, label %2626, label %2619
-
-2619:                                             ; preds = %2605
-  %2620 = inttoptr i64 %2615 to ptr
-  %2621 = tail call i64 %2620(ptr noundef %0) #10
-  %2622 = icmp eq i64 %2621, 8
-  %2623 = select i1 %2622, i64 8, i64 %2612
-  %2624 = icmp eq i64 %2621, 1
-  %2625 = zext i1 %2624 to i32
-  br label %2626
-
-2626:                                             ; preds = %2605, %2619
-  %2627 = phi i64 [ %2612, %2605 ], [ %2623, %2619 ]
-  %2628 = phi i32 [ 0, %2605 ], [ %2625, %2619 ]
-  %2629 = icmp eq i32 %2628, 0
-  br i1 %2629, label %2630, label %214, !llvm.loop !65
-
-2630:                                             ; preds = %2626
-  %2631 = getelementptr inbounds i8, ptr %0, i64 320
-  %2632 = load i64, ptr %2631, align 8
-  %2633 = icmp sgt i64 %2632, 0
-  br i1 %2633, label %2634, label %2637
-
-2634:                                             ; preds = %2630
-  %2635 = getelementptr inbounds i8, ptr %0, i64 336
-  %2636 = load ptr, ptr %2635, align 8
-  store double 0x7FF0000000000000, ptr %2636, align 8
+  %366 = load ptr, ptr %84, align 8
+  %367 = load double, ptr %366, align 8
+  %368 = fcmp ugt double %365, %367
+  br i1 %368, label %383, label %369
+
+369:                                              ; preds = %362
+  br i1 %361, label %370, label %373
+
+370:                                              ; preds = %369
+  %371 = mul nsw i64 %363, %353
+  %372 = getelementptr double, ptr %1, i64 %371
+  br label %376
+
+373:                                              ; preds = %376, %369
+  %374 = add i64 %363, 1
+  %375 = icmp eq i64 %374, %354
+  br i1 %375, label %383, label %362, !llvm.loop !13
+
+376:                                              ; preds = %370, %376
+  %377 = phi i64 [ 0, %370 ], [ %381, %376 ]
+  %378 = getelementptr inbounds double, ptr %350, i64 %377
+  %379 = load double, ptr %378, align 8
+  %380 = getelementptr double, ptr %372, i64 %377
+  store double %379, ptr %380, align 8
+  %381 = add nuw nsw i64 %377, 1
+  %382 = icmp eq i64 %381, %353
+  br i1 %382, label %373, label %376, !llvm.loop !14
+
+383:                                              ; preds = %362, %373, %328
+  %384 = phi i64 [ %358, %328 ], [ %363, %362 ], [ %354, %373 ]
+  %385 = load ptr, ptr %85, align 8
+  %386 = getelementptr inbounds i8, ptr %385, i64 48
+  store i64 %384, ptr %386, align 8
+  %387 = icmp eq i64 %384, %354
+  br i1 %387, label %2651, label %388
+
+388:                                              ; preds = %383
+  %389 = fcmp oeq double %263, 0.000000e+00
+  br i1 %389, label %390, label %417
+
+390:                                              ; preds = %388
+  %391 = load ptr, ptr %81, align 8
+  %392 = getelementptr inbounds i8, ptr %391, i64 24
+  %393 = load i64, ptr %392, align 8
+  %394 = getelementptr inbounds i8, ptr %223, i64 16
+  %395 = load double, ptr %394, align 8
+  %396 = load ptr, ptr %82, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %11, ptr noundef %396, ptr noundef %396, ptr noundef nonnull %82, i64 noundef %393) #10
+  %397 = load double, ptr %11, align 8
+  %398 = load ptr, ptr %100, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %12, ptr noundef %398, ptr noundef %396, ptr noundef nonnull %82, i64 noundef %393) #10
+  %399 = load double, ptr %12, align 8
+  %400 = fcmp uge double %397, 1.000000e-05
+  %401 = fcmp uge double %399, 1.000000e-05
+  %402 = and i1 %400, %401
+  %403 = fmul double %397, 1.000000e-02
+  %404 = fdiv double %403, %399
+  %405 = select i1 %402, double %404, double 0x3EB0C6F7A0B5ED8D
+  %406 = fcmp olt double %395, %405
+  %407 = select i1 %406, double %395, double %405
+  %408 = tail call double @llvm.fabs.f64(double %261)
+  %409 = fmul double %408, 0x3D30000000000000
+  %410 = fcmp ogt double %409, %407
+  %411 = select i1 %410, double %409, double %407
+  %412 = fcmp olt double %395, %411
+  %413 = select i1 %412, double %395, double %411
+  %414 = tail call i1 @llvm.is.fpclass.f64(double %413, i32 639)
+  br i1 %414, label %415, label %417
+
+415:                                              ; preds = %390
+  %416 = getelementptr inbounds i8, ptr %224, i64 72
+  store i64 4, ptr %416, align 8
+  br label %417
+
+417:                                              ; preds = %390, %415, %388, %252
+  %418 = phi double [ %263, %388 ], [ %263, %252 ], [ %413, %415 ], [ %413, %390 ]
+  %419 = load i64, ptr %225, align 8
+  %420 = icmp eq i64 %419, 0
+  br i1 %420, label %447, label %421
+
+421:                                              ; preds = %417
+  %422 = getelementptr inbounds i8, ptr %224, i64 8
+  %423 = getelementptr inbounds i8, ptr %224, i64 16
+  %424 = getelementptr inbounds i8, ptr %224, i64 64
+  %425 = getelementptr inbounds i8, ptr %223, i64 16
+  %426 = fcmp ogt double %253, 0x3CB0000000000000
+  %427 = select i1 %426, double %253, double 0x3CB0000000000000
+  %428 = fdiv double 0x3CE4000000000000, %427
+  %429 = tail call double @llvm.sqrt.f64(double %253)
+  %430 = fcmp olt double %429, 3.000000e-02
+  %431 = select i1 %430, double %429, double 3.000000e-02
+  %432 = fcmp ogt double %431, %428
+  %433 = select i1 %432, double %431, double %428
+  %434 = fmul double %253, %433
+  %435 = fmul double %434, %434
+  %436 = getelementptr inbounds i8, ptr %224, i64 24
+  %437 = getelementptr inbounds i8, ptr %224, i64 32
+  %438 = getelementptr inbounds i8, ptr %224, i64 40
+  %439 = getelementptr inbounds i8, ptr %224, i64 72
+  %440 = getelementptr inbounds i8, ptr %223, i64 32
+  %441 = getelementptr inbounds i8, ptr %224, i64 48
+  %442 = icmp sgt i64 %231, 0
+  %443 = getelementptr inbounds i8, ptr %224, i64 72
+  %444 = getelementptr inbounds i8, ptr %224, i64 48
+  %445 = getelementptr inbounds i8, ptr %224, i64 72
+  %446 = getelementptr inbounds i8, ptr %224, i64 72
+  br label %455
+
+447:                                              ; preds = %2648, %417
+  %448 = phi double [ %217, %417 ], [ %2638, %2648 ]
+  %449 = phi double [ %218, %417 ], [ %2639, %2648 ]
+  %450 = phi double [ %219, %417 ], [ %2640, %2648 ]
+  %451 = phi i64 [ %220, %417 ], [ %2641, %2648 ]
+  %452 = phi i64 [ %221, %417 ], [ %2642, %2648 ]
+  %453 = phi i64 [ %222, %417 ], [ %2643, %2648 ]
+  %454 = phi double [ %418, %417 ], [ %2644, %2648 ]
+  store double %454, ptr %262, align 8
+  br label %2651
+
+455:                                              ; preds = %421, %2648
+  %456 = phi i64 [ %419, %421 ], [ %2649, %2648 ]
+  %457 = phi i64 [ undef, %421 ], [ %2647, %2648 ]
+  %458 = phi double [ %261, %421 ], [ %2645, %2648 ]
+  %459 = phi double [ %418, %421 ], [ %2644, %2648 ]
+  %460 = phi i64 [ %222, %421 ], [ %2643, %2648 ]
+  %461 = phi i64 [ %221, %421 ], [ %2642, %2648 ]
+  %462 = phi i64 [ %220, %421 ], [ %2641, %2648 ]
+  %463 = phi double [ %219, %421 ], [ %2640, %2648 ]
+  %464 = phi double [ %218, %421 ], [ %2639, %2648 ]
+  %465 = phi double [ %217, %421 ], [ %2638, %2648 ]
+  %466 = load ptr, ptr %101, align 8
+  %467 = getelementptr inbounds i8, ptr %466, i64 8
+  %468 = load i64, ptr %467, align 8
+  %469 = icmp sgt i64 %468, 0
+  br i1 %469, label %470, label %475
+
+470:                                              ; preds = %455
+  %471 = load i64, ptr %466, align 8
+  %472 = add nsw i64 %471, 3
+  %473 = icmp slt i64 %468, %472
+  %474 = zext i1 %473 to i32
+  br label %475
+
+475:                                              ; preds = %455, %470
+  %476 = phi i32 [ 0, %455 ], [ %474, %470 ]
+  %477 = icmp eq i32 %476, 0
+  br i1 %477, label %479, label %478
+
+478:                                              ; preds = %475
+  store double %459, ptr %262, align 8
+  br label %2651
+
+479:                                              ; preds = %475
+  %480 = add nsw i64 %456, -1
+  store i64 %480, ptr %225, align 8
+  %481 = load i64, ptr %422, align 8
+  %482 = load i64, ptr %423, align 8
+  %483 = add nsw i64 %482, %481
+  %484 = load i64, ptr %424, align 8
+  %485 = icmp slt i64 %483, %484
+  br i1 %485, label %487, label %486
+
+486:                                              ; preds = %479
+  store double %459, ptr %262, align 8
+  br label %2651
+
+487:                                              ; preds = %479
+  %488 = load i64, ptr %102, align 8
+  %489 = icmp eq i64 %488, 0
+  br i1 %489, label %523, label %490
+
+490:                                              ; preds = %487
+  %491 = icmp sgt i64 %488, 0
+  br i1 %491, label %492, label %507
+
+492:                                              ; preds = %490
+  %493 = load ptr, ptr %103, align 8
+  br label %494
+
+494:                                              ; preds = %492, %494
+  %495 = phi i64 [ 0, %492 ], [ %505, %494 ]
+  %496 = phi i64 [ %488, %492 ], [ %504, %494 ]
+  %497 = add nuw nsw i64 %495, %496
+  %498 = lshr i64 %497, 1
+  %499 = mul i64 %498, 24
+  %500 = getelementptr inbounds i8, ptr %493, i64 %499
+  %501 = load double, ptr %500, align 8
+  %502 = fcmp ogt double %501, %458
+  %503 = add nuw nsw i64 %498, 1
+  %504 = select i1 %502, i64 %498, i64 %496
+  %505 = select i1 %502, i64 %495, i64 %503
+  %506 = icmp slt i64 %505, %504
+  br i1 %506, label %494, label %507, !llvm.loop !12
+
+507:                                              ; preds = %494, %490
+  %508 = phi i64 [ 0, %490 ], [ %505, %494 ]
+  %509 = load ptr, ptr %103, align 8
+  %510 = mul i64 %508, 24
+  %511 = getelementptr inbounds i8, ptr %509, i64 %510
+  %512 = icmp slt i64 %508, %488
+  br i1 %512, label %513, label %516
+
+513:                                              ; preds = %507
+  %514 = getelementptr inbounds i8, ptr %511, i64 8
+  %515 = load double, ptr %514, align 8
+  br label %516
+
+516:                                              ; preds = %513, %507
+  %517 = phi double [ %515, %513 ], [ 0x7FF0000000000000, %507 ]
+  %518 = load ptr, ptr %104, align 8
+  store double %517, ptr %518, align 8
+  %519 = load i64, ptr %102, align 8
+  %520 = icmp slt i64 %508, %519
+  br i1 %520, label %521, label %523
+
+521:                                              ; preds = %516
+  %522 = load double, ptr %511, align 8
+  br label %523
+
+523:                                              ; preds = %487, %516, %521
+  %524 = phi double [ 0x7FF0000000000000, %487 ], [ %522, %521 ], [ 0x7FF0000000000000, %516 ]
+  %525 = fcmp olt double %236, %524
+  %526 = select i1 %525, double %236, double %524
+  %527 = load double, ptr %425, align 8
+  %528 = fcmp olt double %459, %527
+  %529 = select i1 %528, double %459, double %527
+  %530 = fadd double %458, %529
+  %531 = fmul double %529, 1.000000e-03
+  %532 = fsub double %526, %531
+  %533 = fcmp ule double %530, %532
+  %534 = select i1 %533, double %530, double %526
+  %535 = fsub double %534, %458
+  %536 = fmul double %535, 6.250000e-02
+  %537 = fadd double %458, %536
+  %538 = fcmp ule double %537, %458
+  %539 = fcmp une double %534, %526
+  %540 = and i1 %539, %538
+  br i1 %540, label %541, label %542
+
+541:                                              ; preds = %523
+  store double %535, ptr %262, align 8
   br label %2637
 
-2637:                                             ; preds = %2630, %2634
-  ret i64 %2627
+542:                                              ; preds = %523
+  %543 = load ptr, ptr %81, align 8, !noalias !15
+  %544 = getelementptr inbounds i8, ptr %543, i64 8
+  %545 = load i64, ptr %544, align 8, !noalias !15
+  %546 = load ptr, ptr %83, align 8, !noalias !15
+  %547 = getelementptr inbounds i8, ptr %546, i64 8
+  %548 = load i64, ptr %547, align 8, !noalias !15
+  %549 = and i64 %548, 1
+  %550 = getelementptr inbounds i8, ptr %546, i64 32
+  %551 = load i64, ptr %550, align 8, !noalias !15
+  %552 = and i64 %551, 1
+  %553 = icmp eq i64 %549, 0
+  br i1 %553, label %685, label %554
+
+554:                                              ; preds = %542
+  %555 = load ptr, ptr %106, align 8, !noalias !15
+  %556 = load i64, ptr %546, align 8, !noalias !15
+  %557 = icmp eq i64 %556, 0
+  br i1 %557, label %558, label %560
+
+558:                                              ; preds = %554
+  %559 = icmp sgt i64 %545, 0
+  br i1 %559, label %584, label %582
+
+560:                                              ; preds = %554
+  %561 = load ptr, ptr %107, align 8, !noalias !15
+  store double %458, ptr %561, align 8, !noalias !15
+  %562 = load ptr, ptr %81, align 8, !noalias !15
+  %563 = getelementptr inbounds i8, ptr %562, i64 40
+  %564 = load i64, ptr %563, align 8, !noalias !15
+  %565 = icmp eq i64 %564, 0
+  br i1 %565, label %567, label %566
+
+566:                                              ; preds = %560
+  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !15
+  br label %567
+
+567:                                              ; preds = %566, %560
+  %568 = load i64, ptr %108, align 8, !noalias !15
+  %569 = icmp sgt i64 %568, 0
+  br i1 %569, label %570, label %571
+
+570:                                              ; preds = %567
+  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !15
+  br label %571
+
+571:                                              ; preds = %570, %567
+  %572 = load ptr, ptr %83, align 8, !noalias !15
+  %573 = load i64, ptr %572, align 8, !noalias !15
+  %574 = load ptr, ptr %107, align 8, !noalias !15
+  %575 = load ptr, ptr %82, align 8, !noalias !15
+  %576 = load ptr, ptr %109, align 8, !noalias !15
+  %577 = load ptr, ptr %110, align 8, !noalias !15
+  %578 = inttoptr i64 %573 to ptr
+  %579 = load ptr, ptr %578, align 8, !noalias !15
+  %580 = tail call i32 %579(ptr noundef %574, ptr noundef %575, ptr noundef %576, ptr noundef %577, ptr noundef %555) #11, !noalias !15
+  %581 = sext i32 %580 to i64
+  br label %656
+
+582:                                              ; preds = %584, %558
+  %583 = icmp sgt i64 %545, 0
+  br i1 %583, label %596, label %656
+
+584:                                              ; preds = %558, %584
+  %585 = phi i64 [ %591, %584 ], [ 0, %558 ]
+  %586 = load ptr, ptr %82, align 8, !noalias !15
+  %587 = getelementptr inbounds double, ptr %586, i64 %585
+  %588 = load double, ptr %587, align 8, !noalias !15
+  %589 = load ptr, ptr %111, align 8, !noalias !15
+  %590 = getelementptr inbounds double, ptr %589, i64 %585
+  store double %588, ptr %590, align 8, !noalias !15
+  %591 = add nuw nsw i64 %585, 1
+  %592 = icmp eq i64 %591, %545
+  br i1 %592, label %582, label %584, !llvm.loop !18
+
+593:                                              ; preds = %654
+  %594 = add nuw nsw i64 %598, 1
+  %595 = icmp eq i64 %594, %545
+  br i1 %595, label %656, label %596, !llvm.loop !19
+
+596:                                              ; preds = %582, %593
+  %597 = phi i64 [ %655, %593 ], [ undef, %582 ]
+  %598 = phi i64 [ %594, %593 ], [ 0, %582 ]
+  %599 = phi double [ %610, %593 ], [ 0.000000e+00, %582 ]
+  %600 = load ptr, ptr %82, align 8, !noalias !15
+  %601 = getelementptr inbounds double, ptr %600, i64 %598
+  %602 = load double, ptr %601, align 8, !noalias !15
+  %603 = tail call double @llvm.fabs.f64(double %602)
+  %604 = fcmp olt double %603, 1.000000e-05
+  %605 = select i1 %604, double 1.000000e-05, double %603
+  %606 = fmul double %605, 1.500000e-08
+  %607 = fadd double %602, %606
+  %608 = load ptr, ptr %112, align 8, !noalias !15
+  %609 = getelementptr inbounds double, ptr %608, i64 %598
+  store double %607, ptr %609, align 8, !noalias !15
+  %610 = fadd double %599, 1.000000e+00
+  %611 = load ptr, ptr %112, align 8, !noalias !15
+  %612 = load ptr, ptr %113, align 8, !noalias !15
+  %613 = load ptr, ptr %114, align 8, !noalias !15
+  store double %458, ptr %613, align 8, !noalias !15
+  %614 = load ptr, ptr %81, align 8, !noalias !15
+  %615 = getelementptr inbounds i8, ptr %614, i64 40
+  %616 = load i64, ptr %615, align 8, !noalias !15
+  %617 = icmp eq i64 %616, 0
+  br i1 %617, label %619, label %618
+
+618:                                              ; preds = %596
+  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !15
+  br label %619
+
+619:                                              ; preds = %618, %596
+  %620 = load i64, ptr %115, align 8, !noalias !15
+  %621 = icmp sgt i64 %620, 0
+  br i1 %621, label %622, label %623
+
+622:                                              ; preds = %619
+  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !15
+  br label %623
+
+623:                                              ; preds = %622, %619
+  %624 = load ptr, ptr %81, align 8, !noalias !15
+  %625 = load i64, ptr %624, align 8, !noalias !15
+  %626 = load ptr, ptr %114, align 8, !noalias !15
+  %627 = load ptr, ptr %116, align 8, !noalias !15
+  %628 = load ptr, ptr %117, align 8, !noalias !15
+  %629 = inttoptr i64 %625 to ptr
+  %630 = load ptr, ptr %629, align 8, !noalias !15
+  %631 = tail call i32 %630(ptr noundef %626, ptr noundef %611, ptr noundef %627, ptr noundef %628, ptr noundef %612) #11, !noalias !15
+  %632 = sext i32 %631 to i64
+  %633 = icmp eq i32 %631, 0
+  br i1 %633, label %634, label %654
+
+634:                                              ; preds = %623
+  %635 = getelementptr double, ptr %555, i64 %598
+  %636 = fsub double %607, %602
+  br label %640
+
+637:                                              ; preds = %640
+  %638 = load ptr, ptr %112, align 8, !noalias !15
+  %639 = getelementptr inbounds double, ptr %638, i64 %598
+  store double %602, ptr %639, align 8, !noalias !15
+  br label %654
+
+640:                                              ; preds = %634, %640
+  %641 = phi i64 [ 0, %634 ], [ %652, %640 ]
+  %642 = load ptr, ptr %113, align 8, !noalias !15
+  %643 = getelementptr inbounds double, ptr %642, i64 %641
+  %644 = load double, ptr %643, align 8, !noalias !15
+  %645 = load ptr, ptr %118, align 8, !noalias !15
+  %646 = getelementptr inbounds double, ptr %645, i64 %641
+  %647 = load double, ptr %646, align 8, !noalias !15
+  %648 = fsub double %644, %647
+  %649 = fdiv double %648, %636
+  %650 = mul nuw nsw i64 %641, %545
+  %651 = getelementptr double, ptr %635, i64 %650
+  store double %649, ptr %651, align 8, !noalias !15
+  %652 = add nuw nsw i64 %641, 1
+  %653 = icmp eq i64 %652, %545
+  br i1 %653, label %637, label %640, !llvm.loop !20
+
+654:                                              ; preds = %637, %623
+  %655 = phi i64 [ %597, %637 ], [ %632, %623 ]
+  br i1 %633, label %593, label %656
+
+656:                                              ; preds = %654, %593, %582, %571
+  %657 = phi double [ 0.000000e+00, %571 ], [ 0.000000e+00, %582 ], [ %610, %593 ], [ %610, %654 ]
+  %658 = phi i64 [ %581, %571 ], [ 0, %582 ], [ %655, %654 ], [ 0, %593 ]
+  %659 = load i64, ptr %119, align 8, !noalias !15
+  %660 = icmp sgt i64 %659, 0
+  br i1 %660, label %661, label %674
+
+661:                                              ; preds = %656, %661
+  %662 = phi i64 [ %671, %661 ], [ 0, %656 ]
+  %663 = load ptr, ptr %106, align 8, !noalias !15
+  %664 = getelementptr inbounds double, ptr %663, i64 %662
+  %665 = load double, ptr %664, align 8, !noalias !15
+  %666 = tail call double @llvm.fabs.f64(double %665)
+  %667 = fcmp ueq double %666, 0x7FF0000000000000
+  %668 = select i1 %667, double 0.000000e+00, double %665
+  %669 = load ptr, ptr %105, align 8, !noalias !15
+  %670 = getelementptr inbounds double, ptr %669, i64 %662
+  store double %668, ptr %670, align 8, !noalias !15
+  %671 = add nuw nsw i64 %662, 1
+  %672 = load i64, ptr %119, align 8, !noalias !15
+  %673 = icmp slt i64 %671, %672
+  br i1 %673, label %661, label %674, !llvm.loop !21
+
+674:                                              ; preds = %661, %656
+  %675 = icmp slt i64 %658, 0
+  br i1 %675, label %1985, label %676
+
+676:                                              ; preds = %674
+  %677 = load i64, ptr %547, align 8, !noalias !15
+  %678 = and i64 %677, -2
+  store i64 %678, ptr %547, align 8, !noalias !15
+  %679 = getelementptr inbounds i8, ptr %546, i64 16
+  %680 = load i64, ptr %679, align 8, !noalias !15
+  %681 = or i64 %680, 1
+  store i64 %681, ptr %679, align 8, !noalias !15
+  %682 = getelementptr inbounds i8, ptr %546, i64 24
+  %683 = load i64, ptr %682, align 8, !noalias !15
+  %684 = and i64 %683, -2
+  store i64 %684, ptr %682, align 8, !noalias !15
+  br label %685
+
+685:                                              ; preds = %676, %542
+  %686 = phi double [ 0.000000e+00, %542 ], [ %657, %676 ]
+  %687 = load ptr, ptr %83, align 8, !noalias !15
+  %688 = load ptr, ptr %120, align 8, !noalias !15
+  %689 = load double, ptr %688, align 8, !noalias !15
+  %690 = fsub double %535, %689
+  %691 = tail call double @llvm.fabs.f64(double %690)
+  %692 = tail call double @llvm.fabs.f64(double %534)
+  %693 = fmul double %692, 0x3CB0000000000000
+  %694 = fcmp ogt double %691, %693
+  %695 = getelementptr inbounds i8, ptr %687, i64 24
+  %696 = load i64, ptr %695, align 8, !noalias !15
+  %697 = trunc i64 %696 to i1
+  %698 = xor i1 %697, true
+  %699 = or i1 %694, %698
+  %700 = zext i1 %699 to i64
+  br i1 %699, label %701, label %761
+
+701:                                              ; preds = %685
+  store double %535, ptr %688, align 8, !noalias !15
+  %702 = load i64, ptr %121, align 8, !noalias !15
+  %703 = load ptr, ptr %122, align 8, !noalias !15
+  %704 = load ptr, ptr %123, align 8, !noalias !15
+  %705 = icmp sgt i64 %702, 0
+  br i1 %705, label %706, label %736
+
+706:                                              ; preds = %701
+  %707 = fdiv double 0x400D1A48D83E731D, %535
+  %708 = fdiv double 0x400572DB93E0C672, %535
+  %709 = fdiv double 0xC0086747F2C3FCB6, %535
+  br label %710
+
+710:                                              ; preds = %706, %713
+  %711 = phi i64 [ 0, %706 ], [ %714, %713 ]
+  %712 = mul nuw nsw i64 %711, %702
+  br label %716
+
+713:                                              ; preds = %716
+  %714 = add nuw nsw i64 %711, 1
+  %715 = icmp eq i64 %714, %702
+  br i1 %715, label %736, label %710, !llvm.loop !22
+
+716:                                              ; preds = %710, %716
+  %717 = phi i64 [ 0, %710 ], [ %734, %716 ]
+  %718 = load ptr, ptr %124, align 8, !noalias !15
+  %719 = add nuw nsw i64 %717, %712
+  %720 = getelementptr inbounds double, ptr %718, i64 %719
+  %721 = load double, ptr %720, align 8, !noalias !15
+  %722 = fneg double %721
+  %723 = icmp eq i64 %711, %717
+  %724 = fsub double %707, %721
+  %725 = select i1 %723, double %724, double %722
+  %726 = fsub double %708, %721
+  %727 = select i1 %723, double %726, double %722
+  %728 = getelementptr inbounds double, ptr %703, i64 %719
+  store double %725, ptr %728, align 8, !noalias !15
+  %729 = select i1 %723, double %709, double 0.000000e+00
+  %730 = shl nuw nsw i64 %719, 1
+  %731 = getelementptr inbounds double, ptr %704, i64 %730
+  store double %727, ptr %731, align 8, !noalias !15
+  %732 = or disjoint i64 %730, 1
+  %733 = getelementptr inbounds double, ptr %704, i64 %732
+  store double %729, ptr %733, align 8, !noalias !15
+  %734 = add nuw nsw i64 %717, 1
+  %735 = icmp eq i64 %734, %702
+  br i1 %735, label %713, label %716, !llvm.loop !23
+
+736:                                              ; preds = %713, %701
+  %737 = load ptr, ptr %125, align 8, !noalias !15
+  %738 = tail call fastcc i64 @real_factorise(ptr noundef %703, i64 noundef %702, ptr noundef %737) #10, !noalias !15
+  %739 = load ptr, ptr %126, align 8, !noalias !15
+  %740 = tail call fastcc i64 @pair_factorise(ptr noundef %704, i64 noundef %702, ptr noundef %739) #10, !noalias !15
+  %741 = or i64 %740, %738
+  %742 = and i64 %741, %700
+  %743 = load i64, ptr %695, align 8, !noalias !15
+  %744 = or i64 %743, %700
+  %745 = xor i64 %742, -1
+  %746 = xor i64 %742, %744
+  store i64 %746, ptr %695, align 8, !noalias !15
+  %747 = icmp eq i64 %742, 0
+  %748 = select i1 %747, double 2.000000e+00, double 4.000000e+00
+  %749 = fmul double %535, 5.000000e-01
+  %750 = select i1 %747, double %459, double %749
+  %751 = load ptr, ptr %83, align 8, !noalias !15
+  %752 = getelementptr inbounds i8, ptr %751, i64 8
+  %753 = load i64, ptr %752, align 8, !noalias !15
+  %754 = and i64 %753, %745
+  %755 = getelementptr inbounds i8, ptr %751, i64 16
+  %756 = load i64, ptr %755, align 8, !noalias !15
+  %757 = xor i64 %756, -1
+  %758 = and i64 %742, %757
+  %759 = or disjoint i64 %758, %754
+  store i64 %759, ptr %752, align 8, !noalias !15
+  %760 = and i64 %745, 1
+  br label %761
+
+761:                                              ; preds = %685, %736
+  %762 = phi double [ %459, %685 ], [ %750, %736 ]
+  %763 = phi double [ 2.000000e+00, %685 ], [ %748, %736 ]
+  %764 = phi i64 [ 1, %685 ], [ %760, %736 ]
+  %765 = icmp eq i64 %764, 0
+  br i1 %765, label %1985, label %766
+
+766:                                              ; preds = %761
+  %767 = load ptr, ptr %120, align 8, !noalias !15
+  %768 = getelementptr inbounds i8, ptr %767, i64 8
+  %769 = load double, ptr %768, align 8, !noalias !15
+  %770 = load ptr, ptr %81, align 8, !noalias !15
+  %771 = getelementptr inbounds i8, ptr %770, i64 8
+  %772 = load i64, ptr %771, align 8, !noalias !15
+  %773 = load ptr, ptr %127, align 8, !noalias !15
+  %774 = load ptr, ptr %82, align 8, !noalias !15
+  %775 = load ptr, ptr %128, align 8, !noalias !15
+  %776 = load ptr, ptr %129, align 8, !noalias !15
+  %777 = fcmp ule double %769, 0.000000e+00
+  %778 = icmp sgt i64 %772, 0
+  %779 = shl i64 %772, 4
+  %780 = getelementptr i8, ptr %773, i64 %779
+  %781 = mul i64 %772, 24
+  %782 = getelementptr i8, ptr %773, i64 %781
+  %783 = getelementptr double, ptr %773, i64 %772
+  br label %789
+
+784:                                              ; preds = %800
+  %785 = icmp sgt i64 %772, 0
+  %786 = getelementptr double, ptr %775, i64 %772
+  %787 = shl i64 %772, 4
+  %788 = getelementptr i8, ptr %775, i64 %787
+  br label %826
+
+789:                                              ; preds = %766, %800
+  %790 = phi i64 [ 0, %766 ], [ %801, %800 ]
+  %791 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %790
+  %792 = load double, ptr %791, align 8, !noalias !15
+  %793 = fmul double %535, %792
+  %794 = fdiv double %793, %769
+  %795 = fadd double %794, 1.000000e+00
+  br i1 %778, label %796, label %800
+
+796:                                              ; preds = %789
+  %797 = fsub double 1.000000e+00, %795
+  %798 = mul nuw nsw i64 %772, %790
+  %799 = getelementptr double, ptr %775, i64 %798
+  br label %803
+
+800:                                              ; preds = %803, %789
+  %801 = add nuw nsw i64 %790, 1
+  %802 = icmp eq i64 %801, 3
+  br i1 %802, label %784, label %789, !llvm.loop !24
+
+803:                                              ; preds = %796, %803
+  %804 = phi i64 [ 0, %796 ], [ %824, %803 ]
+  %805 = getelementptr double, ptr %780, i64 %804
+  %806 = load double, ptr %805, align 8, !noalias !15
+  %807 = getelementptr double, ptr %782, i64 %804
+  %808 = load double, ptr %807, align 8, !noalias !15
+  %809 = fmul double %795, %808
+  %810 = fadd double %806, %809
+  %811 = fmul double %797, %810
+  %812 = getelementptr inbounds double, ptr %773, i64 %804
+  %813 = load double, ptr %812, align 8, !noalias !15
+  %814 = getelementptr double, ptr %783, i64 %804
+  %815 = load double, ptr %814, align 8, !noalias !15
+  %816 = fadd double %815, %811
+  %817 = fmul double %795, %816
+  %818 = fadd double %813, %817
+  %819 = getelementptr inbounds double, ptr %774, i64 %804
+  %820 = load double, ptr %819, align 8, !noalias !15
+  %821 = fsub double %818, %820
+  %822 = select i1 %777, double 0.000000e+00, double %821
+  %823 = getelementptr double, ptr %799, i64 %804
+  store double %822, ptr %823, align 8, !noalias !15
+  %824 = add nuw nsw i64 %804, 1
+  %825 = icmp eq i64 %824, %772
+  br i1 %825, label %800, label %803, !llvm.loop !25
+
+826:                                              ; preds = %784, %837
+  %827 = phi i64 [ 0, %784 ], [ %838, %837 ]
+  br i1 %785, label %828, label %837
+
+828:                                              ; preds = %826
+  %829 = mul nuw nsw i64 %772, %827
+  %830 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %827
+  %831 = load double, ptr %830, align 8, !noalias !15
+  %832 = getelementptr inbounds i8, ptr %830, i64 8
+  %833 = load double, ptr %832, align 8, !noalias !15
+  %834 = getelementptr inbounds i8, ptr %830, i64 16
+  %835 = load double, ptr %834, align 8, !noalias !15
+  %836 = getelementptr double, ptr %776, i64 %829
+  br label %840
+
+837:                                              ; preds = %840, %826
+  %838 = add nuw nsw i64 %827, 1
+  %839 = icmp eq i64 %838, 3
+  br i1 %839, label %856, label %826, !llvm.loop !26
+
+840:                                              ; preds = %828, %840
+  %841 = phi i64 [ 0, %828 ], [ %854, %840 ]
+  %842 = getelementptr inbounds double, ptr %775, i64 %841
+  %843 = load double, ptr %842, align 8, !noalias !15
+  %844 = fmul double %831, %843
+  %845 = getelementptr double, ptr %786, i64 %841
+  %846 = load double, ptr %845, align 8, !noalias !15
+  %847 = fmul double %833, %846
+  %848 = fadd double %844, %847
+  %849 = getelementptr double, ptr %788, i64 %841
+  %850 = load double, ptr %849, align 8, !noalias !15
+  %851 = fmul double %835, %850
+  %852 = fadd double %848, %851
+  %853 = getelementptr double, ptr %836, i64 %841
+  store double %852, ptr %853, align 8, !noalias !15
+  %854 = add nuw nsw i64 %841, 1
+  %855 = icmp eq i64 %854, %772
+  br i1 %855, label %837, label %840, !llvm.loop !27
+
+856:                                              ; preds = %837
+  %857 = load ptr, ptr %83, align 8, !noalias !28
+  %858 = getelementptr inbounds i8, ptr %857, i64 40
+  %859 = load i64, ptr %858, align 8, !noalias !28
+  %860 = icmp sgt i64 %859, 0
+  %861 = select i1 %860, i64 10, i64 6
+  %862 = fdiv double 0x400572DB93E0C672, %535
+  %863 = fdiv double 0xC0086747F2C3FCB6, %535
+  %864 = fdiv double 0x400D1A48D83E731D, %535
+  %865 = fneg double %863
+  br label %869
+
+866:                                              ; preds = %1332
+  %867 = add nuw nsw i64 %873, 1
+  %868 = icmp eq i64 %867, %861
+  br i1 %868, label %1347, label %869, !llvm.loop !31
+
+869:                                              ; preds = %856, %866
+  %870 = phi double [ -1.000000e+00, %856 ], [ %1345, %866 ]
+  %871 = phi i64 [ %764, %856 ], [ %1344, %866 ]
+  %872 = phi i64 [ 0, %856 ], [ %1343, %866 ]
+  %873 = phi i64 [ 0, %856 ], [ %867, %866 ]
+  %874 = phi i64 [ 0, %856 ], [ %1341, %866 ]
+  %875 = phi i64 [ 0, %856 ], [ %963, %866 ]
+  %876 = phi i64 [ 0, %856 ], [ %962, %866 ]
+  %877 = phi double [ 0.000000e+00, %856 ], [ %1340, %866 ]
+  %878 = phi double [ 0.000000e+00, %856 ], [ %1339, %866 ]
+  %879 = phi double [ 0.000000e+00, %856 ], [ %961, %866 ]
+  %880 = phi i64 [ %460, %856 ], [ %1338, %866 ]
+  %881 = phi i64 [ %461, %856 ], [ %1337, %866 ]
+  %882 = phi i64 [ %462, %856 ], [ %1336, %866 ]
+  %883 = phi double [ %463, %856 ], [ %1335, %866 ]
+  %884 = phi double [ %464, %856 ], [ %1334, %866 ]
+  %885 = phi double [ %465, %856 ], [ %1333, %866 ]
+  %886 = icmp ugt i64 %873, 5
+  %887 = select i1 %886, i64 %874, i64 -1
+  %888 = and i64 %871, %887
+  %889 = load ptr, ptr %81, align 8, !noalias !28
+  %890 = getelementptr inbounds i8, ptr %889, i64 8
+  %891 = load i64, ptr %890, align 8, !noalias !28
+  %892 = load ptr, ptr %128, align 8, !noalias !28
+  %893 = icmp eq i64 %888, 0
+  br i1 %893, label %960, label %894
+
+894:                                              ; preds = %869
+  %895 = icmp sgt i64 %891, 0
+  br label %896
+
+896:                                              ; preds = %894, %928
+  %897 = phi i64 [ %888, %894 ], [ %943, %928 ]
+  %898 = phi i64 [ 0, %894 ], [ %944, %928 ]
+  %899 = phi i64 [ %875, %894 ], [ %941, %928 ]
+  %900 = phi i64 [ %876, %894 ], [ %939, %928 ]
+  %901 = phi double [ %879, %894 ], [ %909, %928 ]
+  br i1 %895, label %902, label %905
+
+902:                                              ; preds = %896
+  %903 = mul nuw nsw i64 %898, %891
+  %904 = getelementptr double, ptr %892, i64 %903
+  br label %948
+
+905:                                              ; preds = %948, %896
+  %906 = and i64 %897, 4294967295
+  %907 = icmp eq i64 %906, 0
+  %908 = select i1 %907, double 0.000000e+00, double 1.000000e+00
+  %909 = fadd double %901, %908
+  %910 = load ptr, ptr %131, align 8, !noalias !28
+  %911 = mul nsw i64 %898, %891
+  %912 = getelementptr inbounds double, ptr %910, i64 %911
+  %913 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %898
+  %914 = load double, ptr %913, align 8, !noalias !28
+  %915 = fmul double %535, %914
+  %916 = fadd double %458, %915
+  %917 = load ptr, ptr %132, align 8, !noalias !28
+  %918 = load ptr, ptr %133, align 8, !noalias !28
+  store double %916, ptr %918, align 8, !noalias !28
+  %919 = load ptr, ptr %81, align 8, !noalias !28
+  %920 = getelementptr inbounds i8, ptr %919, i64 40
+  %921 = load i64, ptr %920, align 8, !noalias !28
+  %922 = icmp eq i64 %921, 0
+  br i1 %922, label %924, label %923
+
+923:                                              ; preds = %905
+  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !28
+  br label %924
+
+924:                                              ; preds = %923, %905
+  %925 = load i64, ptr %134, align 8, !noalias !28
+  %926 = icmp sgt i64 %925, 0
+  br i1 %926, label %927, label %928
+
+927:                                              ; preds = %924
+  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !28
+  br label %928
+
+928:                                              ; preds = %927, %924
+  %929 = load ptr, ptr %81, align 8, !noalias !28
+  %930 = load i64, ptr %929, align 8, !noalias !28
+  %931 = load ptr, ptr %133, align 8, !noalias !28
+  %932 = load ptr, ptr %135, align 8, !noalias !28
+  %933 = load ptr, ptr %136, align 8, !noalias !28
+  %934 = inttoptr i64 %930 to ptr
+  %935 = load ptr, ptr %934, align 8, !noalias !28
+  %936 = tail call i32 %935(ptr noundef %931, ptr noundef %917, ptr noundef %932, ptr noundef %933, ptr noundef %912) #11, !noalias !28
+  %937 = sext i32 %936 to i64
+  %938 = icmp slt i32 %936, 0
+  %939 = select i1 %938, i64 %937, i64 %900
+  %940 = and i64 %897, %937
+  %941 = or i64 %940, %899
+  %942 = xor i64 %937, -1
+  %943 = and i64 %897, %942
+  %944 = add nuw nsw i64 %898, 1
+  %945 = icmp ult i64 %898, 2
+  %946 = icmp ne i64 %943, 0
+  %947 = select i1 %945, i1 %946, i1 false
+  br i1 %947, label %896, label %960, !llvm.loop !32
+
+948:                                              ; preds = %902, %948
+  %949 = phi i64 [ 0, %902 ], [ %958, %948 ]
+  %950 = load ptr, ptr %130, align 8, !noalias !28
+  %951 = load ptr, ptr %82, align 8, !noalias !28
+  %952 = getelementptr inbounds double, ptr %951, i64 %949
+  %953 = load double, ptr %952, align 8, !noalias !28
+  %954 = getelementptr double, ptr %904, i64 %949
+  %955 = load double, ptr %954, align 8, !noalias !28
+  %956 = fadd double %953, %955
+  %957 = getelementptr inbounds double, ptr %950, i64 %949
+  store double %956, ptr %957, align 8, !noalias !28
+  %958 = add nuw nsw i64 %949, 1
+  %959 = icmp eq i64 %958, %891
+  br i1 %959, label %905, label %948, !llvm.loop !33
+
+960:                                              ; preds = %928, %869
+  %961 = phi double [ %879, %869 ], [ %909, %928 ]
+  %962 = phi i64 [ %876, %869 ], [ %939, %928 ]
+  %963 = phi i64 [ %875, %869 ], [ %941, %928 ]
+  %964 = phi i64 [ %888, %869 ], [ %943, %928 ]
+  %965 = icmp eq i64 %964, 0
+  br i1 %965, label %966, label %970
+
+966:                                              ; preds = %960
+  %967 = or i64 %888, %872
+  %968 = xor i64 %967, -1
+  %969 = and i64 %874, %968
+  br label %1332
+
+970:                                              ; preds = %960
+  %971 = load ptr, ptr %81, align 8, !noalias !28
+  %972 = getelementptr inbounds i8, ptr %971, i64 8
+  %973 = load i64, ptr %972, align 8, !noalias !28
+  %974 = getelementptr inbounds i8, ptr %971, i64 24
+  %975 = load i64, ptr %974, align 8, !noalias !28
+  %976 = load ptr, ptr %137, align 8, !noalias !28
+  %977 = load ptr, ptr %129, align 8, !noalias !28
+  %978 = icmp sgt i64 %973, 0
+  br i1 %978, label %979, label %1061
+
+979:                                              ; preds = %970
+  %980 = shl nuw nsw i64 %973, 1
+  br label %981
+
+981:                                              ; preds = %979, %1057
+  %982 = phi i32 [ 1, %979 ], [ %997, %1057 ]
+  %983 = phi i64 [ 0, %979 ], [ %1059, %1057 ]
+  %984 = phi double [ 0.000000e+00, %979 ], [ %1058, %1057 ]
+  %985 = getelementptr inbounds double, ptr %976, i64 %983
+  %986 = load double, ptr %985, align 8, !noalias !28
+  %987 = add nuw nsw i64 %983, %973
+  %988 = getelementptr inbounds double, ptr %976, i64 %987
+  %989 = load double, ptr %988, align 8, !noalias !28
+  %990 = fadd double %986, %989
+  %991 = add nuw nsw i64 %983, %980
+  %992 = getelementptr inbounds double, ptr %976, i64 %991
+  %993 = load double, ptr %992, align 8, !noalias !28
+  %994 = fadd double %990, %993
+  %995 = tail call double @llvm.fabs.f64(double %994)
+  %996 = fcmp one double %995, 0x7FF0000000000000
+  %997 = select i1 %996, i32 %982, i32 0
+  %998 = getelementptr inbounds double, ptr %977, i64 %987
+  %999 = load double, ptr %998, align 8, !noalias !28
+  %1000 = getelementptr inbounds double, ptr %977, i64 %991
+  %1001 = load double, ptr %1000, align 8, !noalias !28
+  %1002 = fmul double %986, 0xC010B70201A79C46
+  %1003 = fmul double %989, 0x3FD4F8C15DA84E86
+  %1004 = fsub double %1002, %1003
+  %1005 = fmul double %993, 0x3FDE810014C55221
+  %1006 = fadd double %1004, %1005
+  %1007 = fmul double %986, 0x3FE017885A24A7F2
+  %1008 = fmul double %989, 0x4004934E6FCAA598
+  %1009 = fsub double %1007, %1008
+  %1010 = fmul double %993, 0x3FE312C0CF7BDFD1
+  %1011 = fadd double %1009, %1010
+  %1012 = fmul double %986, 0x4010B70201A79C46
+  %1013 = fmul double %989, 0x3FD4F8C15DA84E86
+  %1014 = fadd double %1012, %1013
+  %1015 = fmul double %993, 0x3FE0BF7FF59D56EF
+  %1016 = fadd double %1014, %1015
+  %1017 = getelementptr inbounds double, ptr %977, i64 %983
+  %1018 = load double, ptr %1017, align 8, !noalias !28
+  %1019 = fmul double %864, %1018
+  %1020 = fsub double %1016, %1019
+  %1021 = fmul double %1001, %865
+  %1022 = tail call double @llvm.fma.f64(double %862, double %999, double %1021)
+  %1023 = fmul double %863, %999
+  %1024 = tail call double @llvm.fma.f64(double %862, double %1001, double %1023)
+  %1025 = fsub double %1006, %1022
+  %1026 = fsub double %1011, %1024
+  %1027 = load ptr, ptr %138, align 8, !noalias !28
+  %1028 = getelementptr inbounds double, ptr %1027, i64 %983
+  store double %1020, ptr %1028, align 8, !noalias !28
+  %1029 = load ptr, ptr %139, align 8, !noalias !28
+  %1030 = shl nuw nsw i64 %983, 1
+  %1031 = getelementptr inbounds double, ptr %1029, i64 %1030
+  store double %1025, ptr %1031, align 8, !noalias !28
+  %1032 = or disjoint i64 %1030, 1
+  %1033 = getelementptr inbounds double, ptr %1029, i64 %1032
+  store double %1026, ptr %1033, align 8, !noalias !28
+  %1034 = icmp slt i64 %983, %975
+  br i1 %1034, label %1035, label %1057
+
+1035:                                             ; preds = %981
+  %1036 = load ptr, ptr %82, align 8, !noalias !28
+  %1037 = getelementptr inbounds double, ptr %1036, i64 %983
+  %1038 = load double, ptr %1037, align 8, !noalias !28
+  %1039 = tail call double @llvm.fabs.f64(double %1020)
+  %1040 = tail call double @llvm.fabs.f64(double %1025)
+  %1041 = tail call double @llvm.fabs.f64(double %1026)
+  %1042 = fadd double %1041, %1040
+  %1043 = fadd double %1039, %1042
+  %1044 = fmul double %535, %1043
+  %1045 = load ptr, ptr %140, align 8, !noalias !28
+  %1046 = getelementptr inbounds double, ptr %1045, i64 %983
+  %1047 = load double, ptr %1046, align 8, !noalias !28
+  %1048 = load ptr, ptr %88, align 8, !noalias !28
+  %1049 = getelementptr inbounds double, ptr %1048, i64 %983
+  %1050 = load double, ptr %1049, align 8, !noalias !28
+  %1051 = tail call double @llvm.fabs.f64(double %1038)
+  %1052 = fmul double %1051, %1050
+  %1053 = fadd double %1047, %1052
+  %1054 = fdiv double %1044, %1053
+  %1055 = fmul double %1054, %1054
+  %1056 = fadd double %984, %1055
+  br label %1057
+
+1057:                                             ; preds = %1035, %981
+  %1058 = phi double [ %1056, %1035 ], [ %984, %981 ]
+  %1059 = add nuw nsw i64 %983, 1
+  %1060 = icmp eq i64 %1059, %973
+  br i1 %1060, label %1061, label %981, !llvm.loop !34
+
+1061:                                             ; preds = %1057, %970
+  %1062 = phi double [ 0.000000e+00, %970 ], [ %1058, %1057 ]
+  %1063 = phi i32 [ 1, %970 ], [ %997, %1057 ]
+  %1064 = zext nneg i32 %1063 to i64
+  %1065 = xor i64 %1064, 4294967295
+  %1066 = and i64 %964, %1065
+  %1067 = icmp eq i64 %1066, 0
+  %1068 = select i1 %1067, double %878, double 0x7FF0000000000000
+  %1069 = load ptr, ptr %81, align 8, !noalias !28
+  %1070 = getelementptr inbounds i8, ptr %1069, i64 24
+  %1071 = load i64, ptr %1070, align 8, !noalias !28
+  %1072 = load i64, ptr %142, align 8, !noalias !28
+  %1073 = load ptr, ptr %83, align 8, !noalias !28
+  %1074 = getelementptr inbounds i8, ptr %1073, i64 40
+  %1075 = load i64, ptr %1074, align 8, !noalias !28
+  %1076 = load ptr, ptr %143, align 8, !noalias !28
+  %1077 = load ptr, ptr %144, align 8, !noalias !28
+  %1078 = load ptr, ptr %145, align 8, !noalias !28
+  %1079 = load ptr, ptr %141, align 8, !noalias !28
+  tail call fastcc void @real_solve(ptr noundef %1078, i64 noundef %1072, ptr noundef %1079, ptr noundef %1076) #10, !noalias !28
+  %1080 = load ptr, ptr %146, align 8, !noalias !28
+  %1081 = load ptr, ptr %147, align 8, !noalias !28
+  tail call fastcc void @pair_solve(ptr noundef %1080, i64 noundef %1072, ptr noundef %1081, ptr noundef %1077) #10, !noalias !28
+  %1082 = icmp sgt i64 %1075, 0
+  br i1 %1082, label %1083, label %1091
+
+1083:                                             ; preds = %1061
+  %1084 = load ptr, ptr %145, align 8, !noalias !28
+  %1085 = load ptr, ptr %141, align 8, !noalias !28
+  %1086 = getelementptr inbounds double, ptr %1076, i64 %1072
+  tail call fastcc void @real_solve_columns(ptr noundef %1084, i64 noundef %1072, ptr noundef %1085, ptr noundef %1086, i64 noundef %1075) #10, !noalias !28
+  %1087 = load ptr, ptr %146, align 8, !noalias !28
+  %1088 = load ptr, ptr %147, align 8, !noalias !28
+  %1089 = shl nsw i64 %1072, 4
+  %1090 = getelementptr inbounds i8, ptr %1077, i64 %1089
+  tail call fastcc void @pair_solve_columns(ptr noundef %1087, i64 noundef %1072, ptr noundef %1088, ptr noundef %1090, i64 noundef %1075) #10, !noalias !28
+  br label %1091
+
+1091:                                             ; preds = %1083, %1061
+  %1092 = icmp sgt i64 %1071, 0
+  br i1 %1092, label %1093, label %1128
+
+1093:                                             ; preds = %1091
+  %1094 = load ptr, ptr %82, align 8, !noalias !28
+  %1095 = load ptr, ptr %148, align 8, !noalias !28
+  %1096 = load ptr, ptr %88, align 8, !noalias !28
+  br label %1097
+
+1097:                                             ; preds = %1093, %1097
+  %1098 = phi double [ 0.000000e+00, %1093 ], [ %1125, %1097 ]
+  %1099 = phi i64 [ 0, %1093 ], [ %1126, %1097 ]
+  %1100 = getelementptr inbounds double, ptr %1094, i64 %1099
+  %1101 = load double, ptr %1100, align 8, !noalias !28
+  %1102 = getelementptr inbounds double, ptr %1095, i64 %1099
+  %1103 = load double, ptr %1102, align 8, !noalias !28
+  %1104 = getelementptr inbounds double, ptr %1096, i64 %1099
+  %1105 = load double, ptr %1104, align 8, !noalias !28
+  %1106 = tail call double @llvm.fabs.f64(double %1101)
+  %1107 = fmul double %1106, %1105
+  %1108 = fadd double %1103, %1107
+  %1109 = getelementptr inbounds double, ptr %1076, i64 %1099
+  %1110 = load double, ptr %1109, align 8, !noalias !28
+  %1111 = fdiv double %1110, %1108
+  %1112 = shl nuw nsw i64 %1099, 1
+  %1113 = getelementptr inbounds double, ptr %1077, i64 %1112
+  %1114 = load double, ptr %1113, align 8, !noalias !28
+  %1115 = or disjoint i64 %1112, 1
+  %1116 = getelementptr inbounds double, ptr %1077, i64 %1115
+  %1117 = load double, ptr %1116, align 8, !noalias !28
+  %1118 = fdiv double %1114, %1108
+  %1119 = fdiv double %1117, %1108
+  %1120 = fmul double %1111, %1111
+  %1121 = fmul double %1118, %1118
+  %1122 = fadd double %1120, %1121
+  %1123 = fmul double %1119, %1119
+  %1124 = fadd double %1122, %1123
+  %1125 = fadd double %1098, %1124
+  %1126 = add nuw nsw i64 %1099, 1
+  %1127 = icmp eq i64 %1126, %1071
+  br i1 %1127, label %1128, label %1097, !llvm.loop !35
+
+1128:                                             ; preds = %1097, %1091
+  %1129 = phi double [ 0.000000e+00, %1091 ], [ %1125, %1097 ]
+  %1130 = mul nsw i64 %1071, 3
+  %1131 = sitofp i64 %1130 to double
+  %1132 = fdiv double %1129, %1131
+  %1133 = tail call double @llvm.sqrt.f64(double %1132)
+  %1134 = fcmp oeq double %1133, 0.000000e+00
+  %1135 = fcmp ogt double %1062, 0.000000e+00
+  %1136 = and i1 %1135, %1134
+  %1137 = zext i1 %1136 to i64
+  %1138 = xor i64 %1137, -1
+  %1139 = and i64 %1064, %1138
+  %1140 = and i64 %1139, %964
+  %1141 = xor i64 %874, -1
+  %1142 = and i64 %1140, %1141
+  %1143 = trunc nuw nsw i64 %1142 to i32
+  %1144 = fcmp ogt double %870, 0.000000e+00
+  %1145 = and i32 %1143, 1
+  %1146 = select i1 %1144, i32 %1145, i32 0
+  %1147 = fdiv double %1133, %870
+  %1148 = icmp eq i32 %1146, 0
+  %1149 = select i1 %1148, double %1068, double %1147
+  %1150 = fsub double 1.000000e+00, %1149
+  %1151 = fdiv double %1133, %1150
+  %1152 = icmp ult i64 %873, 5
+  br i1 %1152, label %1245, label %1153
+
+1153:                                             ; preds = %1245, %1128
+  %1154 = phi double [ %1151, %1128 ], [ %1248, %1245 ]
+  %1155 = fcmp oge double %1149, 1.000000e+00
+  %1156 = fcmp ogt double %1154, %433
+  %1157 = or i1 %1155, %1156
+  %1158 = xor i32 %1146, -1
+  %1159 = zext i32 %1158 to i64
+  %1160 = select i1 %1157, i64 %1159, i64 2147483647
+  %1161 = and i64 %1160, %1140
+  %1162 = xor i64 %1161, -1
+  %1163 = and i64 %888, %1162
+  %1164 = or i64 %1163, %872
+  %1165 = load ptr, ptr %81, align 8, !noalias !28
+  %1166 = getelementptr inbounds i8, ptr %1165, i64 8
+  %1167 = load i64, ptr %1166, align 8, !noalias !28
+  %1168 = load ptr, ptr %128, align 8, !noalias !28
+  %1169 = load ptr, ptr %129, align 8, !noalias !28
+  %1170 = icmp sgt i64 %1167, 0
+  br i1 %1170, label %1171, label %1231
+
+1171:                                             ; preds = %1153
+  %1172 = icmp eq i64 %1161, 0
+  %1173 = getelementptr double, ptr %1169, i64 %1167
+  %1174 = shl i64 %1167, 4
+  %1175 = getelementptr i8, ptr %1169, i64 %1174
+  %1176 = icmp eq i64 %1161, 0
+  br label %1177
+
+1177:                                             ; preds = %1171, %1206
+  %1178 = phi i64 [ 0, %1171 ], [ %1207, %1206 ]
+  %1179 = load ptr, ptr %144, align 8, !noalias !28
+  %1180 = shl nuw nsw i64 %1178, 1
+  %1181 = getelementptr inbounds double, ptr %1179, i64 %1180
+  %1182 = load double, ptr %1181, align 8, !noalias !28
+  %1183 = or disjoint i64 %1180, 1
+  %1184 = getelementptr inbounds double, ptr %1179, i64 %1183
+  %1185 = load double, ptr %1184, align 8, !noalias !28
+  %1186 = load ptr, ptr %143, align 8, !noalias !28
+  %1187 = getelementptr inbounds double, ptr %1186, i64 %1178
+  %1188 = load double, ptr %1187, align 8, !noalias !28
+  store double %1188, ptr %10, align 16, !noalias !28
+  store double %1182, ptr %149, align 8, !noalias !28
+  store double %1185, ptr %150, align 16, !noalias !28
+  %1189 = getelementptr double, ptr %1169, i64 %1178
+  br label %1195
+
+1190:                                             ; preds = %1195
+  %1191 = getelementptr inbounds double, ptr %1169, i64 %1178
+  %1192 = getelementptr double, ptr %1173, i64 %1178
+  %1193 = getelementptr double, ptr %1175, i64 %1178
+  %1194 = getelementptr double, ptr %1168, i64 %1178
+  br label %1209
+
+1195:                                             ; preds = %1177, %1195
+  %1196 = phi i64 [ 0, %1177 ], [ %1204, %1195 ]
+  %1197 = mul nuw nsw i64 %1167, %1196
+  %1198 = getelementptr double, ptr %1189, i64 %1197
+  %1199 = load double, ptr %1198, align 8, !noalias !28
+  %1200 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1196
+  %1201 = load double, ptr %1200, align 8, !noalias !28
+  %1202 = fadd double %1199, %1201
+  %1203 = select i1 %1172, double %1199, double %1202
+  store double %1203, ptr %1198, align 8, !noalias !28
+  %1204 = add nuw nsw i64 %1196, 1
+  %1205 = icmp eq i64 %1204, 3
+  br i1 %1205, label %1190, label %1195, !llvm.loop !36
+
+1206:                                             ; preds = %1209
+  %1207 = add nuw nsw i64 %1178, 1
+  %1208 = icmp eq i64 %1207, %1167
+  br i1 %1208, label %1231, label %1177, !llvm.loop !37
+
+1209:                                             ; preds = %1190, %1209
+  %1210 = phi i64 [ 0, %1190 ], [ %1229, %1209 ]
+  %1211 = mul nuw nsw i64 %1167, %1210
+  %1212 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1210
+  %1213 = load double, ptr %1212, align 8, !noalias !28
+  %1214 = load double, ptr %1191, align 8, !noalias !28
+  %1215 = fmul double %1213, %1214
+  %1216 = getelementptr inbounds i8, ptr %1212, i64 8
+  %1217 = load double, ptr %1216, align 8, !noalias !28
+  %1218 = load double, ptr %1192, align 8, !noalias !28
+  %1219 = fmul double %1217, %1218
+  %1220 = fadd double %1215, %1219
+  %1221 = getelementptr inbounds i8, ptr %1212, i64 16
+  %1222 = load double, ptr %1221, align 8, !noalias !28
+  %1223 = load double, ptr %1193, align 8, !noalias !28
+  %1224 = fmul double %1222, %1223
+  %1225 = fadd double %1220, %1224
+  %1226 = getelementptr double, ptr %1194, i64 %1211
+  %1227 = load double, ptr %1226, align 8, !noalias !28
+  %1228 = select i1 %1176, double %1227, double %1225
+  store double %1228, ptr %1226, align 8, !noalias !28
+  %1229 = add nuw nsw i64 %1210, 1
+  %1230 = icmp eq i64 %1229, 3
+  br i1 %1230, label %1206, label %1209, !llvm.loop !38
+
+1231:                                             ; preds = %1206, %1153
+  %1232 = fdiv double %1149, %1150
+  %1233 = fmul double %1133, %1232
+  %1234 = fcmp olt double %1233, %433
+  %1235 = and i1 %1144, %1234
+  %1236 = or i1 %1134, %1235
+  %1237 = and i64 %1141, 1
+  %1238 = select i1 %1236, i64 %1237, i64 0
+  %1239 = and i64 %1161, %1238
+  %1240 = add nuw nsw i64 %873, 1
+  %1241 = uitofp nneg i64 %1240 to double
+  %1242 = icmp eq i64 %1239, 0
+  %1243 = select i1 %1242, double %877, double %1241
+  %1244 = or i64 %1239, %874
+  br i1 %860, label %1251, label %1325
+
+1245:                                             ; preds = %1128, %1245
+  %1246 = phi i64 [ %1249, %1245 ], [ %873, %1128 ]
+  %1247 = phi double [ %1248, %1245 ], [ %1151, %1128 ]
+  %1248 = fmul double %1149, %1247
+  %1249 = add nuw nsw i64 %1246, 1
+  %1250 = icmp ult i64 %1246, 4
+  br i1 %1250, label %1245, label %1153, !llvm.loop !39
+
+1251:                                             ; preds = %1231
+  %1252 = load i64, ptr %142, align 8, !noalias !28
+  %1253 = load ptr, ptr %83, align 8, !noalias !28
+  %1254 = getelementptr inbounds i8, ptr %1253, i64 40
+  %1255 = load i64, ptr %1254, align 8, !noalias !28
+  %1256 = load ptr, ptr %81, align 8, !noalias !28
+  %1257 = getelementptr inbounds i8, ptr %1256, i64 8
+  %1258 = load i64, ptr %1257, align 8, !noalias !28
+  %1259 = load ptr, ptr %129, align 8, !noalias !28
+  %1260 = icmp sgt i64 %1255, 0
+  br i1 %1260, label %1261, label %1320
+
+1261:                                             ; preds = %1251
+  %1262 = icmp sgt i64 %1252, 0
+  br label %1263
+
+1263:                                             ; preds = %1261, %1271
+  %1264 = phi double [ 0.000000e+00, %1261 ], [ %1279, %1271 ]
+  %1265 = phi i64 [ 0, %1261 ], [ %1280, %1271 ]
+  br i1 %1262, label %1266, label %1271
+
+1266:                                             ; preds = %1263
+  %1267 = add nuw i64 %1265, %1252
+  %1268 = load ptr, ptr %143, align 8, !noalias !28
+  %1269 = load ptr, ptr %82, align 8, !noalias !28
+  %1270 = load ptr, ptr %144, align 8, !noalias !28
+  br label %1282
+
+1271:                                             ; preds = %1306, %1263
+  %1272 = phi double [ 0.000000e+00, %1263 ], [ %1317, %1306 ]
+  %1273 = phi double [ 0.000000e+00, %1263 ], [ %1307, %1306 ]
+  %1274 = fcmp ule double %1272, 0.000000e+00
+  %1275 = fdiv double %1273, %1272
+  %1276 = select i1 %1274, double 1.000000e+00, double %1275
+  %1277 = fmul double %1264, %1272
+  %1278 = fcmp ule double %1273, %1277
+  %1279 = select i1 %1278, double %1264, double %1276
+  %1280 = add nuw nsw i64 %1265, 1
+  %1281 = icmp eq i64 %1280, %1255
+  br i1 %1281, label %1320, label %1263, !llvm.loop !40
+
+1282:                                             ; preds = %1266, %1306
+  %1283 = phi double [ 0.000000e+00, %1266 ], [ %1307, %1306 ]
+  %1284 = phi double [ 0.000000e+00, %1266 ], [ %1317, %1306 ]
+  %1285 = phi i64 [ 0, %1266 ], [ %1308, %1306 ]
+  %1286 = mul nuw nsw i64 %1285, %1255
+  %1287 = add i64 %1267, %1286
+  %1288 = getelementptr inbounds double, ptr %1268, i64 %1287
+  %1289 = load double, ptr %1288, align 8, !noalias !28
+  %1290 = getelementptr inbounds double, ptr %1269, i64 %1287
+  %1291 = load double, ptr %1290, align 8, !noalias !28
+  %1292 = shl nsw i64 %1287, 1
+  %1293 = getelementptr inbounds double, ptr %1270, i64 %1292
+  %1294 = load double, ptr %1293, align 8, !noalias !28
+  %1295 = or disjoint i64 %1292, 1
+  %1296 = getelementptr inbounds double, ptr %1270, i64 %1295
+  %1297 = load double, ptr %1296, align 8, !noalias !28
+  %1298 = fmul double %1289, %1289
+  %1299 = fmul double %1294, %1294
+  %1300 = fmul double %1297, %1297
+  %1301 = fadd double %1299, %1300
+  %1302 = fadd double %1298, %1301
+  %1303 = fmul double %1291, %1291
+  %1304 = fadd double %1284, %1303
+  %1305 = getelementptr double, ptr %1259, i64 %1287
+  br label %1310
+
+1306:                                             ; preds = %1310
+  %1307 = fadd double %1283, %1302
+  %1308 = add nuw nsw i64 %1285, 1
+  %1309 = icmp eq i64 %1308, %1252
+  br i1 %1309, label %1271, label %1282, !llvm.loop !41
+
+1310:                                             ; preds = %1282, %1310
+  %1311 = phi i64 [ 0, %1282 ], [ %1318, %1310 ]
+  %1312 = phi double [ %1304, %1282 ], [ %1317, %1310 ]
+  %1313 = mul nsw i64 %1258, %1311
+  %1314 = getelementptr double, ptr %1305, i64 %1313
+  %1315 = load double, ptr %1314, align 8, !noalias !28
+  %1316 = fmul double %1315, %1315
+  %1317 = fadd double %1312, %1316
+  %1318 = add nuw nsw i64 %1311, 1
+  %1319 = icmp eq i64 %1318, 3
+  br i1 %1319, label %1306, label %1310, !llvm.loop !42
+
+1320:                                             ; preds = %1271, %1251
+  %1321 = phi double [ 0.000000e+00, %1251 ], [ %1279, %1271 ]
+  %1322 = fcmp ole double %1321, %435
+  %1323 = and i64 %1244, 1
+  %1324 = select i1 %1322, i64 %1323, i64 0
+  br label %1325
+
+1325:                                             ; preds = %1320, %1231
+  %1326 = phi i64 [ %1324, %1320 ], [ %1244, %1231 ]
+  %1327 = xor i64 %1326, -1
+  %1328 = and i64 %1161, %1327
+  %1329 = icmp eq i64 %1328, 0
+  %1330 = select i1 %1329, i32 2, i32 0
+  %1331 = select i1 %1329, double %870, double %1133
+  br label %1332
+
+1332:                                             ; preds = %1325, %966
+  %1333 = phi double [ %961, %966 ], [ %885, %1325 ]
+  %1334 = phi double [ %878, %966 ], [ %884, %1325 ]
+  %1335 = phi double [ %877, %966 ], [ %883, %1325 ]
+  %1336 = phi i64 [ %962, %966 ], [ %882, %1325 ]
+  %1337 = phi i64 [ %963, %966 ], [ %881, %1325 ]
+  %1338 = phi i64 [ %969, %966 ], [ %880, %1325 ]
+  %1339 = phi double [ %878, %966 ], [ %1149, %1325 ]
+  %1340 = phi double [ %877, %966 ], [ %1243, %1325 ]
+  %1341 = phi i64 [ %969, %966 ], [ %1244, %1325 ]
+  %1342 = phi i32 [ 1, %966 ], [ %1330, %1325 ]
+  %1343 = phi i64 [ %872, %966 ], [ %1164, %1325 ]
+  %1344 = phi i64 [ %888, %966 ], [ %1328, %1325 ]
+  %1345 = phi double [ %870, %966 ], [ %1331, %1325 ]
+  %1346 = icmp eq i32 %1342, 0
+  br i1 %1346, label %866, label %1347
+
+1347:                                             ; preds = %1332, %866
+  %1348 = phi i32 [ %1342, %1332 ], [ 2, %866 ]
+  %1349 = icmp eq i32 %1348, 2
+  br i1 %1349, label %1350, label %1353
+
+1350:                                             ; preds = %1347
+  %1351 = xor i64 %1343, -1
+  %1352 = and i64 %1341, %1351
+  br label %1353
+
+1353:                                             ; preds = %1347, %1350
+  %1354 = phi double [ %961, %1350 ], [ %1333, %1347 ]
+  %1355 = phi double [ %1339, %1350 ], [ %1334, %1347 ]
+  %1356 = phi double [ %1340, %1350 ], [ %1335, %1347 ]
+  %1357 = phi i64 [ %962, %1350 ], [ %1336, %1347 ]
+  %1358 = phi i64 [ %963, %1350 ], [ %1337, %1347 ]
+  %1359 = phi i64 [ %1352, %1350 ], [ %1338, %1347 ]
+  %1360 = fadd double %686, %1354
+  %1361 = fcmp ogt double %1356, 2.000000e+00
+  %1362 = fcmp ogt double %1355, 1.000000e-03
+  %1363 = and i1 %1362, %1361
+  %1364 = icmp eq i64 %1359, %764
+  br i1 %1364, label %1432, label %1365
+
+1365:                                             ; preds = %1353
+  %1366 = xor i64 %1359, -1
+  %1367 = and i64 %764, %1366
+  %1368 = load ptr, ptr %83, align 8, !noalias !15
+  %1369 = getelementptr inbounds i8, ptr %1368, i64 16
+  %1370 = load i64, ptr %1369, align 8, !noalias !15
+  %1371 = xor i64 %1358, -1
+  %1372 = and i64 %1370, %1371
+  %1373 = and i64 %1372, %1367
+  %1374 = tail call double @llvm.fabs.f64(double %1355)
+  %1375 = fcmp ueq double %1374, 0x7FF0000000000000
+  %1376 = select i1 %1375, double 4.000000e+00, double 7.000000e+00
+  %1377 = and i64 %1358, 4294967295
+  %1378 = icmp eq i64 %1377, 0
+  %1379 = select i1 %1378, double %1376, double 3.000000e+00
+  %1380 = icmp eq i64 %1367, 0
+  %1381 = select i1 %1380, double %763, double %1379
+  %1382 = icmp eq i64 %1373, 0
+  br i1 %1382, label %1403, label %1383
+
+1383:                                             ; preds = %1365
+  %1384 = load i64, ptr %151, align 8, !noalias !15
+  %1385 = icmp sgt i64 %1384, 0
+  br i1 %1385, label %1386, label %1398
+
+1386:                                             ; preds = %1383, %1386
+  %1387 = phi i32 [ %1394, %1386 ], [ 0, %1383 ]
+  %1388 = phi i64 [ %1395, %1386 ], [ 0, %1383 ]
+  %1389 = load ptr, ptr %152, align 8, !noalias !15
+  %1390 = getelementptr inbounds double, ptr %1389, i64 %1388
+  %1391 = load double, ptr %1390, align 8, !noalias !15
+  %1392 = fcmp une double %1391, 0.000000e+00
+  %1393 = zext i1 %1392 to i32
+  %1394 = or i32 %1387, %1393
+  store double 0.000000e+00, ptr %1390, align 8, !noalias !15
+  %1395 = add nuw nsw i64 %1388, 1
+  %1396 = load i64, ptr %151, align 8, !noalias !15
+  %1397 = icmp slt i64 %1395, %1396
+  br i1 %1397, label %1386, label %1398, !llvm.loop !43
+
+1398:                                             ; preds = %1386, %1383
+  %1399 = phi i32 [ 0, %1383 ], [ %1394, %1386 ]
+  %1400 = zext nneg i32 %1399 to i64
+  %1401 = and i64 %1373, %1400
+  %1402 = xor i64 %1401, -1
+  br label %1403
+
+1403:                                             ; preds = %1365, %1398
+  %1404 = phi i64 [ %1402, %1398 ], [ -1, %1365 ]
+  %1405 = and i64 %1404, %1373
+  %1406 = getelementptr inbounds i8, ptr %1368, i64 24
+  %1407 = load i64, ptr %1406, align 8, !noalias !15
+  %1408 = and i64 %1407, %1404
+  store i64 %1408, ptr %1406, align 8, !noalias !15
+  %1409 = xor i64 %1405, -1
+  %1410 = load i64, ptr %1369, align 8, !noalias !15
+  %1411 = and i64 %1410, %1409
+  store i64 %1411, ptr %1369, align 8, !noalias !15
+  %1412 = fmul double %535, 5.000000e-01
+  %1413 = icmp eq i64 %1405, 0
+  %1414 = select i1 %1413, double %762, double %1412
+  %1415 = fmul double %535, 2.500000e-01
+  %1416 = select i1 %1378, double %1414, double %1415
+  %1417 = load ptr, ptr %120, align 8, !noalias !15
+  %1418 = getelementptr inbounds i8, ptr %1417, i64 8
+  %1419 = load double, ptr %1418, align 8, !noalias !15
+  %1420 = select i1 %1378, double %1419, double 0.000000e+00
+  store double %1420, ptr %1418, align 8, !noalias !15
+  %1421 = and i64 %1404, %1367
+  %1422 = load ptr, ptr %83, align 8, !noalias !15
+  %1423 = getelementptr inbounds i8, ptr %1422, i64 8
+  %1424 = load i64, ptr %1423, align 8, !noalias !15
+  %1425 = xor i64 %1421, -1
+  %1426 = and i64 %1424, %1425
+  %1427 = getelementptr inbounds i8, ptr %1422, i64 16
+  %1428 = load i64, ptr %1427, align 8, !noalias !15
+  %1429 = xor i64 %1428, -1
+  %1430 = and i64 %1421, %1429
+  %1431 = or disjoint i64 %1430, %1426
+  store i64 %1431, ptr %1423, align 8, !noalias !15
+  br label %1432
+
+1432:                                             ; preds = %1403, %1353
+  %1433 = phi double [ %762, %1353 ], [ %1416, %1403 ]
+  %1434 = phi double [ %763, %1353 ], [ %1381, %1403 ]
+  %1435 = icmp eq i64 %1359, 0
+  %1436 = icmp ne i64 %1357, 0
+  %1437 = select i1 %1435, i1 true, i1 %1436
+  br i1 %1437, label %1985, label %1438
+
+1438:                                             ; preds = %1432
+  %1439 = icmp sgt i64 %545, 0
+  br i1 %1439, label %1440, label %1442
+
+1440:                                             ; preds = %1438
+  %1441 = shl i64 %545, 4
+  br label %1971
+
+1442:                                             ; preds = %1971, %1438
+  %1443 = load i64, ptr %550, align 8, !noalias !15
+  %1444 = load ptr, ptr %81, align 8, !noalias !15
+  %1445 = getelementptr inbounds i8, ptr %1444, i64 8
+  %1446 = load i64, ptr %1445, align 8, !noalias !15
+  %1447 = load ptr, ptr %154, align 8, !noalias !15
+  %1448 = load ptr, ptr %155, align 8, !noalias !15
+  %1449 = icmp sgt i64 %1446, 0
+  br i1 %1449, label %1450, label %1452
+
+1450:                                             ; preds = %1442
+  %1451 = shl i64 %1446, 4
+  br label %1637
+
+1452:                                             ; preds = %1637, %1442
+  %1453 = load i64, ptr %158, align 8, !noalias !15
+  %1454 = load ptr, ptr %83, align 8, !noalias !15
+  %1455 = getelementptr inbounds i8, ptr %1454, i64 40
+  %1456 = load i64, ptr %1455, align 8, !noalias !15
+  %1457 = load ptr, ptr %159, align 8, !noalias !15
+  %1458 = load ptr, ptr %157, align 8, !noalias !15
+  tail call fastcc void @real_solve(ptr noundef %1457, i64 noundef %1453, ptr noundef %1458, ptr noundef %1448) #10, !noalias !15
+  %1459 = icmp sgt i64 %1456, 0
+  br i1 %1459, label %1460, label %1464
+
+1460:                                             ; preds = %1452
+  %1461 = load ptr, ptr %159, align 8, !noalias !15
+  %1462 = load ptr, ptr %157, align 8, !noalias !15
+  %1463 = getelementptr inbounds double, ptr %1448, i64 %1453
+  tail call fastcc void @real_solve_columns(ptr noundef %1461, i64 noundef %1453, ptr noundef %1462, ptr noundef %1463, i64 noundef %1456) #10, !noalias !15
+  br label %1464
+
+1464:                                             ; preds = %1452, %1460
+  %1465 = load ptr, ptr %81, align 8, !noalias !15
+  %1466 = getelementptr inbounds i8, ptr %1465, i64 24
+  %1467 = load i64, ptr %1466, align 8, !noalias !15
+  %1468 = load ptr, ptr %160, align 8, !noalias !15
+  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %1448, ptr noundef %1468, ptr noundef nonnull %82, i64 noundef %1467) #10, !noalias !15
+  %1469 = load double, ptr %8, align 8, !noalias !15
+  %1470 = getelementptr inbounds i8, ptr %1465, i64 8
+  %1471 = load i64, ptr %1470, align 8, !noalias !15
+  %1472 = add nsw i64 %1471, -3
+  %1473 = getelementptr i8, ptr %1468, i64 8
+  %1474 = getelementptr i8, ptr %1468, i64 16
+  %1475 = getelementptr i8, ptr %1468, i64 24
+  %1476 = icmp slt i64 %1467, %1472
+  br i1 %1476, label %1484, label %1477
+
+1477:                                             ; preds = %1484, %1464
+  %1478 = phi double [ 0.000000e+00, %1464 ], [ %1493, %1484 ]
+  %1479 = phi double [ 0.000000e+00, %1464 ], [ %1497, %1484 ]
+  %1480 = phi double [ 0.000000e+00, %1464 ], [ %1501, %1484 ]
+  %1481 = phi double [ 0.000000e+00, %1464 ], [ %1505, %1484 ]
+  %1482 = phi i64 [ %1467, %1464 ], [ %1506, %1484 ]
+  %1483 = icmp slt i64 %1482, %1471
+  br i1 %1483, label %1508, label %1517
+
+1484:                                             ; preds = %1464, %1484
+  %1485 = phi i64 [ %1506, %1484 ], [ %1467, %1464 ]
+  %1486 = phi double [ %1505, %1484 ], [ 0.000000e+00, %1464 ]
+  %1487 = phi double [ %1501, %1484 ], [ 0.000000e+00, %1464 ]
+  %1488 = phi double [ %1497, %1484 ], [ 0.000000e+00, %1464 ]
+  %1489 = phi double [ %1493, %1484 ], [ 0.000000e+00, %1464 ]
+  %1490 = getelementptr inbounds double, ptr %1468, i64 %1485
+  %1491 = load double, ptr %1490, align 8, !noalias !15
+  %1492 = fmul double %1491, 0.000000e+00
+  %1493 = fadd double %1489, %1492
+  %1494 = getelementptr double, ptr %1473, i64 %1485
+  %1495 = load double, ptr %1494, align 8, !noalias !15
+  %1496 = fmul double %1495, 0.000000e+00
+  %1497 = fadd double %1488, %1496
+  %1498 = getelementptr double, ptr %1474, i64 %1485
+  %1499 = load double, ptr %1498, align 8, !noalias !15
+  %1500 = fmul double %1499, 0.000000e+00
+  %1501 = fadd double %1487, %1500
+  %1502 = getelementptr double, ptr %1475, i64 %1485
+  %1503 = load double, ptr %1502, align 8, !noalias !15
+  %1504 = fmul double %1503, 0.000000e+00
+  %1505 = fadd double %1486, %1504
+  %1506 = add nsw i64 %1485, 4
+  %1507 = icmp slt i64 %1506, %1472
+  br i1 %1507, label %1484, label %1477, !llvm.loop !44
+
+1508:                                             ; preds = %1477, %1508
+  %1509 = phi i64 [ %1515, %1508 ], [ %1482, %1477 ]
+  %1510 = phi double [ %1514, %1508 ], [ %1478, %1477 ]
+  %1511 = getelementptr inbounds double, ptr %1468, i64 %1509
+  %1512 = load double, ptr %1511, align 8, !noalias !15
+  %1513 = fmul double %1512, 0.000000e+00
+  %1514 = fadd double %1510, %1513
+  %1515 = add nsw i64 %1509, 1
+  %1516 = icmp eq i64 %1515, %1471
+  br i1 %1516, label %1517, label %1508, !llvm.loop !45
+
+1517:                                             ; preds = %1508, %1477
+  %1518 = phi double [ %1478, %1477 ], [ %1514, %1508 ]
+  %1519 = fadd double %1479, %1518
+  %1520 = fadd double %1480, %1481
+  %1521 = fadd double %1520, %1519
+  %1522 = fadd double %1469, %1521
+  %1523 = getelementptr inbounds i8, ptr %1465, i64 48
+  %1524 = load i64, ptr %1523, align 8, !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %6, i8 0, i64 64, i1 false), !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %7, i8 0, i64 64, i1 false), !noalias !15
+  %1525 = icmp eq i64 %1524, 0
+  br i1 %1525, label %1626, label %1526
+
+1526:                                             ; preds = %1517
+  %1527 = add nsw i64 %1467, 7
+  %1528 = sdiv i64 %1527, 8
+  %1529 = shl nsw i64 %1528, 3
+  %1530 = tail call i64 @llvm.smin.i64(i64 %1529, i64 %1524)
+  %1531 = icmp slt i64 %1467, %1530
+  br i1 %1531, label %1532, label %1566
+
+1532:                                             ; preds = %1526
+  %1533 = load ptr, ptr %82, align 8, !noalias !15
+  %1534 = load ptr, ptr %161, align 8, !noalias !15
+  %1535 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1536
+
+1536:                                             ; preds = %1532, %1536
+  %1537 = phi i64 [ %1467, %1532 ], [ %1564, %1536 ]
+  %1538 = getelementptr inbounds double, ptr %1533, i64 %1537
+  %1539 = load double, ptr %1538, align 8, !noalias !15
+  %1540 = tail call double @llvm.fabs.f64(double %1539)
+  %1541 = getelementptr inbounds double, ptr %1468, i64 %1537
+  %1542 = load double, ptr %1541, align 8, !noalias !15
+  %1543 = tail call double @llvm.fabs.f64(double %1542)
+  %1544 = fcmp ogt double %1540, %1543
+  %1545 = select i1 %1544, double %1540, double %1543
+  %1546 = getelementptr inbounds double, ptr %1534, i64 %1537
+  %1547 = load double, ptr %1546, align 8, !noalias !15
+  %1548 = getelementptr inbounds double, ptr %1535, i64 %1537
+  %1549 = load double, ptr %1548, align 8, !noalias !15
+  %1550 = fmul double %1545, %1549
+  %1551 = fadd double %1547, %1550
+  %1552 = fdiv double 1.000000e+00, %1551
+  %1553 = getelementptr inbounds double, ptr %1448, i64 %1537
+  %1554 = load double, ptr %1553, align 8, !noalias !15
+  %1555 = fmul double %1554, %1552
+  %1556 = srem i64 %1537, 8
+  %1557 = getelementptr inbounds double, ptr %6, i64 %1556
+  %1558 = load double, ptr %1557, align 8, !noalias !15
+  %1559 = fmul double %1555, %1555
+  %1560 = fadd double %1558, %1559
+  store double %1560, ptr %1557, align 8, !noalias !15
+  %1561 = getelementptr inbounds double, ptr %7, i64 %1556
+  %1562 = load double, ptr %1561, align 8, !noalias !15
+  %1563 = fadd double %1562, %1559
+  store double %1563, ptr %1561, align 8, !noalias !15
+  %1564 = add nsw i64 %1537, 1
+  %1565 = icmp eq i64 %1564, %1530
+  br i1 %1565, label %1566, label %1536, !llvm.loop !46
+
+1566:                                             ; preds = %1536, %1526
+  %1567 = phi i64 [ %1467, %1526 ], [ %1564, %1536 ]
+  %1568 = load <8 x double>, ptr %6, align 16, !noalias !15
+  %1569 = load <8 x double>, ptr %7, align 16, !noalias !15
+  %1570 = icmp slt i64 %1567, %1524
+  br i1 %1570, label %1571, label %1606
+
+1571:                                             ; preds = %1566
+  %1572 = load ptr, ptr %82, align 8, !noalias !15
+  %1573 = load ptr, ptr %162, align 8, !noalias !15
+  %1574 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1575
+
+1575:                                             ; preds = %1571, %1575
+  %1576 = phi i64 [ %1567, %1571 ], [ %1604, %1575 ]
+  %1577 = phi <8 x double> [ %1568, %1571 ], [ %1602, %1575 ]
+  %1578 = phi <8 x double> [ %1569, %1571 ], [ %1603, %1575 ]
+  %1579 = getelementptr inbounds double, ptr %1572, i64 %1576
+  %1580 = load <8 x double>, ptr %1579, align 8, !noalias !15
+  %1581 = fneg <8 x double> %1580
+  %1582 = fcmp ogt <8 x double> %1580, zeroinitializer
+  %1583 = select <8 x i1> %1582, <8 x double> %1580, <8 x double> %1581
+  %1584 = getelementptr inbounds double, ptr %1468, i64 %1576
+  %1585 = load <8 x double>, ptr %1584, align 8, !noalias !15
+  %1586 = fneg <8 x double> %1585
+  %1587 = fcmp ogt <8 x double> %1585, zeroinitializer
+  %1588 = select <8 x i1> %1587, <8 x double> %1585, <8 x double> %1586
+  %1589 = fcmp ogt <8 x double> %1583, %1588
+  %1590 = select <8 x i1> %1589, <8 x double> %1583, <8 x double> %1588
+  %1591 = getelementptr inbounds double, ptr %1573, i64 %1576
+  %1592 = load <8 x double>, ptr %1591, align 8, !noalias !15
+  %1593 = getelementptr inbounds double, ptr %1574, i64 %1576
+  %1594 = load <8 x double>, ptr %1593, align 8, !noalias !15
+  %1595 = fmul <8 x double> %1594, %1590
+  %1596 = fadd <8 x double> %1592, %1595
+  %1597 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1596
+  %1598 = getelementptr inbounds double, ptr %1448, i64 %1576
+  %1599 = load <8 x double>, ptr %1598, align 8, !noalias !15
+  %1600 = fmul <8 x double> %1599, %1597
+  %1601 = fmul <8 x double> %1600, %1600
+  %1602 = fadd <8 x double> %1577, %1601
+  %1603 = fadd <8 x double> %1578, %1601
+  %1604 = add nsw i64 %1576, 8
+  %1605 = icmp slt i64 %1604, %1524
+  br i1 %1605, label %1575, label %1606, !llvm.loop !47
+
+1606:                                             ; preds = %1575, %1566
+  %1607 = phi <8 x double> [ %1569, %1566 ], [ %1603, %1575 ]
+  %1608 = phi <8 x double> [ %1568, %1566 ], [ %1602, %1575 ]
+  store <8 x double> %1608, ptr %6, align 16, !noalias !15
+  store <8 x double> %1607, ptr %7, align 16, !noalias !15
+  br label %1618
+
+1609:                                             ; preds = %1618
+  %1610 = sub nsw i64 %1524, %1467
+  %1611 = sitofp i64 %1610 to double
+  %1612 = fdiv double %1623, %1611
+  %1613 = tail call double @llvm.sqrt.f64(double %1612)
+  %1614 = fcmp ule double %535, %239
+  %1615 = fcmp ogt double %1613, %1522
+  %1616 = select i1 %1615, double %1613, double %1522
+  %1617 = select i1 %1614, double %1522, double %1616
+  br label %1626
+
+1618:                                             ; preds = %1606, %1618
+  %1619 = phi i64 [ 0, %1606 ], [ %1624, %1618 ]
+  %1620 = phi double [ 0.000000e+00, %1606 ], [ %1623, %1618 ]
+  %1621 = getelementptr inbounds double, ptr %6, i64 %1619
+  %1622 = load double, ptr %1621, align 8, !noalias !15
+  %1623 = fadd double %1620, %1622
+  %1624 = add nuw nsw i64 %1619, 1
+  %1625 = icmp eq i64 %1624, 8
+  br i1 %1625, label %1609, label %1618, !llvm.loop !48
+
+1626:                                             ; preds = %1517, %1609
+  %1627 = phi double [ %1617, %1609 ], [ %1522, %1517 ]
+  %1628 = fcmp olt double %1627, 1.000000e+00
+  %1629 = zext i1 %1628 to i64
+  %1630 = xor i64 %1629, -1
+  %1631 = and i64 %1443, %1630
+  %1632 = and i64 %1631, %1359
+  %1633 = and i64 %1359, %1629
+  %1634 = icmp eq i64 %1632, 0
+  br i1 %1634, label %1904, label %1635
+
+1635:                                             ; preds = %1626
+  %1636 = icmp sgt i64 %1446, 0
+  br i1 %1636, label %1696, label %1662
+
+1637:                                             ; preds = %1450, %1637
+  %1638 = phi i64 [ 0, %1450 ], [ %1660, %1637 ]
+  %1639 = load ptr, ptr %128, align 8, !noalias !15
+  %1640 = getelementptr inbounds double, ptr %1639, i64 %1638
+  %1641 = load double, ptr %1640, align 8, !noalias !15
+  %1642 = fmul double %1641, 0x402418FD8BAFFE05
+  %1643 = getelementptr double, ptr %1639, i64 %1446
+  %1644 = getelementptr double, ptr %1643, i64 %1638
+  %1645 = load double, ptr %1644, align 8, !noalias !15
+  %1646 = fmul double %1645, 0x3FF61D41B2D54580
+  %1647 = fsub double %1646, %1642
+  %1648 = getelementptr i8, ptr %1639, i64 %1451
+  %1649 = getelementptr double, ptr %1648, i64 %1638
+  %1650 = load double, ptr %1649, align 8, !noalias !15
+  %1651 = fmul double %1650, 0x3FD5555555555555
+  %1652 = fsub double %1647, %1651
+  %1653 = fdiv double %1652, %535
+  %1654 = getelementptr inbounds double, ptr %1447, i64 %1638
+  store double %1653, ptr %1654, align 8, !noalias !15
+  %1655 = load ptr, ptr %156, align 8, !noalias !15
+  %1656 = getelementptr inbounds double, ptr %1655, i64 %1638
+  %1657 = load double, ptr %1656, align 8, !noalias !15
+  %1658 = fadd double %1657, %1653
+  %1659 = getelementptr inbounds double, ptr %1448, i64 %1638
+  store double %1658, ptr %1659, align 8, !noalias !15
+  %1660 = add nuw nsw i64 %1638, 1
+  %1661 = icmp eq i64 %1660, %1446
+  br i1 %1661, label %1452, label %1637, !llvm.loop !49
+
+1662:                                             ; preds = %1696, %1635
+  %1663 = and i64 %1632, 4294967295
+  %1664 = icmp eq i64 %1663, 0
+  %1665 = select i1 %1664, double 0.000000e+00, double 1.000000e+00
+  %1666 = fadd double %1360, %1665
+  %1667 = load ptr, ptr %164, align 8, !noalias !15
+  %1668 = load ptr, ptr %165, align 8, !noalias !15
+  %1669 = load ptr, ptr %166, align 8, !noalias !15
+  store double %458, ptr %1669, align 8, !noalias !15
+  %1670 = load ptr, ptr %81, align 8, !noalias !15
+  %1671 = getelementptr inbounds i8, ptr %1670, i64 40
+  %1672 = load i64, ptr %1671, align 8, !noalias !15
+  %1673 = icmp eq i64 %1672, 0
+  br i1 %1673, label %1675, label %1674
+
+1674:                                             ; preds = %1662
+  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !15
+  br label %1675
+
+1675:                                             ; preds = %1674, %1662
+  %1676 = load i64, ptr %167, align 8, !noalias !15
+  %1677 = icmp sgt i64 %1676, 0
+  br i1 %1677, label %1678, label %1679
+
+1678:                                             ; preds = %1675
+  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !15
+  br label %1679
+
+1679:                                             ; preds = %1678, %1675
+  %1680 = load ptr, ptr %81, align 8, !noalias !15
+  %1681 = load i64, ptr %1680, align 8, !noalias !15
+  %1682 = load ptr, ptr %166, align 8, !noalias !15
+  %1683 = load ptr, ptr %168, align 8, !noalias !15
+  %1684 = load ptr, ptr %169, align 8, !noalias !15
+  %1685 = inttoptr i64 %1681 to ptr
+  %1686 = load ptr, ptr %1685, align 8, !noalias !15
+  %1687 = tail call i32 %1686(ptr noundef %1682, ptr noundef %1667, ptr noundef %1683, ptr noundef %1684, ptr noundef %1668) #11, !noalias !15
+  %1688 = sext i32 %1687 to i64
+  %1689 = icmp slt i32 %1687, 0
+  %1690 = select i1 %1689, i64 %1688, i64 %1357
+  %1691 = trunc i64 %1632 to i32
+  %1692 = and i32 %1687, %1691
+  %1693 = icmp eq i32 %1692, 0
+  %1694 = select i1 %1693, double %1434, double 3.000000e+00
+  %1695 = icmp sgt i64 %1446, 0
+  br i1 %1695, label %1893, label %1708
+
+1696:                                             ; preds = %1635, %1696
+  %1697 = phi i64 [ %1706, %1696 ], [ 0, %1635 ]
+  %1698 = load ptr, ptr %163, align 8, !noalias !15
+  %1699 = load ptr, ptr %82, align 8, !noalias !15
+  %1700 = getelementptr inbounds double, ptr %1699, i64 %1697
+  %1701 = load double, ptr %1700, align 8, !noalias !15
+  %1702 = getelementptr inbounds double, ptr %1448, i64 %1697
+  %1703 = load double, ptr %1702, align 8, !noalias !15
+  %1704 = fadd double %1701, %1703
+  %1705 = getelementptr inbounds double, ptr %1698, i64 %1697
+  store double %1704, ptr %1705, align 8, !noalias !15
+  %1706 = add nuw nsw i64 %1697, 1
+  %1707 = icmp eq i64 %1706, %1446
+  br i1 %1707, label %1662, label %1696, !llvm.loop !50
+
+1708:                                             ; preds = %1893, %1679
+  %1709 = load i64, ptr %158, align 8, !noalias !15
+  %1710 = load ptr, ptr %83, align 8, !noalias !15
+  %1711 = getelementptr inbounds i8, ptr %1710, i64 40
+  %1712 = load i64, ptr %1711, align 8, !noalias !15
+  %1713 = load ptr, ptr %159, align 8, !noalias !15
+  %1714 = load ptr, ptr %157, align 8, !noalias !15
+  tail call fastcc void @real_solve(ptr noundef %1713, i64 noundef %1709, ptr noundef %1714, ptr noundef %1448) #10, !noalias !15
+  %1715 = icmp sgt i64 %1712, 0
+  br i1 %1715, label %1716, label %1720
+
+1716:                                             ; preds = %1708
+  %1717 = load ptr, ptr %159, align 8, !noalias !15
+  %1718 = load ptr, ptr %157, align 8, !noalias !15
+  %1719 = getelementptr inbounds double, ptr %1448, i64 %1709
+  tail call fastcc void @real_solve_columns(ptr noundef %1717, i64 noundef %1709, ptr noundef %1718, ptr noundef %1719, i64 noundef %1712) #10, !noalias !15
+  br label %1720
+
+1720:                                             ; preds = %1708, %1716
+  %1721 = load ptr, ptr %81, align 8, !noalias !15
+  %1722 = getelementptr inbounds i8, ptr %1721, i64 24
+  %1723 = load i64, ptr %1722, align 8, !noalias !15
+  %1724 = load ptr, ptr %160, align 8, !noalias !15
+  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1448, ptr noundef %1724, ptr noundef nonnull %82, i64 noundef %1723) #10, !noalias !15
+  %1725 = load double, ptr %9, align 8, !noalias !15
+  %1726 = getelementptr inbounds i8, ptr %1721, i64 8
+  %1727 = load i64, ptr %1726, align 8, !noalias !15
+  %1728 = add nsw i64 %1727, -3
+  %1729 = getelementptr i8, ptr %1724, i64 8
+  %1730 = getelementptr i8, ptr %1724, i64 16
+  %1731 = getelementptr i8, ptr %1724, i64 24
+  %1732 = icmp slt i64 %1723, %1728
+  br i1 %1732, label %1740, label %1733
+
+1733:                                             ; preds = %1740, %1720
+  %1734 = phi double [ 0.000000e+00, %1720 ], [ %1749, %1740 ]
+  %1735 = phi double [ 0.000000e+00, %1720 ], [ %1753, %1740 ]
+  %1736 = phi double [ 0.000000e+00, %1720 ], [ %1757, %1740 ]
+  %1737 = phi double [ 0.000000e+00, %1720 ], [ %1761, %1740 ]
+  %1738 = phi i64 [ %1723, %1720 ], [ %1762, %1740 ]
+  %1739 = icmp slt i64 %1738, %1727
+  br i1 %1739, label %1764, label %1773
+
+1740:                                             ; preds = %1720, %1740
+  %1741 = phi i64 [ %1762, %1740 ], [ %1723, %1720 ]
+  %1742 = phi double [ %1761, %1740 ], [ 0.000000e+00, %1720 ]
+  %1743 = phi double [ %1757, %1740 ], [ 0.000000e+00, %1720 ]
+  %1744 = phi double [ %1753, %1740 ], [ 0.000000e+00, %1720 ]
+  %1745 = phi double [ %1749, %1740 ], [ 0.000000e+00, %1720 ]
+  %1746 = getelementptr inbounds double, ptr %1724, i64 %1741
+  %1747 = load double, ptr %1746, align 8, !noalias !15
+  %1748 = fmul double %1747, 0.000000e+00
+  %1749 = fadd double %1745, %1748
+  %1750 = getelementptr double, ptr %1729, i64 %1741
+  %1751 = load double, ptr %1750, align 8, !noalias !15
+  %1752 = fmul double %1751, 0.000000e+00
+  %1753 = fadd double %1744, %1752
+  %1754 = getelementptr double, ptr %1730, i64 %1741
+  %1755 = load double, ptr %1754, align 8, !noalias !15
+  %1756 = fmul double %1755, 0.000000e+00
+  %1757 = fadd double %1743, %1756
+  %1758 = getelementptr double, ptr %1731, i64 %1741
+  %1759 = load double, ptr %1758, align 8, !noalias !15
+  %1760 = fmul double %1759, 0.000000e+00
+  %1761 = fadd double %1742, %1760
+  %1762 = add nsw i64 %1741, 4
+  %1763 = icmp slt i64 %1762, %1728
+  br i1 %1763, label %1740, label %1733, !llvm.loop !44
+
+1764:                                             ; preds = %1733, %1764
+  %1765 = phi i64 [ %1771, %1764 ], [ %1738, %1733 ]
+  %1766 = phi double [ %1770, %1764 ], [ %1734, %1733 ]
+  %1767 = getelementptr inbounds double, ptr %1724, i64 %1765
+  %1768 = load double, ptr %1767, align 8, !noalias !15
+  %1769 = fmul double %1768, 0.000000e+00
+  %1770 = fadd double %1766, %1769
+  %1771 = add nsw i64 %1765, 1
+  %1772 = icmp eq i64 %1771, %1727
+  br i1 %1772, label %1773, label %1764, !llvm.loop !45
+
+1773:                                             ; preds = %1764, %1733
+  %1774 = phi double [ %1734, %1733 ], [ %1770, %1764 ]
+  %1775 = fadd double %1735, %1774
+  %1776 = fadd double %1736, %1737
+  %1777 = fadd double %1776, %1775
+  %1778 = fadd double %1725, %1777
+  %1779 = getelementptr inbounds i8, ptr %1721, i64 48
+  %1780 = load i64, ptr %1779, align 8, !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %4, i8 0, i64 64, i1 false), !noalias !15
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %5, i8 0, i64 64, i1 false), !noalias !15
+  %1781 = icmp eq i64 %1780, 0
+  br i1 %1781, label %1882, label %1782
+
+1782:                                             ; preds = %1773
+  %1783 = add nsw i64 %1723, 7
+  %1784 = sdiv i64 %1783, 8
+  %1785 = shl nsw i64 %1784, 3
+  %1786 = tail call i64 @llvm.smin.i64(i64 %1785, i64 %1780)
+  %1787 = icmp slt i64 %1723, %1786
+  br i1 %1787, label %1788, label %1822
+
+1788:                                             ; preds = %1782
+  %1789 = load ptr, ptr %82, align 8, !noalias !15
+  %1790 = load ptr, ptr %170, align 8, !noalias !15
+  %1791 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1792
+
+1792:                                             ; preds = %1788, %1792
+  %1793 = phi i64 [ %1723, %1788 ], [ %1820, %1792 ]
+  %1794 = getelementptr inbounds double, ptr %1789, i64 %1793
+  %1795 = load double, ptr %1794, align 8, !noalias !15
+  %1796 = tail call double @llvm.fabs.f64(double %1795)
+  %1797 = getelementptr inbounds double, ptr %1724, i64 %1793
+  %1798 = load double, ptr %1797, align 8, !noalias !15
+  %1799 = tail call double @llvm.fabs.f64(double %1798)
+  %1800 = fcmp ogt double %1796, %1799
+  %1801 = select i1 %1800, double %1796, double %1799
+  %1802 = getelementptr inbounds double, ptr %1790, i64 %1793
+  %1803 = load double, ptr %1802, align 8, !noalias !15
+  %1804 = getelementptr inbounds double, ptr %1791, i64 %1793
+  %1805 = load double, ptr %1804, align 8, !noalias !15
+  %1806 = fmul double %1801, %1805
+  %1807 = fadd double %1803, %1806
+  %1808 = fdiv double 1.000000e+00, %1807
+  %1809 = getelementptr inbounds double, ptr %1448, i64 %1793
+  %1810 = load double, ptr %1809, align 8, !noalias !15
+  %1811 = fmul double %1810, %1808
+  %1812 = srem i64 %1793, 8
+  %1813 = getelementptr inbounds double, ptr %4, i64 %1812
+  %1814 = load double, ptr %1813, align 8, !noalias !15
+  %1815 = fmul double %1811, %1811
+  %1816 = fadd double %1814, %1815
+  store double %1816, ptr %1813, align 8, !noalias !15
+  %1817 = getelementptr inbounds double, ptr %5, i64 %1812
+  %1818 = load double, ptr %1817, align 8, !noalias !15
+  %1819 = fadd double %1818, %1815
+  store double %1819, ptr %1817, align 8, !noalias !15
+  %1820 = add nsw i64 %1793, 1
+  %1821 = icmp eq i64 %1820, %1786
+  br i1 %1821, label %1822, label %1792, !llvm.loop !46
+
+1822:                                             ; preds = %1792, %1782
+  %1823 = phi i64 [ %1723, %1782 ], [ %1820, %1792 ]
+  %1824 = load <8 x double>, ptr %4, align 16, !noalias !15
+  %1825 = load <8 x double>, ptr %5, align 16, !noalias !15
+  %1826 = icmp slt i64 %1823, %1780
+  br i1 %1826, label %1827, label %1862
+
+1827:                                             ; preds = %1822
+  %1828 = load ptr, ptr %82, align 8, !noalias !15
+  %1829 = load ptr, ptr %171, align 8, !noalias !15
+  %1830 = load ptr, ptr %88, align 8, !noalias !15
+  br label %1831
+
+1831:                                             ; preds = %1827, %1831
+  %1832 = phi i64 [ %1823, %1827 ], [ %1860, %1831 ]
+  %1833 = phi <8 x double> [ %1824, %1827 ], [ %1858, %1831 ]
+  %1834 = phi <8 x double> [ %1825, %1827 ], [ %1859, %1831 ]
+  %1835 = getelementptr inbounds double, ptr %1828, i64 %1832
+  %1836 = load <8 x double>, ptr %1835, align 8, !noalias !15
+  %1837 = fneg <8 x double> %1836
+  %1838 = fcmp ogt <8 x double> %1836, zeroinitializer
+  %1839 = select <8 x i1> %1838, <8 x double> %1836, <8 x double> %1837
+  %1840 = getelementptr inbounds double, ptr %1724, i64 %1832
+  %1841 = load <8 x double>, ptr %1840, align 8, !noalias !15
+  %1842 = fneg <8 x double> %1841
+  %1843 = fcmp ogt <8 x double> %1841, zeroinitializer
+  %1844 = select <8 x i1> %1843, <8 x double> %1841, <8 x double> %1842
+  %1845 = fcmp ogt <8 x double> %1839, %1844
+  %1846 = select <8 x i1> %1845, <8 x double> %1839, <8 x double> %1844
+  %1847 = getelementptr inbounds double, ptr %1829, i64 %1832
+  %1848 = load <8 x double>, ptr %1847, align 8, !noalias !15
+  %1849 = getelementptr inbounds double, ptr %1830, i64 %1832
+  %1850 = load <8 x double>, ptr %1849, align 8, !noalias !15
+  %1851 = fmul <8 x double> %1850, %1846
+  %1852 = fadd <8 x double> %1848, %1851
+  %1853 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1852
+  %1854 = getelementptr inbounds double, ptr %1448, i64 %1832
+  %1855 = load <8 x double>, ptr %1854, align 8, !noalias !15
+  %1856 = fmul <8 x double> %1855, %1853
+  %1857 = fmul <8 x double> %1856, %1856
+  %1858 = fadd <8 x double> %1833, %1857
+  %1859 = fadd <8 x double> %1834, %1857
+  %1860 = add nsw i64 %1832, 8
+  %1861 = icmp slt i64 %1860, %1780
+  br i1 %1861, label %1831, label %1862, !llvm.loop !47
+
+1862:                                             ; preds = %1831, %1822
+  %1863 = phi <8 x double> [ %1825, %1822 ], [ %1859, %1831 ]
+  %1864 = phi <8 x double> [ %1824, %1822 ], [ %1858, %1831 ]
+  store <8 x double> %1864, ptr %4, align 16, !noalias !15
+  store <8 x double> %1863, ptr %5, align 16, !noalias !15
+  br label %1874
+
+1865:                                             ; preds = %1874
+  %1866 = sub nsw i64 %1780, %1723
+  %1867 = sitofp i64 %1866 to double
+  %1868 = fdiv double %1879, %1867
+  %1869 = tail call double @llvm.sqrt.f64(double %1868)
+  %1870 = fcmp ule double %535, %239
+  %1871 = fcmp ogt double %1869, %1778
+  %1872 = select i1 %1871, double %1869, double %1778
+  %1873 = select i1 %1870, double %1778, double %1872
+  br label %1882
+
+1874:                                             ; preds = %1862, %1874
+  %1875 = phi i64 [ 0, %1862 ], [ %1880, %1874 ]
+  %1876 = phi double [ 0.000000e+00, %1862 ], [ %1879, %1874 ]
+  %1877 = getelementptr inbounds double, ptr %4, i64 %1875
+  %1878 = load double, ptr %1877, align 8, !noalias !15
+  %1879 = fadd double %1876, %1878
+  %1880 = add nuw nsw i64 %1875, 1
+  %1881 = icmp eq i64 %1880, 8
+  br i1 %1881, label %1865, label %1874, !llvm.loop !48
+
+1882:                                             ; preds = %1773, %1865
+  %1883 = phi double [ %1873, %1865 ], [ %1778, %1773 ]
+  %1884 = xor i64 %1688, -1
+  %1885 = and i64 %1632, %1884
+  %1886 = fcmp olt double %1883, 1.000000e+00
+  %1887 = and i64 %1885, 1
+  %1888 = select i1 %1886, i64 %1887, i64 0
+  %1889 = or i64 %1888, %1633
+  %1890 = and i64 %1885, 4294967295
+  %1891 = icmp eq i64 %1890, 0
+  %1892 = select i1 %1891, double %1627, double %1883
+  br label %1904
+
+1893:                                             ; preds = %1679, %1893
+  %1894 = phi i64 [ %1902, %1893 ], [ 0, %1679 ]
+  %1895 = load ptr, ptr %165, align 8, !noalias !15
+  %1896 = getelementptr inbounds double, ptr %1895, i64 %1894
+  %1897 = load double, ptr %1896, align 8, !noalias !15
+  %1898 = getelementptr inbounds double, ptr %1447, i64 %1894
+  %1899 = load double, ptr %1898, align 8, !noalias !15
+  %1900 = fadd double %1897, %1899
+  %1901 = getelementptr inbounds double, ptr %1448, i64 %1894
+  store double %1900, ptr %1901, align 8, !noalias !15
+  %1902 = add nuw nsw i64 %1894, 1
+  %1903 = icmp eq i64 %1902, %1446
+  br i1 %1903, label %1708, label %1893, !llvm.loop !51
+
+1904:                                             ; preds = %1626, %1882
+  %1905 = phi double [ %1360, %1626 ], [ %1666, %1882 ]
+  %1906 = phi i64 [ %1357, %1626 ], [ %1690, %1882 ]
+  %1907 = phi i64 [ %1633, %1626 ], [ %1889, %1882 ]
+  %1908 = phi double [ %1434, %1626 ], [ %1694, %1882 ]
+  %1909 = phi double [ %1627, %1626 ], [ %1892, %1882 ]
+  %1910 = fcmp olt double %1909, 1.000000e-10
+  %1911 = select i1 %1910, double 1.000000e-10, double %1909
+  %1912 = load ptr, ptr %120, align 8, !noalias !15
+  %1913 = getelementptr inbounds i8, ptr %1912, i64 24
+  %1914 = load double, ptr %1913, align 8, !noalias !15
+  %1915 = fadd double %1356, 1.200000e+01
+  %1916 = fdiv double 0x4027666666666667, %1915
+  %1917 = tail call double @llvm.sqrt.f64(double %1911)
+  %1918 = tail call double @llvm.sqrt.f64(double %1917)
+  %1919 = fdiv double 1.000000e+00, %1918
+  %1920 = fmul double %1916, %1919
+  %1921 = fcmp ogt double %1920, 2.000000e-01
+  %1922 = select i1 %1921, double %1920, double 2.000000e-01
+  %1923 = tail call double @llvm.fabs.f64(double %1909)
+  %1924 = fcmp ueq double %1923, 0x7FF0000000000000
+  %1925 = select i1 %1924, double 2.500000e-01, double %1922
+  %1926 = fmul double %535, %1925
+  %1927 = getelementptr inbounds i8, ptr %1912, i64 16
+  %1928 = load double, ptr %1927, align 8, !noalias !15
+  %1929 = fdiv double %535, %1928
+  %1930 = fdiv double %1914, %1911
+  %1931 = tail call double @llvm.sqrt.f64(double %1930)
+  %1932 = tail call double @llvm.sqrt.f64(double %1931)
+  %1933 = fmul double %1929, %1932
+  %1934 = fcmp ule double %1914, 0.000000e+00
+  %1935 = fcmp olt double %1933, 1.000000e+00
+  %1936 = select i1 %1935, double %1933, double 1.000000e+00
+  %1937 = select i1 %1934, double 1.000000e+00, double %1936
+  %1938 = fmul double %1920, %1937
+  %1939 = fcmp olt double %1938, 1.000000e+01
+  %1940 = select i1 %1939, double %1938, double 1.000000e+01
+  %1941 = fcmp ule double %1940, 1.000000e+00
+  %1942 = fcmp uge double %1940, 1.200000e+00
+  %1943 = or i1 %1941, %1942
+  %1944 = select i1 %1943, i1 true, i1 %1363
+  %1945 = load double, ptr %1912, align 8, !noalias !15
+  %1946 = fcmp ogt double %1940, 2.000000e-01
+  %1947 = select i1 %1946, double %1940, double 2.000000e-01
+  %1948 = fmul double %535, %1947
+  %1949 = select i1 %1944, double %1948, double %1945
+  %1950 = icmp eq i64 %1907, 0
+  %1951 = select i1 %1950, double %1926, double %1949
+  %1952 = and i64 %1359, 4294967295
+  %1953 = icmp eq i64 %1952, 0
+  %1954 = select i1 %1953, double %1433, double %1951
+  %1955 = xor i64 %1907, -1
+  %1956 = and i64 %1359, %1955
+  %1957 = load ptr, ptr %83, align 8, !noalias !15
+  %1958 = getelementptr inbounds i8, ptr %1957, i64 32
+  %1959 = load i64, ptr %1958, align 8, !noalias !15
+  %1960 = or i64 %1959, %1956
+  store i64 %1960, ptr %1958, align 8, !noalias !15
+  %1961 = load ptr, ptr %83, align 8, !noalias !15
+  %1962 = getelementptr inbounds i8, ptr %1961, i64 8
+  %1963 = load i64, ptr %1962, align 8, !noalias !15
+  %1964 = xor i64 %1956, -1
+  %1965 = and i64 %1963, %1964
+  %1966 = getelementptr inbounds i8, ptr %1961, i64 16
+  %1967 = load i64, ptr %1966, align 8, !noalias !15
+  %1968 = xor i64 %1967, -1
+  %1969 = and i64 %1956, %1968
+  %1970 = or disjoint i64 %1969, %1965
+  store i64 %1970, ptr %1962, align 8, !noalias !15
+  br label %1985
+
+1971:                                             ; preds = %1440, %1971
+  %1972 = phi i64 [ 0, %1440 ], [ %1983, %1971 ]
+  %1973 = load ptr, ptr %153, align 8, !noalias !15
+  %1974 = load ptr, ptr %82, align 8, !noalias !15
+  %1975 = getelementptr inbounds double, ptr %1974, i64 %1972
+  %1976 = load double, ptr %1975, align 8, !noalias !15
+  %1977 = load ptr, ptr %128, align 8, !noalias !15
+  %1978 = getelementptr i8, ptr %1977, i64 %1441
+  %1979 = getelementptr double, ptr %1978, i64 %1972
+  %1980 = load double, ptr %1979, align 8, !noalias !15
+  %1981 = fadd double %1976, %1980
+  %1982 = getelementptr inbounds double, ptr %1973, i64 %1972
+  store double %1981, ptr %1982, align 8, !noalias !15
+  %1983 = add nuw nsw i64 %1972, 1
+  %1984 = icmp eq i64 %1983, %545
+  br i1 %1984, label %1442, label %1971, !llvm.loop !52
+
+1985:                                             ; preds = %1904, %1432, %761, %674
+  %1986 = phi double [ %465, %674 ], [ %465, %761 ], [ %1354, %1432 ], [ %1354, %1904 ]
+  %1987 = phi double [ %464, %674 ], [ %464, %761 ], [ %1355, %1432 ], [ %1355, %1904 ]
+  %1988 = phi double [ %463, %674 ], [ %463, %761 ], [ %1356, %1432 ], [ %1356, %1904 ]
+  %1989 = phi i64 [ %462, %674 ], [ %462, %761 ], [ %1357, %1432 ], [ %1357, %1904 ]
+  %1990 = phi i64 [ %461, %674 ], [ %461, %761 ], [ %1358, %1432 ], [ %1358, %1904 ]
+  %1991 = phi i64 [ %460, %674 ], [ %460, %761 ], [ %1359, %1432 ], [ %1359, %1904 ]
+  %1992 = phi i1 [ false, %674 ], [ false, %761 ], [ %1363, %1432 ], [ %1363, %1904 ]
+  %1993 = phi double [ 2.000000e+00, %674 ], [ %763, %761 ], [ %1434, %1432 ], [ %1908, %1904 ]
+  %1994 = phi double [ 0.000000e+00, %674 ], [ 0.000000e+00, %761 ], [ 0.000000e+00, %1432 ], [ %1909, %1904 ]
+  %1995 = phi double [ %459, %674 ], [ %762, %761 ], [ %1433, %1432 ], [ %1954, %1904 ]
+  %1996 = phi double [ %657, %674 ], [ %686, %761 ], [ %1360, %1432 ], [ %1905, %1904 ]
+  %1997 = phi i64 [ 0, %674 ], [ %700, %761 ], [ %700, %1432 ], [ %700, %1904 ]
+  %1998 = phi i64 [ 1, %674 ], [ 0, %761 ], [ %1357, %1432 ], [ %1906, %1904 ]
+  %1999 = phi i64 [ 0, %674 ], [ 0, %761 ], [ 0, %1432 ], [ %1907, %1904 ]
+  %2000 = zext i1 %1992 to i64
+  %2001 = fptosi double %1996 to i64
+  %2002 = load i64, ptr %436, align 8
+  %2003 = add nsw i64 %2002, %2001
+  store i64 %2003, ptr %436, align 8
+  %2004 = load i64, ptr %437, align 8
+  %2005 = add nsw i64 %2004, %549
+  store i64 %2005, ptr %437, align 8
+  %2006 = load i64, ptr %438, align 8
+  %2007 = add nsw i64 %2006, %1997
+  store i64 %2007, ptr %438, align 8
+  %2008 = icmp eq i64 %1998, 0
+  br i1 %2008, label %2009, label %2637
+
+2009:                                             ; preds = %1985
+  %2010 = icmp eq i64 %1999, 0
+  br i1 %2010, label %2011, label %2035
+
+2011:                                             ; preds = %2009
+  %2012 = load i64, ptr %423, align 8
+  %2013 = add nsw i64 %2012, 1
+  store i64 %2013, ptr %423, align 8
+  %2014 = fptosi double %1993 to i64
+  store i64 %2014, ptr %446, align 8
+  %2015 = fcmp ult double %1994, 1.000000e+00
+  %2016 = fcmp ueq double %1994, 0x7FF0000000000000
+  %2017 = or i1 %2015, %2016
+  br i1 %2017, label %2637, label %2018, !llvm.loop !53
+
+2018:                                             ; preds = %2011
+  %2019 = load i64, ptr %214, align 8
+  %2020 = icmp eq i64 %2019, 0
+  br i1 %2020, label %2637, label %2021, !llvm.loop !53
+
+2021:                                             ; preds = %2018
+  %2022 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %458) #10
+  %2023 = fmul double %535, 1.000000e-03
+  %2024 = fsub double %534, %2023
+  %2025 = tail call double @llvm.fabs.f64(double %534)
+  %2026 = fmul double %2025, 0x3D10000000000000
+  %2027 = fsub double %2024, %2026
+  %2028 = fcmp ogt double %2027, %2022
+  br i1 %2028, label %2029, label %2637, !llvm.loop !53
+
+2029:                                             ; preds = %2021
+  %2030 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %2022) #10
+  %2031 = fadd double %458, %1995
+  %2032 = fcmp ugt double %2030, %2031
+  br i1 %2032, label %2033, label %2637, !llvm.loop !53
+
+2033:                                             ; preds = %2029
+  %2034 = fsub double %2022, %458
+  br label %2637, !llvm.loop !53
+
+2035:                                             ; preds = %2009
+  br i1 %256, label %2036, label %2064
+
+2036:                                             ; preds = %2035
+  %2037 = load ptr, ptr %172, align 8
+  %2038 = load ptr, ptr %82, align 8
+  %2039 = load ptr, ptr %89, align 8
+  %2040 = getelementptr inbounds i8, ptr %2039, i64 56
+  %2041 = load i64, ptr %2040, align 8
+  %2042 = inttoptr i64 %2041 to ptr
+  %2043 = tail call i64 %2042(ptr noundef %0, double noundef %534, ptr noundef %2037, ptr noundef %2038) #11
+  %2044 = icmp eq i64 %2043, 0
+  br i1 %2044, label %2064, label %2045
+
+2045:                                             ; preds = %2036
+  %2046 = load i64, ptr %423, align 8
+  %2047 = add nsw i64 %2046, 1
+  store i64 %2047, ptr %423, align 8
+  store i64 6, ptr %439, align 8
+  %2048 = fmul double %535, 2.500000e-01
+  %2049 = load ptr, ptr %83, align 8
+  %2050 = getelementptr inbounds i8, ptr %2049, i64 32
+  %2051 = load i64, ptr %2050, align 8
+  %2052 = or i64 %2051, 1
+  store i64 %2052, ptr %2050, align 8
+  %2053 = load ptr, ptr %83, align 8
+  %2054 = getelementptr inbounds i8, ptr %2053, i64 8
+  %2055 = load i64, ptr %2054, align 8
+  %2056 = and i64 %2055, -2
+  %2057 = getelementptr inbounds i8, ptr %2053, i64 16
+  %2058 = load i64, ptr %2057, align 8
+  %2059 = and i64 %2058, 1
+  %2060 = or disjoint i64 %2059, %2056
+  %2061 = xor i64 %2060, 1
+  store i64 %2061, ptr %2054, align 8
+  %2062 = load ptr, ptr %173, align 8
+  %2063 = getelementptr inbounds i8, ptr %2062, i64 8
+  store double 0.000000e+00, ptr %2063, align 8
+  br label %2637, !llvm.loop !53
+
+2064:                                             ; preds = %2036, %2035
+  %2065 = load i64, ptr %422, align 8
+  %2066 = add nsw i64 %2065, 1
+  store i64 %2066, ptr %422, align 8
+  store double %534, ptr %223, align 8
+  store double %535, ptr %440, align 8
+  %2067 = load ptr, ptr %81, align 8
+  %2068 = getelementptr inbounds i8, ptr %2067, i64 8
+  %2069 = load i64, ptr %2068, align 8
+  %2070 = load i64, ptr %174, align 8
+  %2071 = load ptr, ptr %175, align 8
+  %2072 = load ptr, ptr %176, align 8
+  %2073 = load ptr, ptr %177, align 8
+  %2074 = load ptr, ptr %178, align 8
+  br label %2090
+
+2075:                                             ; preds = %2090
+  %2076 = icmp sgt i64 %2069, 0
+  br i1 %2076, label %2077, label %2150
+
+2077:                                             ; preds = %2075
+  %2078 = load double, ptr %13, align 16
+  %2079 = load double, ptr %179, align 8
+  %2080 = getelementptr double, ptr %2071, i64 %2069
+  %2081 = load double, ptr %180, align 16
+  %2082 = shl i64 %2069, 4
+  %2083 = getelementptr i8, ptr %2071, i64 %2082
+  %2084 = load double, ptr %14, align 16
+  %2085 = load double, ptr %181, align 8
+  %2086 = load double, ptr %182, align 16
+  %2087 = getelementptr inbounds double, ptr %2072, i64 %2070
+  %2088 = shl nsw i64 %2070, 4
+  %2089 = getelementptr inbounds i8, ptr %2072, i64 %2088
+  br label %2101
+
+2090:                                             ; preds = %2064, %2090
+  %2091 = phi i64 [ 0, %2064 ], [ %2099, %2090 ]
+  %2092 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %2091
+  %2093 = getelementptr inbounds i8, ptr %2092, i64 8
+  %2094 = load double, ptr %2093, align 8
+  %2095 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %2091
+  store double %2094, ptr %2095, align 8
+  %2096 = getelementptr inbounds i8, ptr %2092, i64 16
+  %2097 = load double, ptr %2096, align 8
+  %2098 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %2091
+  store double %2097, ptr %2098, align 8
+  %2099 = add nuw nsw i64 %2091, 1
+  %2100 = icmp eq i64 %2099, 3
+  br i1 %2100, label %2075, label %2090, !llvm.loop !54
+
+2101:                                             ; preds = %2077, %2138
+  %2102 = phi i64 [ 0, %2077 ], [ %2139, %2138 ]
+  %2103 = getelementptr inbounds double, ptr %2071, i64 %2102
+  %2104 = load double, ptr %2103, align 8
+  %2105 = fmul double %2078, %2104
+  %2106 = getelementptr double, ptr %2080, i64 %2102
+  %2107 = load double, ptr %2106, align 8
+  %2108 = fmul double %2079, %2107
+  %2109 = fadd double %2105, %2108
+  %2110 = getelementptr double, ptr %2083, i64 %2102
+  %2111 = load double, ptr %2110, align 8
+  %2112 = fmul double %2081, %2111
+  %2113 = fadd double %2109, %2112
+  %2114 = fmul double %2104, %2084
+  %2115 = fmul double %2107, %2085
+  %2116 = fadd double %2114, %2115
+  %2117 = fmul double %2111, %2086
+  %2118 = fadd double %2116, %2117
+  %2119 = load ptr, ptr %183, align 8
+  %2120 = getelementptr inbounds double, ptr %2119, i64 %2102
+  %2121 = load double, ptr %2120, align 8
+  %2122 = load ptr, ptr %82, align 8
+  %2123 = getelementptr inbounds double, ptr %2122, i64 %2102
+  %2124 = load double, ptr %2123, align 8
+  %2125 = fsub double %2121, %2124
+  %2126 = getelementptr inbounds double, ptr %2072, i64 %2102
+  store double %2125, ptr %2126, align 8
+  %2127 = fneg double %2113
+  %2128 = fsub double %2127, %2118
+  %2129 = getelementptr inbounds double, ptr %2087, i64 %2102
+  store double %2128, ptr %2129, align 8
+  %2130 = fneg double %2118
+  %2131 = getelementptr inbounds double, ptr %2089, i64 %2102
+  store double %2130, ptr %2131, align 8
+  %2132 = load ptr, ptr %82, align 8
+  %2133 = getelementptr inbounds double, ptr %2132, i64 %2102
+  %2134 = load double, ptr %2133, align 8
+  %2135 = getelementptr inbounds double, ptr %2073, i64 %2102
+  store double %2134, ptr %2135, align 8
+  %2136 = getelementptr double, ptr %2072, i64 %2102
+  %2137 = getelementptr double, ptr %2073, i64 %2102
+  br label %2141
+
+2138:                                             ; preds = %2141
+  %2139 = add nuw nsw i64 %2102, 1
+  %2140 = icmp eq i64 %2139, %2069
+  br i1 %2140, label %2150, label %2101, !llvm.loop !55
+
+2141:                                             ; preds = %2101, %2141
+  %2142 = phi i64 [ 0, %2101 ], [ %2143, %2141 ]
+  %2143 = add nuw nsw i64 %2142, 1
+  %2144 = mul nuw nsw i64 %2069, %2143
+  %2145 = mul nsw i64 %2070, %2142
+  %2146 = getelementptr double, ptr %2136, i64 %2145
+  %2147 = load double, ptr %2146, align 8
+  %2148 = getelementptr double, ptr %2137, i64 %2144
+  store double %2147, ptr %2148, align 8
+  %2149 = icmp eq i64 %2143, 3
+  br i1 %2149, label %2138, label %2141, !llvm.loop !56
+
+2150:                                             ; preds = %2138, %2075
+  %2151 = fcmp olt double %1994, 1.000000e-10
+  %2152 = select i1 %2151, double 1.000000e-10, double %1994
+  %2153 = getelementptr inbounds i8, ptr %2074, i64 8
+  store double %535, ptr %2153, align 8
+  %2154 = getelementptr inbounds i8, ptr %2074, i64 16
+  store double %535, ptr %2154, align 8
+  %2155 = getelementptr inbounds i8, ptr %2074, i64 24
+  store double %2152, ptr %2155, align 8
+  %2156 = load ptr, ptr %83, align 8
+  %2157 = getelementptr inbounds i8, ptr %2156, i64 8
+  %2158 = load i64, ptr %2157, align 8
+  %2159 = and i64 %2158, -2
+  %2160 = or disjoint i64 %2159, %2000
+  store i64 %2160, ptr %2157, align 8
+  %2161 = load ptr, ptr %83, align 8
+  %2162 = getelementptr inbounds i8, ptr %2161, i64 16
+  %2163 = load i64, ptr %2162, align 8
+  %2164 = and i64 %2163, -2
+  store i64 %2164, ptr %2162, align 8
+  %2165 = load ptr, ptr %83, align 8
+  %2166 = getelementptr inbounds i8, ptr %2165, i64 32
+  %2167 = load i64, ptr %2166, align 8
+  %2168 = and i64 %2167, -2
+  store i64 %2168, ptr %2166, align 8
+  %2169 = load ptr, ptr %0, align 8
+  %2170 = getelementptr inbounds i8, ptr %2169, i64 24
+  %2171 = load i64, ptr %2170, align 8
+  %2172 = load ptr, ptr %101, align 8
+  %2173 = getelementptr inbounds i8, ptr %2172, i64 8
+  %2174 = load i64, ptr %2173, align 8
+  %2175 = icmp eq i64 %2174, 0
+  br i1 %2175, label %2222, label %2176
+
+2176:                                             ; preds = %2150
+  %2177 = load i64, ptr %2172, align 8
+  %2178 = load ptr, ptr %81, align 8
+  %2179 = getelementptr inbounds i8, ptr %2178, i64 8
+  %2180 = load i64, ptr %2179, align 8
+  %2181 = load ptr, ptr %184, align 8
+  %2182 = load i64, ptr %185, align 8
+  %2183 = mul nsw i64 %2182, %2177
+  %2184 = getelementptr inbounds double, ptr %2181, i64 %2183
+  %2185 = getelementptr inbounds double, ptr %2184, i64 %2182
+  store double %458, ptr %2184, align 8
+  %2186 = getelementptr inbounds i8, ptr %2184, i64 8
+  store double %535, ptr %2186, align 8
+  store double %534, ptr %2185, align 8
+  %2187 = getelementptr inbounds i8, ptr %2185, i64 8
+  store double 0.000000e+00, ptr %2187, align 8
+  %2188 = icmp sgt i64 %2180, 0
+  br i1 %2188, label %2189, label %2192
+
+2189:                                             ; preds = %2176
+  %2190 = getelementptr i8, ptr %2184, i64 16
+  %2191 = icmp sgt i64 %2171, 0
+  br label %2195
+
+2192:                                             ; preds = %2207, %2176
+  %2193 = add nsw i64 %2177, 1
+  %2194 = load ptr, ptr %101, align 8
+  store i64 %2193, ptr %2194, align 8
+  br label %2222
+
+2195:                                             ; preds = %2189, %2207
+  %2196 = phi i64 [ 0, %2189 ], [ %2208, %2207 ]
+  %2197 = load ptr, ptr %82, align 8
+  %2198 = getelementptr inbounds double, ptr %2197, i64 %2196
+  %2199 = load double, ptr %2198, align 8
+  %2200 = add nuw nsw i64 %2196, 2
+  %2201 = getelementptr inbounds double, ptr %2184, i64 %2200
+  store double %2199, ptr %2201, align 8
+  %2202 = load ptr, ptr %186, align 8
+  %2203 = getelementptr inbounds double, ptr %2202, i64 %2196
+  %2204 = load double, ptr %2203, align 8
+  %2205 = getelementptr inbounds double, ptr %2185, i64 %2200
+  store double %2204, ptr %2205, align 8
+  %2206 = getelementptr double, ptr %2190, i64 %2196
+  br i1 %2191, label %2210, label %2207
+
+2207:                                             ; preds = %2210, %2195
+  %2208 = add nuw nsw i64 %2196, 1
+  %2209 = icmp eq i64 %2208, %2180
+  br i1 %2209, label %2192, label %2195, !llvm.loop !57
+
+2210:                                             ; preds = %2195, %2210
+  %2211 = phi i64 [ %2218, %2210 ], [ 0, %2195 ]
+  %2212 = load ptr, ptr %187, align 8
+  %2213 = load i64, ptr %188, align 8
+  %2214 = mul nsw i64 %2213, %2211
+  %2215 = getelementptr double, ptr %2212, i64 %2214
+  %2216 = getelementptr double, ptr %2215, i64 %2196
+  %2217 = load double, ptr %2216, align 8
+  %2218 = add nuw nsw i64 %2211, 1
+  %2219 = mul nuw nsw i64 %2218, %2180
+  %2220 = getelementptr double, ptr %2206, i64 %2219
+  store double %2217, ptr %2220, align 8
+  %2221 = icmp eq i64 %2218, %2171
+  br i1 %2221, label %2207, label %2210, !llvm.loop !58
+
+2222:                                             ; preds = %2150, %2192
+  br i1 %260, label %2223, label %2331
+
+2223:                                             ; preds = %2222
+  %2224 = load ptr, ptr %90, align 8
+  %2225 = load ptr, ptr %81, align 8
+  %2226 = getelementptr inbounds i8, ptr %2225, i64 8
+  %2227 = load i64, ptr %2226, align 8
+  %2228 = load ptr, ptr %189, align 8
+  %2229 = getelementptr inbounds i8, ptr %2224, i64 32
+  %2230 = load i64, ptr %2229, align 8
+  %2231 = getelementptr inbounds double, ptr %2228, i64 %2230
+  %2232 = load ptr, ptr %190, align 8
+  %2233 = getelementptr inbounds i8, ptr %2224, i64 24
+  %2234 = load i64, ptr %2233, align 8
+  %2235 = icmp eq i64 %2234, 0
+  br i1 %2235, label %2328, label %2236
+
+2236:                                             ; preds = %2223
+  %2237 = getelementptr inbounds i8, ptr %2224, i64 40
+  %2238 = load i64, ptr %2237, align 8
+  %2239 = icmp sgt i64 %2238, 0
+  br i1 %2239, label %2240, label %2244
+
+2240:                                             ; preds = %2236
+  %2241 = getelementptr double, ptr %2232, i64 %2227
+  %2242 = shl i64 %2227, 4
+  %2243 = getelementptr i8, ptr %2232, i64 %2242
+  br label %2298
+
+2244:                                             ; preds = %2298, %2236
+  %2245 = load ptr, ptr %192, align 8
+  %2246 = load ptr, ptr %90, align 8
+  %2247 = getelementptr inbounds i8, ptr %2246, i64 8
+  %2248 = load i64, ptr %2247, align 8
+  %2249 = load ptr, ptr %193, align 8
+  %2250 = load ptr, ptr %189, align 8
+  %2251 = getelementptr inbounds i8, ptr %2246, i64 32
+  %2252 = load i64, ptr %2251, align 8
+  %2253 = getelementptr inbounds i8, ptr %2246, i64 40
+  %2254 = load i64, ptr %2253, align 8
+  %2255 = getelementptr double, ptr %2250, i64 %2252
+  %2256 = getelementptr double, ptr %2255, i64 %2254
+  store double %535, ptr %2256, align 8
+  %2257 = load ptr, ptr %192, align 8
+  store double %458, ptr %2257, align 8
+  %2258 = load ptr, ptr %90, align 8
+  %2259 = getelementptr inbounds i8, ptr %2258, i64 24
+  %2260 = load i64, ptr %2259, align 8
+  %2261 = load ptr, ptr %82, align 8
+  %2262 = load ptr, ptr %189, align 8
+  %2263 = load ptr, ptr %194, align 8
+  %2264 = inttoptr i64 %2260 to ptr
+  %2265 = load ptr, ptr %2264, align 8
+  %2266 = tail call i32 %2265(ptr noundef %2245, ptr noundef %2261, ptr noundef %2262, ptr noundef %2263, ptr noundef %2249) #11
+  %2267 = icmp eq i32 %2266, 0
+  br i1 %2267, label %2268, label %2328
+
+2268:                                             ; preds = %2244
+  %2269 = icmp slt i64 %2248, 1
+  br i1 %2269, label %2295, label %2270
+
+2270:                                             ; preds = %2268
+  %2271 = load ptr, ptr %195, align 8
+  %2272 = getelementptr double, ptr %2249, i64 %2248
+  br label %2273
+
+2273:                                             ; preds = %2270, %2291
+  %2274 = phi i1 [ %2269, %2270 ], [ %2293, %2291 ]
+  %2275 = phi i64 [ 0, %2270 ], [ %2292, %2291 ]
+  %2276 = getelementptr inbounds i64, ptr %2271, i64 %2275
+  %2277 = load i64, ptr %2276, align 8
+  %2278 = and i64 %2277, 2
+  %2279 = icmp eq i64 %2278, 0
+  br i1 %2279, label %2280, label %2291
+
+2280:                                             ; preds = %2273
+  %2281 = getelementptr inbounds double, ptr %2249, i64 %2275
+  %2282 = load double, ptr %2281, align 8
+  %2283 = load ptr, ptr %196, align 8
+  %2284 = getelementptr inbounds i64, ptr %2283, i64 %2275
+  %2285 = load i64, ptr %2284, align 8
+  %2286 = sitofp i64 %2285 to double
+  %2287 = fmul double %2282, %2286
+  %2288 = getelementptr double, ptr %2272, i64 %2275
+  %2289 = load double, ptr %2288, align 8
+  %2290 = fcmp ogt double %2287, %2289
+  br i1 %2290, label %2291, label %2295
+
+2291:                                             ; preds = %2280, %2273
+  %2292 = add nuw nsw i64 %2275, 1
+  %2293 = icmp sge i64 %2292, %2248
+  %2294 = icmp eq i64 %2292, %2248
+  br i1 %2294, label %2295, label %2273, !llvm.loop !59
+
+2295:                                             ; preds = %2291, %2280, %2268
+  %2296 = phi i1 [ %2269, %2268 ], [ %2293, %2291 ], [ %2274, %2280 ]
+  %2297 = zext i1 %2296 to i32
+  br label %2328
+
+2298:                                             ; preds = %2240, %2298
+  %2299 = phi i64 [ 0, %2240 ], [ %2325, %2298 ]
+  %2300 = load ptr, ptr %191, align 8
+  %2301 = getelementptr inbounds double, ptr %2300, i64 %2299
+  %2302 = load double, ptr %2301, align 8
+  %2303 = load ptr, ptr %82, align 8
+  %2304 = getelementptr inbounds double, ptr %2303, i64 %2299
+  %2305 = load double, ptr %2304, align 8
+  %2306 = fsub double %2302, %2305
+  %2307 = tail call double @llvm.fabs.f64(double %2306)
+  %2308 = getelementptr inbounds double, ptr %2232, i64 %2299
+  %2309 = load double, ptr %2308, align 8
+  %2310 = tail call double @llvm.fabs.f64(double %2309)
+  %2311 = getelementptr double, ptr %2241, i64 %2299
+  %2312 = load double, ptr %2311, align 8
+  %2313 = tail call double @llvm.fabs.f64(double %2312)
+  %2314 = fcmp ogt double %2310, %2313
+  %2315 = select i1 %2314, double %2310, double %2313
+  %2316 = getelementptr double, ptr %2243, i64 %2299
+  %2317 = load double, ptr %2316, align 8
+  %2318 = tail call double @llvm.fabs.f64(double %2317)
+  %2319 = fcmp ogt double %2315, %2318
+  %2320 = select i1 %2319, double %2315, double %2318
+  %2321 = fcmp ogt double %2320, %2307
+  %2322 = select i1 %2321, double %2320, double %2307
+  %2323 = fmul double %2322, 8.000000e+00
+  %2324 = getelementptr inbounds double, ptr %2231, i64 %2299
+  store double %2323, ptr %2324, align 8
+  %2325 = add nuw nsw i64 %2299, 1
+  %2326 = load i64, ptr %2237, align 8
+  %2327 = icmp slt i64 %2325, %2326
+  br i1 %2327, label %2298, label %2244, !llvm.loop !60
+
+2328:                                             ; preds = %2295, %2244, %2223
+  %2329 = phi i32 [ 0, %2223 ], [ 0, %2244 ], [ %2297, %2295 ]
+  %2330 = icmp eq i32 %2329, 0
+  br label %2331
+
+2331:                                             ; preds = %2328, %2222
+  %2332 = phi i1 [ false, %2222 ], [ %2330, %2328 ]
+  br i1 %2332, label %2338, label %2333
+
+2333:                                             ; preds = %2331
+  %2334 = load i64, ptr %441, align 8
+  %2335 = getelementptr inbounds double, ptr %232, i64 %2334
+  %2336 = load double, ptr %2335, align 8
+  %2337 = fcmp ugt double %2336, %534
+  br i1 %2337, label %2563, label %2338
+
+2338:                                             ; preds = %2333, %2331
+  %2339 = load ptr, ptr %84, align 8
+  br i1 %2332, label %2340, label %2351
+
+2340:                                             ; preds = %2338
+  %2341 = load ptr, ptr %90, align 8
+  %2342 = getelementptr inbounds i8, ptr %2341, i64 16
+  %2343 = load i64, ptr %2342, align 8
+  %2344 = inttoptr i64 %2343 to ptr
+  %2345 = tail call i64 %2344(ptr noundef %0, double noundef %458, double noundef %535) #11
+  %2346 = icmp eq i64 %2345, -6
+  br i1 %2346, label %2347, label %2348
+
+2347:                                             ; preds = %2340
+  store double %458, ptr %2339, align 8
+  br label %2526
+
+2348:                                             ; preds = %2340
+  %2349 = getelementptr inbounds i8, ptr %2339, i64 48
+  %2350 = load double, ptr %2349, align 8
+  br label %2351
+
+2351:                                             ; preds = %2348, %2338
+  %2352 = phi double [ %2350, %2348 ], [ 1.000000e+00, %2338 ]
+  %2353 = phi i64 [ %2345, %2348 ], [ 0, %2338 ]
+  %2354 = fcmp oeq double %2352, 1.000000e+00
+  br i1 %2354, label %2355, label %2357
+
+2355:                                             ; preds = %2351
+  %2356 = load double, ptr %2339, align 8
+  br label %2360
+
+2357:                                             ; preds = %2351
+  %2358 = fmul double %535, %2352
+  %2359 = fadd double %458, %2358
+  br label %2360
+
+2360:                                             ; preds = %2357, %2355
+  %2361 = phi double [ %2356, %2355 ], [ %2359, %2357 ]
+  %2362 = icmp eq i64 %2353, -4
+  %2363 = select i1 %2362, i64 -4, i64 0
+  br i1 %2362, label %2421, label %2364
+
+2364:                                             ; preds = %2360
+  %2365 = fcmp olt double %2352, 1.000000e+00
+  %2366 = load ptr, ptr %81, align 8
+  %2367 = getelementptr inbounds i8, ptr %2366, i64 8
+  %2368 = load i64, ptr %2367, align 8
+  %2369 = load i64, ptr %87, align 8
+  %2370 = load ptr, ptr %86, align 8
+  %2371 = load ptr, ptr %85, align 8
+  %2372 = getelementptr inbounds i8, ptr %2371, i64 48
+  %2373 = load i64, ptr %2372, align 8
+  %2374 = icmp slt i64 %2373, %2369
+  br i1 %2374, label %2375, label %2417
+
+2375:                                             ; preds = %2364, %2413
+  %2376 = phi i64 [ %2414, %2413 ], [ undef, %2364 ]
+  %2377 = phi i64 [ %2415, %2413 ], [ %2373, %2364 ]
+  %2378 = getelementptr inbounds double, ptr %2370, i64 %2377
+  %2379 = load double, ptr %2378, align 8
+  %2380 = fcmp olt double %2379, %2361
+  %2381 = fcmp oeq double %2379, %2361
+  %2382 = and i1 %2365, %2381
+  %2383 = or i1 %2380, %2382
+  br i1 %2383, label %2384, label %2417
+
+2384:                                             ; preds = %2375
+  %2385 = fsub double %2379, %458
+  %2386 = fdiv double %2385, %535
+  %2387 = mul nsw i64 %2377, %2368
+  %2388 = getelementptr inbounds double, ptr %1, i64 %2387
+  %2389 = load ptr, ptr %197, align 8
+  %2390 = insertelement <8 x double> poison, double %2386, i64 0
+  %2391 = shufflevector <8 x double> %2390, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2391, ptr %2389, align 8
+  %2392 = load ptr, ptr %82, align 8
+  %2393 = load ptr, ptr %176, align 8
+  %2394 = load i64, ptr %174, align 8
+  %2395 = load ptr, ptr %0, align 8
+  %2396 = getelementptr inbounds i8, ptr %2395, i64 24
+  %2397 = load i64, ptr %2396, align 8
+  %2398 = load ptr, ptr %197, align 8
+  %2399 = load ptr, ptr %81, align 8
+  %2400 = getelementptr inbounds i8, ptr %2399, i64 16
+  %2401 = load i64, ptr %2400, align 8
+  tail call fastcc void @nested(ptr noundef %2388, ptr noundef %2392, ptr noundef %2393, i64 noundef %2394, i64 noundef %2397, ptr noundef %2398, i64 noundef %2401) #10
+  %2402 = load ptr, ptr %89, align 8
+  %2403 = load i64, ptr %2402, align 8
+  %2404 = icmp eq i64 %2403, 1
+  br i1 %2404, label %2405, label %2413
+
+2405:                                             ; preds = %2384
+  %2406 = load double, ptr %2378, align 8
+  %2407 = getelementptr inbounds i8, ptr %2402, i64 56
+  %2408 = load i64, ptr %2407, align 8
+  %2409 = inttoptr i64 %2408 to ptr
+  %2410 = tail call i64 %2409(ptr noundef %0, double noundef %2406, ptr noundef %2388, ptr noundef null) #11
+  %2411 = icmp eq i64 %2410, 0
+  %2412 = select i1 %2411, i64 %2376, i64 %2410
+  br i1 %2411, label %2413, label %2421
+
+2413:                                             ; preds = %2405, %2384
+  %2414 = phi i64 [ %2412, %2405 ], [ %2376, %2384 ]
+  %2415 = add i64 %2377, 1
+  %2416 = icmp eq i64 %2415, %2369
+  br i1 %2416, label %2417, label %2375, !llvm.loop !61
+
+2417:                                             ; preds = %2413, %2375, %2364
+  %2418 = phi i64 [ %2373, %2364 ], [ %2369, %2413 ], [ %2377, %2375 ]
+  %2419 = load ptr, ptr %85, align 8
+  %2420 = getelementptr inbounds i8, ptr %2419, i64 48
+  store i64 %2418, ptr %2420, align 8
+  br label %2421
+
+2421:                                             ; preds = %2405, %2417, %2360
+  %2422 = phi i64 [ %2363, %2360 ], [ 0, %2417 ], [ %2412, %2405 ]
+  %2423 = icmp eq i64 %2422, 0
+  %2424 = icmp ne i64 %2353, 0
+  %2425 = fcmp olt double %2352, 1.000000e+00
+  %2426 = and i1 %2425, %2423
+  %2427 = and i1 %2424, %2426
+  br i1 %2427, label %2428, label %2465
+
+2428:                                             ; preds = %2421
+  %2429 = load ptr, ptr %198, align 8
+  %2430 = load ptr, ptr %199, align 8
+  %2431 = insertelement <8 x double> poison, double %2352, i64 0
+  %2432 = shufflevector <8 x double> %2431, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2432, ptr %2430, align 8
+  %2433 = load ptr, ptr %82, align 8
+  %2434 = load ptr, ptr %176, align 8
+  %2435 = load i64, ptr %174, align 8
+  %2436 = load ptr, ptr %0, align 8
+  %2437 = getelementptr inbounds i8, ptr %2436, i64 24
+  %2438 = load i64, ptr %2437, align 8
+  %2439 = load ptr, ptr %199, align 8
+  %2440 = load ptr, ptr %81, align 8
+  %2441 = getelementptr inbounds i8, ptr %2440, i64 16
+  %2442 = load i64, ptr %2441, align 8
+  tail call fastcc void @nested(ptr noundef %2429, ptr noundef %2433, ptr noundef %2434, i64 noundef %2435, i64 noundef %2438, ptr noundef %2439, i64 noundef %2442) #10
+  %2443 = load i64, ptr %200, align 8
+  %2444 = icmp sgt i64 %2443, 0
+  br i1 %2444, label %2449, label %2445
+
+2445:                                             ; preds = %2449, %2428
+  %2446 = load ptr, ptr %89, align 8
+  %2447 = load i64, ptr %2446, align 8
+  %2448 = icmp eq i64 %2447, 1
+  br i1 %2448, label %2459, label %2465
+
+2449:                                             ; preds = %2428, %2449
+  %2450 = phi i64 [ %2456, %2449 ], [ 0, %2428 ]
+  %2451 = load ptr, ptr %198, align 8
+  %2452 = getelementptr inbounds double, ptr %2451, i64 %2450
+  %2453 = load double, ptr %2452, align 8
+  %2454 = load ptr, ptr %201, align 8
+  %2455 = getelementptr inbounds double, ptr %2454, i64 %2450
+  store double %2453, ptr %2455, align 8
+  %2456 = add nuw nsw i64 %2450, 1
+  %2457 = load i64, ptr %200, align 8
+  %2458 = icmp slt i64 %2456, %2457
+  br i1 %2458, label %2449, label %2445, !llvm.loop !62
+
+2459:                                             ; preds = %2445
+  %2460 = load ptr, ptr %202, align 8
+  %2461 = getelementptr inbounds i8, ptr %2446, i64 56
+  %2462 = load i64, ptr %2461, align 8
+  %2463 = inttoptr i64 %2462 to ptr
+  %2464 = tail call i64 %2463(ptr noundef %0, double noundef %2361, ptr noundef %2460, ptr noundef null) #11
+  br label %2465
+
+2465:                                             ; preds = %2459, %2445, %2421
+  %2466 = phi i64 [ %2464, %2459 ], [ 0, %2445 ], [ %2422, %2421 ]
+  %2467 = icmp eq i64 %2466, 0
+  br i1 %2467, label %2470, label %2468
+
+2468:                                             ; preds = %2465
+  store double %458, ptr %2339, align 8
+  %2469 = getelementptr inbounds i8, ptr %2339, i64 8
+  store double %535, ptr %2469, align 8
+  br label %2526
+
+2470:                                             ; preds = %2465
+  br i1 %2354, label %2471, label %2509
+
+2471:                                             ; preds = %2470
+  %2472 = load ptr, ptr %203, align 8
+  %2473 = load ptr, ptr %81, align 8
+  %2474 = getelementptr inbounds i8, ptr %2473, i64 8
+  %2475 = load i64, ptr %2474, align 8
+  %2476 = load i64, ptr %87, align 8
+  %2477 = load ptr, ptr %86, align 8
+  %2478 = load ptr, ptr %85, align 8
+  %2479 = getelementptr inbounds i8, ptr %2478, i64 48
+  %2480 = load i64, ptr %2479, align 8
+  %2481 = icmp slt i64 %2480, %2476
+  br i1 %2481, label %2482, label %2505
+
+2482:                                             ; preds = %2471
+  %2483 = icmp sgt i64 %2475, 0
+  br label %2484
+
+2484:                                             ; preds = %2482, %2495
+  %2485 = phi i64 [ %2480, %2482 ], [ %2496, %2495 ]
+  %2486 = getelementptr inbounds double, ptr %2477, i64 %2485
+  %2487 = load double, ptr %2486, align 8
+  %2488 = load ptr, ptr %84, align 8
+  %2489 = load double, ptr %2488, align 8
+  %2490 = fcmp ugt double %2487, %2489
+  br i1 %2490, label %2505, label %2491
+
+2491:                                             ; preds = %2484
+  br i1 %2483, label %2492, label %2495
+
+2492:                                             ; preds = %2491
+  %2493 = mul nsw i64 %2485, %2475
+  %2494 = getelementptr double, ptr %1, i64 %2493
+  br label %2498
+
+2495:                                             ; preds = %2498, %2491
+  %2496 = add i64 %2485, 1
+  %2497 = icmp eq i64 %2496, %2476
+  br i1 %2497, label %2505, label %2484, !llvm.loop !13
+
+2498:                                             ; preds = %2492, %2498
+  %2499 = phi i64 [ 0, %2492 ], [ %2503, %2498 ]
+  %2500 = getelementptr inbounds double, ptr %2472, i64 %2499
+  %2501 = load double, ptr %2500, align 8
+  %2502 = getelementptr double, ptr %2494, i64 %2499
+  store double %2501, ptr %2502, align 8
+  %2503 = add nuw nsw i64 %2499, 1
+  %2504 = icmp eq i64 %2503, %2475
+  br i1 %2504, label %2495, label %2498, !llvm.loop !14
+
+2505:                                             ; preds = %2495, %2484, %2471
+  %2506 = phi i64 [ %2480, %2471 ], [ %2476, %2495 ], [ %2485, %2484 ]
+  %2507 = load ptr, ptr %85, align 8
+  %2508 = getelementptr inbounds i8, ptr %2507, i64 48
+  store i64 %2506, ptr %2508, align 8
+  br label %2509
+
+2509:                                             ; preds = %2505, %2470
+  br i1 %2424, label %2510, label %2526
+
+2510:                                             ; preds = %2509
+  %2511 = load i64, ptr %204, align 8
+  %2512 = icmp sgt i64 %2511, 0
+  br i1 %2512, label %2516, label %2513
+
+2513:                                             ; preds = %2516, %2510
+  store double %2361, ptr %2339, align 8
+  %2514 = getelementptr inbounds i8, ptr %2339, i64 8
+  store double 0.000000e+00, ptr %2514, align 8
+  %2515 = load ptr, ptr %85, align 8
+  store i64 0, ptr %2515, align 8
+  br label %2526
+
+2516:                                             ; preds = %2510, %2516
+  %2517 = phi i64 [ %2523, %2516 ], [ 0, %2510 ]
+  %2518 = load ptr, ptr %205, align 8
+  %2519 = getelementptr inbounds double, ptr %2518, i64 %2517
+  %2520 = load double, ptr %2519, align 8
+  %2521 = load ptr, ptr %82, align 8
+  %2522 = getelementptr inbounds double, ptr %2521, i64 %2517
+  store double %2520, ptr %2522, align 8
+  %2523 = add nuw nsw i64 %2517, 1
+  %2524 = load i64, ptr %204, align 8
+  %2525 = icmp slt i64 %2523, %2524
+  br i1 %2525, label %2516, label %2513, !llvm.loop !63
+
+2526:                                             ; preds = %2347, %2468, %2509, %2513
+  %2527 = phi i64 [ -6, %2347 ], [ %2466, %2468 ], [ %2353, %2513 ], [ %2353, %2509 ]
+  %2528 = icmp eq i64 %2527, -6
+  br i1 %2528, label %2532, label %2529
+
+2529:                                             ; preds = %2526
+  %2530 = icmp ne i64 %2527, 6
+  %2531 = select i1 %2530, i1 true, i1 %260
+  br i1 %2531, label %2557, label %2532
+
+2532:                                             ; preds = %2529, %2526
+  %2533 = phi i64 [ %2527, %2529 ], [ 2, %2526 ]
+  %2534 = load i64, ptr %422, align 8
+  %2535 = add nsw i64 %2534, -1
+  store i64 %2535, ptr %422, align 8
+  %2536 = load ptr, ptr %101, align 8
+  %2537 = load i64, ptr %2536, align 8
+  %2538 = add nsw i64 %2537, -1
+  store i64 %2538, ptr %2536, align 8
+  %2539 = load ptr, ptr %83, align 8
+  %2540 = getelementptr inbounds i8, ptr %2539, i64 32
+  %2541 = load i64, ptr %2540, align 8
+  %2542 = or i64 %2541, 1
+  store i64 %2542, ptr %2540, align 8
+  %2543 = load ptr, ptr %83, align 8
+  %2544 = getelementptr inbounds i8, ptr %2543, i64 8
+  %2545 = load i64, ptr %2544, align 8
+  %2546 = and i64 %2545, -2
+  %2547 = getelementptr inbounds i8, ptr %2543, i64 16
+  %2548 = load i64, ptr %2547, align 8
+  %2549 = and i64 %2548, 1
+  %2550 = or disjoint i64 %2549, %2546
+  %2551 = xor i64 %2550, 1
+  store i64 %2551, ptr %2544, align 8
+  %2552 = load ptr, ptr %178, align 8
+  %2553 = getelementptr inbounds i8, ptr %2552, i64 8
+  store double 0.000000e+00, ptr %2553, align 8
+  %2554 = load i64, ptr %423, align 8
+  %2555 = add nsw i64 %2554, 1
+  store i64 %2555, ptr %423, align 8
+  store i64 %2533, ptr %445, align 8
+  %2556 = fmul double %535, 2.500000e-01
+  br label %2637, !llvm.loop !53
+
+2557:                                             ; preds = %2529
+  %2558 = icmp eq i64 %2527, 0
+  br i1 %2558, label %2563, label %2559
+
+2559:                                             ; preds = %2557
+  %2560 = load ptr, ptr %101, align 8
+  %2561 = load i64, ptr %2560, align 8
+  %2562 = add nsw i64 %2561, 1
+  store i64 %2562, ptr %2560, align 8
+  br label %2637
+
+2563:                                             ; preds = %2557, %2333
+  %2564 = icmp eq i64 %552, 0
+  br i1 %2564, label %2584, label %2565
+
+2565:                                             ; preds = %2563
+  %2566 = load i64, ptr %206, align 8
+  %2567 = icmp eq i64 %2566, 0
+  br i1 %2567, label %2584, label %2568
+
+2568:                                             ; preds = %2565
+  %2569 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %458) #10
+  %2570 = fmul double %535, 1.000000e-03
+  %2571 = fsub double %534, %2570
+  %2572 = tail call double @llvm.fabs.f64(double %534)
+  %2573 = fmul double %2572, 0x3D10000000000000
+  %2574 = fsub double %2571, %2573
+  %2575 = fcmp ogt double %2574, %2569
+  %2576 = fadd double %534, %2573
+  %2577 = fcmp ogt double %2569, %2576
+  %2578 = or i1 %2575, %2577
+  br i1 %2578, label %2584, label %2579
+
+2579:                                             ; preds = %2568
+  %2580 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %534) #10
+  %2581 = fsub double %2580, %534
+  %2582 = fcmp olt double %2581, %1995
+  %2583 = select i1 %2582, double %2581, double %1995
+  br label %2584
+
+2584:                                             ; preds = %2579, %2568, %2565, %2563
+  %2585 = phi double [ %1995, %2563 ], [ %1995, %2565 ], [ %2583, %2579 ], [ %1995, %2568 ]
+  br i1 %442, label %2616, label %2586
+
+2586:                                             ; preds = %2616, %2584
+  %2587 = load i64, ptr %102, align 8
+  %2588 = icmp sgt i64 %2587, 0
+  br i1 %2588, label %2589, label %2591
+
+2589:                                             ; preds = %2586
+  %2590 = load ptr, ptr %208, align 8
+  store double 0x7FF0000000000000, ptr %2590, align 8
+  br label %2591
+
+2591:                                             ; preds = %2586, %2589
+  %2592 = load i64, ptr %436, align 8
+  %2593 = add nsw i64 %2592, 1
+  store i64 %2593, ptr %436, align 8
+  %2594 = load ptr, ptr %82, align 8
+  %2595 = load ptr, ptr %209, align 8
+  %2596 = load ptr, ptr %210, align 8
+  store double %534, ptr %2596, align 8
+  %2597 = load ptr, ptr %81, align 8
+  %2598 = getelementptr inbounds i8, ptr %2597, i64 40
+  %2599 = load i64, ptr %2598, align 8
+  %2600 = icmp eq i64 %2599, 0
+  br i1 %2600, label %2602, label %2601
+
+2601:                                             ; preds = %2591
+  tail call fastcc void @settle(ptr noundef nonnull %81) #10
+  br label %2602
+
+2602:                                             ; preds = %2601, %2591
+  %2603 = load i64, ptr %211, align 8
+  %2604 = icmp sgt i64 %2603, 0
+  br i1 %2604, label %2605, label %2606
+
+2605:                                             ; preds = %2602
+  tail call fastcc void @sample(ptr noundef nonnull %81) #10
+  br label %2606
+
+2606:                                             ; preds = %2602, %2605
+  %2607 = load ptr, ptr %81, align 8
+  %2608 = load i64, ptr %2607, align 8
+  %2609 = load ptr, ptr %210, align 8
+  %2610 = load ptr, ptr %212, align 8
+  %2611 = load ptr, ptr %213, align 8
+  %2612 = inttoptr i64 %2608 to ptr
+  %2613 = load ptr, ptr %2612, align 8
+  %2614 = tail call i32 %2613(ptr noundef %2609, ptr noundef %2594, ptr noundef %2610, ptr noundef %2611, ptr noundef %2595) #11
+  %2615 = icmp eq i32 %2614, 0
+  br i1 %2615, label %2628, label %2625
+
+2616:                                             ; preds = %2584, %2616
+  %2617 = phi i64 [ %2623, %2616 ], [ 0, %2584 ]
+  %2618 = load ptr, ptr %207, align 8
+  %2619 = getelementptr inbounds double, ptr %2618, i64 %2617
+  %2620 = load double, ptr %2619, align 8
+  %2621 = load ptr, ptr %82, align 8
+  %2622 = getelementptr inbounds double, ptr %2621, i64 %2617
+  store double %2620, ptr %2622, align 8
+  %2623 = add nuw nsw i64 %2617, 1
+  %2624 = icmp eq i64 %2623, %231
+  br i1 %2624, label %2586, label %2616, !llvm.loop !64
+
+2625:                                             ; preds = %2606
+  store i64 3, ptr %443, align 8
+  store double %535, ptr %262, align 8
+  %2626 = icmp slt i32 %2614, 0
+  %2627 = select i1 %2626, i64 -4, i64 2
+  br label %2637
+
+2628:                                             ; preds = %2606
+  %2629 = fcmp oeq double %534, %524
+  %2630 = fcmp ogt double %459, %2585
+  %2631 = select i1 %2629, i1 %2630, i1 false
+  %2632 = select i1 %2631, double %459, double %2585
+  %2633 = load i64, ptr %444, align 8
+  %2634 = load i64, ptr %87, align 8
+  %2635 = icmp eq i64 %2633, %2634
+  br i1 %2635, label %2636, label %2637
+
+2636:                                             ; preds = %2628
+  store double %2632, ptr %262, align 8
+  br label %2637
+
+2637:                                             ; preds = %1985, %2011, %2045, %2532, %2559, %2625, %2628, %2636, %2018, %2021, %2029, %2033, %541
+  %2638 = phi double [ %465, %541 ], [ %1986, %2033 ], [ %1986, %2029 ], [ %1986, %2021 ], [ %1986, %2018 ], [ %1986, %2636 ], [ %1986, %2628 ], [ %1986, %2625 ], [ %1986, %2559 ], [ %1986, %2532 ], [ %1986, %2045 ], [ %1986, %2011 ], [ %1986, %1985 ]
+  %2639 = phi double [ %464, %541 ], [ %1987, %2033 ], [ %1987, %2029 ], [ %1987, %2021 ], [ %1987, %2018 ], [ %1987, %2636 ], [ %1987, %2628 ], [ %1987, %2625 ], [ %1987, %2559 ], [ %1987, %2532 ], [ %1987, %2045 ], [ %1987, %2011 ], [ %1987, %1985 ]
+  %2640 = phi double [ %463, %541 ], [ %1988, %2033 ], [ %1988, %2029 ], [ %1988, %2021 ], [ %1988, %2018 ], [ %1988, %2636 ], [ %1988, %2628 ], [ %1988, %2625 ], [ %1988, %2559 ], [ %1988, %2532 ], [ %1988, %2045 ], [ %1988, %2011 ], [ %1988, %1985 ]
+  %2641 = phi i64 [ %462, %541 ], [ %1989, %2033 ], [ %1989, %2029 ], [ %1989, %2021 ], [ %1989, %2018 ], [ %1989, %2636 ], [ %1989, %2628 ], [ %1989, %2625 ], [ %1989, %2559 ], [ %1989, %2532 ], [ %1989, %2045 ], [ %1989, %2011 ], [ %1989, %1985 ]
+  %2642 = phi i64 [ %461, %541 ], [ %1990, %2033 ], [ %1990, %2029 ], [ %1990, %2021 ], [ %1990, %2018 ], [ %1990, %2636 ], [ %1990, %2628 ], [ %1990, %2625 ], [ %1990, %2559 ], [ %1990, %2532 ], [ %1990, %2045 ], [ %1990, %2011 ], [ %1990, %1985 ]
+  %2643 = phi i64 [ %460, %541 ], [ %1991, %2033 ], [ %1991, %2029 ], [ %1991, %2021 ], [ %1991, %2018 ], [ %1991, %2636 ], [ %1991, %2628 ], [ %1991, %2625 ], [ %1991, %2559 ], [ %1991, %2532 ], [ %1991, %2045 ], [ %1991, %2011 ], [ %1991, %1985 ]
+  %2644 = phi double [ %459, %541 ], [ %2034, %2033 ], [ %1995, %2029 ], [ %1995, %2021 ], [ %1995, %2018 ], [ %2632, %2636 ], [ %2632, %2628 ], [ %2585, %2625 ], [ %1995, %2559 ], [ %2556, %2532 ], [ %2048, %2045 ], [ %1995, %2011 ], [ %459, %1985 ]
+  %2645 = phi double [ %458, %541 ], [ %458, %2033 ], [ %458, %2029 ], [ %458, %2021 ], [ %458, %2018 ], [ %534, %2636 ], [ %534, %2628 ], [ %534, %2625 ], [ %458, %2559 ], [ %458, %2532 ], [ %458, %2045 ], [ %458, %2011 ], [ %458, %1985 ]
+  %2646 = phi i32 [ 1, %541 ], [ 3, %2033 ], [ 3, %2029 ], [ 3, %2021 ], [ 3, %2018 ], [ 1, %2636 ], [ 0, %2628 ], [ 1, %2625 ], [ 1, %2559 ], [ 3, %2532 ], [ 3, %2045 ], [ 3, %2011 ], [ 1, %1985 ]
+  %2647 = phi i64 [ 2, %541 ], [ %457, %2033 ], [ %457, %2029 ], [ %457, %2021 ], [ %457, %2018 ], [ 0, %2636 ], [ %457, %2628 ], [ %2627, %2625 ], [ %2527, %2559 ], [ %457, %2532 ], [ %457, %2045 ], [ %457, %2011 ], [ -4, %1985 ]
+  switch i32 %2646, label %2651 [
+    i32 0, label %2648
+    i32 3, label %2648
+  ]
+
+2648:                                             ; preds = %2637, %2637
+  %2649 = load i64, ptr %225, align 8
+  %2650 = icmp eq i64 %2649, 0
+  br i1 %2650, label %447, label %455, !llvm.loop !53
+
+2651:                                             ; preds = %2637, %324, %383, %447, %478, %486, %216
+  %2652 = phi double [ %217, %216 ], [ %448, %447 ], [ %465, %486 ], [ %465, %478 ], [ %217, %383 ], [ %217, %324 ], [ %2638, %2637 ]
+  %2653 = phi double [ %218, %216 ], [ %449, %447 ], [ %464, %486 ], [ %464, %478 ], [ %218, %383 ], [ %218, %324 ], [ %2639, %2637 ]
+  %2654 = phi double [ %219, %216 ], [ %450, %447 ], [ %463, %486 ], [ %463, %478 ], [ %219, %383 ], [ %219, %324 ], [ %2640, %2637 ]
+  %2655 = phi i64 [ %220, %216 ], [ %451, %447 ], [ %462, %486 ], [ %462, %478 ], [ %220, %383 ], [ %220, %324 ], [ %2641, %2637 ]
+  %2656 = phi i64 [ %221, %216 ], [ %452, %447 ], [ %461, %486 ], [ %461, %478 ], [ %221, %383 ], [ %221, %324 ], [ %2642, %2637 ]
+  %2657 = phi i64 [ %222, %216 ], [ %453, %447 ], [ %460, %486 ], [ %460, %478 ], [ %222, %383 ], [ %222, %324 ], [ %2643, %2637 ]
+  %2658 = phi i64 [ -1, %216 ], [ -1, %447 ], [ 1, %486 ], [ -5, %478 ], [ 0, %383 ], [ %327, %324 ], [ %2647, %2637 ]
+  %2659 = load ptr, ptr %215, align 8
+  %2660 = getelementptr inbounds i8, ptr %2659, i64 48
+  %2661 = load i64, ptr %2660, align 8
+  %2662 = icmp ne i64 %2658, -2
+  %2663 = icmp eq i64 %2661, 0
+  %2664 = select i1 %2662, i1 true, i1 %2663
+  br i1 %2664, label %2672, label %2665
+
+2665:                                             ; preds = %2651
+  %2666 = inttoptr i64 %2661 to ptr
+  %2667 = tail call i64 %2666(ptr noundef %0) #11
+  %2668 = icmp eq i64 %2667, 8
+  %2669 = select i1 %2668, i64 8, i64 %2658
+  %2670 = icmp eq i64 %2667, 1
+  %2671 = zext i1 %2670 to i32
+  br label %2672
+
+2672:                                             ; preds = %2651, %2665
+  %2673 = phi i64 [ %2658, %2651 ], [ %2669, %2665 ]
+  %2674 = phi i32 [ 0, %2651 ], [ %2671, %2665 ]
+  %2675 = icmp eq i32 %2674, 0
+  br i1 %2675, label %2676, label %216, !llvm.loop !65
+
+2676:                                             ; preds = %2672
+  %2677 = getelementptr inbounds i8, ptr %0, i64 320
+  %2678 = load i64, ptr %2677, align 8
+  %2679 = icmp sgt i64 %2678, 0
+  br i1 %2679, label %2680, label %2683
+
+2680:                                             ; preds = %2676
+  %2681 = getelementptr inbounds i8, ptr %0, i64 336
+  %2682 = load ptr, ptr %2681, align 8
+  store double 0x7FF0000000000000, ptr %2682, align 8
+  br label %2683
+
+2683:                                             ; preds = %2676, %2680
+  ret i64 %2673
 }
 
 
@@ -4668,7 +4730,108 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   br i1 %166, label %93, label %149, !llvm.loop !103
 }
 
-define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #7 {
+define internal fastcc double @knot_after(ptr noundef readonly %0, double noundef %1) unnamed_addr #7 {
+  %3 = tail call double @llvm.fabs.f64(double %1)
+  %4 = fmul double %3, 0x3D10000000000000
+  %5 = fadd double %4, %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 104
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp sgt i64 %7, 0
+  br i1 %8, label %9, label %16
+
+9:                                                ; preds = %2
+  %10 = getelementptr inbounds i8, ptr %0, i64 96
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %0, i64 112
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 120
+  %15 = load ptr, ptr %14, align 8
+  br label %18
+
+16:                                               ; preds = %68, %2
+  %17 = phi double [ 0x7FF0000000000000, %2 ], [ %69, %68 ]
+  ret double %17
+
+18:                                               ; preds = %9, %68
+  %19 = phi double [ 0x7FF0000000000000, %9 ], [ %69, %68 ]
+  %20 = phi i64 [ 0, %9 ], [ %70, %68 ]
+  %21 = mul nsw i64 %13, %20
+  %22 = getelementptr inbounds i64, ptr %11, i64 %21
+  %23 = getelementptr inbounds i8, ptr %22, i64 8
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %15, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %5
+  br i1 %27, label %58, label %28
+
+28:                                               ; preds = %18
+  %29 = getelementptr inbounds i8, ptr %22, i64 16
+  %30 = load i64, ptr %29, align 8
+  %31 = fcmp ugt double %26, %5
+  br i1 %31, label %40, label %32
+
+32:                                               ; preds = %28
+  %33 = icmp eq i64 %30, 1
+  br i1 %33, label %55, label %34
+
+34:                                               ; preds = %32
+  %35 = getelementptr i8, ptr %25, i64 8
+  %36 = load double, ptr %35, align 8
+  %37 = fcmp ule double %36, %5
+  %38 = icmp sgt i64 %30, 1
+  %39 = select i1 %37, i1 %38, i1 false
+  br i1 %39, label %42, label %55
+
+40:                                               ; preds = %28
+  %41 = icmp sgt i64 %30, 1
+  br i1 %41, label %42, label %55
+
+42:                                               ; preds = %40, %34
+  br label %43
+
+43:                                               ; preds = %42, %43
+  %44 = phi i64 [ %52, %43 ], [ %30, %42 ]
+  %45 = phi i64 [ %51, %43 ], [ 0, %42 ]
+  %46 = add nsw i64 %44, %45
+  %47 = sdiv i64 %46, 2
+  %48 = getelementptr inbounds double, ptr %25, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fcmp ugt double %49, %5
+  %51 = select i1 %50, i64 %45, i64 %47
+  %52 = select i1 %50, i64 %47, i64 %44
+  %53 = sub nsw i64 %52, %51
+  %54 = icmp sgt i64 %53, 1
+  br i1 %54, label %43, label %55, !llvm.loop !66
+
+55:                                               ; preds = %43, %40, %32, %34
+  %56 = phi i64 [ 0, %34 ], [ 0, %32 ], [ 0, %40 ], [ %51, %43 ]
+  %57 = add nsw i64 %56, 1
+  br label %58
+
+58:                                               ; preds = %18, %55
+  %59 = phi i64 [ %57, %55 ], [ 0, %18 ]
+  %60 = getelementptr inbounds i8, ptr %22, i64 16
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp slt i64 %59, %61
+  br i1 %62, label %63, label %68
+
+63:                                               ; preds = %58
+  %64 = getelementptr inbounds double, ptr %25, i64 %59
+  %65 = load double, ptr %64, align 8
+  %66 = fcmp olt double %65, %19
+  br i1 %66, label %67, label %68
+
+67:                                               ; preds = %63
+  br label %68
+
+68:                                               ; preds = %67, %63, %58
+  %69 = phi double [ %65, %67 ], [ %19, %63 ], [ %19, %58 ]
+  %70 = add nuw nsw i64 %20, 1
+  %71 = icmp eq i64 %70, %7
+  br i1 %71, label %16, label %18, !llvm.loop !104
+}
+
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
   %10 = shl nsw i64 %6, 3
@@ -4702,7 +4865,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !104
+  br i1 %31, label %20, label %19, !llvm.loop !105
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4716,16 +4879,16 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !105
+  br i1 %43, label %32, label %24, !llvm.loop !106
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
 
-declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #8
+declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #9
 
-declare i64 @llvm.smin.i64(i64, i64) #8
+declare i64 @llvm.smin.i64(i64, i64) #9
 
-declare i64 @llvm.umax.i64(i64, i64) #8
+declare i64 @llvm.umax.i64(i64, i64) #9
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -4735,10 +4898,11 @@ attributes #4 = { nounwind willreturn memory(none) }
 attributes #5 = { noinline nounwind }
 attributes #6 = { nounwind willreturn }
 attributes #7 = { noinline nounwind }
-attributes #8 = { nounwind willreturn memory(none) }
-attributes #9 = { nounwind }
+attributes #8 = { noinline nounwind }
+attributes #9 = { nounwind willreturn memory(none) }
 attributes #10 = { nounwind }
 attributes #11 = { nounwind }
+attributes #12 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -4847,3 +5011,4 @@ attributes #11 = { nounwind }
 !103 = distinct !{!103, !4, !5}
 !104 = distinct !{!104, !4, !5}
 !105 = distinct !{!105, !4, !5}
+!106 = distinct !{!106, !4, !5}

@@ -1,4 +1,4 @@
-; sources d4bd7cef41ab7d265842b867ddb67d5f6e809f49665bcc93ca4b8f4865cf51cb
+; sources d392c8dd76895548176e6df4ec438ca41b8a8b8a72ed19fdc5f7b744650ff87f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @begin_lanes(ptr noundef %0) #0 {

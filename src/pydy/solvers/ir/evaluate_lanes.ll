@@ -1,4 +1,4 @@
-; sources 9c720133c522ddf2589cbfe18cfb523f203422cc91f17e8d8820b4dc1a16f368
+; sources 0d7605643f2f4673e17e8466f6541de0da09cdd67aa026415344ddfb9f8654d1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

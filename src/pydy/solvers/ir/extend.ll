@@ -1,4 +1,4 @@
-; sources cd263d620af591505aac18b528eb853547434caa7470de0a3047c2336afa4ec6
+; sources deeab55c84562b6ac640de85012b35a48a50139b97700ca9436ea15e4b1a022d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

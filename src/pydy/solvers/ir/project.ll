@@ -1,4 +1,4 @@
-; sources 8437aa34a50666c282d564ba3370dd761ed38150afd7abb7f1a5f693c8550ea3
+; sources 3a4a678cb054cff83b22f14ca89d20bf4590b914cbf3972cd80a85838e4667f3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

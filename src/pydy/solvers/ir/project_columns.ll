@@ -1,4 +1,4 @@
-; sources a312bf26453308a193f6e4367141fc0bdd680b3d41b7e8e0c38374bdc6bc8454
+; sources c177d95d9621a9e3ad7cefc22cd7bf7a8991faa354ae038e967d63aef259b874
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 94abe59efabc2b3bd33fe95ee17f4ac11a860756ca3253d9167548cdeb31b9a4
+; sources 037e54ac04a487705df9c13cd2e94e684034331044bf2c927da0e221bc7fd3ac
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

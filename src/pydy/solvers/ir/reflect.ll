@@ -1,4 +1,4 @@
-; sources ecc177356f6c307dd6763c0c049672488daabb808f0d18079ca128e7ac95dd4a
+; sources 8a2819da873f0747ba18a73d33b0d3ee5efc8cd4c9f743bb51e0e6fb6c8fb8b7
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @reflect(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef %4) #0 {

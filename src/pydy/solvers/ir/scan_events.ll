@@ -1,4 +1,4 @@
-; sources 8459c0d763196909756a5312bb0a2488a4bd0d72ecb66af54c0ffde7de5fea75
+; sources db800a0abc5da2394c33888ffecc7737c833d02633afb9edb037f5c25a98bf7c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 69872920d8dc76650f07ebffcf4c0c04ab68b146d89cc5e55ee8f20b38a0c5fe
+; sources a7fdae40622d3269199f163203549e8d98e22f3a6613e253084e8c756106bea6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 0b8d5c47d63dbd182f2588963e1790defd7b6754be296e5d17d3000e9e74c148
+; sources 6679f04aa8fe3d915ca5afcdf91e46f2e94d7c793d32eaf6106a0e4faec0228c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -6,1617 +6,1820 @@
 @scan_points = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
 
 define noundef i64 @step_lanes(ptr noundef %0) #0 {
-  %2 = alloca [64 x double], align 16
-  %3 = alloca [64 x double], align 16
-  %4 = alloca %struct.Stepper, align 8
-  %5 = alloca [8 x double], align 16
-  %6 = alloca [8 x double], align 16
+  %2 = alloca [8 x double], align 16
+  %3 = alloca [8 x double], align 16
+  %4 = alloca [64 x double], align 16
+  %5 = alloca [64 x double], align 16
+  %6 = alloca %struct.Stepper, align 8
   %7 = alloca [8 x double], align 16
-  %8 = alloca i64, align 8
-  %9 = alloca [8 x i64], align 16
+  %8 = alloca [8 x double], align 16
+  %9 = alloca [8 x double], align 16
   %10 = alloca i64, align 8
-  store ptr %0, ptr %4, align 8
-  %11 = getelementptr inbounds i8, ptr %4, i64 8
-  %12 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %12, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %4, i64 16
-  %14 = getelementptr inbounds i8, ptr %0, i64 432
+  %11 = alloca [8 x i64], align 16
+  %12 = alloca i64, align 8
+  store ptr %0, ptr %6, align 8
+  %13 = getelementptr inbounds i8, ptr %6, i64 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 144
   store ptr %14, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 984
-  %16 = load ptr, ptr %12, align 8
-  %17 = getelementptr inbounds i8, ptr %16, i64 8
-  %18 = load i64, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 1032
-  %20 = load ptr, ptr %19, align 8
-  %21 = getelementptr inbounds i8, ptr %0, i64 1040
-  %22 = load i64, ptr %21, align 8
-  %23 = getelementptr double, ptr %20, i64 %22
-  %24 = getelementptr i8, ptr %23, i64 -16
-  %25 = load double, ptr %24, align 8
-  %26 = getelementptr inbounds i8, ptr %0, i64 1008
-  %27 = load ptr, ptr %26, align 8
-  %28 = load double, ptr %27, align 8
-  %29 = load ptr, ptr %15, align 8
-  %30 = getelementptr inbounds i8, ptr %29, i64 16
-  %31 = load i64, ptr %30, align 8
-  %32 = load ptr, ptr %0, align 8
-  %33 = getelementptr inbounds i8, ptr %32, i64 8
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp sgt i64 %34, 0
-  %36 = getelementptr inbounds i8, ptr %0, i64 1680
-  %37 = load ptr, ptr %36, align 8
-  %38 = load i64, ptr %37, align 8
-  %39 = getelementptr inbounds i8, ptr %0, i64 1272
-  %40 = load ptr, ptr %39, align 8
-  %41 = getelementptr inbounds i8, ptr %40, i64 8
-  %42 = load i64, ptr %41, align 8
-  store i64 0, ptr %8, align 8
-  %43 = getelementptr inbounds i8, ptr %0, i64 936
-  %44 = load ptr, ptr %43, align 8
-  br label %125
+  %15 = getelementptr inbounds i8, ptr %6, i64 16
+  %16 = getelementptr inbounds i8, ptr %0, i64 432
+  store ptr %16, ptr %15, align 8
+  %17 = getelementptr inbounds i8, ptr %0, i64 984
+  %18 = load ptr, ptr %14, align 8
+  %19 = getelementptr inbounds i8, ptr %18, i64 8
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr inbounds i8, ptr %0, i64 1032
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds i8, ptr %0, i64 1040
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr double, ptr %22, i64 %24
+  %26 = getelementptr i8, ptr %25, i64 -16
+  %27 = load double, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %0, i64 1008
+  %29 = load ptr, ptr %28, align 8
+  %30 = load double, ptr %29, align 8
+  %31 = load ptr, ptr %17, align 8
+  %32 = getelementptr inbounds i8, ptr %31, i64 16
+  %33 = load i64, ptr %32, align 8
+  %34 = load ptr, ptr %0, align 8
+  %35 = getelementptr inbounds i8, ptr %34, i64 8
+  %36 = load i64, ptr %35, align 8
+  %37 = icmp sgt i64 %36, 0
+  %38 = getelementptr inbounds i8, ptr %0, i64 1680
+  %39 = load ptr, ptr %38, align 8
+  %40 = load i64, ptr %39, align 8
+  %41 = getelementptr inbounds i8, ptr %0, i64 1272
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %42, i64 8
+  %44 = load i64, ptr %43, align 8
+  store i64 0, ptr %10, align 8
+  %45 = getelementptr inbounds i8, ptr %0, i64 936
+  %46 = load ptr, ptr %45, align 8
+  br label %131
 
-45:                                               ; preds = %125
-  %46 = getelementptr inbounds i8, ptr %0, i64 696
-  %47 = sitofp i64 %31 to double
-  %48 = zext i1 %35 to i32
-  %49 = icmp eq i64 %38, 1
-  %50 = icmp sgt i64 %42, 0
-  store i64 %133, ptr %8, align 8
-  %51 = getelementptr inbounds i8, ptr %0, i64 936
-  %52 = getelementptr inbounds i8, ptr %0, i64 1592
-  %53 = getelementptr inbounds i8, ptr %0, i64 1224
-  %54 = getelementptr inbounds i8, ptr %0, i64 816
-  %55 = insertelement <8 x double> poison, double %25, i64 0
-  %56 = shufflevector <8 x double> %55, <8 x double> poison, <8 x i32> zeroinitializer
-  %57 = getelementptr inbounds i8, ptr %0, i64 720
-  %58 = getelementptr inbounds i8, ptr %0, i64 720
-  %59 = insertelement <8 x double> poison, double %28, i64 0
-  %60 = shufflevector <8 x double> %59, <8 x double> poison, <8 x i32> zeroinitializer
-  %61 = getelementptr inbounds i8, ptr %0, i64 840
-  %62 = getelementptr inbounds i8, ptr %0, i64 864
-  %63 = insertelement <8 x double> poison, double %47, i64 0
-  %64 = shufflevector <8 x double> %63, <8 x double> poison, <8 x i32> zeroinitializer
-  %65 = load ptr, ptr %13, align 8
-  %66 = load ptr, ptr %4, align 8
-  %67 = load ptr, ptr %11, align 8
-  %68 = getelementptr inbounds i8, ptr %65, i64 72
-  %69 = getelementptr inbounds i8, ptr %65, i64 48
-  %70 = getelementptr inbounds i8, ptr %66, i64 24
-  %71 = getelementptr inbounds i8, ptr %65, i64 168
-  %72 = getelementptr inbounds i8, ptr %66, i64 48
-  %73 = getelementptr inbounds i8, ptr %66, i64 72
-  %74 = getelementptr inbounds i8, ptr %65, i64 8
-  %75 = getelementptr inbounds i8, ptr %66, i64 96
-  %76 = getelementptr inbounds i8, ptr %67, i64 24
-  %77 = getelementptr inbounds i8, ptr %67, i64 152
-  %78 = getelementptr inbounds i8, ptr %67, i64 48
-  %79 = getelementptr inbounds i8, ptr %67, i64 96
-  %80 = getelementptr inbounds i8, ptr %65, i64 24
-  %81 = getelementptr inbounds i8, ptr %66, i64 24
-  %82 = getelementptr inbounds i8, ptr %65, i64 168
-  %83 = getelementptr inbounds i8, ptr %66, i64 48
-  %84 = getelementptr inbounds i8, ptr %66, i64 72
-  %85 = getelementptr inbounds i8, ptr %65, i64 8
-  %86 = getelementptr inbounds i8, ptr %67, i64 24
-  %87 = getelementptr inbounds i8, ptr %67, i64 152
-  %88 = getelementptr inbounds i8, ptr %67, i64 48
-  %89 = getelementptr inbounds i8, ptr %67, i64 96
-  %90 = getelementptr inbounds i8, ptr %65, i64 144
-  %91 = getelementptr inbounds i8, ptr %65, i64 8
-  %92 = getelementptr inbounds i8, ptr %65, i64 120
-  %93 = getelementptr inbounds i8, ptr %65, i64 240
-  %94 = getelementptr inbounds i8, ptr %65, i64 216
-  %95 = getelementptr inbounds i8, ptr %65, i64 240
-  %96 = getelementptr inbounds i8, ptr %65, i64 216
-  %97 = getelementptr inbounds i8, ptr %0, i64 888
-  %98 = getelementptr inbounds i8, ptr %0, i64 456
-  %99 = getelementptr inbounds i8, ptr %65, i64 8
-  %100 = getelementptr inbounds i8, ptr %67, i64 24
-  %101 = getelementptr inbounds i8, ptr %67, i64 152
-  %102 = getelementptr inbounds i8, ptr %67, i64 48
-  %103 = getelementptr inbounds i8, ptr %67, i64 96
-  %104 = getelementptr inbounds i8, ptr %0, i64 816
-  %105 = getelementptr inbounds i8, ptr %65, i64 8
-  %106 = getelementptr inbounds i8, ptr %65, i64 192
-  %107 = getelementptr inbounds i8, ptr %65, i64 48
-  %108 = getelementptr inbounds i8, ptr %66, i64 96
-  %109 = getelementptr inbounds i8, ptr %67, i64 24
-  %110 = getelementptr inbounds i8, ptr %67, i64 152
-  %111 = getelementptr inbounds i8, ptr %67, i64 48
-  %112 = getelementptr inbounds i8, ptr %67, i64 96
-  %113 = getelementptr inbounds i8, ptr %65, i64 120
-  %114 = getelementptr inbounds i8, ptr %0, i64 456
-  %115 = getelementptr inbounds i8, ptr %0, i64 120
-  %116 = getelementptr inbounds i8, ptr %0, i64 720
-  %117 = getelementptr inbounds i8, ptr %0, i64 744
-  %118 = getelementptr inbounds i8, ptr %0, i64 768
-  %119 = getelementptr inbounds i8, ptr %0, i64 912
-  %120 = icmp sgt i64 %18, 0
-  %121 = getelementptr inbounds i8, ptr %0, i64 456
-  %122 = getelementptr inbounds i8, ptr %0, i64 600
-  %123 = getelementptr inbounds i8, ptr %0, i64 440
-  %124 = icmp sgt i64 %18, 0
-  br label %136
+47:                                               ; preds = %131
+  %48 = getelementptr inbounds i8, ptr %0, i64 696
+  %49 = sitofp i64 %33 to double
+  %50 = zext i1 %37 to i32
+  %51 = icmp eq i64 %40, 1
+  %52 = icmp sgt i64 %44, 0
+  store i64 %139, ptr %10, align 8
+  %53 = getelementptr inbounds i8, ptr %0, i64 936
+  %54 = getelementptr inbounds i8, ptr %0, i64 1592
+  %55 = getelementptr inbounds i8, ptr %0, i64 1224
+  %56 = getelementptr inbounds i8, ptr %0, i64 816
+  %57 = insertelement <8 x double> poison, double %27, i64 0
+  %58 = shufflevector <8 x double> %57, <8 x double> poison, <8 x i32> zeroinitializer
+  %59 = getelementptr inbounds i8, ptr %0, i64 720
+  %60 = getelementptr inbounds i8, ptr %0, i64 720
+  %61 = insertelement <8 x double> poison, double %30, i64 0
+  %62 = shufflevector <8 x double> %61, <8 x double> poison, <8 x i32> zeroinitializer
+  %63 = getelementptr inbounds i8, ptr %0, i64 840
+  %64 = getelementptr inbounds i8, ptr %0, i64 864
+  %65 = insertelement <8 x double> poison, double %49, i64 0
+  %66 = shufflevector <8 x double> %65, <8 x double> poison, <8 x i32> zeroinitializer
+  %67 = load ptr, ptr %15, align 8
+  %68 = load ptr, ptr %6, align 8
+  %69 = load ptr, ptr %13, align 8
+  %70 = getelementptr inbounds i8, ptr %67, i64 72
+  %71 = getelementptr inbounds i8, ptr %67, i64 48
+  %72 = getelementptr inbounds i8, ptr %68, i64 24
+  %73 = getelementptr inbounds i8, ptr %67, i64 168
+  %74 = getelementptr inbounds i8, ptr %68, i64 48
+  %75 = getelementptr inbounds i8, ptr %68, i64 72
+  %76 = getelementptr inbounds i8, ptr %67, i64 8
+  %77 = getelementptr inbounds i8, ptr %68, i64 96
+  %78 = getelementptr inbounds i8, ptr %69, i64 24
+  %79 = getelementptr inbounds i8, ptr %69, i64 152
+  %80 = getelementptr inbounds i8, ptr %69, i64 48
+  %81 = getelementptr inbounds i8, ptr %69, i64 96
+  %82 = getelementptr inbounds i8, ptr %67, i64 24
+  %83 = getelementptr inbounds i8, ptr %68, i64 24
+  %84 = getelementptr inbounds i8, ptr %67, i64 168
+  %85 = getelementptr inbounds i8, ptr %68, i64 48
+  %86 = getelementptr inbounds i8, ptr %68, i64 72
+  %87 = getelementptr inbounds i8, ptr %67, i64 8
+  %88 = getelementptr inbounds i8, ptr %69, i64 24
+  %89 = getelementptr inbounds i8, ptr %69, i64 152
+  %90 = getelementptr inbounds i8, ptr %69, i64 48
+  %91 = getelementptr inbounds i8, ptr %69, i64 96
+  %92 = getelementptr inbounds i8, ptr %67, i64 144
+  %93 = getelementptr inbounds i8, ptr %67, i64 8
+  %94 = getelementptr inbounds i8, ptr %67, i64 120
+  %95 = getelementptr inbounds i8, ptr %67, i64 240
+  %96 = getelementptr inbounds i8, ptr %67, i64 216
+  %97 = getelementptr inbounds i8, ptr %67, i64 240
+  %98 = getelementptr inbounds i8, ptr %67, i64 216
+  %99 = getelementptr inbounds i8, ptr %0, i64 888
+  %100 = getelementptr inbounds i8, ptr %0, i64 456
+  %101 = getelementptr inbounds i8, ptr %67, i64 8
+  %102 = getelementptr inbounds i8, ptr %69, i64 24
+  %103 = getelementptr inbounds i8, ptr %69, i64 152
+  %104 = getelementptr inbounds i8, ptr %69, i64 48
+  %105 = getelementptr inbounds i8, ptr %69, i64 96
+  %106 = getelementptr inbounds i8, ptr %0, i64 816
+  %107 = getelementptr inbounds i8, ptr %67, i64 8
+  %108 = getelementptr inbounds i8, ptr %67, i64 192
+  %109 = getelementptr inbounds i8, ptr %67, i64 48
+  %110 = getelementptr inbounds i8, ptr %68, i64 96
+  %111 = getelementptr inbounds i8, ptr %69, i64 24
+  %112 = getelementptr inbounds i8, ptr %69, i64 152
+  %113 = getelementptr inbounds i8, ptr %69, i64 48
+  %114 = getelementptr inbounds i8, ptr %69, i64 96
+  %115 = getelementptr inbounds i8, ptr %67, i64 120
+  %116 = getelementptr inbounds i8, ptr %0, i64 456
+  %117 = getelementptr inbounds i8, ptr %0, i64 120
+  %118 = getelementptr inbounds i8, ptr %0, i64 720
+  %119 = getelementptr inbounds i8, ptr %0, i64 744
+  %120 = getelementptr inbounds i8, ptr %0, i64 768
+  %121 = getelementptr inbounds i8, ptr %0, i64 296
+  %122 = getelementptr inbounds i8, ptr %0, i64 296
+  %123 = getelementptr inbounds i8, ptr %0, i64 296
+  %124 = getelementptr inbounds i8, ptr %0, i64 296
+  %125 = getelementptr inbounds i8, ptr %0, i64 912
+  %126 = icmp sgt i64 %20, 0
+  %127 = getelementptr inbounds i8, ptr %0, i64 456
+  %128 = getelementptr inbounds i8, ptr %0, i64 600
+  %129 = getelementptr inbounds i8, ptr %0, i64 440
+  %130 = icmp sgt i64 %20, 0
+  br label %142
 
-125:                                              ; preds = %1, %125
-  %126 = phi i64 [ 0, %1 ], [ %134, %125 ]
-  %127 = phi i64 [ 0, %1 ], [ %133, %125 ]
-  %128 = getelementptr inbounds i64, ptr %44, i64 %126
-  %129 = load i64, ptr %128, align 8
-  %130 = icmp sgt i64 %129, -1
-  %131 = zext i1 %130 to i64
-  %132 = shl nuw nsw i64 %131, %126
-  %133 = or i64 %132, %127
-  %134 = add nuw nsw i64 %126, 1
-  %135 = icmp eq i64 %134, 8
-  br i1 %135, label %45, label %125, !llvm.loop !3
+131:                                              ; preds = %1, %131
+  %132 = phi i64 [ 0, %1 ], [ %140, %131 ]
+  %133 = phi i64 [ 0, %1 ], [ %139, %131 ]
+  %134 = getelementptr inbounds i64, ptr %46, i64 %132
+  %135 = load i64, ptr %134, align 8
+  %136 = icmp sgt i64 %135, -1
+  %137 = zext i1 %136 to i64
+  %138 = shl nuw nsw i64 %137, %132
+  %139 = or i64 %138, %133
+  %140 = add nuw nsw i64 %132, 1
+  %141 = icmp eq i64 %140, 8
+  br i1 %141, label %47, label %131, !llvm.loop !3
 
-136:                                              ; preds = %171, %45
-  %137 = phi i32 [ 1, %45 ], [ %172, %171 ]
-  %138 = phi i64 [ 0, %45 ], [ %173, %171 ]
-  %139 = icmp ne i32 %137, 0
-  %140 = icmp ne i64 %138, 0
-  %141 = select i1 %139, i1 true, i1 %140
-  br i1 %141, label %142, label %174
+142:                                              ; preds = %177, %47
+  %143 = phi i32 [ 1, %47 ], [ %178, %177 ]
+  %144 = phi i64 [ 0, %47 ], [ %179, %177 ]
+  %145 = icmp ne i32 %143, 0
+  %146 = icmp ne i64 %144, 0
+  %147 = select i1 %145, i1 true, i1 %146
+  br i1 %147, label %148, label %180
 
-142:                                              ; preds = %136
-  br i1 %139, label %143, label %145
+148:                                              ; preds = %142
+  br i1 %145, label %149, label %151
 
-143:                                              ; preds = %142
-  %144 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %8) #11
-  br label %145
+149:                                              ; preds = %148
+  %150 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %10) #12
+  br label %151
 
-145:                                              ; preds = %142, %143
-  %146 = phi i64 [ %144, %143 ], [ 0, %142 ]
-  %147 = load i64, ptr %8, align 8
-  %148 = icmp eq i64 %147, 0
-  br i1 %148, label %167, label %149
+151:                                              ; preds = %148, %149
+  %152 = phi i64 [ %150, %149 ], [ 0, %148 ]
+  %153 = load i64, ptr %10, align 8
+  %154 = icmp eq i64 %153, 0
+  br i1 %154, label %173, label %155
 
-149:                                              ; preds = %145
-  %150 = or i64 %146, %138
-  %151 = icmp eq i64 %150, 0
-  br i1 %151, label %167, label %152
+155:                                              ; preds = %151
+  %156 = or i64 %152, %144
+  %157 = icmp eq i64 %156, 0
+  br i1 %157, label %173, label %158
 
-152:                                              ; preds = %149
-  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %146, i64 noundef %138) #11
-  br label %153
+158:                                              ; preds = %155
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %6, i64 noundef %152, i64 noundef %144) #12
+  br label %159
 
-153:                                              ; preds = %152, %162
-  %154 = phi i32 [ 0, %152 ], [ %164, %162 ]
-  %155 = phi i64 [ 0, %152 ], [ %165, %162 ]
-  %156 = icmp eq i32 %154, 0
-  br i1 %156, label %157, label %162
+159:                                              ; preds = %158, %168
+  %160 = phi i32 [ 0, %158 ], [ %170, %168 ]
+  %161 = phi i64 [ 0, %158 ], [ %171, %168 ]
+  %162 = icmp eq i32 %160, 0
+  br i1 %162, label %163, label %168
 
-157:                                              ; preds = %153
-  %158 = load ptr, ptr %51, align 8
-  %159 = getelementptr inbounds i64, ptr %158, i64 %155
-  %160 = load i64, ptr %159, align 8
-  %161 = icmp eq i64 %160, -1
-  br label %162
+163:                                              ; preds = %159
+  %164 = load ptr, ptr %53, align 8
+  %165 = getelementptr inbounds i64, ptr %164, i64 %161
+  %166 = load i64, ptr %165, align 8
+  %167 = icmp eq i64 %166, -1
+  br label %168
 
-162:                                              ; preds = %157, %153
-  %163 = phi i1 [ true, %153 ], [ %161, %157 ]
-  %164 = zext i1 %163 to i32
-  %165 = add nuw nsw i64 %155, 1
-  %166 = icmp eq i64 %165, 8
-  br i1 %166, label %167, label %153, !llvm.loop !6
+168:                                              ; preds = %163, %159
+  %169 = phi i1 [ true, %159 ], [ %167, %163 ]
+  %170 = zext i1 %169 to i32
+  %171 = add nuw nsw i64 %161, 1
+  %172 = icmp eq i64 %171, 8
+  br i1 %172, label %173, label %159, !llvm.loop !6
 
-167:                                              ; preds = %162, %149, %145
-  %168 = phi i32 [ 1, %145 ], [ 8, %149 ], [ 0, %162 ]
-  %169 = phi i32 [ %137, %145 ], [ 0, %149 ], [ %164, %162 ]
-  %170 = phi i64 [ %138, %145 ], [ %138, %149 ], [ 0, %162 ]
-  switch i32 %168, label %1304 [
-    i32 0, label %171
-    i32 8, label %174
+173:                                              ; preds = %168, %155, %151
+  %174 = phi i32 [ 1, %151 ], [ 8, %155 ], [ 0, %168 ]
+  %175 = phi i32 [ %143, %151 ], [ 0, %155 ], [ %170, %168 ]
+  %176 = phi i64 [ %144, %151 ], [ %144, %155 ], [ 0, %168 ]
+  switch i32 %174, label %1457 [
+    i32 0, label %177
+    i32 8, label %180
   ]
 
-171:                                              ; preds = %167, %1302, %254
-  %172 = phi i32 [ %169, %167 ], [ %1303, %1302 ], [ 1, %254 ]
-  %173 = phi i64 [ %170, %167 ], [ %1280, %1302 ], [ %176, %254 ]
-  br label %136, !llvm.loop !7
+177:                                              ; preds = %173, %1455, %260
+  %178 = phi i32 [ %175, %173 ], [ %1456, %1455 ], [ 1, %260 ]
+  %179 = phi i64 [ %176, %173 ], [ %1433, %1455 ], [ %182, %260 ]
+  br label %142, !llvm.loop !7
 
-174:                                              ; preds = %167, %136
-  %175 = phi i32 [ %169, %167 ], [ 0, %136 ]
-  %176 = phi i64 [ %170, %167 ], [ 0, %136 ]
-  %177 = load ptr, ptr %15, align 8
-  %178 = getelementptr inbounds i8, ptr %177, i64 8
-  %179 = load i64, ptr %178, align 8
-  %180 = icmp slt i64 %179, 1
-  br i1 %180, label %1304, label %181
+180:                                              ; preds = %173, %142
+  %181 = phi i32 [ %175, %173 ], [ 0, %142 ]
+  %182 = phi i64 [ %176, %173 ], [ 0, %142 ]
+  %183 = load ptr, ptr %17, align 8
+  %184 = getelementptr inbounds i8, ptr %183, i64 8
+  %185 = load i64, ptr %184, align 8
+  %186 = icmp slt i64 %185, 1
+  br i1 %186, label %1457, label %187
 
-181:                                              ; preds = %174
-  br i1 %50, label %182, label %202
+187:                                              ; preds = %180
+  br i1 %52, label %188, label %208
 
-182:                                              ; preds = %181
-  %183 = load i64, ptr %52, align 8
-  %184 = icmp sgt i64 %183, 0
-  br i1 %184, label %185, label %199
+188:                                              ; preds = %187
+  %189 = load i64, ptr %54, align 8
+  %190 = icmp sgt i64 %189, 0
+  br i1 %190, label %191, label %205
 
-185:                                              ; preds = %182
-  %186 = load ptr, ptr %39, align 8
-  %187 = getelementptr inbounds i8, ptr %186, i64 72
-  %188 = load i64, ptr %187, align 8
-  %189 = load ptr, ptr %53, align 8
-  %190 = load i64, ptr %189, align 8
-  %191 = inttoptr i64 %190 to ptr
-  %192 = getelementptr inbounds i8, ptr %191, i64 1064
-  %193 = load i64, ptr %192, align 8
-  %194 = shl i64 %193, 4
-  %195 = add i64 %188, 16
-  %196 = add i64 %195, %194
-  %197 = icmp sgt i64 %196, %183
-  %198 = zext i1 %197 to i32
-  br label %199
+191:                                              ; preds = %188
+  %192 = load ptr, ptr %41, align 8
+  %193 = getelementptr inbounds i8, ptr %192, i64 72
+  %194 = load i64, ptr %193, align 8
+  %195 = load ptr, ptr %55, align 8
+  %196 = load i64, ptr %195, align 8
+  %197 = inttoptr i64 %196 to ptr
+  %198 = getelementptr inbounds i8, ptr %197, i64 1064
+  %199 = load i64, ptr %198, align 8
+  %200 = shl i64 %199, 4
+  %201 = add i64 %194, 16
+  %202 = add i64 %201, %200
+  %203 = icmp sgt i64 %202, %189
+  %204 = zext i1 %203 to i32
+  br label %205
 
-199:                                              ; preds = %182, %185
-  %200 = phi i32 [ 0, %182 ], [ %198, %185 ]
-  %201 = icmp eq i32 %200, 0
-  br i1 %201, label %202, label %1304
+205:                                              ; preds = %188, %191
+  %206 = phi i32 [ 0, %188 ], [ %204, %191 ]
+  %207 = icmp eq i32 %206, 0
+  br i1 %207, label %208, label %1457
 
-202:                                              ; preds = %199, %181
-  %203 = add nsw i64 %179, -1
-  store i64 %203, ptr %178, align 8
-  %204 = load i64, ptr %8, align 8
-  %205 = trunc i64 %204 to i8
-  %206 = bitcast i8 %205 to <8 x i1>
-  %207 = load ptr, ptr %46, align 8
-  %208 = load <8 x double>, ptr %207, align 8
-  call fastcc void @hold_all(ptr noundef nonnull %0, ptr noundef nonnull %7) #11
-  br i1 %35, label %212, label %209
+208:                                              ; preds = %205, %187
+  %209 = add nsw i64 %185, -1
+  store i64 %209, ptr %184, align 8
+  %210 = load i64, ptr %10, align 8
+  %211 = trunc i64 %210 to i8
+  %212 = bitcast i8 %211 to <8 x i1>
+  %213 = load ptr, ptr %48, align 8
+  %214 = load <8 x double>, ptr %213, align 8
+  call fastcc void @hold_all(ptr noundef nonnull %0, ptr noundef nonnull %9) #12
+  br i1 %37, label %218, label %215
 
-209:                                              ; preds = %202
-  %210 = load ptr, ptr %54, align 8
-  %211 = load <8 x double>, ptr %210, align 8
-  br label %212
+215:                                              ; preds = %208
+  %216 = load ptr, ptr %56, align 8
+  %217 = load <8 x double>, ptr %216, align 8
+  br label %218
 
-212:                                              ; preds = %202, %209
-  %213 = phi <8 x double> [ %211, %209 ], [ %56, %202 ]
-  %214 = load <8 x double>, ptr %7, align 16
-  %215 = fcmp olt <8 x double> %213, %214
-  %216 = select <8 x i1> %215, <8 x double> %213, <8 x double> %214
-  br i1 %35, label %217, label %222
+218:                                              ; preds = %208, %215
+  %219 = phi <8 x double> [ %217, %215 ], [ %58, %208 ]
+  %220 = load <8 x double>, ptr %9, align 16
+  %221 = fcmp olt <8 x double> %219, %220
+  %222 = select <8 x i1> %221, <8 x double> %219, <8 x double> %220
+  br i1 %37, label %223, label %228
 
-217:                                              ; preds = %212
-  %218 = load ptr, ptr %58, align 8
-  %219 = load <8 x double>, ptr %218, align 8
-  %220 = fcmp olt <8 x double> %219, %60
-  %221 = select <8 x i1> %220, <8 x double> %219, <8 x double> %60
-  br label %230
+223:                                              ; preds = %218
+  %224 = load ptr, ptr %60, align 8
+  %225 = load <8 x double>, ptr %224, align 8
+  %226 = fcmp olt <8 x double> %225, %62
+  %227 = select <8 x i1> %226, <8 x double> %225, <8 x double> %62
+  br label %236
 
-222:                                              ; preds = %212
-  %223 = load ptr, ptr %57, align 8
-  %224 = load <8 x double>, ptr %223, align 8
-  %225 = fsub <8 x double> %216, %208
-  %226 = fdiv <8 x double> %225, %224
-  %227 = fmul <8 x double> %226, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
-  %228 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %227)
-  %229 = fdiv <8 x double> %225, %228
-  br label %230
+228:                                              ; preds = %218
+  %229 = load ptr, ptr %59, align 8
+  %230 = load <8 x double>, ptr %229, align 8
+  %231 = fsub <8 x double> %222, %214
+  %232 = fdiv <8 x double> %231, %230
+  %233 = fmul <8 x double> %232, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %234 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %233)
+  %235 = fdiv <8 x double> %231, %234
+  br label %236
 
-230:                                              ; preds = %222, %217
-  %231 = phi <8 x double> [ %221, %217 ], [ %229, %222 ]
-  %232 = fadd <8 x double> %208, %231
-  %233 = fmul <8 x double> %231, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %234 = fsub <8 x double> %216, %233
-  %235 = fcmp ogt <8 x double> %232, %234
-  %236 = select <8 x i1> %235, <8 x double> %216, <8 x double> %232
-  %237 = fsub <8 x double> %236, %208
-  %238 = select <8 x i1> %206, <8 x double> %237, <8 x double> zeroinitializer
-  %239 = load ptr, ptr %61, align 8
-  %240 = load <8 x double>, ptr %239, align 8
-  %241 = load ptr, ptr %62, align 8
-  %242 = load <8 x double>, ptr %241, align 8
-  %243 = fadd <8 x double> %240, %242
-  %244 = fcmp oge <8 x double> %243, %64
-  %245 = fmul <8 x double> %238, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %246 = fadd <8 x double> %208, %245
-  %247 = fcmp ule <8 x double> %246, %208
-  %248 = fcmp une <8 x double> %236, %216
-  %249 = and <8 x i1> %247, %248
-  %250 = or <8 x i1> %249, %244
-  %251 = and <8 x i1> %250, %206
-  %252 = bitcast <8 x i1> %251 to i8
-  %253 = icmp eq i8 %252, 0
-  br i1 %253, label %261, label %254
+236:                                              ; preds = %228, %223
+  %237 = phi <8 x double> [ %227, %223 ], [ %235, %228 ]
+  %238 = fadd <8 x double> %214, %237
+  %239 = fmul <8 x double> %237, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %240 = fsub <8 x double> %222, %239
+  %241 = fcmp ogt <8 x double> %238, %240
+  %242 = select <8 x i1> %241, <8 x double> %222, <8 x double> %238
+  %243 = fsub <8 x double> %242, %214
+  %244 = select <8 x i1> %212, <8 x double> %243, <8 x double> zeroinitializer
+  %245 = load ptr, ptr %63, align 8
+  %246 = load <8 x double>, ptr %245, align 8
+  %247 = load ptr, ptr %64, align 8
+  %248 = load <8 x double>, ptr %247, align 8
+  %249 = fadd <8 x double> %246, %248
+  %250 = fcmp oge <8 x double> %249, %66
+  %251 = fmul <8 x double> %244, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %252 = fadd <8 x double> %214, %251
+  %253 = fcmp ule <8 x double> %252, %214
+  %254 = fcmp une <8 x double> %242, %222
+  %255 = and <8 x i1> %253, %254
+  %256 = or <8 x i1> %255, %250
+  %257 = and <8 x i1> %256, %212
+  %258 = bitcast <8 x i1> %257 to i8
+  %259 = icmp eq i8 %258, 0
+  br i1 %259, label %267, label %260
 
-254:                                              ; preds = %230
-  %255 = zext i8 %252 to i64
-  %256 = bitcast <8 x i1> %244 to i8
-  %257 = zext i8 %256 to i64
-  %258 = and i64 %255, %257
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %258, i64 noundef 1) #11
-  %259 = xor i64 %257, -1
-  %260 = and i64 %255, %259
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %260, i64 noundef -1) #11
-  br label %171
+260:                                              ; preds = %236
+  %261 = zext i8 %258 to i64
+  %262 = bitcast <8 x i1> %250 to i8
+  %263 = zext i8 %262 to i64
+  %264 = and i64 %261, %263
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %264, i64 noundef 1) #12
+  %265 = xor i64 %263, -1
+  %266 = and i64 %261, %265
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %266, i64 noundef -1) #12
+  br label %177
 
-261:                                              ; preds = %230
-  %262 = load ptr, ptr %66, align 8, !noalias !8
-  %263 = load ptr, ptr %67, align 8, !noalias !8
-  %264 = getelementptr inbounds i8, ptr %263, i64 8
-  %265 = load i64, ptr %264, align 8, !noalias !8
-  %266 = getelementptr inbounds i8, ptr %262, i64 32
-  %267 = load i64, ptr %266, align 8, !noalias !8
-  %268 = icmp ne i64 %267, 1
-  %269 = load i64, ptr %262, align 8, !noalias !8
-  %270 = load ptr, ptr %68, align 8, !noalias !8
-  store <8 x double> %238, ptr %270, align 8, !noalias !8
-  %271 = icmp sgt i64 %269, 1
-  br i1 %271, label %272, label %328
+267:                                              ; preds = %236
+  %268 = load ptr, ptr %68, align 8, !noalias !8
+  %269 = load ptr, ptr %69, align 8, !noalias !8
+  %270 = getelementptr inbounds i8, ptr %269, i64 8
+  %271 = load i64, ptr %270, align 8, !noalias !8
+  %272 = getelementptr inbounds i8, ptr %268, i64 32
+  %273 = load i64, ptr %272, align 8, !noalias !8
+  %274 = icmp ne i64 %273, 1
+  %275 = load i64, ptr %268, align 8, !noalias !8
+  %276 = load ptr, ptr %70, align 8, !noalias !8
+  store <8 x double> %244, ptr %276, align 8, !noalias !8
+  %277 = icmp sgt i64 %275, 1
+  br i1 %277, label %278, label %334
 
-272:                                              ; preds = %261, %315
-  %273 = phi i64 [ %325, %315 ], [ 0, %261 ]
-  %274 = phi i64 [ %326, %315 ], [ 1, %261 ]
-  %275 = load ptr, ptr %69, align 8, !noalias !8
-  %276 = load ptr, ptr %65, align 8, !noalias !8
-  %277 = load ptr, ptr %67, align 8, !noalias !8
-  %278 = getelementptr inbounds i8, ptr %277, i64 16
-  %279 = load i64, ptr %278, align 8, !noalias !8
-  %280 = load ptr, ptr %70, align 8, !noalias !8
-  %281 = getelementptr inbounds i64, ptr %280, i64 %274
-  %282 = load i64, ptr %281, align 8, !noalias !8
-  %283 = getelementptr i8, ptr %281, i64 8
-  %284 = load i64, ptr %283, align 8, !noalias !8
-  %285 = xor i64 %282, -1
-  %286 = add i64 %284, %285
-  %287 = load ptr, ptr %68, align 8, !noalias !8
-  %288 = load ptr, ptr %71, align 8, !noalias !8
-  %289 = load ptr, ptr %72, align 8, !noalias !8
-  %290 = getelementptr inbounds i64, ptr %289, i64 %282
-  %291 = load ptr, ptr %73, align 8, !noalias !8
-  %292 = getelementptr inbounds double, ptr %291, i64 %282
-  call fastcc void @combine(ptr noundef %275, ptr noundef %276, ptr noundef %287, ptr noundef %288, ptr noundef %290, ptr noundef %292, i64 noundef %286, i64 noundef %279) #11
-  %293 = load ptr, ptr %71, align 8, !noalias !8
-  %294 = load i64, ptr %74, align 8, !noalias !8
-  %295 = mul nsw i64 %294, %274
-  %296 = getelementptr inbounds double, ptr %293, i64 %295
+278:                                              ; preds = %267, %321
+  %279 = phi i64 [ %331, %321 ], [ 0, %267 ]
+  %280 = phi i64 [ %332, %321 ], [ 1, %267 ]
+  %281 = load ptr, ptr %71, align 8, !noalias !8
+  %282 = load ptr, ptr %67, align 8, !noalias !8
+  %283 = load ptr, ptr %69, align 8, !noalias !8
+  %284 = getelementptr inbounds i8, ptr %283, i64 16
+  %285 = load i64, ptr %284, align 8, !noalias !8
+  %286 = load ptr, ptr %72, align 8, !noalias !8
+  %287 = getelementptr inbounds i64, ptr %286, i64 %280
+  %288 = load i64, ptr %287, align 8, !noalias !8
+  %289 = getelementptr i8, ptr %287, i64 8
+  %290 = load i64, ptr %289, align 8, !noalias !8
+  %291 = xor i64 %288, -1
+  %292 = add i64 %290, %291
+  %293 = load ptr, ptr %70, align 8, !noalias !8
+  %294 = load ptr, ptr %73, align 8, !noalias !8
+  %295 = load ptr, ptr %74, align 8, !noalias !8
+  %296 = getelementptr inbounds i64, ptr %295, i64 %288
   %297 = load ptr, ptr %75, align 8, !noalias !8
-  %298 = getelementptr inbounds double, ptr %297, i64 %274
-  %299 = load double, ptr %298, align 8, !noalias !8
-  %300 = insertelement <8 x double> poison, double %299, i64 0
-  %301 = shufflevector <8 x double> %300, <8 x double> poison, <8 x i32> zeroinitializer
-  %302 = fmul <8 x double> %238, %301
-  %303 = fadd <8 x double> %208, %302
-  %304 = load ptr, ptr %69, align 8, !noalias !8
-  %305 = load ptr, ptr %76, align 8, !noalias !8
-  store <8 x double> %303, ptr %305, align 8, !noalias !8
-  %306 = load ptr, ptr %67, align 8, !noalias !8
-  %307 = getelementptr inbounds i8, ptr %306, i64 40
-  %308 = load i64, ptr %307, align 8, !noalias !8
-  %309 = icmp eq i64 %308, 0
-  br i1 %309, label %311, label %310
+  %298 = getelementptr inbounds double, ptr %297, i64 %288
+  call fastcc void @combine(ptr noundef %281, ptr noundef %282, ptr noundef %293, ptr noundef %294, ptr noundef %296, ptr noundef %298, i64 noundef %292, i64 noundef %285) #12
+  %299 = load ptr, ptr %73, align 8, !noalias !8
+  %300 = load i64, ptr %76, align 8, !noalias !8
+  %301 = mul nsw i64 %300, %280
+  %302 = getelementptr inbounds double, ptr %299, i64 %301
+  %303 = load ptr, ptr %77, align 8, !noalias !8
+  %304 = getelementptr inbounds double, ptr %303, i64 %280
+  %305 = load double, ptr %304, align 8, !noalias !8
+  %306 = insertelement <8 x double> poison, double %305, i64 0
+  %307 = shufflevector <8 x double> %306, <8 x double> poison, <8 x i32> zeroinitializer
+  %308 = fmul <8 x double> %244, %307
+  %309 = fadd <8 x double> %214, %308
+  %310 = load ptr, ptr %71, align 8, !noalias !8
+  %311 = load ptr, ptr %78, align 8, !noalias !8
+  store <8 x double> %309, ptr %311, align 8, !noalias !8
+  %312 = load ptr, ptr %69, align 8, !noalias !8
+  %313 = getelementptr inbounds i8, ptr %312, i64 40
+  %314 = load i64, ptr %313, align 8, !noalias !8
+  %315 = icmp eq i64 %314, 0
+  br i1 %315, label %317, label %316
 
-310:                                              ; preds = %272
-  call fastcc void @settle(ptr noundef nonnull %67) #11, !noalias !8
-  br label %311
+316:                                              ; preds = %278
+  call fastcc void @settle(ptr noundef nonnull %69) #12, !noalias !8
+  br label %317
 
-311:                                              ; preds = %310, %272
-  %312 = load i64, ptr %77, align 8, !noalias !8
-  %313 = icmp sgt i64 %312, 0
-  br i1 %313, label %314, label %315
+317:                                              ; preds = %316, %278
+  %318 = load i64, ptr %79, align 8, !noalias !8
+  %319 = icmp sgt i64 %318, 0
+  br i1 %319, label %320, label %321
 
-314:                                              ; preds = %311
-  call fastcc void @sample(ptr noundef nonnull %67) #11, !noalias !8
-  br label %315
+320:                                              ; preds = %317
+  call fastcc void @sample(ptr noundef nonnull %69) #12, !noalias !8
+  br label %321
 
-315:                                              ; preds = %314, %311
-  %316 = load ptr, ptr %67, align 8, !noalias !8
-  %317 = load i64, ptr %316, align 8, !noalias !8
-  %318 = load ptr, ptr %76, align 8, !noalias !8
-  %319 = load ptr, ptr %78, align 8, !noalias !8
-  %320 = load ptr, ptr %79, align 8, !noalias !8
-  %321 = inttoptr i64 %317 to ptr
-  %322 = load ptr, ptr %321, align 8, !noalias !8
-  %323 = call i32 %322(ptr noundef %318, ptr noundef %304, ptr noundef %319, ptr noundef %320, ptr noundef %296) #12, !noalias !8
-  %324 = zext i32 %323 to i64
-  %325 = or i64 %273, %324
-  %326 = add nuw nsw i64 %274, 1
-  %327 = icmp eq i64 %326, %269
-  br i1 %327, label %328, label %272, !llvm.loop !11
+321:                                              ; preds = %320, %317
+  %322 = load ptr, ptr %69, align 8, !noalias !8
+  %323 = load i64, ptr %322, align 8, !noalias !8
+  %324 = load ptr, ptr %78, align 8, !noalias !8
+  %325 = load ptr, ptr %80, align 8, !noalias !8
+  %326 = load ptr, ptr %81, align 8, !noalias !8
+  %327 = inttoptr i64 %323 to ptr
+  %328 = load ptr, ptr %327, align 8, !noalias !8
+  %329 = call i32 %328(ptr noundef %324, ptr noundef %310, ptr noundef %325, ptr noundef %326, ptr noundef %302) #13, !noalias !8
+  %330 = zext i32 %329 to i64
+  %331 = or i64 %279, %330
+  %332 = add nuw nsw i64 %280, 1
+  %333 = icmp eq i64 %332, %275
+  br i1 %333, label %334, label %278, !llvm.loop !11
 
-328:                                              ; preds = %315, %261
-  %329 = phi i64 [ 0, %261 ], [ %325, %315 ]
-  %330 = load ptr, ptr %80, align 8, !noalias !8
-  %331 = load ptr, ptr %65, align 8, !noalias !8
-  %332 = load ptr, ptr %67, align 8, !noalias !8
-  %333 = getelementptr inbounds i8, ptr %332, i64 16
-  %334 = load i64, ptr %333, align 8, !noalias !8
-  %335 = load ptr, ptr %81, align 8, !noalias !8
-  %336 = getelementptr inbounds i64, ptr %335, i64 %269
-  %337 = load i64, ptr %336, align 8, !noalias !8
-  %338 = getelementptr i8, ptr %336, i64 8
-  %339 = load i64, ptr %338, align 8, !noalias !8
-  %340 = xor i64 %337, -1
-  %341 = add i64 %339, %340
-  %342 = load ptr, ptr %68, align 8, !noalias !8
-  %343 = load ptr, ptr %82, align 8, !noalias !8
-  %344 = load ptr, ptr %83, align 8, !noalias !8
-  %345 = getelementptr inbounds i64, ptr %344, i64 %337
-  %346 = load ptr, ptr %84, align 8, !noalias !8
-  %347 = getelementptr inbounds double, ptr %346, i64 %337
-  call fastcc void @combine(ptr noundef %330, ptr noundef %331, ptr noundef %342, ptr noundef %343, ptr noundef %345, ptr noundef %347, i64 noundef %341, i64 noundef %334) #11
-  br i1 %268, label %376, label %348
+334:                                              ; preds = %321, %267
+  %335 = phi i64 [ 0, %267 ], [ %331, %321 ]
+  %336 = load ptr, ptr %82, align 8, !noalias !8
+  %337 = load ptr, ptr %67, align 8, !noalias !8
+  %338 = load ptr, ptr %69, align 8, !noalias !8
+  %339 = getelementptr inbounds i8, ptr %338, i64 16
+  %340 = load i64, ptr %339, align 8, !noalias !8
+  %341 = load ptr, ptr %83, align 8, !noalias !8
+  %342 = getelementptr inbounds i64, ptr %341, i64 %275
+  %343 = load i64, ptr %342, align 8, !noalias !8
+  %344 = getelementptr i8, ptr %342, i64 8
+  %345 = load i64, ptr %344, align 8, !noalias !8
+  %346 = xor i64 %343, -1
+  %347 = add i64 %345, %346
+  %348 = load ptr, ptr %70, align 8, !noalias !8
+  %349 = load ptr, ptr %84, align 8, !noalias !8
+  %350 = load ptr, ptr %85, align 8, !noalias !8
+  %351 = getelementptr inbounds i64, ptr %350, i64 %343
+  %352 = load ptr, ptr %86, align 8, !noalias !8
+  %353 = getelementptr inbounds double, ptr %352, i64 %343
+  call fastcc void @combine(ptr noundef %336, ptr noundef %337, ptr noundef %348, ptr noundef %349, ptr noundef %351, ptr noundef %353, i64 noundef %347, i64 noundef %340) #12
+  br i1 %274, label %382, label %354
 
-348:                                              ; preds = %328
-  %349 = load ptr, ptr %80, align 8, !noalias !8
-  %350 = load ptr, ptr %82, align 8, !noalias !8
-  %351 = load i64, ptr %262, align 8, !noalias !8
-  %352 = load i64, ptr %85, align 8, !noalias !8
-  %353 = mul nsw i64 %352, %351
-  %354 = getelementptr inbounds double, ptr %350, i64 %353
-  %355 = load ptr, ptr %86, align 8, !noalias !8
-  store <8 x double> %236, ptr %355, align 8, !noalias !8
-  %356 = load ptr, ptr %67, align 8, !noalias !8
-  %357 = getelementptr inbounds i8, ptr %356, i64 40
-  %358 = load i64, ptr %357, align 8, !noalias !8
-  %359 = icmp eq i64 %358, 0
-  br i1 %359, label %361, label %360
+354:                                              ; preds = %334
+  %355 = load ptr, ptr %82, align 8, !noalias !8
+  %356 = load ptr, ptr %84, align 8, !noalias !8
+  %357 = load i64, ptr %268, align 8, !noalias !8
+  %358 = load i64, ptr %87, align 8, !noalias !8
+  %359 = mul nsw i64 %358, %357
+  %360 = getelementptr inbounds double, ptr %356, i64 %359
+  %361 = load ptr, ptr %88, align 8, !noalias !8
+  store <8 x double> %242, ptr %361, align 8, !noalias !8
+  %362 = load ptr, ptr %69, align 8, !noalias !8
+  %363 = getelementptr inbounds i8, ptr %362, i64 40
+  %364 = load i64, ptr %363, align 8, !noalias !8
+  %365 = icmp eq i64 %364, 0
+  br i1 %365, label %367, label %366
 
-360:                                              ; preds = %348
-  call fastcc void @settle(ptr noundef nonnull %67) #11, !noalias !8
-  br label %361
+366:                                              ; preds = %354
+  call fastcc void @settle(ptr noundef nonnull %69) #12, !noalias !8
+  br label %367
 
-361:                                              ; preds = %360, %348
-  %362 = load i64, ptr %87, align 8, !noalias !8
-  %363 = icmp sgt i64 %362, 0
-  br i1 %363, label %364, label %365
+367:                                              ; preds = %366, %354
+  %368 = load i64, ptr %89, align 8, !noalias !8
+  %369 = icmp sgt i64 %368, 0
+  br i1 %369, label %370, label %371
 
-364:                                              ; preds = %361
-  call fastcc void @sample(ptr noundef nonnull %67) #11, !noalias !8
-  br label %365
+370:                                              ; preds = %367
+  call fastcc void @sample(ptr noundef nonnull %69) #12, !noalias !8
+  br label %371
 
-365:                                              ; preds = %361, %364
-  %366 = load ptr, ptr %67, align 8, !noalias !8
-  %367 = load i64, ptr %366, align 8, !noalias !8
-  %368 = load ptr, ptr %86, align 8, !noalias !8
-  %369 = load ptr, ptr %88, align 8, !noalias !8
-  %370 = load ptr, ptr %89, align 8, !noalias !8
-  %371 = inttoptr i64 %367 to ptr
-  %372 = load ptr, ptr %371, align 8, !noalias !8
-  %373 = call i32 %372(ptr noundef %368, ptr noundef %349, ptr noundef %369, ptr noundef %370, ptr noundef %354) #12, !noalias !8
-  %374 = zext i32 %373 to i64
-  %375 = or i64 %329, %374
-  br label %376
+371:                                              ; preds = %367, %370
+  %372 = load ptr, ptr %69, align 8, !noalias !8
+  %373 = load i64, ptr %372, align 8, !noalias !8
+  %374 = load ptr, ptr %88, align 8, !noalias !8
+  %375 = load ptr, ptr %90, align 8, !noalias !8
+  %376 = load ptr, ptr %91, align 8, !noalias !8
+  %377 = inttoptr i64 %373 to ptr
+  %378 = load ptr, ptr %377, align 8, !noalias !8
+  %379 = call i32 %378(ptr noundef %374, ptr noundef %355, ptr noundef %375, ptr noundef %376, ptr noundef %360) #13, !noalias !8
+  %380 = zext i32 %379 to i64
+  %381 = or i64 %335, %380
+  br label %382
 
-376:                                              ; preds = %365, %328
-  %377 = phi i64 [ %375, %365 ], [ %329, %328 ]
-  %378 = load ptr, ptr %0, align 8, !noalias !8
-  %379 = getelementptr inbounds i8, ptr %378, i64 8
-  %380 = load i64, ptr %379, align 8, !noalias !8
-  %381 = icmp slt i64 %380, 1
-  br i1 %381, label %382, label %386
+382:                                              ; preds = %371, %334
+  %383 = phi i64 [ %381, %371 ], [ %335, %334 ]
+  %384 = load ptr, ptr %0, align 8, !noalias !8
+  %385 = getelementptr inbounds i8, ptr %384, i64 8
+  %386 = load i64, ptr %385, align 8, !noalias !8
+  %387 = icmp slt i64 %386, 1
+  br i1 %387, label %388, label %392
 
-382:                                              ; preds = %376
-  %383 = icmp sgt i64 %265, 0
-  br i1 %383, label %384, label %668
+388:                                              ; preds = %382
+  %389 = icmp sgt i64 %271, 0
+  br i1 %389, label %390, label %674
 
-384:                                              ; preds = %382
-  %385 = load ptr, ptr %80, align 8, !noalias !8
-  br label %658
+390:                                              ; preds = %388
+  %391 = load ptr, ptr %82, align 8, !noalias !8
+  br label %664
 
-386:                                              ; preds = %376
-  %387 = load ptr, ptr %19, align 8, !noalias !8
-  %388 = load i64, ptr %21, align 8, !noalias !8
-  %389 = getelementptr double, ptr %387, i64 %388
-  %390 = getelementptr i8, ptr %389, i64 -16
-  %391 = load double, ptr %390, align 8, !noalias !8
-  %392 = load double, ptr %387, align 8, !noalias !8
-  %393 = fsub double %391, %392
-  %394 = fmul double %393, 0x3D70000000000000
-  %395 = load ptr, ptr %67, align 8, !noalias !8
-  %396 = load ptr, ptr %66, align 8, !noalias !8
-  %397 = getelementptr inbounds i8, ptr %395, i64 24
-  %398 = load i64, ptr %397, align 8, !noalias !8
-  %399 = getelementptr inbounds i8, ptr %396, i64 8
-  %400 = load i64, ptr %399, align 8, !noalias !8
-  %401 = load ptr, ptr %90, align 8, !noalias !8
-  %402 = load i64, ptr %91, align 8, !noalias !8
-  %403 = getelementptr inbounds double, ptr %401, i64 %402
-  %404 = icmp sgt i64 %400, 0
-  br i1 %404, label %405, label %407
+392:                                              ; preds = %382
+  %393 = load ptr, ptr %21, align 8, !noalias !8
+  %394 = load i64, ptr %23, align 8, !noalias !8
+  %395 = getelementptr double, ptr %393, i64 %394
+  %396 = getelementptr i8, ptr %395, i64 -16
+  %397 = load double, ptr %396, align 8, !noalias !8
+  %398 = load double, ptr %393, align 8, !noalias !8
+  %399 = fsub double %397, %398
+  %400 = fmul double %399, 0x3D70000000000000
+  %401 = load ptr, ptr %69, align 8, !noalias !8
+  %402 = load ptr, ptr %68, align 8, !noalias !8
+  %403 = getelementptr inbounds i8, ptr %401, i64 24
+  %404 = load i64, ptr %403, align 8, !noalias !8
+  %405 = getelementptr inbounds i8, ptr %402, i64 8
+  %406 = load i64, ptr %405, align 8, !noalias !8
+  %407 = load ptr, ptr %92, align 8, !noalias !8
+  %408 = load i64, ptr %93, align 8, !noalias !8
+  %409 = getelementptr inbounds double, ptr %407, i64 %408
+  %410 = icmp sgt i64 %406, 0
+  br i1 %410, label %411, label %413
 
-405:                                              ; preds = %386
-  %406 = getelementptr inbounds i8, ptr %395, i64 32
-  br label %415
+411:                                              ; preds = %392
+  %412 = getelementptr inbounds i8, ptr %401, i64 32
+  br label %421
 
-407:                                              ; preds = %415, %386
-  %408 = icmp sgt i64 %398, 0
-  br i1 %408, label %409, label %477
+413:                                              ; preds = %421, %392
+  %414 = icmp sgt i64 %404, 0
+  br i1 %414, label %415, label %483
 
-409:                                              ; preds = %407
-  %410 = load ptr, ptr %65, align 8, !noalias !8
-  %411 = load ptr, ptr %80, align 8, !noalias !8
-  %412 = load ptr, ptr %93, align 8, !noalias !8
-  %413 = load ptr, ptr %94, align 8, !noalias !8
-  %414 = load ptr, ptr %90, align 8, !noalias !8
-  br label %441
+415:                                              ; preds = %413
+  %416 = load ptr, ptr %67, align 8, !noalias !8
+  %417 = load ptr, ptr %82, align 8, !noalias !8
+  %418 = load ptr, ptr %95, align 8, !noalias !8
+  %419 = load ptr, ptr %96, align 8, !noalias !8
+  %420 = load ptr, ptr %92, align 8, !noalias !8
+  br label %447
 
-415:                                              ; preds = %405, %415
-  %416 = phi i64 [ 0, %405 ], [ %439, %415 ]
-  %417 = load i64, ptr %396, align 8, !noalias !8
-  %418 = load i64, ptr %406, align 8, !noalias !8
-  %419 = load ptr, ptr %90, align 8, !noalias !8
-  %420 = load i64, ptr %91, align 8, !noalias !8
-  %421 = mul nsw i64 %420, %416
-  %422 = getelementptr inbounds double, ptr %419, i64 %421
-  %423 = load ptr, ptr %92, align 8, !noalias !8
-  %424 = load ptr, ptr %81, align 8, !noalias !8
-  %425 = getelementptr i64, ptr %424, i64 %417
-  %426 = getelementptr i8, ptr %425, i64 8
-  %427 = getelementptr i64, ptr %426, i64 %416
-  %428 = load i64, ptr %427, align 8, !noalias !8
-  %429 = getelementptr i8, ptr %427, i64 8
-  %430 = load i64, ptr %429, align 8, !noalias !8
-  %431 = xor i64 %428, -1
-  %432 = add i64 %430, %431
-  %433 = load ptr, ptr %68, align 8, !noalias !8
-  %434 = load ptr, ptr %82, align 8, !noalias !8
-  %435 = load ptr, ptr %83, align 8, !noalias !8
-  %436 = getelementptr inbounds i64, ptr %435, i64 %428
-  %437 = load ptr, ptr %84, align 8, !noalias !8
-  %438 = getelementptr inbounds double, ptr %437, i64 %428
-  call fastcc void @combine(ptr noundef %422, ptr noundef %423, ptr noundef %433, ptr noundef %434, ptr noundef %436, ptr noundef %438, i64 noundef %432, i64 noundef %418) #11
-  %439 = add nuw nsw i64 %416, 1
-  %440 = icmp eq i64 %439, %400
-  br i1 %440, label %407, label %415, !llvm.loop !12
+421:                                              ; preds = %411, %421
+  %422 = phi i64 [ 0, %411 ], [ %445, %421 ]
+  %423 = load i64, ptr %402, align 8, !noalias !8
+  %424 = load i64, ptr %412, align 8, !noalias !8
+  %425 = load ptr, ptr %92, align 8, !noalias !8
+  %426 = load i64, ptr %93, align 8, !noalias !8
+  %427 = mul nsw i64 %426, %422
+  %428 = getelementptr inbounds double, ptr %425, i64 %427
+  %429 = load ptr, ptr %94, align 8, !noalias !8
+  %430 = load ptr, ptr %83, align 8, !noalias !8
+  %431 = getelementptr i64, ptr %430, i64 %423
+  %432 = getelementptr i8, ptr %431, i64 8
+  %433 = getelementptr i64, ptr %432, i64 %422
+  %434 = load i64, ptr %433, align 8, !noalias !8
+  %435 = getelementptr i8, ptr %433, i64 8
+  %436 = load i64, ptr %435, align 8, !noalias !8
+  %437 = xor i64 %434, -1
+  %438 = add i64 %436, %437
+  %439 = load ptr, ptr %70, align 8, !noalias !8
+  %440 = load ptr, ptr %84, align 8, !noalias !8
+  %441 = load ptr, ptr %85, align 8, !noalias !8
+  %442 = getelementptr inbounds i64, ptr %441, i64 %434
+  %443 = load ptr, ptr %86, align 8, !noalias !8
+  %444 = getelementptr inbounds double, ptr %443, i64 %434
+  call fastcc void @combine(ptr noundef %428, ptr noundef %429, ptr noundef %439, ptr noundef %440, ptr noundef %442, ptr noundef %444, i64 noundef %438, i64 noundef %424) #12
+  %445 = add nuw nsw i64 %422, 1
+  %446 = icmp eq i64 %445, %406
+  br i1 %446, label %413, label %421, !llvm.loop !12
 
-441:                                              ; preds = %409, %441
-  %442 = phi <8 x double> [ zeroinitializer, %409 ], [ %472, %441 ]
-  %443 = phi <8 x double> [ zeroinitializer, %409 ], [ %474, %441 ]
-  %444 = phi i64 [ 0, %409 ], [ %475, %441 ]
-  %445 = shl nsw i64 %444, 6
-  %446 = getelementptr inbounds i8, ptr %410, i64 %445
-  %447 = load <8 x double>, ptr %446, align 8, !noalias !8
-  %448 = getelementptr inbounds i8, ptr %411, i64 %445
-  %449 = load <8 x double>, ptr %448, align 8, !noalias !8
-  %450 = getelementptr inbounds double, ptr %412, i64 %444
-  %451 = load double, ptr %450, align 8, !noalias !8
-  %452 = insertelement <8 x double> poison, double %451, i64 0
-  %453 = shufflevector <8 x double> %452, <8 x double> poison, <8 x i32> zeroinitializer
-  %454 = getelementptr inbounds double, ptr %413, i64 %444
-  %455 = load double, ptr %454, align 8, !noalias !8
-  %456 = insertelement <8 x double> poison, double %455, i64 0
-  %457 = shufflevector <8 x double> %456, <8 x double> poison, <8 x i32> zeroinitializer
-  %458 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %447)
-  %459 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %449)
-  %460 = fcmp ogt <8 x double> %458, %459
-  %461 = select <8 x i1> %460, <8 x double> %458, <8 x double> %459
-  %462 = fmul <8 x double> %461, %457
-  %463 = fadd <8 x double> %453, %462
-  %464 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %463
-  %465 = getelementptr inbounds i8, ptr %414, i64 %445
-  %466 = load <8 x double>, ptr %465, align 8, !noalias !8
-  %467 = fmul <8 x double> %466, %464
-  %468 = getelementptr inbounds i8, ptr %403, i64 %445
-  %469 = load <8 x double>, ptr %468, align 8, !noalias !8
-  %470 = fmul <8 x double> %469, %464
-  %471 = fmul <8 x double> %467, %467
-  %472 = fadd <8 x double> %442, %471
-  %473 = fmul <8 x double> %470, %470
-  %474 = fadd <8 x double> %443, %473
-  %475 = add nuw nsw i64 %444, 1
-  %476 = icmp eq i64 %475, %398
-  br i1 %476, label %477, label %441, !llvm.loop !13
+447:                                              ; preds = %415, %447
+  %448 = phi <8 x double> [ zeroinitializer, %415 ], [ %478, %447 ]
+  %449 = phi <8 x double> [ zeroinitializer, %415 ], [ %480, %447 ]
+  %450 = phi i64 [ 0, %415 ], [ %481, %447 ]
+  %451 = shl nsw i64 %450, 6
+  %452 = getelementptr inbounds i8, ptr %416, i64 %451
+  %453 = load <8 x double>, ptr %452, align 8, !noalias !8
+  %454 = getelementptr inbounds i8, ptr %417, i64 %451
+  %455 = load <8 x double>, ptr %454, align 8, !noalias !8
+  %456 = getelementptr inbounds double, ptr %418, i64 %450
+  %457 = load double, ptr %456, align 8, !noalias !8
+  %458 = insertelement <8 x double> poison, double %457, i64 0
+  %459 = shufflevector <8 x double> %458, <8 x double> poison, <8 x i32> zeroinitializer
+  %460 = getelementptr inbounds double, ptr %419, i64 %450
+  %461 = load double, ptr %460, align 8, !noalias !8
+  %462 = insertelement <8 x double> poison, double %461, i64 0
+  %463 = shufflevector <8 x double> %462, <8 x double> poison, <8 x i32> zeroinitializer
+  %464 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %453)
+  %465 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %455)
+  %466 = fcmp ogt <8 x double> %464, %465
+  %467 = select <8 x i1> %466, <8 x double> %464, <8 x double> %465
+  %468 = fmul <8 x double> %467, %463
+  %469 = fadd <8 x double> %459, %468
+  %470 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %469
+  %471 = getelementptr inbounds i8, ptr %420, i64 %451
+  %472 = load <8 x double>, ptr %471, align 8, !noalias !8
+  %473 = fmul <8 x double> %472, %470
+  %474 = getelementptr inbounds i8, ptr %409, i64 %451
+  %475 = load <8 x double>, ptr %474, align 8, !noalias !8
+  %476 = fmul <8 x double> %475, %470
+  %477 = fmul <8 x double> %473, %473
+  %478 = fadd <8 x double> %448, %477
+  %479 = fmul <8 x double> %476, %476
+  %480 = fadd <8 x double> %449, %479
+  %481 = add nuw nsw i64 %450, 1
+  %482 = icmp eq i64 %481, %404
+  br i1 %482, label %483, label %447, !llvm.loop !13
 
-477:                                              ; preds = %441, %407
-  %478 = phi <8 x double> [ zeroinitializer, %407 ], [ %474, %441 ]
-  %479 = phi <8 x double> [ zeroinitializer, %407 ], [ %472, %441 ]
-  %480 = load ptr, ptr %80, align 8, !noalias !8
-  %481 = getelementptr inbounds i8, ptr %395, i64 8
-  %482 = load i64, ptr %481, align 8, !noalias !8
-  %483 = add nsw i64 %482, -3
-  %484 = getelementptr i8, ptr %480, i64 64
-  %485 = getelementptr i8, ptr %480, i64 128
-  %486 = getelementptr i8, ptr %480, i64 192
-  %487 = icmp slt i64 %398, %483
-  br i1 %487, label %495, label %488
+483:                                              ; preds = %447, %413
+  %484 = phi <8 x double> [ zeroinitializer, %413 ], [ %480, %447 ]
+  %485 = phi <8 x double> [ zeroinitializer, %413 ], [ %478, %447 ]
+  %486 = load ptr, ptr %82, align 8, !noalias !8
+  %487 = getelementptr inbounds i8, ptr %401, i64 8
+  %488 = load i64, ptr %487, align 8, !noalias !8
+  %489 = add nsw i64 %488, -3
+  %490 = getelementptr i8, ptr %486, i64 64
+  %491 = getelementptr i8, ptr %486, i64 128
+  %492 = getelementptr i8, ptr %486, i64 192
+  %493 = icmp slt i64 %404, %489
+  br i1 %493, label %501, label %494
 
-488:                                              ; preds = %495, %477
-  %489 = phi <8 x double> [ zeroinitializer, %477 ], [ %505, %495 ]
-  %490 = phi <8 x double> [ zeroinitializer, %477 ], [ %510, %495 ]
-  %491 = phi <8 x double> [ zeroinitializer, %477 ], [ %515, %495 ]
-  %492 = phi <8 x double> [ zeroinitializer, %477 ], [ %520, %495 ]
-  %493 = phi i64 [ %398, %477 ], [ %521, %495 ]
-  %494 = icmp slt i64 %493, %482
-  br i1 %494, label %523, label %533
+494:                                              ; preds = %501, %483
+  %495 = phi <8 x double> [ zeroinitializer, %483 ], [ %511, %501 ]
+  %496 = phi <8 x double> [ zeroinitializer, %483 ], [ %516, %501 ]
+  %497 = phi <8 x double> [ zeroinitializer, %483 ], [ %521, %501 ]
+  %498 = phi <8 x double> [ zeroinitializer, %483 ], [ %526, %501 ]
+  %499 = phi i64 [ %404, %483 ], [ %527, %501 ]
+  %500 = icmp slt i64 %499, %488
+  br i1 %500, label %529, label %539
 
-495:                                              ; preds = %477, %495
-  %496 = phi i64 [ %521, %495 ], [ %398, %477 ]
-  %497 = phi <8 x double> [ %520, %495 ], [ zeroinitializer, %477 ]
-  %498 = phi <8 x double> [ %515, %495 ], [ zeroinitializer, %477 ]
-  %499 = phi <8 x double> [ %510, %495 ], [ zeroinitializer, %477 ]
-  %500 = phi <8 x double> [ %505, %495 ], [ zeroinitializer, %477 ]
-  %501 = shl nsw i64 %496, 6
-  %502 = getelementptr inbounds i8, ptr %480, i64 %501
-  %503 = load <8 x double>, ptr %502, align 8, !noalias !8
-  %504 = fmul <8 x double> %503, zeroinitializer
-  %505 = fadd <8 x double> %500, %504
-  %506 = shl i64 %496, 6
-  %507 = getelementptr i8, ptr %484, i64 %506
-  %508 = load <8 x double>, ptr %507, align 8, !noalias !8
-  %509 = fmul <8 x double> %508, zeroinitializer
-  %510 = fadd <8 x double> %499, %509
-  %511 = shl i64 %496, 6
-  %512 = getelementptr i8, ptr %485, i64 %511
-  %513 = load <8 x double>, ptr %512, align 8, !noalias !8
-  %514 = fmul <8 x double> %513, zeroinitializer
-  %515 = fadd <8 x double> %498, %514
-  %516 = shl i64 %496, 6
-  %517 = getelementptr i8, ptr %486, i64 %516
-  %518 = load <8 x double>, ptr %517, align 8, !noalias !8
-  %519 = fmul <8 x double> %518, zeroinitializer
-  %520 = fadd <8 x double> %497, %519
-  %521 = add nsw i64 %496, 4
-  %522 = icmp slt i64 %521, %483
-  br i1 %522, label %495, label %488, !llvm.loop !14
+501:                                              ; preds = %483, %501
+  %502 = phi i64 [ %527, %501 ], [ %404, %483 ]
+  %503 = phi <8 x double> [ %526, %501 ], [ zeroinitializer, %483 ]
+  %504 = phi <8 x double> [ %521, %501 ], [ zeroinitializer, %483 ]
+  %505 = phi <8 x double> [ %516, %501 ], [ zeroinitializer, %483 ]
+  %506 = phi <8 x double> [ %511, %501 ], [ zeroinitializer, %483 ]
+  %507 = shl nsw i64 %502, 6
+  %508 = getelementptr inbounds i8, ptr %486, i64 %507
+  %509 = load <8 x double>, ptr %508, align 8, !noalias !8
+  %510 = fmul <8 x double> %509, zeroinitializer
+  %511 = fadd <8 x double> %506, %510
+  %512 = shl i64 %502, 6
+  %513 = getelementptr i8, ptr %490, i64 %512
+  %514 = load <8 x double>, ptr %513, align 8, !noalias !8
+  %515 = fmul <8 x double> %514, zeroinitializer
+  %516 = fadd <8 x double> %505, %515
+  %517 = shl i64 %502, 6
+  %518 = getelementptr i8, ptr %491, i64 %517
+  %519 = load <8 x double>, ptr %518, align 8, !noalias !8
+  %520 = fmul <8 x double> %519, zeroinitializer
+  %521 = fadd <8 x double> %504, %520
+  %522 = shl i64 %502, 6
+  %523 = getelementptr i8, ptr %492, i64 %522
+  %524 = load <8 x double>, ptr %523, align 8, !noalias !8
+  %525 = fmul <8 x double> %524, zeroinitializer
+  %526 = fadd <8 x double> %503, %525
+  %527 = add nsw i64 %502, 4
+  %528 = icmp slt i64 %527, %489
+  br i1 %528, label %501, label %494, !llvm.loop !14
 
-523:                                              ; preds = %488, %523
-  %524 = phi i64 [ %531, %523 ], [ %493, %488 ]
-  %525 = phi <8 x double> [ %530, %523 ], [ %489, %488 ]
-  %526 = shl nsw i64 %524, 6
-  %527 = getelementptr inbounds i8, ptr %480, i64 %526
-  %528 = load <8 x double>, ptr %527, align 8, !noalias !8
-  %529 = fmul <8 x double> %528, zeroinitializer
-  %530 = fadd <8 x double> %525, %529
-  %531 = add nsw i64 %524, 1
-  %532 = icmp eq i64 %531, %482
-  br i1 %532, label %533, label %523, !llvm.loop !15
+529:                                              ; preds = %494, %529
+  %530 = phi i64 [ %537, %529 ], [ %499, %494 ]
+  %531 = phi <8 x double> [ %536, %529 ], [ %495, %494 ]
+  %532 = shl nsw i64 %530, 6
+  %533 = getelementptr inbounds i8, ptr %486, i64 %532
+  %534 = load <8 x double>, ptr %533, align 8, !noalias !8
+  %535 = fmul <8 x double> %534, zeroinitializer
+  %536 = fadd <8 x double> %531, %535
+  %537 = add nsw i64 %530, 1
+  %538 = icmp eq i64 %537, %488
+  br i1 %538, label %539, label %529, !llvm.loop !15
 
-533:                                              ; preds = %523, %488
-  %534 = phi <8 x double> [ %489, %488 ], [ %530, %523 ]
-  %535 = fadd <8 x double> %490, %534
-  %536 = fadd <8 x double> %491, %492
-  %537 = fadd <8 x double> %536, %535
-  %538 = fadd <8 x double> %479, %537
-  %539 = icmp eq i64 %400, 2
-  br i1 %539, label %540, label %551
+539:                                              ; preds = %529, %494
+  %540 = phi <8 x double> [ %495, %494 ], [ %536, %529 ]
+  %541 = fadd <8 x double> %496, %540
+  %542 = fadd <8 x double> %497, %498
+  %543 = fadd <8 x double> %542, %541
+  %544 = fadd <8 x double> %485, %543
+  %545 = icmp eq i64 %406, 2
+  br i1 %545, label %546, label %557
 
-540:                                              ; preds = %533
-  %541 = fmul <8 x double> %478, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %542 = fadd <8 x double> %541, %538
-  %543 = sitofp i64 %398 to double
-  %544 = insertelement <8 x double> poison, double %543, i64 0
-  %545 = shufflevector <8 x double> %544, <8 x double> poison, <8 x i32> zeroinitializer
-  %546 = fmul <8 x double> %545, %542
-  %547 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %546)
-  %548 = fdiv <8 x double> %538, %547
-  %549 = fcmp oeq <8 x double> %538, zeroinitializer
-  %550 = select <8 x i1> %549, <8 x double> zeroinitializer, <8 x double> %548
-  br label %557
+546:                                              ; preds = %539
+  %547 = fmul <8 x double> %484, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %548 = fadd <8 x double> %547, %544
+  %549 = sitofp i64 %404 to double
+  %550 = insertelement <8 x double> poison, double %549, i64 0
+  %551 = shufflevector <8 x double> %550, <8 x double> poison, <8 x i32> zeroinitializer
+  %552 = fmul <8 x double> %551, %548
+  %553 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %552)
+  %554 = fdiv <8 x double> %544, %553
+  %555 = fcmp oeq <8 x double> %544, zeroinitializer
+  %556 = select <8 x i1> %555, <8 x double> zeroinitializer, <8 x double> %554
+  br label %563
 
-551:                                              ; preds = %533
-  %552 = sitofp i64 %398 to double
-  %553 = insertelement <8 x double> poison, double %552, i64 0
-  %554 = shufflevector <8 x double> %553, <8 x double> poison, <8 x i32> zeroinitializer
-  %555 = fdiv <8 x double> %538, %554
-  %556 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %555)
-  br label %557
+557:                                              ; preds = %539
+  %558 = sitofp i64 %404 to double
+  %559 = insertelement <8 x double> poison, double %558, i64 0
+  %560 = shufflevector <8 x double> %559, <8 x double> poison, <8 x i32> zeroinitializer
+  %561 = fdiv <8 x double> %544, %560
+  %562 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %561)
+  br label %563
 
-557:                                              ; preds = %540, %551
-  %558 = phi <8 x double> [ %550, %540 ], [ %556, %551 ]
-  %559 = load ptr, ptr %90, align 8, !noalias !8
-  %560 = load ptr, ptr %68, align 8, !noalias !8
-  %561 = load <8 x double>, ptr %560, align 8, !noalias !8
-  %562 = load i64, ptr %397, align 8, !noalias !8
-  %563 = getelementptr inbounds i8, ptr %395, i64 48
-  %564 = load i64, ptr %563, align 8, !noalias !8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %2, i8 0, i64 512, i1 false), !noalias !8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %3, i8 0, i64 512, i1 false), !noalias !8
-  %565 = icmp eq i64 %564, 0
-  br i1 %565, label %656, label %566
+563:                                              ; preds = %546, %557
+  %564 = phi <8 x double> [ %556, %546 ], [ %562, %557 ]
+  %565 = load ptr, ptr %92, align 8, !noalias !8
+  %566 = load ptr, ptr %70, align 8, !noalias !8
+  %567 = load <8 x double>, ptr %566, align 8, !noalias !8
+  %568 = load i64, ptr %403, align 8, !noalias !8
+  %569 = getelementptr inbounds i8, ptr %401, i64 48
+  %570 = load i64, ptr %569, align 8, !noalias !8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %4, i8 0, i64 512, i1 false), !noalias !8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %5, i8 0, i64 512, i1 false), !noalias !8
+  %571 = icmp eq i64 %570, 0
+  br i1 %571, label %662, label %572
 
-566:                                              ; preds = %557
-  br i1 %539, label %567, label %569
+572:                                              ; preds = %563
+  br i1 %545, label %573, label %575
 
-567:                                              ; preds = %566
-  %568 = load i64, ptr %91, align 8, !noalias !8
-  br label %569
+573:                                              ; preds = %572
+  %574 = load i64, ptr %93, align 8, !noalias !8
+  br label %575
 
-569:                                              ; preds = %567, %566
-  %570 = phi i64 [ %568, %567 ], [ 0, %566 ]
-  %571 = getelementptr inbounds double, ptr %559, i64 %570
-  %572 = icmp slt i64 %562, %564
-  br i1 %572, label %574, label %573
+575:                                              ; preds = %573, %572
+  %576 = phi i64 [ %574, %573 ], [ 0, %572 ]
+  %577 = getelementptr inbounds double, ptr %565, i64 %576
+  %578 = icmp slt i64 %568, %570
+  br i1 %578, label %580, label %579
 
-573:                                              ; preds = %578, %569
-  br label %643
+579:                                              ; preds = %584, %575
+  br label %649
 
-574:                                              ; preds = %569
-  %575 = load ptr, ptr %65, align 8, !noalias !8
-  %576 = load ptr, ptr %95, align 8, !noalias !8
-  %577 = load ptr, ptr %96, align 8, !noalias !8
-  br label %578
+580:                                              ; preds = %575
+  %581 = load ptr, ptr %67, align 8, !noalias !8
+  %582 = load ptr, ptr %97, align 8, !noalias !8
+  %583 = load ptr, ptr %98, align 8, !noalias !8
+  br label %584
 
-578:                                              ; preds = %574, %578
-  %579 = phi i64 [ %562, %574 ], [ %614, %578 ]
-  %580 = shl nsw i64 %579, 6
-  %581 = getelementptr inbounds i8, ptr %575, i64 %580
-  %582 = load <8 x double>, ptr %581, align 8, !noalias !8
-  %583 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %582)
-  %584 = getelementptr inbounds i8, ptr %480, i64 %580
-  %585 = load <8 x double>, ptr %584, align 8, !noalias !8
-  %586 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %585)
-  %587 = fcmp ogt <8 x double> %583, %586
-  %588 = select <8 x i1> %587, <8 x double> %583, <8 x double> %586
-  %589 = getelementptr inbounds i8, ptr %576, i64 %580
-  %590 = load <8 x double>, ptr %589, align 8, !noalias !8
-  %591 = getelementptr inbounds double, ptr %577, i64 %579
-  %592 = load double, ptr %591, align 8, !noalias !8
-  %593 = insertelement <8 x double> poison, double %592, i64 0
-  %594 = shufflevector <8 x double> %593, <8 x double> poison, <8 x i32> zeroinitializer
-  %595 = fmul <8 x double> %588, %594
-  %596 = fadd <8 x double> %590, %595
-  %597 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %596
-  %598 = getelementptr inbounds i8, ptr %559, i64 %580
-  %599 = load <8 x double>, ptr %598, align 8, !noalias !8
-  %600 = fmul <8 x double> %599, %597
-  %601 = getelementptr inbounds i8, ptr %571, i64 %580
-  %602 = load <8 x double>, ptr %601, align 8, !noalias !8
-  %603 = fmul <8 x double> %602, %597
-  %604 = srem i64 %579, 8
-  %605 = shl nsw i64 %604, 6
-  %606 = getelementptr inbounds i8, ptr %2, i64 %605
-  %607 = load <8 x double>, ptr %606, align 16, !noalias !8
-  %608 = fmul <8 x double> %600, %600
-  %609 = fadd <8 x double> %607, %608
-  store <8 x double> %609, ptr %606, align 16, !noalias !8
-  %610 = getelementptr inbounds i8, ptr %3, i64 %605
-  %611 = load <8 x double>, ptr %610, align 16, !noalias !8
-  %612 = fmul <8 x double> %603, %603
-  %613 = fadd <8 x double> %611, %612
-  store <8 x double> %613, ptr %610, align 16, !noalias !8
-  %614 = add nsw i64 %579, 1
-  %615 = icmp eq i64 %614, %564
-  br i1 %615, label %573, label %578, !llvm.loop !16
+584:                                              ; preds = %580, %584
+  %585 = phi i64 [ %568, %580 ], [ %620, %584 ]
+  %586 = shl nsw i64 %585, 6
+  %587 = getelementptr inbounds i8, ptr %581, i64 %586
+  %588 = load <8 x double>, ptr %587, align 8, !noalias !8
+  %589 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %588)
+  %590 = getelementptr inbounds i8, ptr %486, i64 %586
+  %591 = load <8 x double>, ptr %590, align 8, !noalias !8
+  %592 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %591)
+  %593 = fcmp ogt <8 x double> %589, %592
+  %594 = select <8 x i1> %593, <8 x double> %589, <8 x double> %592
+  %595 = getelementptr inbounds i8, ptr %582, i64 %586
+  %596 = load <8 x double>, ptr %595, align 8, !noalias !8
+  %597 = getelementptr inbounds double, ptr %583, i64 %585
+  %598 = load double, ptr %597, align 8, !noalias !8
+  %599 = insertelement <8 x double> poison, double %598, i64 0
+  %600 = shufflevector <8 x double> %599, <8 x double> poison, <8 x i32> zeroinitializer
+  %601 = fmul <8 x double> %594, %600
+  %602 = fadd <8 x double> %596, %601
+  %603 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %602
+  %604 = getelementptr inbounds i8, ptr %565, i64 %586
+  %605 = load <8 x double>, ptr %604, align 8, !noalias !8
+  %606 = fmul <8 x double> %605, %603
+  %607 = getelementptr inbounds i8, ptr %577, i64 %586
+  %608 = load <8 x double>, ptr %607, align 8, !noalias !8
+  %609 = fmul <8 x double> %608, %603
+  %610 = srem i64 %585, 8
+  %611 = shl nsw i64 %610, 6
+  %612 = getelementptr inbounds i8, ptr %4, i64 %611
+  %613 = load <8 x double>, ptr %612, align 16, !noalias !8
+  %614 = fmul <8 x double> %606, %606
+  %615 = fadd <8 x double> %613, %614
+  store <8 x double> %615, ptr %612, align 16, !noalias !8
+  %616 = getelementptr inbounds i8, ptr %5, i64 %611
+  %617 = load <8 x double>, ptr %616, align 16, !noalias !8
+  %618 = fmul <8 x double> %609, %609
+  %619 = fadd <8 x double> %617, %618
+  store <8 x double> %619, ptr %616, align 16, !noalias !8
+  %620 = add nsw i64 %585, 1
+  %621 = icmp eq i64 %620, %570
+  br i1 %621, label %579, label %584, !llvm.loop !16
 
-616:                                              ; preds = %643
-  %617 = sub nsw i64 %564, %562
-  br i1 %539, label %618, label %629
+622:                                              ; preds = %649
+  %623 = sub nsw i64 %570, %568
+  br i1 %545, label %624, label %635
 
-618:                                              ; preds = %616
-  %619 = fmul <8 x double> %653, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %620 = fadd <8 x double> %650, %619
-  %621 = sitofp i64 %617 to double
-  %622 = insertelement <8 x double> poison, double %621, i64 0
-  %623 = shufflevector <8 x double> %622, <8 x double> poison, <8 x i32> zeroinitializer
-  %624 = fmul <8 x double> %623, %620
-  %625 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %624)
-  %626 = fdiv <8 x double> %650, %625
-  %627 = fcmp oeq <8 x double> %650, zeroinitializer
-  %628 = select <8 x i1> %627, <8 x double> zeroinitializer, <8 x double> %626
-  br label %635
+624:                                              ; preds = %622
+  %625 = fmul <8 x double> %659, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %626 = fadd <8 x double> %656, %625
+  %627 = sitofp i64 %623 to double
+  %628 = insertelement <8 x double> poison, double %627, i64 0
+  %629 = shufflevector <8 x double> %628, <8 x double> poison, <8 x i32> zeroinitializer
+  %630 = fmul <8 x double> %629, %626
+  %631 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %630)
+  %632 = fdiv <8 x double> %656, %631
+  %633 = fcmp oeq <8 x double> %656, zeroinitializer
+  %634 = select <8 x i1> %633, <8 x double> zeroinitializer, <8 x double> %632
+  br label %641
 
-629:                                              ; preds = %616
-  %630 = sitofp i64 %617 to double
-  %631 = insertelement <8 x double> poison, double %630, i64 0
-  %632 = shufflevector <8 x double> %631, <8 x double> poison, <8 x i32> zeroinitializer
-  %633 = fdiv <8 x double> %650, %632
-  %634 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %633)
-  br label %635
-
-635:                                              ; preds = %629, %618
-  %636 = phi <8 x double> [ %628, %618 ], [ %634, %629 ]
-  %637 = insertelement <8 x double> poison, double %394, i64 0
+635:                                              ; preds = %622
+  %636 = sitofp i64 %623 to double
+  %637 = insertelement <8 x double> poison, double %636, i64 0
   %638 = shufflevector <8 x double> %637, <8 x double> poison, <8 x i32> zeroinitializer
-  %639 = fcmp ogt <8 x double> %561, %638
-  %640 = fcmp ogt <8 x double> %636, %558
-  %641 = select <8 x i1> %639, <8 x i1> %640, <8 x i1> zeroinitializer
-  %642 = select <8 x i1> %641, <8 x double> %636, <8 x double> %558
-  br label %656
+  %639 = fdiv <8 x double> %656, %638
+  %640 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %639)
+  br label %641
 
-643:                                              ; preds = %573, %643
-  %644 = phi i64 [ %654, %643 ], [ 0, %573 ]
-  %645 = phi <8 x double> [ %653, %643 ], [ zeroinitializer, %573 ]
-  %646 = phi <8 x double> [ %650, %643 ], [ zeroinitializer, %573 ]
-  %647 = shl nuw nsw i64 %644, 6
-  %648 = getelementptr inbounds i8, ptr %2, i64 %647
-  %649 = load <8 x double>, ptr %648, align 16, !noalias !8
-  %650 = fadd <8 x double> %646, %649
-  %651 = getelementptr inbounds i8, ptr %3, i64 %647
-  %652 = load <8 x double>, ptr %651, align 16, !noalias !8
-  %653 = fadd <8 x double> %645, %652
-  %654 = add nuw nsw i64 %644, 1
-  %655 = icmp eq i64 %654, 8
-  br i1 %655, label %616, label %643, !llvm.loop !17
+641:                                              ; preds = %635, %624
+  %642 = phi <8 x double> [ %634, %624 ], [ %640, %635 ]
+  %643 = insertelement <8 x double> poison, double %400, i64 0
+  %644 = shufflevector <8 x double> %643, <8 x double> poison, <8 x i32> zeroinitializer
+  %645 = fcmp ogt <8 x double> %567, %644
+  %646 = fcmp ogt <8 x double> %642, %564
+  %647 = select <8 x i1> %645, <8 x i1> %646, <8 x i1> zeroinitializer
+  %648 = select <8 x i1> %647, <8 x double> %642, <8 x double> %564
+  br label %662
 
-656:                                              ; preds = %557, %635
-  %657 = phi <8 x double> [ %558, %557 ], [ %642, %635 ]
-  br label %668
+649:                                              ; preds = %579, %649
+  %650 = phi i64 [ %660, %649 ], [ 0, %579 ]
+  %651 = phi <8 x double> [ %659, %649 ], [ zeroinitializer, %579 ]
+  %652 = phi <8 x double> [ %656, %649 ], [ zeroinitializer, %579 ]
+  %653 = shl nuw nsw i64 %650, 6
+  %654 = getelementptr inbounds i8, ptr %4, i64 %653
+  %655 = load <8 x double>, ptr %654, align 16, !noalias !8
+  %656 = fadd <8 x double> %652, %655
+  %657 = getelementptr inbounds i8, ptr %5, i64 %653
+  %658 = load <8 x double>, ptr %657, align 16, !noalias !8
+  %659 = fadd <8 x double> %651, %658
+  %660 = add nuw nsw i64 %650, 1
+  %661 = icmp eq i64 %660, 8
+  br i1 %661, label %622, label %649, !llvm.loop !17
 
-658:                                              ; preds = %384, %658
-  %659 = phi i64 [ 0, %384 ], [ %666, %658 ]
-  %660 = phi <8 x double> [ zeroinitializer, %384 ], [ %665, %658 ]
-  %661 = shl nsw i64 %659, 6
-  %662 = getelementptr inbounds i8, ptr %385, i64 %661
-  %663 = load <8 x double>, ptr %662, align 8, !noalias !8
-  %664 = fmul <8 x double> %663, zeroinitializer
-  %665 = fadd <8 x double> %660, %664
-  %666 = add nuw nsw i64 %659, 1
-  %667 = icmp eq i64 %666, %265
-  br i1 %667, label %668, label %658, !llvm.loop !18
+662:                                              ; preds = %563, %641
+  %663 = phi <8 x double> [ %564, %563 ], [ %648, %641 ]
+  br label %674
 
-668:                                              ; preds = %658, %382, %656
-  %669 = phi <8 x double> [ %657, %656 ], [ zeroinitializer, %382 ], [ %665, %658 ]
-  %670 = fcmp olt <8 x double> %669, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %671 = bitcast <8 x i1> %670 to i8
-  %672 = zext i8 %671 to i64
-  %673 = xor i64 %377, -1
-  %674 = and i64 %673, %672
-  %675 = and i64 %674, %204
-  %676 = load ptr, ptr %97, align 8, !noalias !8
-  %677 = load <8 x double>, ptr %676, align 8, !noalias !8
-  %678 = load i64, ptr %262, align 8, !noalias !8
-  %679 = sext i1 %268 to i64
-  %680 = add i64 %678, %679
-  %681 = sitofp i64 %680 to double
-  %682 = insertelement <8 x double> poison, double %681, i64 0
-  %683 = shufflevector <8 x double> %682, <8 x double> poison, <8 x i32> zeroinitializer
-  %684 = fadd <8 x double> %677, %683
-  store <8 x double> %684, ptr %676, align 8, !noalias !8
-  %685 = icmp ne i64 %675, 0
-  %686 = select i1 %49, i1 %685, i1 false
-  br i1 %686, label %687, label %690
+664:                                              ; preds = %390, %664
+  %665 = phi i64 [ 0, %390 ], [ %672, %664 ]
+  %666 = phi <8 x double> [ zeroinitializer, %390 ], [ %671, %664 ]
+  %667 = shl nsw i64 %665, 6
+  %668 = getelementptr inbounds i8, ptr %391, i64 %667
+  %669 = load <8 x double>, ptr %668, align 8, !noalias !8
+  %670 = fmul <8 x double> %669, zeroinitializer
+  %671 = fadd <8 x double> %666, %670
+  %672 = add nuw nsw i64 %665, 1
+  %673 = icmp eq i64 %672, %271
+  br i1 %673, label %674, label %664, !llvm.loop !18
 
-687:                                              ; preds = %668
-  store <8 x double> %236, ptr %5, align 16
-  %688 = load ptr, ptr %98, align 8
-  %689 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %5, ptr noundef %688, i64 noundef %675, i32 noundef %48) #11
-  br label %690
+674:                                              ; preds = %664, %388, %662
+  %675 = phi <8 x double> [ %663, %662 ], [ zeroinitializer, %388 ], [ %671, %664 ]
+  %676 = fcmp olt <8 x double> %675, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %677 = bitcast <8 x i1> %676 to i8
+  %678 = zext i8 %677 to i64
+  %679 = xor i64 %383, -1
+  %680 = and i64 %679, %678
+  %681 = and i64 %680, %210
+  %682 = load ptr, ptr %99, align 8, !noalias !8
+  %683 = load <8 x double>, ptr %682, align 8, !noalias !8
+  %684 = load i64, ptr %268, align 8, !noalias !8
+  %685 = sext i1 %274 to i64
+  %686 = add i64 %684, %685
+  %687 = sitofp i64 %686 to double
+  %688 = insertelement <8 x double> poison, double %687, i64 0
+  %689 = shufflevector <8 x double> %688, <8 x double> poison, <8 x i32> zeroinitializer
+  %690 = fadd <8 x double> %683, %689
+  store <8 x double> %690, ptr %682, align 8, !noalias !8
+  %691 = icmp ne i64 %681, 0
+  %692 = select i1 %51, i1 %691, i1 false
+  br i1 %692, label %693, label %696
 
-690:                                              ; preds = %687, %668
-  %691 = phi i64 [ %689, %687 ], [ 0, %668 ]
-  %692 = xor i64 %691, -1
-  %693 = and i64 %675, %692
-  %694 = load ptr, ptr %66, align 8
-  %695 = icmp eq i64 %693, 0
-  br i1 %695, label %740, label %696
+693:                                              ; preds = %674
+  store <8 x double> %242, ptr %7, align 16
+  %694 = load ptr, ptr %100, align 8
+  %695 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %7, ptr noundef %694, i64 noundef %681, i32 noundef %50) #12
+  br label %696
 
-696:                                              ; preds = %690
-  %697 = getelementptr inbounds i8, ptr %694, i64 32
-  %698 = load i64, ptr %697, align 8
-  %699 = icmp eq i64 %698, 1
-  br i1 %699, label %700, label %704
+696:                                              ; preds = %693, %674
+  %697 = phi i64 [ %695, %693 ], [ 0, %674 ]
+  %698 = xor i64 %697, -1
+  %699 = and i64 %681, %698
+  %700 = load ptr, ptr %68, align 8
+  %701 = icmp eq i64 %699, 0
+  br i1 %701, label %746, label %702
 
-700:                                              ; preds = %696
-  %701 = load ptr, ptr %36, align 8
-  %702 = load i64, ptr %701, align 8
-  %703 = icmp eq i64 %702, 1
-  br i1 %703, label %704, label %740
+702:                                              ; preds = %696
+  %703 = getelementptr inbounds i8, ptr %700, i64 32
+  %704 = load i64, ptr %703, align 8
+  %705 = icmp eq i64 %704, 1
+  br i1 %705, label %706, label %710
 
-704:                                              ; preds = %700, %696
-  %705 = load ptr, ptr %80, align 8
-  %706 = load ptr, ptr %82, align 8
-  %707 = load i64, ptr %694, align 8
-  %708 = load i64, ptr %99, align 8
-  %709 = mul nsw i64 %708, %707
-  %710 = getelementptr inbounds double, ptr %706, i64 %709
-  %711 = load ptr, ptr %100, align 8
-  store <8 x double> %236, ptr %711, align 8
-  %712 = load ptr, ptr %67, align 8
-  %713 = getelementptr inbounds i8, ptr %712, i64 40
-  %714 = load i64, ptr %713, align 8
-  %715 = icmp eq i64 %714, 0
-  br i1 %715, label %717, label %716
+706:                                              ; preds = %702
+  %707 = load ptr, ptr %38, align 8
+  %708 = load i64, ptr %707, align 8
+  %709 = icmp eq i64 %708, 1
+  br i1 %709, label %710, label %746
 
-716:                                              ; preds = %704
-  call fastcc void @settle(ptr noundef nonnull %67) #11
-  br label %717
+710:                                              ; preds = %706, %702
+  %711 = load ptr, ptr %82, align 8
+  %712 = load ptr, ptr %84, align 8
+  %713 = load i64, ptr %700, align 8
+  %714 = load i64, ptr %101, align 8
+  %715 = mul nsw i64 %714, %713
+  %716 = getelementptr inbounds double, ptr %712, i64 %715
+  %717 = load ptr, ptr %102, align 8
+  store <8 x double> %242, ptr %717, align 8
+  %718 = load ptr, ptr %69, align 8
+  %719 = getelementptr inbounds i8, ptr %718, i64 40
+  %720 = load i64, ptr %719, align 8
+  %721 = icmp eq i64 %720, 0
+  br i1 %721, label %723, label %722
 
-717:                                              ; preds = %716, %704
-  %718 = load i64, ptr %101, align 8
-  %719 = icmp sgt i64 %718, 0
-  br i1 %719, label %720, label %721
+722:                                              ; preds = %710
+  call fastcc void @settle(ptr noundef nonnull %69) #12
+  br label %723
 
-720:                                              ; preds = %717
-  call fastcc void @sample(ptr noundef nonnull %67) #11
-  br label %721
+723:                                              ; preds = %722, %710
+  %724 = load i64, ptr %103, align 8
+  %725 = icmp sgt i64 %724, 0
+  br i1 %725, label %726, label %727
 
-721:                                              ; preds = %717, %720
-  %722 = load ptr, ptr %67, align 8
-  %723 = load i64, ptr %722, align 8
-  %724 = load ptr, ptr %100, align 8
-  %725 = load ptr, ptr %102, align 8
-  %726 = load ptr, ptr %103, align 8
-  %727 = inttoptr i64 %723 to ptr
-  %728 = load ptr, ptr %727, align 8
-  %729 = call i32 %728(ptr noundef %724, ptr noundef %705, ptr noundef %725, ptr noundef %726, ptr noundef %710) #12
-  %730 = zext i32 %729 to i64
-  %731 = or i64 %377, %730
-  %732 = load ptr, ptr %97, align 8
-  %733 = load <8 x double>, ptr %732, align 8
-  %734 = trunc nuw i64 %693 to i8
-  %735 = bitcast i8 %734 to <8 x i1>
-  %736 = select <8 x i1> %735, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %737 = fadd <8 x double> %736, %733
-  store <8 x double> %737, ptr %732, align 8
-  %738 = xor i64 %731, -1
-  %739 = and i64 %693, %738
-  br label %740
+726:                                              ; preds = %723
+  call fastcc void @sample(ptr noundef nonnull %69) #12
+  br label %727
 
-740:                                              ; preds = %690, %700, %721
-  %741 = phi i64 [ %377, %690 ], [ %731, %721 ], [ %377, %700 ]
-  %742 = phi i64 [ %693, %690 ], [ %739, %721 ], [ %693, %700 ]
-  %743 = icmp ne i64 %742, 0
-  %744 = select i1 %50, i1 %743, i1 false
-  br i1 %744, label %745, label %749
+727:                                              ; preds = %723, %726
+  %728 = load ptr, ptr %69, align 8
+  %729 = load i64, ptr %728, align 8
+  %730 = load ptr, ptr %102, align 8
+  %731 = load ptr, ptr %104, align 8
+  %732 = load ptr, ptr %105, align 8
+  %733 = inttoptr i64 %729 to ptr
+  %734 = load ptr, ptr %733, align 8
+  %735 = call i32 %734(ptr noundef %730, ptr noundef %711, ptr noundef %731, ptr noundef %732, ptr noundef %716) #13
+  %736 = zext i32 %735 to i64
+  %737 = or i64 %383, %736
+  %738 = load ptr, ptr %99, align 8
+  %739 = load <8 x double>, ptr %738, align 8
+  %740 = trunc nuw i64 %699 to i8
+  %741 = bitcast i8 %740 to <8 x i1>
+  %742 = select <8 x i1> %741, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %743 = fadd <8 x double> %742, %739
+  store <8 x double> %743, ptr %738, align 8
+  %744 = xor i64 %737, -1
+  %745 = and i64 %699, %744
+  br label %746
 
-745:                                              ; preds = %740
-  %746 = call fastcc i64 @clear_lanes(ptr noundef nonnull %0) #11
-  %747 = xor i64 %746, -1
-  %748 = and i64 %742, %747
-  br label %749
+746:                                              ; preds = %696, %706, %727
+  %747 = phi i64 [ %383, %696 ], [ %737, %727 ], [ %383, %706 ]
+  %748 = phi i64 [ %699, %696 ], [ %745, %727 ], [ %699, %706 ]
+  %749 = icmp ne i64 %748, 0
+  %750 = select i1 %52, i1 %749, i1 false
+  br i1 %750, label %751, label %755
 
-749:                                              ; preds = %740, %745
-  %750 = phi i64 [ %748, %745 ], [ 0, %740 ]
-  store i64 0, ptr %10, align 8
-  %751 = load ptr, ptr %104, align 8
-  %752 = load <8 x double>, ptr %751, align 8
-  %753 = fcmp olt <8 x double> %752, %236
-  %754 = bitcast <8 x i1> %753 to i8
-  %755 = zext i8 %754 to i64
-  %756 = and i64 %742, %755
-  %757 = or i64 %756, %750
-  %758 = icmp eq i64 %757, 0
-  br i1 %758, label %959, label %759
+751:                                              ; preds = %746
+  %752 = call fastcc i64 @clear_lanes(ptr noundef nonnull %0) #12
+  %753 = xor i64 %752, -1
+  %754 = and i64 %748, %753
+  br label %755
 
-759:                                              ; preds = %749
-  %760 = load ptr, ptr %97, align 8
-  %761 = load <8 x double>, ptr %760, align 8
-  %762 = trunc nuw i64 %757 to i8
-  %763 = bitcast i8 %762 to <8 x i1>
-  %764 = load ptr, ptr %66, align 8
-  %765 = getelementptr inbounds i8, ptr %764, i64 16
-  %766 = load i64, ptr %765, align 8
-  %767 = sitofp i64 %766 to double
-  %768 = insertelement <8 x double> poison, double %767, i64 0
-  %769 = shufflevector <8 x double> %768, <8 x double> poison, <8 x i32> zeroinitializer
-  %770 = select <8 x i1> %763, <8 x double> %769, <8 x double> zeroinitializer
-  %771 = fadd <8 x double> %761, %770
-  store <8 x double> %771, ptr %760, align 8
-  %772 = load ptr, ptr %66, align 8
-  %773 = load ptr, ptr %67, align 8
-  %774 = getelementptr inbounds i8, ptr %773, i64 16
-  %775 = load i64, ptr %774, align 8
-  %776 = load i64, ptr %772, align 8
-  %777 = load i64, ptr %105, align 8
-  %778 = load ptr, ptr %82, align 8
-  %779 = mul nsw i64 %777, %776
-  %780 = getelementptr inbounds double, ptr %778, i64 %779
-  %781 = load ptr, ptr %106, align 8
-  %782 = add nsw i64 %776, 1
-  %783 = getelementptr inbounds i8, ptr %772, i64 16
-  %784 = load i64, ptr %783, align 8
-  %785 = icmp sgt i64 %784, 0
-  br i1 %785, label %786, label %788
+755:                                              ; preds = %746, %751
+  %756 = phi i64 [ %754, %751 ], [ 0, %746 ]
+  store i64 0, ptr %12, align 8
+  %757 = load ptr, ptr %106, align 8
+  %758 = load <8 x double>, ptr %757, align 8
+  %759 = fcmp olt <8 x double> %758, %242
+  %760 = bitcast <8 x i1> %759 to i8
+  %761 = zext i8 %760 to i64
+  %762 = and i64 %748, %761
+  %763 = or i64 %762, %756
+  %764 = icmp eq i64 %763, 0
+  br i1 %764, label %965, label %765
 
-786:                                              ; preds = %759
-  %787 = getelementptr inbounds i8, ptr %772, i64 8
-  br label %799
+765:                                              ; preds = %755
+  %766 = load ptr, ptr %99, align 8
+  %767 = load <8 x double>, ptr %766, align 8
+  %768 = trunc nuw i64 %763 to i8
+  %769 = bitcast i8 %768 to <8 x i1>
+  %770 = load ptr, ptr %68, align 8
+  %771 = getelementptr inbounds i8, ptr %770, i64 16
+  %772 = load i64, ptr %771, align 8
+  %773 = sitofp i64 %772 to double
+  %774 = insertelement <8 x double> poison, double %773, i64 0
+  %775 = shufflevector <8 x double> %774, <8 x double> poison, <8 x i32> zeroinitializer
+  %776 = select <8 x i1> %769, <8 x double> %775, <8 x double> zeroinitializer
+  %777 = fadd <8 x double> %767, %776
+  store <8 x double> %777, ptr %766, align 8
+  %778 = load ptr, ptr %68, align 8
+  %779 = load ptr, ptr %69, align 8
+  %780 = getelementptr inbounds i8, ptr %779, i64 16
+  %781 = load i64, ptr %780, align 8
+  %782 = load i64, ptr %778, align 8
+  %783 = load i64, ptr %107, align 8
+  %784 = load ptr, ptr %84, align 8
+  %785 = mul nsw i64 %783, %782
+  %786 = getelementptr inbounds double, ptr %784, i64 %785
+  %787 = load ptr, ptr %108, align 8
+  %788 = add nsw i64 %782, 1
+  %789 = getelementptr inbounds i8, ptr %778, i64 16
+  %790 = load i64, ptr %789, align 8
+  %791 = icmp sgt i64 %790, 0
+  br i1 %791, label %792, label %794
 
-788:                                              ; preds = %840, %759
-  %789 = phi i64 [ 0, %759 ], [ %850, %840 ]
-  %790 = getelementptr inbounds i8, ptr %772, i64 16
-  %791 = load ptr, ptr %67, align 8
-  %792 = getelementptr inbounds i8, ptr %791, i64 8
-  %793 = load i64, ptr %792, align 8
-  %794 = icmp sgt i64 %793, 0
-  br i1 %794, label %795, label %855
+792:                                              ; preds = %765
+  %793 = getelementptr inbounds i8, ptr %778, i64 8
+  br label %805
 
-795:                                              ; preds = %788
-  %796 = getelementptr inbounds double, ptr %781, i64 %777
-  %797 = shl nsw i64 %777, 4
-  %798 = getelementptr inbounds i8, ptr %781, i64 %797
-  br label %862
+794:                                              ; preds = %846, %765
+  %795 = phi i64 [ 0, %765 ], [ %856, %846 ]
+  %796 = getelementptr inbounds i8, ptr %778, i64 16
+  %797 = load ptr, ptr %69, align 8
+  %798 = getelementptr inbounds i8, ptr %797, i64 8
+  %799 = load i64, ptr %798, align 8
+  %800 = icmp sgt i64 %799, 0
+  br i1 %800, label %801, label %861
 
-799:                                              ; preds = %786, %840
-  %800 = phi i64 [ 0, %786 ], [ %850, %840 ]
-  %801 = phi i64 [ %782, %786 ], [ %851, %840 ]
-  %802 = load i64, ptr %787, align 8
-  %803 = load ptr, ptr %107, align 8
-  %804 = load ptr, ptr %65, align 8
-  %805 = load ptr, ptr %81, align 8
-  %806 = getelementptr i64, ptr %805, i64 %801
-  %807 = getelementptr i64, ptr %806, i64 %802
-  %808 = load i64, ptr %807, align 8
-  %809 = getelementptr i8, ptr %807, i64 8
-  %810 = load i64, ptr %809, align 8
-  %811 = xor i64 %808, -1
-  %812 = add i64 %810, %811
-  %813 = load ptr, ptr %68, align 8
-  %814 = load ptr, ptr %82, align 8
-  %815 = load ptr, ptr %83, align 8
-  %816 = getelementptr inbounds i64, ptr %815, i64 %808
-  %817 = load ptr, ptr %84, align 8
-  %818 = getelementptr inbounds double, ptr %817, i64 %808
-  call fastcc void @combine(ptr noundef %803, ptr noundef %804, ptr noundef %813, ptr noundef %814, ptr noundef %816, ptr noundef %818, i64 noundef %812, i64 noundef %775) #11
-  %819 = load ptr, ptr %82, align 8
-  %820 = mul nsw i64 %801, %777
-  %821 = getelementptr inbounds double, ptr %819, i64 %820
-  %822 = load ptr, ptr %108, align 8
-  %823 = getelementptr inbounds double, ptr %822, i64 %801
-  %824 = load double, ptr %823, align 8
-  %825 = insertelement <8 x double> poison, double %824, i64 0
-  %826 = shufflevector <8 x double> %825, <8 x double> poison, <8 x i32> zeroinitializer
-  %827 = fmul <8 x double> %238, %826
-  %828 = fadd <8 x double> %208, %827
-  %829 = load ptr, ptr %107, align 8
-  %830 = load ptr, ptr %109, align 8
-  store <8 x double> %828, ptr %830, align 8
-  %831 = load ptr, ptr %67, align 8
-  %832 = getelementptr inbounds i8, ptr %831, i64 40
-  %833 = load i64, ptr %832, align 8
-  %834 = icmp eq i64 %833, 0
-  br i1 %834, label %836, label %835
+801:                                              ; preds = %794
+  %802 = getelementptr inbounds double, ptr %787, i64 %783
+  %803 = shl nsw i64 %783, 4
+  %804 = getelementptr inbounds i8, ptr %787, i64 %803
+  br label %868
 
-835:                                              ; preds = %799
-  call fastcc void @settle(ptr noundef nonnull %67) #11
-  br label %836
+805:                                              ; preds = %792, %846
+  %806 = phi i64 [ 0, %792 ], [ %856, %846 ]
+  %807 = phi i64 [ %788, %792 ], [ %857, %846 ]
+  %808 = load i64, ptr %793, align 8
+  %809 = load ptr, ptr %109, align 8
+  %810 = load ptr, ptr %67, align 8
+  %811 = load ptr, ptr %83, align 8
+  %812 = getelementptr i64, ptr %811, i64 %807
+  %813 = getelementptr i64, ptr %812, i64 %808
+  %814 = load i64, ptr %813, align 8
+  %815 = getelementptr i8, ptr %813, i64 8
+  %816 = load i64, ptr %815, align 8
+  %817 = xor i64 %814, -1
+  %818 = add i64 %816, %817
+  %819 = load ptr, ptr %70, align 8
+  %820 = load ptr, ptr %84, align 8
+  %821 = load ptr, ptr %85, align 8
+  %822 = getelementptr inbounds i64, ptr %821, i64 %814
+  %823 = load ptr, ptr %86, align 8
+  %824 = getelementptr inbounds double, ptr %823, i64 %814
+  call fastcc void @combine(ptr noundef %809, ptr noundef %810, ptr noundef %819, ptr noundef %820, ptr noundef %822, ptr noundef %824, i64 noundef %818, i64 noundef %781) #12
+  %825 = load ptr, ptr %84, align 8
+  %826 = mul nsw i64 %807, %783
+  %827 = getelementptr inbounds double, ptr %825, i64 %826
+  %828 = load ptr, ptr %110, align 8
+  %829 = getelementptr inbounds double, ptr %828, i64 %807
+  %830 = load double, ptr %829, align 8
+  %831 = insertelement <8 x double> poison, double %830, i64 0
+  %832 = shufflevector <8 x double> %831, <8 x double> poison, <8 x i32> zeroinitializer
+  %833 = fmul <8 x double> %244, %832
+  %834 = fadd <8 x double> %214, %833
+  %835 = load ptr, ptr %109, align 8
+  %836 = load ptr, ptr %111, align 8
+  store <8 x double> %834, ptr %836, align 8
+  %837 = load ptr, ptr %69, align 8
+  %838 = getelementptr inbounds i8, ptr %837, i64 40
+  %839 = load i64, ptr %838, align 8
+  %840 = icmp eq i64 %839, 0
+  br i1 %840, label %842, label %841
 
-836:                                              ; preds = %835, %799
-  %837 = load i64, ptr %110, align 8
-  %838 = icmp sgt i64 %837, 0
-  br i1 %838, label %839, label %840
+841:                                              ; preds = %805
+  call fastcc void @settle(ptr noundef nonnull %69) #12
+  br label %842
 
-839:                                              ; preds = %836
-  call fastcc void @sample(ptr noundef nonnull %67) #11
-  br label %840
+842:                                              ; preds = %841, %805
+  %843 = load i64, ptr %112, align 8
+  %844 = icmp sgt i64 %843, 0
+  br i1 %844, label %845, label %846
 
-840:                                              ; preds = %839, %836
-  %841 = load ptr, ptr %67, align 8
-  %842 = load i64, ptr %841, align 8
-  %843 = load ptr, ptr %109, align 8
-  %844 = load ptr, ptr %111, align 8
-  %845 = load ptr, ptr %112, align 8
-  %846 = inttoptr i64 %842 to ptr
-  %847 = load ptr, ptr %846, align 8
-  %848 = call i32 %847(ptr noundef %843, ptr noundef %829, ptr noundef %844, ptr noundef %845, ptr noundef %821) #12
-  %849 = sext i32 %848 to i64
-  %850 = or i64 %800, %849
-  %851 = add nsw i64 %801, 1
-  %852 = load i64, ptr %783, align 8
-  %853 = add nsw i64 %852, %782
-  %854 = icmp slt i64 %851, %853
-  br i1 %854, label %799, label %788, !llvm.loop !19
+845:                                              ; preds = %842
+  call fastcc void @sample(ptr noundef nonnull %69) #12
+  br label %846
 
-855:                                              ; preds = %862, %788
-  %856 = getelementptr inbounds i8, ptr %772, i64 8
-  %857 = load i64, ptr %856, align 8
-  %858 = load i64, ptr %790, align 8
-  %859 = getelementptr inbounds i8, ptr %772, i64 24
-  %860 = load i64, ptr %859, align 8
-  %861 = icmp sgt i64 %860, 3
-  br i1 %861, label %890, label %915
+846:                                              ; preds = %845, %842
+  %847 = load ptr, ptr %69, align 8
+  %848 = load i64, ptr %847, align 8
+  %849 = load ptr, ptr %111, align 8
+  %850 = load ptr, ptr %113, align 8
+  %851 = load ptr, ptr %114, align 8
+  %852 = inttoptr i64 %848 to ptr
+  %853 = load ptr, ptr %852, align 8
+  %854 = call i32 %853(ptr noundef %849, ptr noundef %835, ptr noundef %850, ptr noundef %851, ptr noundef %827) #13
+  %855 = sext i32 %854 to i64
+  %856 = or i64 %806, %855
+  %857 = add nsw i64 %807, 1
+  %858 = load i64, ptr %789, align 8
+  %859 = add nsw i64 %858, %788
+  %860 = icmp slt i64 %857, %859
+  br i1 %860, label %805, label %794, !llvm.loop !19
 
-862:                                              ; preds = %795, %862
-  %863 = phi i64 [ 0, %795 ], [ %885, %862 ]
-  %864 = load ptr, ptr %80, align 8
-  %865 = shl nsw i64 %863, 6
-  %866 = getelementptr inbounds i8, ptr %864, i64 %865
-  %867 = load <8 x double>, ptr %866, align 8
-  %868 = load ptr, ptr %65, align 8
-  %869 = getelementptr inbounds i8, ptr %868, i64 %865
-  %870 = load <8 x double>, ptr %869, align 8
-  %871 = fsub <8 x double> %867, %870
-  %872 = load ptr, ptr %82, align 8
-  %873 = getelementptr inbounds i8, ptr %872, i64 %865
-  %874 = load <8 x double>, ptr %873, align 8
-  %875 = fmul <8 x double> %238, %874
-  %876 = fsub <8 x double> %875, %871
-  %877 = getelementptr inbounds i8, ptr %781, i64 %865
-  store <8 x double> %871, ptr %877, align 8
-  %878 = getelementptr inbounds i8, ptr %796, i64 %865
-  store <8 x double> %876, ptr %878, align 8
-  %879 = fsub <8 x double> %871, %876
-  %880 = getelementptr inbounds i8, ptr %780, i64 %865
-  %881 = load <8 x double>, ptr %880, align 8
-  %882 = fmul <8 x double> %238, %881
-  %883 = fsub <8 x double> %879, %882
-  %884 = getelementptr inbounds i8, ptr %798, i64 %865
-  store <8 x double> %883, ptr %884, align 8
-  %885 = add nuw nsw i64 %863, 1
-  %886 = load ptr, ptr %67, align 8
-  %887 = getelementptr inbounds i8, ptr %886, i64 8
-  %888 = load i64, ptr %887, align 8
-  %889 = icmp slt i64 %885, %888
-  br i1 %889, label %862, label %855, !llvm.loop !20
+861:                                              ; preds = %868, %794
+  %862 = getelementptr inbounds i8, ptr %778, i64 8
+  %863 = load i64, ptr %862, align 8
+  %864 = load i64, ptr %796, align 8
+  %865 = getelementptr inbounds i8, ptr %778, i64 24
+  %866 = load i64, ptr %865, align 8
+  %867 = icmp sgt i64 %866, 3
+  br i1 %867, label %896, label %921
 
-890:                                              ; preds = %855, %890
-  %891 = phi i64 [ %912, %890 ], [ 3, %855 ]
-  %892 = mul nsw i64 %891, %777
-  %893 = getelementptr inbounds double, ptr %781, i64 %892
-  %894 = load ptr, ptr %113, align 8
-  %895 = load ptr, ptr %81, align 8
-  %896 = getelementptr i64, ptr %895, i64 %782
-  %897 = getelementptr i64, ptr %896, i64 %857
-  %898 = getelementptr i64, ptr %897, i64 %858
-  %899 = getelementptr i64, ptr %898, i64 %891
-  %900 = getelementptr i8, ptr %899, i64 -24
-  %901 = load i64, ptr %900, align 8
-  %902 = getelementptr i8, ptr %899, i64 -16
-  %903 = load i64, ptr %902, align 8
-  %904 = xor i64 %901, -1
-  %905 = add i64 %903, %904
-  %906 = load ptr, ptr %68, align 8
-  %907 = load ptr, ptr %82, align 8
-  %908 = load ptr, ptr %83, align 8
-  %909 = getelementptr inbounds i64, ptr %908, i64 %901
-  %910 = load ptr, ptr %84, align 8
-  %911 = getelementptr inbounds double, ptr %910, i64 %901
-  call fastcc void @combine(ptr noundef %893, ptr noundef %894, ptr noundef %906, ptr noundef %907, ptr noundef %909, ptr noundef %911, i64 noundef %905, i64 noundef %775) #11
-  %912 = add nuw nsw i64 %891, 1
-  %913 = load i64, ptr %859, align 8
-  %914 = icmp slt i64 %912, %913
-  br i1 %914, label %890, label %915, !llvm.loop !21
+868:                                              ; preds = %801, %868
+  %869 = phi i64 [ 0, %801 ], [ %891, %868 ]
+  %870 = load ptr, ptr %82, align 8
+  %871 = shl nsw i64 %869, 6
+  %872 = getelementptr inbounds i8, ptr %870, i64 %871
+  %873 = load <8 x double>, ptr %872, align 8
+  %874 = load ptr, ptr %67, align 8
+  %875 = getelementptr inbounds i8, ptr %874, i64 %871
+  %876 = load <8 x double>, ptr %875, align 8
+  %877 = fsub <8 x double> %873, %876
+  %878 = load ptr, ptr %84, align 8
+  %879 = getelementptr inbounds i8, ptr %878, i64 %871
+  %880 = load <8 x double>, ptr %879, align 8
+  %881 = fmul <8 x double> %244, %880
+  %882 = fsub <8 x double> %881, %877
+  %883 = getelementptr inbounds i8, ptr %787, i64 %871
+  store <8 x double> %877, ptr %883, align 8
+  %884 = getelementptr inbounds i8, ptr %802, i64 %871
+  store <8 x double> %882, ptr %884, align 8
+  %885 = fsub <8 x double> %877, %882
+  %886 = getelementptr inbounds i8, ptr %786, i64 %871
+  %887 = load <8 x double>, ptr %886, align 8
+  %888 = fmul <8 x double> %244, %887
+  %889 = fsub <8 x double> %885, %888
+  %890 = getelementptr inbounds i8, ptr %804, i64 %871
+  store <8 x double> %889, ptr %890, align 8
+  %891 = add nuw nsw i64 %869, 1
+  %892 = load ptr, ptr %69, align 8
+  %893 = getelementptr inbounds i8, ptr %892, i64 8
+  %894 = load i64, ptr %893, align 8
+  %895 = icmp slt i64 %891, %894
+  br i1 %895, label %868, label %861, !llvm.loop !20
 
-915:                                              ; preds = %890, %855
-  %916 = and i64 %789, %757
-  %917 = icmp eq i64 %916, 0
-  br i1 %917, label %922, label %918
+896:                                              ; preds = %861, %896
+  %897 = phi i64 [ %918, %896 ], [ 3, %861 ]
+  %898 = mul nsw i64 %897, %783
+  %899 = getelementptr inbounds double, ptr %787, i64 %898
+  %900 = load ptr, ptr %115, align 8
+  %901 = load ptr, ptr %83, align 8
+  %902 = getelementptr i64, ptr %901, i64 %788
+  %903 = getelementptr i64, ptr %902, i64 %863
+  %904 = getelementptr i64, ptr %903, i64 %864
+  %905 = getelementptr i64, ptr %904, i64 %897
+  %906 = getelementptr i8, ptr %905, i64 -24
+  %907 = load i64, ptr %906, align 8
+  %908 = getelementptr i8, ptr %905, i64 -16
+  %909 = load i64, ptr %908, align 8
+  %910 = xor i64 %907, -1
+  %911 = add i64 %909, %910
+  %912 = load ptr, ptr %70, align 8
+  %913 = load ptr, ptr %84, align 8
+  %914 = load ptr, ptr %85, align 8
+  %915 = getelementptr inbounds i64, ptr %914, i64 %907
+  %916 = load ptr, ptr %86, align 8
+  %917 = getelementptr inbounds double, ptr %916, i64 %907
+  call fastcc void @combine(ptr noundef %899, ptr noundef %900, ptr noundef %912, ptr noundef %913, ptr noundef %915, ptr noundef %917, i64 noundef %911, i64 noundef %781) #12
+  %918 = add nuw nsw i64 %897, 1
+  %919 = load i64, ptr %865, align 8
+  %920 = icmp slt i64 %918, %919
+  br i1 %920, label %896, label %921, !llvm.loop !21
 
-918:                                              ; preds = %915
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %916, i64 noundef 3) #11
-  %919 = xor i64 %916, -1
-  %920 = and i64 %204, %919
-  store i64 %920, ptr %8, align 8
-  %921 = and i64 %750, %919
-  br label %922
+921:                                              ; preds = %896, %861
+  %922 = and i64 %795, %763
+  %923 = icmp eq i64 %922, 0
+  br i1 %923, label %928, label %924
 
-922:                                              ; preds = %918, %915
-  %923 = phi i32 [ 1, %918 ], [ %175, %915 ]
-  %924 = phi i64 [ %921, %918 ], [ %750, %915 ]
-  store <8 x double> %236, ptr %5, align 16
-  %925 = icmp eq i64 %924, 0
-  br i1 %925, label %928, label %926
-
-926:                                              ; preds = %922
-  %927 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %924, ptr noundef nonnull %5, ptr noundef nonnull %7, ptr noundef nonnull %9, ptr noundef nonnull %6, ptr noundef nonnull %10) #11
+924:                                              ; preds = %921
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %922, i64 noundef 3) #12
+  %925 = xor i64 %922, -1
+  %926 = and i64 %210, %925
+  store i64 %926, ptr %10, align 8
+  %927 = and i64 %756, %925
   br label %928
 
-928:                                              ; preds = %926, %922
-  %929 = phi i64 [ %927, %926 ], [ 0, %922 ]
-  %930 = load i64, ptr %10, align 8
-  %931 = or i64 %930, %916
-  %932 = xor i64 %931, -1
-  %933 = and i64 %757, %932
-  %934 = icmp eq i64 %929, 0
-  %935 = select i1 %934, ptr null, ptr %6
-  %936 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %933, ptr noundef nonnull %5, ptr noundef %935) #11
-  %937 = load <8 x double>, ptr %5, align 16
-  br i1 %934, label %943, label %938
+928:                                              ; preds = %924, %921
+  %929 = phi i32 [ 1, %924 ], [ %181, %921 ]
+  %930 = phi i64 [ %927, %924 ], [ %756, %921 ]
+  store <8 x double> %242, ptr %7, align 16
+  %931 = icmp eq i64 %930, 0
+  br i1 %931, label %934, label %932
 
-938:                                              ; preds = %928
-  %939 = xor i64 %936, -1
-  %940 = and i64 %929, %939
-  %941 = call fastcc i64 @end_within(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %940, ptr noundef nonnull %5, ptr noundef nonnull %6) #11
-  %942 = or i64 %941, %936
-  br label %943
+932:                                              ; preds = %928
+  %933 = call fastcc i64 @look_for_events(ptr noundef nonnull %0, ptr noundef nonnull %6, i64 noundef %930, ptr noundef nonnull %7, ptr noundef nonnull %9, ptr noundef nonnull %11, ptr noundef nonnull %8, ptr noundef nonnull %12) #12
+  br label %934
 
-943:                                              ; preds = %938, %928
-  %944 = phi i64 [ %942, %938 ], [ %936, %928 ]
-  %945 = icmp ne i64 %944, 0
-  %946 = select i1 %50, i1 %945, i1 false
-  br i1 %946, label %947, label %952
+934:                                              ; preds = %932, %928
+  %935 = phi i64 [ %933, %932 ], [ 0, %928 ]
+  %936 = load i64, ptr %12, align 8
+  %937 = or i64 %936, %922
+  %938 = xor i64 %937, -1
+  %939 = and i64 %763, %938
+  %940 = icmp eq i64 %935, 0
+  %941 = select i1 %940, ptr null, ptr %8
+  %942 = call fastcc i64 @write_within(ptr noundef nonnull %0, ptr noundef nonnull %6, i64 noundef %939, ptr noundef nonnull %7, ptr noundef %941) #12
+  %943 = load <8 x double>, ptr %7, align 16
+  br i1 %940, label %949, label %944
 
-947:                                              ; preds = %943
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %944, i64 noundef 6) #11
-  %948 = xor i64 %944, -1
-  %949 = load i64, ptr %8, align 8
-  %950 = and i64 %949, %948
-  store i64 %950, ptr %8, align 8
-  %951 = and i64 %929, %948
-  br label %952
+944:                                              ; preds = %934
+  %945 = xor i64 %942, -1
+  %946 = and i64 %935, %945
+  %947 = call fastcc i64 @end_within(ptr noundef nonnull %0, ptr noundef nonnull %6, i64 noundef %946, ptr noundef nonnull %7, ptr noundef nonnull %8) #12
+  %948 = or i64 %947, %942
+  br label %949
 
-952:                                              ; preds = %947, %943
-  %953 = phi i32 [ 1, %947 ], [ %923, %943 ]
-  %954 = phi i64 [ %951, %947 ], [ %929, %943 ]
-  %955 = or i64 %944, %691
-  %956 = or i64 %944, %931
-  %957 = xor i64 %956, -1
-  %958 = and i64 %742, %957
-  br label %959
+949:                                              ; preds = %944, %934
+  %950 = phi i64 [ %948, %944 ], [ %942, %934 ]
+  %951 = icmp ne i64 %950, 0
+  %952 = select i1 %52, i1 %951, i1 false
+  br i1 %952, label %953, label %958
 
-959:                                              ; preds = %952, %749
-  %960 = phi <8 x double> [ %236, %749 ], [ %937, %952 ]
-  %961 = phi i64 [ 0, %749 ], [ %930, %952 ]
-  %962 = phi i64 [ %691, %749 ], [ %955, %952 ]
-  %963 = phi i32 [ %175, %749 ], [ %953, %952 ]
-  %964 = phi i64 [ %742, %749 ], [ %958, %952 ]
-  %965 = phi i64 [ 0, %749 ], [ %954, %952 ]
-  %966 = load ptr, ptr %104, align 8
-  %967 = load <8 x double>, ptr %966, align 8
-  %968 = fcmp oeq <8 x double> %967, %960
-  %969 = bitcast <8 x i1> %968 to i8
-  %970 = zext i8 %969 to i64
-  %971 = and i64 %964, %970
-  %972 = icmp eq i64 %971, 0
-  br i1 %972, label %973, label %1225
+953:                                              ; preds = %949
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %950, i64 noundef 6) #12
+  %954 = xor i64 %950, -1
+  %955 = load i64, ptr %10, align 8
+  %956 = and i64 %955, %954
+  store i64 %956, ptr %10, align 8
+  %957 = and i64 %935, %954
+  br label %958
 
-973:                                              ; preds = %1225, %959
-  %974 = trunc nuw i64 %964 to i8
-  %975 = bitcast i8 %974 to <8 x i1>
-  %976 = load ptr, ptr %61, align 8
-  %977 = load <8 x double>, ptr %976, align 8
-  %978 = select <8 x i1> %975, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %979 = fadd <8 x double> %978, %977
-  store <8 x double> %979, ptr %976, align 8
-  %980 = load ptr, ptr %62, align 8
-  %981 = load <8 x double>, ptr %980, align 8
-  %982 = xor <8 x i1> %975, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %983 = and <8 x i1> %206, %982
-  %984 = select <8 x i1> %983, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %985 = fadd <8 x double> %984, %981
-  store <8 x double> %985, ptr %980, align 8
-  %986 = load ptr, ptr %115, align 8
-  %987 = load ptr, ptr %0, align 8
-  %988 = getelementptr inbounds i8, ptr %987, i64 8
-  %989 = load i64, ptr %988, align 8
-  %990 = icmp slt i64 %989, 1
-  %991 = xor i64 %964, -1
-  %992 = and i64 %204, %991
-  %993 = trunc i64 %992 to i8
-  %994 = bitcast i8 %993 to <8 x i1>
-  %995 = load ptr, ptr %116, align 8
-  %996 = load <8 x double>, ptr %995, align 8
-  br i1 %990, label %1128, label %997
+958:                                              ; preds = %953, %949
+  %959 = phi i32 [ 1, %953 ], [ %929, %949 ]
+  %960 = phi i64 [ %957, %953 ], [ %935, %949 ]
+  %961 = or i64 %950, %697
+  %962 = or i64 %950, %937
+  %963 = xor i64 %962, -1
+  %964 = and i64 %748, %963
+  br label %965
 
-997:                                              ; preds = %973
-  %998 = load ptr, ptr %117, align 8
-  %999 = load <8 x double>, ptr %998, align 8
-  %1000 = load ptr, ptr %118, align 8
-  %1001 = load <8 x double>, ptr %1000, align 8
-  %1002 = fcmp ogt <8 x double> %669, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1003 = bitcast <8 x double> %669 to <8 x i64>
-  %1004 = select <8 x i1> %1002, <8 x i64> %1003, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %1005 = getelementptr inbounds i8, ptr %986, i64 24
-  %1006 = load double, ptr %1005, align 8
-  %1007 = insertelement <8 x double> poison, double %1006, i64 0
-  %1008 = shufflevector <8 x double> %1007, <8 x double> poison, <8 x i32> zeroinitializer
-  %1009 = getelementptr inbounds i8, ptr %986, i64 8
-  %1010 = load double, ptr %1009, align 8
-  %1011 = fneg double %1010
-  %1012 = add <8 x i64> %1004, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %1013 = ashr <8 x i64> %1012, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1014 = and <8 x i64> %1012, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1015 = sub <8 x i64> %1004, %1014
-  %1016 = bitcast <8 x i64> %1015 to <8 x double>
-  %1017 = fadd <8 x double> %1016, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1018 = fadd <8 x double> %1016, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1019 = fdiv <8 x double> %1017, %1018
-  %1020 = fmul <8 x double> %1019, %1019
-  %1021 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1020, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1022 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1021, <8 x double> %1020, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1023 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1022, <8 x double> %1020, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1024 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1023, <8 x double> %1020, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1025 = trunc nsw <8 x i64> %1013 to <8 x i32>
-  %1026 = sitofp <8 x i32> %1025 to <8 x double>
-  %1027 = fmul <8 x double> %1019, %1024
-  %1028 = fadd <8 x double> %1027, %1026
-  %1029 = insertelement <8 x double> poison, double %1011, i64 0
-  %1030 = shufflevector <8 x double> %1029, <8 x double> poison, <8 x i32> zeroinitializer
-  %1031 = fmul <8 x double> %1028, %1030
-  %1032 = fcmp ogt <8 x double> %1031, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1033 = bitcast <8 x double> %1031 to <8 x i64>
-  %1034 = select <8 x i1> %1032, <8 x i64> %1033, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1035 = bitcast <8 x i64> %1034 to <8 x double>
-  %1036 = fcmp olt <8 x double> %1035, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1037 = bitcast <8 x i64> %1034 to <8 x double>
-  %1038 = select <8 x i1> %1036, <8 x double> %1037, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1039 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1038)
-  %1040 = fsub <8 x double> %1038, %1039
-  %1041 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1040, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1042 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1041, <8 x double> %1040, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1043 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1042, <8 x double> %1040, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1044 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1043, <8 x double> %1040, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1045 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1044, <8 x double> %1040, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1046 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1045, <8 x double> %1040, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1047 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1046, <8 x double> %1040, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1048 = bitcast <8 x double> %1047 to <8 x i64>
-  %1049 = fptosi <8 x double> %1039 to <8 x i32>
-  %1050 = zext <8 x i32> %1049 to <8 x i64>
-  %1051 = shl <8 x i64> %1050, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1052 = add <8 x i64> %1051, %1048
-  %1053 = bitcast <8 x i64> %1052 to <8 x double>
-  %1054 = fmul <8 x double> %1008, %1053
-  %1055 = getelementptr inbounds i8, ptr %986, i64 16
-  %1056 = load double, ptr %1055, align 8
-  %1057 = fcmp une double %1056, 0.000000e+00
-  br i1 %1057, label %1058, label %1103
+965:                                              ; preds = %958, %755
+  %966 = phi <8 x double> [ %242, %755 ], [ %943, %958 ]
+  %967 = phi i64 [ 0, %755 ], [ %936, %958 ]
+  %968 = phi i64 [ %697, %755 ], [ %961, %958 ]
+  %969 = phi i32 [ %181, %755 ], [ %959, %958 ]
+  %970 = phi i64 [ %748, %755 ], [ %964, %958 ]
+  %971 = phi i64 [ 0, %755 ], [ %960, %958 ]
+  %972 = load ptr, ptr %106, align 8
+  %973 = load <8 x double>, ptr %972, align 8
+  %974 = fcmp oeq <8 x double> %973, %966
+  %975 = bitcast <8 x i1> %974 to i8
+  %976 = zext i8 %975 to i64
+  %977 = and i64 %970, %976
+  %978 = icmp eq i64 %977, 0
+  br i1 %978, label %979, label %1378
 
-1058:                                             ; preds = %997
-  %1059 = bitcast <8 x double> %999 to <8 x i64>
-  %1060 = add <8 x i64> %1059, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %1061 = ashr <8 x i64> %1060, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1062 = and <8 x i64> %1060, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1063 = sub <8 x i64> %1059, %1062
-  %1064 = bitcast <8 x i64> %1063 to <8 x double>
-  %1065 = fadd <8 x double> %1064, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1066 = fadd <8 x double> %1064, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1067 = fdiv <8 x double> %1065, %1066
-  %1068 = fmul <8 x double> %1067, %1067
-  %1069 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1068, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1070 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1069, <8 x double> %1068, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1071 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1070, <8 x double> %1068, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1072 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1071, <8 x double> %1068, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1073 = trunc nsw <8 x i64> %1061 to <8 x i32>
-  %1074 = sitofp <8 x i32> %1073 to <8 x double>
-  %1075 = fmul <8 x double> %1067, %1072
-  %1076 = fadd <8 x double> %1075, %1074
-  %1077 = insertelement <8 x double> poison, double %1056, i64 0
-  %1078 = shufflevector <8 x double> %1077, <8 x double> poison, <8 x i32> zeroinitializer
-  %1079 = fmul <8 x double> %1078, %1076
-  %1080 = fcmp ogt <8 x double> %1079, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1081 = bitcast <8 x double> %1079 to <8 x i64>
-  %1082 = select <8 x i1> %1080, <8 x i64> %1081, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1083 = bitcast <8 x i64> %1082 to <8 x double>
-  %1084 = fcmp olt <8 x double> %1083, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1085 = bitcast <8 x i64> %1082 to <8 x double>
-  %1086 = select <8 x i1> %1084, <8 x double> %1085, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1087 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1086)
-  %1088 = fsub <8 x double> %1086, %1087
-  %1089 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1088, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1090 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1089, <8 x double> %1088, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1091 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1090, <8 x double> %1088, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1092 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1091, <8 x double> %1088, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1093 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1092, <8 x double> %1088, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1094 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1093, <8 x double> %1088, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1095 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1094, <8 x double> %1088, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1096 = bitcast <8 x double> %1095 to <8 x i64>
-  %1097 = fptosi <8 x double> %1087 to <8 x i32>
-  %1098 = zext <8 x i32> %1097 to <8 x i64>
-  %1099 = shl <8 x i64> %1098, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1100 = add <8 x i64> %1099, %1096
-  %1101 = bitcast <8 x i64> %1100 to <8 x double>
-  %1102 = fmul <8 x double> %1054, %1101
-  br label %1103
+979:                                              ; preds = %1378, %965
+  %980 = trunc nuw i64 %970 to i8
+  %981 = bitcast i8 %980 to <8 x i1>
+  %982 = load ptr, ptr %63, align 8
+  %983 = load <8 x double>, ptr %982, align 8
+  %984 = select <8 x i1> %981, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %985 = fadd <8 x double> %984, %983
+  store <8 x double> %985, ptr %982, align 8
+  %986 = load ptr, ptr %64, align 8
+  %987 = load <8 x double>, ptr %986, align 8
+  %988 = xor <8 x i1> %981, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %989 = and <8 x i1> %212, %988
+  %990 = select <8 x i1> %989, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %991 = fadd <8 x double> %990, %987
+  store <8 x double> %991, ptr %986, align 8
+  %992 = load ptr, ptr %117, align 8
+  %993 = load ptr, ptr %0, align 8
+  %994 = getelementptr inbounds i8, ptr %993, i64 8
+  %995 = load i64, ptr %994, align 8
+  %996 = icmp slt i64 %995, 1
+  %997 = xor i64 %970, -1
+  %998 = and i64 %210, %997
+  %999 = trunc i64 %998 to i8
+  %1000 = bitcast i8 %999 to <8 x i1>
+  %1001 = load ptr, ptr %118, align 8
+  %1002 = load <8 x double>, ptr %1001, align 8
+  br i1 %996, label %1238, label %1003
 
-1103:                                             ; preds = %997, %1058
-  %1104 = phi <8 x double> [ %1102, %1058 ], [ %1054, %997 ]
-  %1105 = getelementptr inbounds i8, ptr %986, i64 32
-  %1106 = load double, ptr %1105, align 8
-  %1107 = insertelement <8 x double> poison, double %1106, i64 0
-  %1108 = shufflevector <8 x double> %1107, <8 x double> poison, <8 x i32> zeroinitializer
-  %1109 = fcmp ogt <8 x double> %1104, %1108
-  %1110 = select <8 x i1> %1109, <8 x double> %1104, <8 x double> %1108
-  %1111 = fcmp olt <8 x double> %1001, %1110
-  %1112 = select <8 x i1> %1111, <8 x double> %1001, <8 x double> %1110
-  %1113 = fmul <8 x double> %238, %1112
-  %1114 = fcmp oeq <8 x double> %960, %216
-  %1115 = fcmp ogt <8 x double> %996, %1113
-  %1116 = select <8 x i1> %1114, <8 x i1> %1115, <8 x i1> zeroinitializer
-  %1117 = select <8 x i1> %1116, <8 x double> %996, <8 x double> %1113
-  %1118 = fcmp ogt <8 x double> %669, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %1119 = select <8 x i1> %1118, <8 x i64> %1003, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %1120 = bitcast <8 x double> %999 to <8 x i64>
-  %1121 = select <8 x i1> %975, <8 x i64> %1119, <8 x i64> %1120
-  store <8 x i64> %1121, ptr %998, align 8
-  %1122 = load ptr, ptr %118, align 8
-  %1123 = getelementptr inbounds i8, ptr %986, i64 40
-  %1124 = load double, ptr %1123, align 8
-  %1125 = insertelement <8 x double> poison, double %1124, i64 0
-  %1126 = shufflevector <8 x double> %1125, <8 x double> poison, <8 x i32> zeroinitializer
-  %1127 = select <8 x i1> %994, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %1126
-  store <8 x double> %1127, ptr %1122, align 8
-  br label %1128
+1003:                                             ; preds = %979
+  %1004 = load ptr, ptr %119, align 8
+  %1005 = load <8 x double>, ptr %1004, align 8
+  %1006 = load ptr, ptr %120, align 8
+  %1007 = load <8 x double>, ptr %1006, align 8
+  %1008 = fcmp ogt <8 x double> %675, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1009 = bitcast <8 x double> %675 to <8 x i64>
+  %1010 = select <8 x i1> %1008, <8 x i64> %1009, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1011 = getelementptr inbounds i8, ptr %992, i64 24
+  %1012 = load double, ptr %1011, align 8
+  %1013 = insertelement <8 x double> poison, double %1012, i64 0
+  %1014 = shufflevector <8 x double> %1013, <8 x double> poison, <8 x i32> zeroinitializer
+  %1015 = getelementptr inbounds i8, ptr %992, i64 8
+  %1016 = load double, ptr %1015, align 8
+  %1017 = fneg double %1016
+  %1018 = add <8 x i64> %1010, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1019 = ashr <8 x i64> %1018, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1020 = and <8 x i64> %1018, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1021 = sub <8 x i64> %1010, %1020
+  %1022 = bitcast <8 x i64> %1021 to <8 x double>
+  %1023 = fadd <8 x double> %1022, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1024 = fadd <8 x double> %1022, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1025 = fdiv <8 x double> %1023, %1024
+  %1026 = fmul <8 x double> %1025, %1025
+  %1027 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1026, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1028 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1027, <8 x double> %1026, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1029 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1028, <8 x double> %1026, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1030 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1029, <8 x double> %1026, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1031 = trunc nsw <8 x i64> %1019 to <8 x i32>
+  %1032 = sitofp <8 x i32> %1031 to <8 x double>
+  %1033 = fmul <8 x double> %1025, %1030
+  %1034 = fadd <8 x double> %1033, %1032
+  %1035 = insertelement <8 x double> poison, double %1017, i64 0
+  %1036 = shufflevector <8 x double> %1035, <8 x double> poison, <8 x i32> zeroinitializer
+  %1037 = fmul <8 x double> %1034, %1036
+  %1038 = fcmp ogt <8 x double> %1037, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1039 = bitcast <8 x double> %1037 to <8 x i64>
+  %1040 = select <8 x i1> %1038, <8 x i64> %1039, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1041 = bitcast <8 x i64> %1040 to <8 x double>
+  %1042 = fcmp olt <8 x double> %1041, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1043 = bitcast <8 x i64> %1040 to <8 x double>
+  %1044 = select <8 x i1> %1042, <8 x double> %1043, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1045 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1044)
+  %1046 = fsub <8 x double> %1044, %1045
+  %1047 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1046, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1048 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1047, <8 x double> %1046, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1049 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1048, <8 x double> %1046, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1050 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1049, <8 x double> %1046, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1051 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1050, <8 x double> %1046, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1052 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1051, <8 x double> %1046, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1053 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1052, <8 x double> %1046, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1054 = bitcast <8 x double> %1053 to <8 x i64>
+  %1055 = fptosi <8 x double> %1045 to <8 x i32>
+  %1056 = zext <8 x i32> %1055 to <8 x i64>
+  %1057 = shl <8 x i64> %1056, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1058 = add <8 x i64> %1057, %1054
+  %1059 = bitcast <8 x i64> %1058 to <8 x double>
+  %1060 = fmul <8 x double> %1014, %1059
+  %1061 = getelementptr inbounds i8, ptr %992, i64 16
+  %1062 = load double, ptr %1061, align 8
+  %1063 = fcmp une double %1062, 0.000000e+00
+  br i1 %1063, label %1064, label %1109
 
-1128:                                             ; preds = %1103, %973
-  %1129 = phi <8 x double> [ %996, %973 ], [ %1117, %1103 ]
-  %1130 = and i64 %992, 255
-  %1131 = icmp eq i64 %1130, 0
-  br i1 %1131, label %1220, label %1132
+1064:                                             ; preds = %1003
+  %1065 = bitcast <8 x double> %1005 to <8 x i64>
+  %1066 = add <8 x i64> %1065, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1067 = ashr <8 x i64> %1066, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1068 = and <8 x i64> %1066, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1069 = sub <8 x i64> %1065, %1068
+  %1070 = bitcast <8 x i64> %1069 to <8 x double>
+  %1071 = fadd <8 x double> %1070, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1072 = fadd <8 x double> %1070, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1073 = fdiv <8 x double> %1071, %1072
+  %1074 = fmul <8 x double> %1073, %1073
+  %1075 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1074, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1076 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1075, <8 x double> %1074, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1077 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1076, <8 x double> %1074, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1078 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1077, <8 x double> %1074, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1079 = trunc nsw <8 x i64> %1067 to <8 x i32>
+  %1080 = sitofp <8 x i32> %1079 to <8 x double>
+  %1081 = fmul <8 x double> %1073, %1078
+  %1082 = fadd <8 x double> %1081, %1080
+  %1083 = insertelement <8 x double> poison, double %1062, i64 0
+  %1084 = shufflevector <8 x double> %1083, <8 x double> poison, <8 x i32> zeroinitializer
+  %1085 = fmul <8 x double> %1084, %1082
+  %1086 = fcmp ogt <8 x double> %1085, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1087 = bitcast <8 x double> %1085 to <8 x i64>
+  %1088 = select <8 x i1> %1086, <8 x i64> %1087, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1089 = bitcast <8 x i64> %1088 to <8 x double>
+  %1090 = fcmp olt <8 x double> %1089, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1091 = bitcast <8 x i64> %1088 to <8 x double>
+  %1092 = select <8 x i1> %1090, <8 x double> %1091, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1093 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1092)
+  %1094 = fsub <8 x double> %1092, %1093
+  %1095 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1094, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1096 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1095, <8 x double> %1094, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1097 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1096, <8 x double> %1094, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1098 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1097, <8 x double> %1094, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1099 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1098, <8 x double> %1094, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1100 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1099, <8 x double> %1094, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1101 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1100, <8 x double> %1094, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1102 = bitcast <8 x double> %1101 to <8 x i64>
+  %1103 = fptosi <8 x double> %1093 to <8 x i32>
+  %1104 = zext <8 x i32> %1103 to <8 x i64>
+  %1105 = shl <8 x i64> %1104, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1106 = add <8 x i64> %1105, %1102
+  %1107 = bitcast <8 x i64> %1106 to <8 x double>
+  %1108 = fmul <8 x double> %1060, %1107
+  br label %1109
 
-1132:                                             ; preds = %1128
-  %1133 = trunc i64 %741 to i8
-  %1134 = bitcast i8 %1133 to <8 x i1>
-  %1135 = trunc i64 %962 to i8
-  %1136 = bitcast i8 %1135 to <8 x i1>
-  %1137 = trunc i64 %961 to i8
-  %1138 = bitcast i8 %1137 to <8 x i1>
-  %1139 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %669)
-  %1140 = fcmp one <8 x double> %1139, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1141 = xor <8 x i1> %1134, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1142 = select <8 x i1> %1140, <8 x i1> %1141, <8 x i1> zeroinitializer
-  %1143 = or <8 x i1> %1136, %1138
-  %1144 = xor <8 x i1> %1143, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1145 = and <8 x i1> %1142, %1144
-  br i1 %990, label %1207, label %1146
+1109:                                             ; preds = %1003, %1064
+  %1110 = phi <8 x double> [ %1108, %1064 ], [ %1060, %1003 ]
+  %1111 = getelementptr inbounds i8, ptr %992, i64 32
+  %1112 = load double, ptr %1111, align 8
+  %1113 = insertelement <8 x double> poison, double %1112, i64 0
+  %1114 = shufflevector <8 x double> %1113, <8 x double> poison, <8 x i32> zeroinitializer
+  %1115 = fcmp ogt <8 x double> %1110, %1114
+  %1116 = select <8 x i1> %1115, <8 x double> %1110, <8 x double> %1114
+  %1117 = fcmp olt <8 x double> %1007, %1116
+  %1118 = select <8 x i1> %1117, <8 x double> %1007, <8 x double> %1116
+  %1119 = fmul <8 x double> %244, %1118
+  %1120 = fcmp oeq <8 x double> %1007, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1121 = bitcast <8 x i1> %1120 to i8
+  %1122 = zext i8 %1121 to i64
+  %1123 = and i64 %970, %1122
+  %1124 = icmp eq i64 %1123, 0
+  br i1 %1124, label %1222, label %1125
 
-1146:                                             ; preds = %1132
-  %1147 = fcmp ogt <8 x double> %669, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1148 = bitcast <8 x double> %669 to <8 x i64>
-  %1149 = select <8 x i1> %1147, <8 x i64> %1148, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %1150 = getelementptr inbounds i8, ptr %986, i64 24
-  %1151 = load double, ptr %1150, align 8
-  %1152 = insertelement <8 x double> poison, double %1151, i64 0
+1125:                                             ; preds = %1109
+  %1126 = load i64, ptr %121, align 8
+  %1127 = icmp sgt i64 %1126, 0
+  br i1 %1127, label %1128, label %1222
+
+1128:                                             ; preds = %1125
+  %1129 = getelementptr inbounds i8, ptr %992, i64 40
+  %1130 = load double, ptr %1129, align 8
+  %1131 = insertelement <8 x double> poison, double %1130, i64 0
+  %1132 = shufflevector <8 x double> %1131, <8 x double> poison, <8 x i32> zeroinitializer
+  br i1 %1063, label %1133, label %1178
+
+1133:                                             ; preds = %1128
+  %1134 = bitcast <8 x double> %1005 to <8 x i64>
+  %1135 = add <8 x i64> %1134, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1136 = ashr <8 x i64> %1135, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1137 = and <8 x i64> %1135, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1138 = sub <8 x i64> %1134, %1137
+  %1139 = bitcast <8 x i64> %1138 to <8 x double>
+  %1140 = fadd <8 x double> %1139, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1141 = fadd <8 x double> %1139, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1142 = fdiv <8 x double> %1140, %1141
+  %1143 = fmul <8 x double> %1142, %1142
+  %1144 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1143, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1145 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1144, <8 x double> %1143, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1146 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1145, <8 x double> %1143, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1147 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1146, <8 x double> %1143, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1148 = trunc nsw <8 x i64> %1136 to <8 x i32>
+  %1149 = sitofp <8 x i32> %1148 to <8 x double>
+  %1150 = fmul <8 x double> %1142, %1147
+  %1151 = fadd <8 x double> %1150, %1149
+  %1152 = insertelement <8 x double> poison, double %1062, i64 0
   %1153 = shufflevector <8 x double> %1152, <8 x double> poison, <8 x i32> zeroinitializer
-  %1154 = load double, ptr %986, align 8
-  %1155 = fneg double %1154
-  %1156 = add <8 x i64> %1149, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %1157 = ashr <8 x i64> %1156, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1158 = and <8 x i64> %1156, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %1159 = sub <8 x i64> %1149, %1158
-  %1160 = bitcast <8 x i64> %1159 to <8 x double>
-  %1161 = fadd <8 x double> %1160, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1162 = fadd <8 x double> %1160, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1163 = fdiv <8 x double> %1161, %1162
-  %1164 = fmul <8 x double> %1163, %1163
-  %1165 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1164, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1166 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1165, <8 x double> %1164, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1167 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1166, <8 x double> %1164, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1168 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1167, <8 x double> %1164, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1169 = trunc nsw <8 x i64> %1157 to <8 x i32>
-  %1170 = sitofp <8 x i32> %1169 to <8 x double>
-  %1171 = fmul <8 x double> %1163, %1168
-  %1172 = fadd <8 x double> %1171, %1170
-  %1173 = insertelement <8 x double> poison, double %1155, i64 0
-  %1174 = shufflevector <8 x double> %1173, <8 x double> poison, <8 x i32> zeroinitializer
-  %1175 = fmul <8 x double> %1172, %1174
-  %1176 = fcmp ogt <8 x double> %1175, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1177 = bitcast <8 x double> %1175 to <8 x i64>
-  %1178 = select <8 x i1> %1176, <8 x i64> %1177, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1179 = bitcast <8 x i64> %1178 to <8 x double>
-  %1180 = fcmp olt <8 x double> %1179, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1181 = bitcast <8 x i64> %1178 to <8 x double>
-  %1182 = select <8 x i1> %1180, <8 x double> %1181, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1183 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1182)
-  %1184 = fsub <8 x double> %1182, %1183
-  %1185 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1184, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1186 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1185, <8 x double> %1184, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1187 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1186, <8 x double> %1184, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1188 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1187, <8 x double> %1184, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1189 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1188, <8 x double> %1184, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1190 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1189, <8 x double> %1184, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1191 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1190, <8 x double> %1184, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1192 = bitcast <8 x double> %1191 to <8 x i64>
-  %1193 = fptosi <8 x double> %1183 to <8 x i32>
-  %1194 = zext <8 x i32> %1193 to <8 x i64>
-  %1195 = shl <8 x i64> %1194, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1196 = add <8 x i64> %1195, %1192
-  %1197 = bitcast <8 x i64> %1196 to <8 x double>
-  %1198 = fmul <8 x double> %1153, %1197
-  %1199 = getelementptr inbounds i8, ptr %986, i64 32
-  %1200 = load double, ptr %1199, align 8
-  %1201 = insertelement <8 x double> poison, double %1200, i64 0
-  %1202 = shufflevector <8 x double> %1201, <8 x double> poison, <8 x i32> zeroinitializer
-  %1203 = fcmp ogt <8 x double> %1198, %1202
-  %1204 = select <8 x i1> %1203, <8 x double> %1198, <8 x double> %1202
-  %1205 = select <8 x i1> %1145, <8 x double> %1204, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1206 = fmul <8 x double> %238, %1205
-  br label %1207
+  %1154 = fmul <8 x double> %1153, %1151
+  %1155 = fcmp ogt <8 x double> %1154, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1156 = bitcast <8 x double> %1154 to <8 x i64>
+  %1157 = select <8 x i1> %1155, <8 x i64> %1156, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1158 = bitcast <8 x i64> %1157 to <8 x double>
+  %1159 = fcmp olt <8 x double> %1158, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1160 = bitcast <8 x i64> %1157 to <8 x double>
+  %1161 = select <8 x i1> %1159, <8 x double> %1160, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1162 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1161)
+  %1163 = fsub <8 x double> %1161, %1162
+  %1164 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1163, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1165 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1164, <8 x double> %1163, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1166 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1165, <8 x double> %1163, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1167 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1166, <8 x double> %1163, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1168 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1167, <8 x double> %1163, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1169 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1168, <8 x double> %1163, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1170 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1169, <8 x double> %1163, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1171 = bitcast <8 x double> %1170 to <8 x i64>
+  %1172 = fptosi <8 x double> %1162 to <8 x i32>
+  %1173 = zext <8 x i32> %1172 to <8 x i64>
+  %1174 = shl <8 x i64> %1173, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1175 = add <8 x i64> %1174, %1171
+  %1176 = bitcast <8 x i64> %1175 to <8 x double>
+  %1177 = fmul <8 x double> %1060, %1176
+  br label %1178
 
-1207:                                             ; preds = %1146, %1132
-  %1208 = phi <8 x double> [ zeroinitializer, %1132 ], [ %1206, %1146 ]
-  %1209 = or <8 x i1> %1145, %1138
-  %1210 = select <8 x i1> %1209, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
-  %1211 = select <8 x i1> %994, <8 x double> %1208, <8 x double> %1129
-  %1212 = load ptr, ptr %119, align 8
-  %1213 = select <8 x i1> %1136, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1210
-  %1214 = load <8 x i64>, ptr %1212, align 8
-  %1215 = select <8 x i1> %994, <8 x i64> %1213, <8 x i64> %1214
-  store <8 x i64> %1215, ptr %1212, align 8
-  %1216 = load ptr, ptr %119, align 8
-  %1217 = select <8 x i1> %1134, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1210
-  %1218 = load <8 x i64>, ptr %1216, align 8
-  %1219 = select <8 x i1> %994, <8 x i64> %1217, <8 x i64> %1218
-  store <8 x i64> %1219, ptr %1216, align 8
-  br label %1220
+1178:                                             ; preds = %1128, %1133
+  %1179 = phi <8 x double> [ %1177, %1133 ], [ %1060, %1128 ]
+  %1180 = fcmp ogt <8 x double> %1179, %1114
+  %1181 = select <8 x i1> %1180, <8 x double> %1179, <8 x double> %1114
+  %1182 = fcmp olt <8 x double> %1132, %1181
+  %1183 = select <8 x i1> %1182, <8 x double> %1132, <8 x double> %1181
+  %1184 = fmul <8 x double> %244, %1183
+  store <8 x double> %1119, ptr %3, align 16
+  br label %1185
 
-1220:                                             ; preds = %1128, %1207
-  %1221 = phi <8 x double> [ %1129, %1128 ], [ %1211, %1207 ]
-  %1222 = load ptr, ptr %116, align 8
-  store <8 x double> %1221, ptr %1222, align 8
-  %1223 = load ptr, ptr %46, align 8
-  %1224 = select <8 x i1> %975, <8 x double> %960, <8 x double> %208
-  store <8 x double> %1224, ptr %1223, align 8
-  br i1 %120, label %1242, label %1235
+1185:                                             ; preds = %1178, %1217
+  %1186 = phi i64 [ 0, %1178 ], [ %1218, %1217 ]
+  %1187 = shl nuw nsw i64 1, %1186
+  %1188 = and i64 %1187, %1123
+  %1189 = icmp eq i64 %1188, 0
+  br i1 %1189, label %1217, label %1190
 
-1225:                                             ; preds = %959, %1225
-  %1226 = phi i64 [ %1233, %1225 ], [ %971, %959 ]
-  %1227 = load ptr, ptr %114, align 8
-  call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %1227, i64 noundef %1226) #11
-  %1228 = load ptr, ptr %104, align 8
-  %1229 = load <8 x double>, ptr %1228, align 8
-  %1230 = fcmp oeq <8 x double> %1229, %960
-  %1231 = bitcast <8 x i1> %1230 to i8
-  %1232 = zext i8 %1231 to i64
-  %1233 = and i64 %1226, %1232
-  %1234 = icmp eq i64 %1233, 0
-  br i1 %1234, label %973, label %1225, !llvm.loop !22
+1190:                                             ; preds = %1185
+  %1191 = extractelement <8 x double> %966, i64 %1186
+  %1192 = extractelement <8 x double> %1119, i64 %1186
+  %1193 = extractelement <8 x double> %1184, i64 %1186
+  %1194 = load i64, ptr %122, align 8
+  %1195 = icmp eq i64 %1194, 0
+  br i1 %1195, label %1214, label %1196
 
-1235:                                             ; preds = %1242, %1220
-  %1236 = load ptr, ptr %122, align 8
-  %1237 = load ptr, ptr %66, align 8
-  %1238 = load i64, ptr %1237, align 8
-  %1239 = load i64, ptr %123, align 8
-  %1240 = mul nsw i64 %1239, %1238
-  %1241 = getelementptr inbounds double, ptr %1236, i64 %1240
-  br i1 %124, label %1256, label %1254
+1196:                                             ; preds = %1190
+  %1197 = extractelement <8 x double> %214, i64 %1186
+  %1198 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1197) #12
+  %1199 = fsub double %1191, %1197
+  %1200 = fmul double %1199, 1.000000e-03
+  %1201 = fsub double %1191, %1200
+  %1202 = call double @llvm.fabs.f64(double %1191)
+  %1203 = fmul double %1202, 0x3D10000000000000
+  %1204 = fsub double %1201, %1203
+  %1205 = fcmp ogt double %1204, %1198
+  %1206 = fadd double %1191, %1203
+  %1207 = fcmp ogt double %1198, %1206
+  %1208 = select i1 %1205, i1 true, i1 %1207
+  br i1 %1208, label %1214, label %1209
 
-1242:                                             ; preds = %1220, %1242
-  %1243 = phi i64 [ %1252, %1242 ], [ 0, %1220 ]
-  %1244 = load ptr, ptr %14, align 8
-  %1245 = load ptr, ptr %121, align 8
-  %1246 = shl nsw i64 %1243, 6
-  %1247 = getelementptr inbounds i8, ptr %1245, i64 %1246
-  %1248 = load <8 x i64>, ptr %1247, align 8
-  %1249 = getelementptr inbounds i8, ptr %1244, i64 %1246
-  %1250 = load <8 x i64>, ptr %1249, align 8
-  %1251 = select <8 x i1> %975, <8 x i64> %1248, <8 x i64> %1250
-  store <8 x i64> %1251, ptr %1249, align 8
-  %1252 = add nuw nsw i64 %1243, 1
-  %1253 = icmp eq i64 %1252, %18
-  br i1 %1253, label %1235, label %1242, !llvm.loop !23
+1209:                                             ; preds = %1196
+  %1210 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1191) #12
+  %1211 = fsub double %1210, %1191
+  %1212 = fcmp olt double %1211, %1193
+  %1213 = select i1 %1212, double %1211, double %1193
+  br label %1214
 
-1254:                                             ; preds = %1256, %1235
-  %1255 = icmp eq i64 %965, 0
-  br i1 %1255, label %1277, label %1267
+1214:                                             ; preds = %1190, %1196, %1209
+  %1215 = phi double [ %1192, %1190 ], [ %1213, %1209 ], [ %1192, %1196 ]
+  %1216 = getelementptr inbounds [8 x double], ptr %3, i64 0, i64 %1186
+  store double %1215, ptr %1216, align 8
+  br label %1217
 
-1256:                                             ; preds = %1235, %1256
-  %1257 = phi i64 [ %1265, %1256 ], [ 0, %1235 ]
-  %1258 = load ptr, ptr %122, align 8
-  %1259 = shl nsw i64 %1257, 6
-  %1260 = getelementptr inbounds i8, ptr %1241, i64 %1259
-  %1261 = load <8 x i64>, ptr %1260, align 8
-  %1262 = getelementptr inbounds i8, ptr %1258, i64 %1259
-  %1263 = load <8 x i64>, ptr %1262, align 8
-  %1264 = select <8 x i1> %975, <8 x i64> %1261, <8 x i64> %1263
-  store <8 x i64> %1264, ptr %1262, align 8
-  %1265 = add nuw nsw i64 %1257, 1
-  %1266 = icmp eq i64 %1265, %18
-  br i1 %1266, label %1254, label %1256, !llvm.loop !24
+1217:                                             ; preds = %1214, %1185
+  %1218 = add nuw nsw i64 %1186, 1
+  %1219 = icmp eq i64 %1218, 8
+  br i1 %1219, label %1220, label %1185, !llvm.loop !22
 
-1267:                                             ; preds = %1254
-  %1268 = call fastcc i64 @act_in_lanes(ptr noundef nonnull %0, i64 noundef %965, ptr noundef nonnull %9) #11
-  %1269 = icmp ne i32 %963, 0
-  %1270 = icmp ne i64 %1268, %965
-  %1271 = select i1 %1269, i1 true, i1 %1270
-  %1272 = zext i1 %1271 to i32
-  %1273 = trunc i64 %965 to i8
-  %1274 = bitcast i8 %1273 to <8 x i1>
-  %1275 = xor <8 x i1> %1274, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1276 = and <8 x i1> %1275, %975
-  br label %1277
+1220:                                             ; preds = %1217
+  %1221 = load <8 x double>, ptr %3, align 16
+  br label %1222
 
-1277:                                             ; preds = %1267, %1254
-  %1278 = phi i32 [ %1272, %1267 ], [ %963, %1254 ]
-  %1279 = phi <8 x i1> [ %1276, %1267 ], [ %975, %1254 ]
-  %1280 = phi i64 [ %1268, %1267 ], [ %176, %1254 ]
-  %1281 = load ptr, ptr %104, align 8
-  %1282 = load <8 x double>, ptr %1281, align 8
-  %1283 = fcmp oeq <8 x double> %1282, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1284 = select <8 x i1> %1283, <8 x i1> %1279, <8 x i1> zeroinitializer
-  %1285 = bitcast <8 x i1> %1284 to i8
-  %1286 = zext i8 %1285 to i64
-  %1287 = icmp eq i8 %1285, 0
-  br i1 %1287, label %1289, label %1288
+1222:                                             ; preds = %1220, %1125, %1109
+  %1223 = phi <8 x double> [ %1119, %1109 ], [ %1221, %1220 ], [ %1119, %1125 ]
+  %1224 = fcmp oeq <8 x double> %966, %222
+  %1225 = fcmp ogt <8 x double> %1002, %1223
+  %1226 = select <8 x i1> %1224, <8 x i1> %1225, <8 x i1> zeroinitializer
+  %1227 = select <8 x i1> %1226, <8 x double> %1002, <8 x double> %1223
+  %1228 = fcmp ogt <8 x double> %675, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %1229 = select <8 x i1> %1228, <8 x i64> %1009, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %1230 = bitcast <8 x double> %1005 to <8 x i64>
+  %1231 = select <8 x i1> %981, <8 x i64> %1229, <8 x i64> %1230
+  store <8 x i64> %1231, ptr %1004, align 8
+  %1232 = load ptr, ptr %120, align 8
+  %1233 = getelementptr inbounds i8, ptr %992, i64 40
+  %1234 = load double, ptr %1233, align 8
+  %1235 = insertelement <8 x double> poison, double %1234, i64 0
+  %1236 = shufflevector <8 x double> %1235, <8 x double> poison, <8 x i32> zeroinitializer
+  %1237 = select <8 x i1> %1000, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> %1236
+  store <8 x double> %1237, ptr %1232, align 8
+  br label %1238
 
-1288:                                             ; preds = %1277
-  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %1286, i64 noundef 0) #11
-  br label %1289
+1238:                                             ; preds = %1222, %979
+  %1239 = phi <8 x double> [ %1002, %979 ], [ %1227, %1222 ]
+  %1240 = and i64 %998, 255
+  %1241 = icmp eq i64 %1240, 0
+  br i1 %1241, label %1373, label %1242
 
-1289:                                             ; preds = %1288, %1277
-  %1290 = phi i32 [ 1, %1288 ], [ %1278, %1277 ]
-  %1291 = fcmp oeq <8 x double> %960, %214
-  %1292 = select <8 x i1> %1291, <8 x i1> %1279, <8 x i1> zeroinitializer
-  %1293 = bitcast <8 x i1> %1292 to i8
-  %1294 = zext i8 %1293 to i64
-  %1295 = xor i64 %1286, -1
-  %1296 = and i64 %1295, %1294
-  %1297 = icmp eq i64 %1296, 0
-  br i1 %1297, label %1302, label %1298
+1242:                                             ; preds = %1238
+  %1243 = trunc i64 %747 to i8
+  %1244 = bitcast i8 %1243 to <8 x i1>
+  %1245 = trunc i64 %968 to i8
+  %1246 = bitcast i8 %1245 to <8 x i1>
+  %1247 = trunc i64 %967 to i8
+  %1248 = bitcast i8 %1247 to <8 x i1>
+  %1249 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %675)
+  %1250 = fcmp one <8 x double> %1249, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1251 = xor <8 x i1> %1244, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1252 = select <8 x i1> %1250, <8 x i1> %1251, <8 x i1> zeroinitializer
+  %1253 = or <8 x i1> %1246, %1248
+  %1254 = xor <8 x i1> %1253, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1255 = and <8 x i1> %1252, %1254
+  br i1 %996, label %1317, label %1256
 
-1298:                                             ; preds = %1289
-  %1299 = call fastcc i64 @start_again(ptr noundef nonnull %0, ptr noundef nonnull %4, i64 noundef %1296) #11
-  %1300 = icmp eq i64 %1299, 0
-  %1301 = select i1 %1300, i32 %1290, i32 1
-  br label %1302
+1256:                                             ; preds = %1242
+  %1257 = fcmp ogt <8 x double> %675, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1258 = bitcast <8 x double> %675 to <8 x i64>
+  %1259 = select <8 x i1> %1257, <8 x i64> %1258, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %1260 = getelementptr inbounds i8, ptr %992, i64 24
+  %1261 = load double, ptr %1260, align 8
+  %1262 = insertelement <8 x double> poison, double %1261, i64 0
+  %1263 = shufflevector <8 x double> %1262, <8 x double> poison, <8 x i32> zeroinitializer
+  %1264 = load double, ptr %992, align 8
+  %1265 = fneg double %1264
+  %1266 = add <8 x i64> %1259, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %1267 = ashr <8 x i64> %1266, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1268 = and <8 x i64> %1266, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1269 = sub <8 x i64> %1259, %1268
+  %1270 = bitcast <8 x i64> %1269 to <8 x double>
+  %1271 = fadd <8 x double> %1270, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1272 = fadd <8 x double> %1270, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1273 = fdiv <8 x double> %1271, %1272
+  %1274 = fmul <8 x double> %1273, %1273
+  %1275 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1274, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1276 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1275, <8 x double> %1274, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1277 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1276, <8 x double> %1274, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1278 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1277, <8 x double> %1274, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1279 = trunc nsw <8 x i64> %1267 to <8 x i32>
+  %1280 = sitofp <8 x i32> %1279 to <8 x double>
+  %1281 = fmul <8 x double> %1273, %1278
+  %1282 = fadd <8 x double> %1281, %1280
+  %1283 = insertelement <8 x double> poison, double %1265, i64 0
+  %1284 = shufflevector <8 x double> %1283, <8 x double> poison, <8 x i32> zeroinitializer
+  %1285 = fmul <8 x double> %1282, %1284
+  %1286 = fcmp ogt <8 x double> %1285, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1287 = bitcast <8 x double> %1285 to <8 x i64>
+  %1288 = select <8 x i1> %1286, <8 x i64> %1287, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1289 = bitcast <8 x i64> %1288 to <8 x double>
+  %1290 = fcmp olt <8 x double> %1289, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1291 = bitcast <8 x i64> %1288 to <8 x double>
+  %1292 = select <8 x i1> %1290, <8 x double> %1291, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1293 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1292)
+  %1294 = fsub <8 x double> %1292, %1293
+  %1295 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1294, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1296 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1295, <8 x double> %1294, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1297 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1296, <8 x double> %1294, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1298 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1297, <8 x double> %1294, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1299 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1298, <8 x double> %1294, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1300 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1299, <8 x double> %1294, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1301 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1300, <8 x double> %1294, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1302 = bitcast <8 x double> %1301 to <8 x i64>
+  %1303 = fptosi <8 x double> %1293 to <8 x i32>
+  %1304 = zext <8 x i32> %1303 to <8 x i64>
+  %1305 = shl <8 x i64> %1304, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1306 = add <8 x i64> %1305, %1302
+  %1307 = bitcast <8 x i64> %1306 to <8 x double>
+  %1308 = fmul <8 x double> %1263, %1307
+  %1309 = getelementptr inbounds i8, ptr %992, i64 32
+  %1310 = load double, ptr %1309, align 8
+  %1311 = insertelement <8 x double> poison, double %1310, i64 0
+  %1312 = shufflevector <8 x double> %1311, <8 x double> poison, <8 x i32> zeroinitializer
+  %1313 = fcmp ogt <8 x double> %1308, %1312
+  %1314 = select <8 x i1> %1313, <8 x double> %1308, <8 x double> %1312
+  %1315 = select <8 x i1> %1255, <8 x double> %1314, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1316 = fmul <8 x double> %244, %1315
+  br label %1317
 
-1302:                                             ; preds = %1298, %1289
-  %1303 = phi i32 [ %1290, %1289 ], [ %1301, %1298 ]
-  br label %171
+1317:                                             ; preds = %1256, %1242
+  %1318 = phi <8 x double> [ zeroinitializer, %1242 ], [ %1316, %1256 ]
+  %1319 = or <8 x i1> %1255, %1248
+  %1320 = select <8 x i1> %1319, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %1321 = select <8 x i1> %1000, <8 x double> %1318, <8 x double> %1239
+  br i1 %996, label %1363, label %1322
 
-1304:                                             ; preds = %174, %199, %167
-  %1305 = phi i64 [ 1, %167 ], [ 0, %199 ], [ 0, %174 ]
-  ret i64 %1305
+1322:                                             ; preds = %1317
+  %1323 = load i64, ptr %123, align 8
+  %1324 = icmp sgt i64 %1323, 0
+  br i1 %1324, label %1325, label %1363
+
+1325:                                             ; preds = %1322
+  %1326 = and <8 x i1> %1255, %1000
+  %1327 = bitcast <8 x i1> %1326 to i8
+  %1328 = zext i8 %1327 to i64
+  store <8 x double> %1321, ptr %2, align 16
+  br label %1329
+
+1329:                                             ; preds = %1325, %1358
+  %1330 = phi i64 [ 0, %1325 ], [ %1359, %1358 ]
+  %1331 = shl nuw nsw i64 1, %1330
+  %1332 = and i64 %1331, %1328
+  %1333 = icmp eq i64 %1332, 0
+  br i1 %1333, label %1358, label %1334
+
+1334:                                             ; preds = %1329
+  %1335 = extractelement <8 x double> %214, i64 %1330
+  %1336 = extractelement <8 x double> %1321, i64 %1330
+  %1337 = load i64, ptr %124, align 8
+  %1338 = icmp eq i64 %1337, 0
+  br i1 %1338, label %1355, label %1339
+
+1339:                                             ; preds = %1334
+  %1340 = extractelement <8 x double> %966, i64 %1330
+  %1341 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1335) #12
+  %1342 = fsub double %1340, %1335
+  %1343 = fmul double %1342, 1.000000e-03
+  %1344 = fsub double %1340, %1343
+  %1345 = call double @llvm.fabs.f64(double %1340)
+  %1346 = fmul double %1345, 0x3D10000000000000
+  %1347 = fsub double %1344, %1346
+  %1348 = fcmp ogt double %1347, %1341
+  br i1 %1348, label %1349, label %1355
+
+1349:                                             ; preds = %1339
+  %1350 = call fastcc double @knot_after(ptr noundef nonnull %14, double noundef %1341) #12
+  %1351 = fadd double %1335, %1336
+  %1352 = fcmp ugt double %1350, %1351
+  br i1 %1352, label %1353, label %1355
+
+1353:                                             ; preds = %1349
+  %1354 = fsub double %1341, %1335
+  br label %1355
+
+1355:                                             ; preds = %1334, %1339, %1349, %1353
+  %1356 = phi double [ %1336, %1334 ], [ %1354, %1353 ], [ %1336, %1349 ], [ %1336, %1339 ]
+  %1357 = getelementptr inbounds [8 x double], ptr %2, i64 0, i64 %1330
+  store double %1356, ptr %1357, align 8
+  br label %1358
+
+1358:                                             ; preds = %1329, %1355
+  %1359 = add nuw nsw i64 %1330, 1
+  %1360 = icmp eq i64 %1359, 8
+  br i1 %1360, label %1361, label %1329, !llvm.loop !22
+
+1361:                                             ; preds = %1358
+  %1362 = load <8 x double>, ptr %2, align 16
+  br label %1363
+
+1363:                                             ; preds = %1361, %1322, %1317
+  %1364 = phi <8 x double> [ %1362, %1361 ], [ %1321, %1322 ], [ %1321, %1317 ]
+  %1365 = load ptr, ptr %125, align 8
+  %1366 = select <8 x i1> %1246, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1320
+  %1367 = load <8 x i64>, ptr %1365, align 8
+  %1368 = select <8 x i1> %1000, <8 x i64> %1366, <8 x i64> %1367
+  store <8 x i64> %1368, ptr %1365, align 8
+  %1369 = load ptr, ptr %125, align 8
+  %1370 = select <8 x i1> %1244, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1320
+  %1371 = load <8 x i64>, ptr %1369, align 8
+  %1372 = select <8 x i1> %1000, <8 x i64> %1370, <8 x i64> %1371
+  store <8 x i64> %1372, ptr %1369, align 8
+  br label %1373
+
+1373:                                             ; preds = %1238, %1363
+  %1374 = phi <8 x double> [ %1239, %1238 ], [ %1364, %1363 ]
+  %1375 = load ptr, ptr %118, align 8
+  store <8 x double> %1374, ptr %1375, align 8
+  %1376 = load ptr, ptr %48, align 8
+  %1377 = select <8 x i1> %981, <8 x double> %966, <8 x double> %214
+  store <8 x double> %1377, ptr %1376, align 8
+  br i1 %126, label %1395, label %1388
+
+1378:                                             ; preds = %965, %1378
+  %1379 = phi i64 [ %1386, %1378 ], [ %977, %965 ]
+  %1380 = load ptr, ptr %116, align 8
+  call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %1380, i64 noundef %1379) #12
+  %1381 = load ptr, ptr %106, align 8
+  %1382 = load <8 x double>, ptr %1381, align 8
+  %1383 = fcmp oeq <8 x double> %1382, %966
+  %1384 = bitcast <8 x i1> %1383 to i8
+  %1385 = zext i8 %1384 to i64
+  %1386 = and i64 %1379, %1385
+  %1387 = icmp eq i64 %1386, 0
+  br i1 %1387, label %979, label %1378, !llvm.loop !24
+
+1388:                                             ; preds = %1395, %1373
+  %1389 = load ptr, ptr %128, align 8
+  %1390 = load ptr, ptr %68, align 8
+  %1391 = load i64, ptr %1390, align 8
+  %1392 = load i64, ptr %129, align 8
+  %1393 = mul nsw i64 %1392, %1391
+  %1394 = getelementptr inbounds double, ptr %1389, i64 %1393
+  br i1 %130, label %1409, label %1407
+
+1395:                                             ; preds = %1373, %1395
+  %1396 = phi i64 [ %1405, %1395 ], [ 0, %1373 ]
+  %1397 = load ptr, ptr %16, align 8
+  %1398 = load ptr, ptr %127, align 8
+  %1399 = shl nsw i64 %1396, 6
+  %1400 = getelementptr inbounds i8, ptr %1398, i64 %1399
+  %1401 = load <8 x i64>, ptr %1400, align 8
+  %1402 = getelementptr inbounds i8, ptr %1397, i64 %1399
+  %1403 = load <8 x i64>, ptr %1402, align 8
+  %1404 = select <8 x i1> %981, <8 x i64> %1401, <8 x i64> %1403
+  store <8 x i64> %1404, ptr %1402, align 8
+  %1405 = add nuw nsw i64 %1396, 1
+  %1406 = icmp eq i64 %1405, %20
+  br i1 %1406, label %1388, label %1395, !llvm.loop !25
+
+1407:                                             ; preds = %1409, %1388
+  %1408 = icmp eq i64 %971, 0
+  br i1 %1408, label %1430, label %1420
+
+1409:                                             ; preds = %1388, %1409
+  %1410 = phi i64 [ %1418, %1409 ], [ 0, %1388 ]
+  %1411 = load ptr, ptr %128, align 8
+  %1412 = shl nsw i64 %1410, 6
+  %1413 = getelementptr inbounds i8, ptr %1394, i64 %1412
+  %1414 = load <8 x i64>, ptr %1413, align 8
+  %1415 = getelementptr inbounds i8, ptr %1411, i64 %1412
+  %1416 = load <8 x i64>, ptr %1415, align 8
+  %1417 = select <8 x i1> %981, <8 x i64> %1414, <8 x i64> %1416
+  store <8 x i64> %1417, ptr %1415, align 8
+  %1418 = add nuw nsw i64 %1410, 1
+  %1419 = icmp eq i64 %1418, %20
+  br i1 %1419, label %1407, label %1409, !llvm.loop !26
+
+1420:                                             ; preds = %1407
+  %1421 = call fastcc i64 @act_in_lanes(ptr noundef nonnull %0, i64 noundef %971, ptr noundef nonnull %11) #12
+  %1422 = icmp ne i32 %969, 0
+  %1423 = icmp ne i64 %1421, %971
+  %1424 = select i1 %1422, i1 true, i1 %1423
+  %1425 = zext i1 %1424 to i32
+  %1426 = trunc i64 %971 to i8
+  %1427 = bitcast i8 %1426 to <8 x i1>
+  %1428 = xor <8 x i1> %1427, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1429 = and <8 x i1> %1428, %981
+  br label %1430
+
+1430:                                             ; preds = %1420, %1407
+  %1431 = phi i32 [ %1425, %1420 ], [ %969, %1407 ]
+  %1432 = phi <8 x i1> [ %1429, %1420 ], [ %981, %1407 ]
+  %1433 = phi i64 [ %1421, %1420 ], [ %182, %1407 ]
+  %1434 = load ptr, ptr %106, align 8
+  %1435 = load <8 x double>, ptr %1434, align 8
+  %1436 = fcmp oeq <8 x double> %1435, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1437 = select <8 x i1> %1436, <8 x i1> %1432, <8 x i1> zeroinitializer
+  %1438 = bitcast <8 x i1> %1437 to i8
+  %1439 = zext i8 %1438 to i64
+  %1440 = icmp eq i8 %1438, 0
+  br i1 %1440, label %1442, label %1441
+
+1441:                                             ; preds = %1430
+  call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %1439, i64 noundef 0) #12
+  br label %1442
+
+1442:                                             ; preds = %1441, %1430
+  %1443 = phi i32 [ 1, %1441 ], [ %1431, %1430 ]
+  %1444 = fcmp oeq <8 x double> %966, %220
+  %1445 = select <8 x i1> %1444, <8 x i1> %1432, <8 x i1> zeroinitializer
+  %1446 = bitcast <8 x i1> %1445 to i8
+  %1447 = zext i8 %1446 to i64
+  %1448 = xor i64 %1439, -1
+  %1449 = and i64 %1448, %1447
+  %1450 = icmp eq i64 %1449, 0
+  br i1 %1450, label %1455, label %1451
+
+1451:                                             ; preds = %1442
+  %1452 = call fastcc i64 @start_again(ptr noundef nonnull %0, ptr noundef nonnull %6, i64 noundef %1449) #12
+  %1453 = icmp eq i64 %1452, 0
+  %1454 = select i1 %1453, i32 %1443, i32 1
+  br label %1455
+
+1455:                                             ; preds = %1451, %1442
+  %1456 = phi i32 [ %1443, %1442 ], [ %1454, %1451 ]
+  br label %177
+
+1457:                                             ; preds = %180, %205, %173
+  %1458 = phi i64 [ 1, %173 ], [ 0, %205 ], [ 0, %180 ]
+  ret i64 %1458
 }
 
 
@@ -1708,7 +1911,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %75 = getelementptr i8, ptr %74, i64 24
   %76 = load i64, ptr %75, align 8
   %77 = icmp eq i64 %76, 0
-  br i1 %77, label %83, label %78, !llvm.loop !25
+  br i1 %77, label %83, label %78, !llvm.loop !27
 
 78:                                               ; preds = %51, %70
   %79 = phi i64 [ %80, %70 ], [ %48, %51 ]
@@ -1716,7 +1919,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store i64 %80, ptr %7, align 8
   %81 = load i64, ptr %9, align 8
   %82 = icmp sge i64 %80, %81
-  br i1 %82, label %83, label %70, !llvm.loop !25
+  br i1 %82, label %83, label %70, !llvm.loop !27
 
 83:                                               ; preds = %78, %70, %51, %43
   %84 = phi i64 [ %48, %43 ], [ %48, %51 ], [ %80, %70 ], [ %80, %78 ]
@@ -1753,7 +1956,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %108 = add nuw nsw i64 %103, 1
   %109 = load i64, ptr %13, align 8
   %110 = icmp slt i64 %108, %109
-  br i1 %110, label %102, label %111, !llvm.loop !26
+  br i1 %110, label %102, label %111, !llvm.loop !28
 
 111:                                              ; preds = %102, %91
   %112 = load ptr, ptr %15, align 8
@@ -1775,7 +1978,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %125 = add nuw nsw i64 %120, 1
   %126 = load i64, ptr %16, align 8
   %127 = icmp slt i64 %125, %126
-  br i1 %127, label %119, label %128, !llvm.loop !26
+  br i1 %127, label %119, label %128, !llvm.loop !28
 
 128:                                              ; preds = %119, %111
   %129 = load ptr, ptr %18, align 8
@@ -1797,7 +2000,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %142 = add nuw nsw i64 %137, 1
   %143 = load i64, ptr %19, align 8
   %144 = icmp slt i64 %142, %143
-  br i1 %144, label %136, label %145, !llvm.loop !26
+  br i1 %144, label %136, label %145, !llvm.loop !28
 
 145:                                              ; preds = %136, %128
   %146 = load ptr, ptr %21, align 8
@@ -1824,7 +2027,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %164 = add nuw nsw i64 %159, 1
   %165 = load i64, ptr %22, align 8
   %166 = icmp slt i64 %164, %165
-  br i1 %166, label %158, label %167, !llvm.loop !26
+  br i1 %166, label %158, label %167, !llvm.loop !28
 
 167:                                              ; preds = %158, %145
   %168 = load ptr, ptr %24, align 8
@@ -1851,7 +2054,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %186 = add nuw nsw i64 %181, 1
   %187 = load i64, ptr %27, align 8
   %188 = icmp slt i64 %186, %187
-  br i1 %188, label %180, label %189, !llvm.loop !26
+  br i1 %188, label %180, label %189, !llvm.loop !28
 
 189:                                              ; preds = %180, %167
   %190 = load i64, ptr %28, align 8
@@ -1890,7 +2093,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %214 = add nuw nsw i64 %206, 1
   %215 = load i64, ptr %31, align 8
   %216 = icmp slt i64 %214, %215
-  br i1 %216, label %204, label %201, !llvm.loop !28
+  br i1 %216, label %204, label %201, !llvm.loop !29
 
 217:                                              ; preds = %225, %201
   %218 = load ptr, ptr %29, align 8
@@ -1921,11 +2124,11 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %239 = getelementptr i8, ptr %238, i64 8
   %240 = load i64, ptr %239, align 8
   %241 = inttoptr i64 %240 to ptr
-  tail call void %233(ptr noundef %237, ptr noundef %241) #12
+  tail call void %233(ptr noundef %237, ptr noundef %241) #13
   %242 = add nuw nsw i64 %226, 1
   %243 = load i64, ptr %32, align 8
   %244 = icmp slt i64 %242, %243
-  br i1 %244, label %225, label %217, !llvm.loop !29
+  br i1 %244, label %225, label %217, !llvm.loop !30
 
 245:                                              ; preds = %222, %259
   %246 = phi i64 [ 0, %222 ], [ %268, %259 ]
@@ -1961,7 +2164,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %270 = getelementptr inbounds i8, ptr %269, i64 8
   %271 = load i64, ptr %270, align 8
   %272 = icmp slt i64 %268, %271
-  br i1 %272, label %245, label %290, !llvm.loop !30
+  br i1 %272, label %245, label %290, !llvm.loop !31
 
 273:                                              ; preds = %245, %283
   %274 = phi i64 [ 0, %245 ], [ %288, %283 ]
@@ -1985,7 +2188,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %284, ptr %287, align 8
   %288 = add nuw nsw i64 %274, 1
   %289 = icmp eq i64 %288, 100
-  br i1 %289, label %259, label %273, !llvm.loop !31
+  br i1 %289, label %259, label %273, !llvm.loop !32
 
 290:                                              ; preds = %259, %217
   %291 = getelementptr inbounds i8, ptr %196, i64 648
@@ -2016,7 +2219,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %310 = select i1 %306, i64 %44, i64 %46
   %311 = add nuw nsw i64 %44, 1
   %312 = icmp eq i64 %311, 8
-  br i1 %312, label %59, label %43, !llvm.loop !32
+  br i1 %312, label %59, label %43, !llvm.loop !33
 
 313:                                              ; preds = %431
   %314 = getelementptr inbounds i8, ptr %0, i64 272
@@ -2042,11 +2245,11 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %330 = getelementptr inbounds i64, ptr %322, i64 %329
   %331 = load i64, ptr %330, align 8
   %332 = inttoptr i64 %331 to ptr
-  tail call void %327(ptr noundef %328, ptr noundef %332) #12
+  tail call void %327(ptr noundef %328, ptr noundef %332) #13
   %333 = add nuw nsw i64 %321, 1
   %334 = load i64, ptr %314, align 8
   %335 = icmp slt i64 %333, %334
-  br i1 %335, label %320, label %434, !llvm.loop !33
+  br i1 %335, label %320, label %434, !llvm.loop !34
 
 336:                                              ; preds = %61, %431
   %337 = phi i64 [ 0, %61 ], [ %432, %431 ]
@@ -2074,7 +2277,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %353, ptr %354, align 8
   %355 = add nuw nsw i64 %349, 1
   %356 = icmp eq i64 %355, %346
-  br i1 %356, label %357, label %348, !llvm.loop !34
+  br i1 %356, label %357, label %348, !llvm.loop !35
 
 357:                                              ; preds = %348, %342
   %358 = load ptr, ptr %63, align 8
@@ -2094,7 +2297,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %368, ptr %369, align 8
   %370 = add nuw nsw i64 %364, 1
   %371 = icmp eq i64 %370, %361
-  br i1 %371, label %372, label %363, !llvm.loop !34
+  br i1 %371, label %372, label %363, !llvm.loop !35
 
 372:                                              ; preds = %363, %357
   %373 = load ptr, ptr %64, align 8
@@ -2114,7 +2317,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %383, ptr %384, align 8
   %385 = add nuw nsw i64 %379, 1
   %386 = icmp eq i64 %385, %376
-  br i1 %386, label %387, label %378, !llvm.loop !34
+  br i1 %386, label %387, label %378, !llvm.loop !35
 
 387:                                              ; preds = %378, %372
   %388 = load ptr, ptr %65, align 8
@@ -2134,7 +2337,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %398, ptr %399, align 8
   %400 = add nuw nsw i64 %394, 1
   %401 = icmp eq i64 %400, %391
-  br i1 %401, label %402, label %393, !llvm.loop !34
+  br i1 %401, label %402, label %393, !llvm.loop !35
 
 402:                                              ; preds = %393, %387
   %403 = load ptr, ptr %66, align 8
@@ -2157,7 +2360,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %416, ptr %417, align 8
   %418 = add nuw nsw i64 %412, 1
   %419 = icmp eq i64 %418, %409
-  br i1 %419, label %420, label %411, !llvm.loop !34
+  br i1 %419, label %420, label %411, !llvm.loop !35
 
 420:                                              ; preds = %411, %402
   %421 = load ptr, ptr %3, align 8
@@ -2179,7 +2382,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 431:                                              ; preds = %336, %420
   %432 = add nuw nsw i64 %337, 1
   %433 = icmp eq i64 %432, 8
-  br i1 %433, label %313, label %336, !llvm.loop !35
+  br i1 %433, label %313, label %336, !llvm.loop !36
 
 434:                                              ; preds = %320, %313, %59
   ret i64 %302
@@ -2201,7 +2404,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %17 = bitcast i8 %16 to <8 x i1>
   %18 = load ptr, ptr %9, align 8
   %19 = load <8 x double>, ptr %18, align 8
-  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %8) #11
+  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %8) #12
   %20 = getelementptr inbounds i8, ptr %1, i64 8
   %21 = load ptr, ptr %20, align 8
   %22 = load ptr, ptr %12, align 8
@@ -2217,7 +2420,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %30, label %32, label %31
 
 31:                                               ; preds = %4
-  tail call fastcc void @settle(ptr noundef nonnull %21) #11
+  tail call fastcc void @settle(ptr noundef nonnull %21) #12
   br label %32
 
 32:                                               ; preds = %31, %4
@@ -2227,7 +2430,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %35, label %36, label %37
 
 36:                                               ; preds = %32
-  tail call fastcc void @sample(ptr noundef nonnull %21) #11
+  tail call fastcc void @sample(ptr noundef nonnull %21) #12
   br label %37
 
 37:                                               ; preds = %32, %36
@@ -2240,7 +2443,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %44 = load ptr, ptr %43, align 8
   %45 = inttoptr i64 %39 to ptr
   %46 = load ptr, ptr %45, align 8
-  %47 = tail call i32 %46(ptr noundef %40, ptr noundef %22, ptr noundef %42, ptr noundef %44, ptr noundef %24) #12
+  %47 = tail call i32 %46(ptr noundef %40, ptr noundef %22, ptr noundef %42, ptr noundef %44, ptr noundef %24) #13
   %48 = sext i32 %47 to i64
   %49 = load ptr, ptr %20, align 8
   %50 = load ptr, ptr %49, align 8
@@ -2278,7 +2481,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %75 = getelementptr inbounds i8, ptr %74, i64 8
   %76 = load i64, ptr %75, align 8
   %77 = icmp slt i64 %72, %76
-  br i1 %77, label %62, label %56, !llvm.loop !36
+  br i1 %77, label %62, label %56, !llvm.loop !37
 
 78:                                               ; preds = %56
   %79 = load ptr, ptr %0, align 8
@@ -2331,11 +2534,11 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %119 = getelementptr inbounds i8, ptr %118, i64 24
   %120 = load i64, ptr %119, align 8
   %121 = load ptr, ptr %116, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %121, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #11
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %121, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #12
   %122 = load <8 x double>, ptr %5, align 16
   %123 = getelementptr inbounds i8, ptr %116, i64 168
   %124 = load ptr, ptr %123, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %124, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #11
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %124, ptr noundef %121, ptr noundef nonnull %116, i64 noundef %120) #12
   %125 = load <8 x double>, ptr %6, align 16
   %126 = fcmp olt <8 x double> %122, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
   %127 = fcmp olt <8 x double> %125, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
@@ -2381,7 +2584,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %161, label %163, label %162
 
 162:                                              ; preds = %147
-  tail call fastcc void @settle(ptr noundef nonnull %148) #11
+  tail call fastcc void @settle(ptr noundef nonnull %148) #12
   br label %163
 
 163:                                              ; preds = %162, %147
@@ -2391,7 +2594,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %166, label %167, label %187
 
 167:                                              ; preds = %163
-  tail call fastcc void @sample(ptr noundef nonnull %148) #11
+  tail call fastcc void @sample(ptr noundef nonnull %148) #12
   br label %187
 
 168:                                              ; preds = %145, %168
@@ -2414,7 +2617,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %184 = getelementptr inbounds i8, ptr %183, i64 8
   %185 = load i64, ptr %184, align 8
   %186 = icmp slt i64 %181, %185
-  br i1 %186, label %168, label %147, !llvm.loop !37
+  br i1 %186, label %168, label %147, !llvm.loop !38
 
 187:                                              ; preds = %163, %167
   %188 = load ptr, ptr %148, align 8
@@ -2426,7 +2629,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %194 = load ptr, ptr %193, align 8
   %195 = inttoptr i64 %189 to ptr
   %196 = load ptr, ptr %195, align 8
-  %197 = tail call i32 %196(ptr noundef %190, ptr noundef %151, ptr noundef %192, ptr noundef %194, ptr noundef %155) #12
+  %197 = tail call i32 %196(ptr noundef %190, ptr noundef %151, ptr noundef %192, ptr noundef %194, ptr noundef %155) #13
   %198 = load ptr, ptr %1, align 8
   %199 = getelementptr inbounds i8, ptr %198, i64 120
   %200 = load ptr, ptr %199, align 8
@@ -2448,11 +2651,11 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   store <8 x double> %213, ptr %209, align 8
   %214 = add nuw nsw i64 %207, 1
   %215 = icmp eq i64 %214, %120
-  br i1 %215, label %216, label %206, !llvm.loop !38
+  br i1 %215, label %216, label %206, !llvm.loop !39
 
 216:                                              ; preds = %206, %187
   %217 = load ptr, ptr %116, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %204, ptr noundef %217, ptr noundef nonnull %116, i64 noundef %120) #11
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %204, ptr noundef %217, ptr noundef nonnull %116, i64 noundef %120) #12
   %218 = load <8 x double>, ptr %7, align 16
   %219 = fdiv <8 x double> %218, %139
   %220 = fcmp ogt <8 x double> %125, %219
@@ -2595,7 +2798,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %343 = add nsw i64 %322, -1
   %344 = and i64 %343, %322
   %345 = icmp eq i64 %344, 0
-  br i1 %345, label %346, label %321, !llvm.loop !39
+  br i1 %345, label %346, label %321, !llvm.loop !40
 
 346:                                              ; preds = %321, %292
   %347 = xor i64 %48, -1
@@ -2630,14 +2833,14 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %372 = fadd <8 x double> %365, %371
   %373 = fadd <8 x double> %364, %372
   store <8 x double> %373, ptr %363, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %354, i64 noundef 3) #11
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %362, i64 noundef 0) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %354, i64 noundef 3) #12
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %362, i64 noundef 0) #12
   ret void
 
 374:                                              ; preds = %350, %374
   %375 = phi i64 [ %348, %350 ], [ %386, %374 ]
   %376 = load ptr, ptr %12, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %376, i64 noundef %375) #11
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %376, i64 noundef %375) #12
   %377 = load ptr, ptr %351, align 8
   %378 = load <8 x double>, ptr %377, align 8
   %379 = load ptr, ptr %352, align 8
@@ -2649,7 +2852,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %385 = zext i8 %384 to i64
   %386 = and i64 %375, %385
   %387 = icmp eq i64 %386, 0
-  br i1 %387, label %353, label %374, !llvm.loop !40
+  br i1 %387, label %353, label %374, !llvm.loop !41
 }
 
 define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #4 {
@@ -2692,7 +2895,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   %29 = select i1 %27, i64 %23, i64 %21
   %30 = select i1 %27, i64 %20, i64 %28
   %31 = icmp slt i64 %30, %29
-  br i1 %31, label %19, label %32, !llvm.loop !41
+  br i1 %31, label %19, label %32, !llvm.loop !42
 
 32:                                               ; preds = %19, %15
   %33 = phi i64 [ 0, %15 ], [ %30, %19 ]
@@ -2726,7 +2929,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   store double %50, ptr %51, align 8
   %52 = add nuw nsw i64 %9, 1
   %53 = icmp eq i64 %52, 8
-  br i1 %53, label %7, label %8, !llvm.loop !42
+  br i1 %53, label %7, label %8, !llvm.loop !43
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -2830,7 +3033,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %84 = add nsw i64 %62, -1
   %85 = getelementptr inbounds i8, ptr %63, i64 8
   %86 = icmp sgt i64 %62, 1
-  br i1 %86, label %61, label %64, !llvm.loop !43
+  br i1 %86, label %61, label %64, !llvm.loop !44
 
 87:                                               ; preds = %61, %87
   %88 = phi i64 [ %91, %87 ], [ 0, %61 ]
@@ -2839,7 +3042,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double 0x7FF8000000000000, ptr %90, align 8
   %91 = add nuw nsw i64 %88, 1
   %92 = icmp eq i64 %91, %9
-  br i1 %92, label %83, label %87, !llvm.loop !44
+  br i1 %92, label %83, label %87, !llvm.loop !45
 
 93:                                               ; preds = %64
   %94 = load ptr, ptr %26, align 8
@@ -2882,7 +3085,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %124 = add nuw nsw i64 %119, 1
   %125 = load i64, ptr %32, align 8
   %126 = icmp slt i64 %124, %125
-  br i1 %126, label %118, label %127, !llvm.loop !45
+  br i1 %126, label %118, label %127, !llvm.loop !46
 
 127:                                              ; preds = %118, %98
   %128 = load i64, ptr %33, align 8
@@ -2921,7 +3124,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %154 = load i64, ptr %153, align 8
   %155 = icmp slt i64 %151, %154
   %156 = add nuw i64 %136, 2
-  br i1 %155, label %135, label %174, !llvm.loop !46
+  br i1 %155, label %135, label %174, !llvm.loop !47
 
 157:                                              ; preds = %135, %157
   %158 = phi i64 [ %149, %135 ], [ %172, %157 ]
@@ -2941,10 +3144,10 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double %166, ptr %171, align 8
   %172 = add nuw nsw i64 %158, 1
   %173 = icmp eq i64 %172, %136
-  br i1 %173, label %150, label %157, !llvm.loop !47
+  br i1 %173, label %150, label %157, !llvm.loop !48
 
 174:                                              ; preds = %150, %130
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #12
   br label %175
 
 175:                                              ; preds = %174, %127
@@ -2954,7 +3157,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %178 = add nsw i64 %42, -1
   %179 = and i64 %178, %42
   %180 = icmp eq i64 %179, 0
-  br i1 %180, label %60, label %41, !llvm.loop !48
+  br i1 %180, label %60, label %41, !llvm.loop !49
 }
 
 define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
@@ -2973,7 +3176,7 @@ define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr nound
 14:                                               ; preds = %5, %11
   %15 = phi ptr [ %13, %11 ], [ null, %5 ]
   %16 = inttoptr i64 %9 to ptr
-  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #12
+  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #13
   ret i64 %17
 }
 
@@ -3039,7 +3242,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %52 = load ptr, ptr %51, align 8
   %53 = inttoptr i64 %45 to ptr
   %54 = load ptr, ptr %53, align 8
-  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
+  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #13
   %56 = trunc i32 %55 to i8
   %57 = xor i8 %56, -1
   %58 = icmp sgt i64 %12, 0
@@ -3090,7 +3293,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %94 = add nuw nsw i64 %64, 1
   %95 = load i64, ptr %20, align 8
   %96 = icmp slt i64 %94, %95
-  br i1 %96, label %63, label %30, !llvm.loop !49
+  br i1 %96, label %63, label %30, !llvm.loop !50
 
 97:                                               ; preds = %82, %97
   %98 = phi i64 [ 0, %82 ], [ %109, %97 ]
@@ -3106,7 +3309,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %108 = select <8 x i1> %107, <8 x double> %99, <8 x double> %106
   %109 = add nuw i64 %98, 1
   %110 = icmp eq i64 %98, %80
-  br i1 %110, label %86, label %97, !llvm.loop !50
+  br i1 %110, label %86, label %97, !llvm.loop !51
 
 111:                                              ; preds = %139
   %112 = icmp ne <8 x i64> %140, zeroinitializer
@@ -3148,7 +3351,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %140 = phi <8 x i64> [ %119, %117 ], [ %138, %124 ]
   %141 = add nuw nsw i64 %118, 1
   %142 = icmp eq i64 %141, %12
-  br i1 %142, label %111, label %117, !llvm.loop !51
+  br i1 %142, label %111, label %117, !llvm.loop !52
 
 143:                                              ; preds = %1, %114
   %144 = phi i64 [ %116, %114 ], [ 0, %1 ]
@@ -3166,7 +3369,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %14 = zext i8 %13 to i64
   %15 = xor i64 %14, -1
   %16 = and i64 %15, %2
-  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #11
+  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #12
   %18 = xor i64 %17, -1
   %19 = and i64 %18, %2
   %20 = icmp eq i64 %19, 0
@@ -3178,7 +3381,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   store double 1.000000e+00, ptr %23, align 8
   %24 = add nuw nsw i64 %22, 1
   %25 = icmp eq i64 %24, 8
-  br i1 %25, label %9, label %21, !llvm.loop !52
+  br i1 %25, label %9, label %21, !llvm.loop !53
 
 26:                                               ; preds = %9, %51
   %27 = phi i64 [ %53, %51 ], [ %19, %9 ]
@@ -3187,7 +3390,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %30 = getelementptr inbounds double, ptr %3, i64 %29
   %31 = load double, ptr %30, align 8
   %32 = getelementptr inbounds double, ptr %6, i64 %29
-  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #11
+  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #12
   %34 = getelementptr inbounds i64, ptr %5, i64 %29
   store i64 %33, ptr %34, align 8
   %35 = icmp eq i64 %33, -6
@@ -3218,7 +3421,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %52 = add nsw i64 %27, -1
   %53 = and i64 %52, %27
   %54 = icmp eq i64 %53, 0
-  br i1 %54, label %48, label %26, !llvm.loop !53
+  br i1 %54, label %48, label %26, !llvm.loop !54
 }
 
 define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
@@ -3272,7 +3475,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   store i64 %42, ptr %43, align 8
   %44 = add nuw nsw i64 %40, 1
   %45 = icmp eq i64 %44, 8
-  br i1 %45, label %36, label %39, !llvm.loop !54
+  br i1 %45, label %36, label %39, !llvm.loop !55
 
 46:                                               ; preds = %36, %92
   %47 = phi i64 [ %59, %92 ], [ %2, %36 ]
@@ -3320,7 +3523,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %82, i64 16
   %84 = load i64, ptr %83, align 8
-  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #11
+  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #12
   %85 = load ptr, ptr %38, align 8
   %86 = load i64, ptr %85, align 8
   %87 = icmp eq i64 %86, 1
@@ -3328,7 +3531,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
 
 88:                                               ; preds = %65
   %89 = load ptr, ptr %18, align 8
-  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
+  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #12
   %91 = or i64 %90, %48
   br label %92
 
@@ -3336,8 +3539,8 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %93 = phi i64 [ %91, %88 ], [ %48, %65 ]
   %94 = xor i64 %93, -1
   %95 = and i64 %59, %94
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #11
-  br label %46, !llvm.loop !55
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #12
+  br label %46, !llvm.loop !56
 
 96:                                               ; preds = %63, %96
   %97 = phi i64 [ %48, %63 ], [ %110, %96 ]
@@ -3358,7 +3561,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %109 = add nsw i64 %97, -1
   %110 = and i64 %109, %97
   %111 = icmp eq i64 %110, 0
-  br i1 %111, label %112, label %96, !llvm.loop !56
+  br i1 %111, label %112, label %96, !llvm.loop !57
 
 112:                                              ; preds = %96, %61
   ret i64 %48
@@ -3393,7 +3596,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %30, i64 16
   %32 = load i64, ptr %31, align 8
-  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #11
+  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #12
   %33 = load ptr, ptr %28, align 8
   %34 = load ptr, ptr %33, align 8
   %35 = getelementptr inbounds i8, ptr %34, i64 8
@@ -3429,7 +3632,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %58 = getelementptr inbounds i8, ptr %57, i64 8
   %59 = load i64, ptr %58, align 8
   %60 = icmp slt i64 %55, %59
-  br i1 %60, label %45, label %40, !llvm.loop !57
+  br i1 %60, label %45, label %40, !llvm.loop !58
 
 61:                                               ; preds = %40
   %62 = bitcast <8 x i1> %12 to i8
@@ -3440,7 +3643,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %65 = zext i8 %62 to i64
   %66 = getelementptr inbounds i8, ptr %7, i64 24
   %67 = load ptr, ptr %66, align 8
-  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #11
+  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #12
   br label %69
 
 69:                                               ; preds = %40, %61, %64
@@ -3502,7 +3705,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !58
+  br i1 %45, label %28, label %19, !llvm.loop !59
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -3514,7 +3717,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !59
+  br i1 %54, label %29, label %46, !llvm.loop !60
 }
 
 define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #2 {
@@ -3582,10 +3785,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %46, ptr %48, align 8
   %49 = add nuw nsw i64 %41, 1
   %50 = icmp eq i64 %49, %7
-  br i1 %50, label %34, label %40, !llvm.loop !60
+  br i1 %50, label %34, label %40, !llvm.loop !61
 
 51:                                               ; preds = %34
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #12
   br label %156
 
 52:                                               ; preds = %34
@@ -3637,10 +3840,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %92 = add nuw nsw i64 %85, %91
   %93 = add nuw nsw i64 %84, 1
   %94 = icmp eq i64 %93, %60
-  br i1 %94, label %80, label %83, !llvm.loop !61
+  br i1 %94, label %80, label %83, !llvm.loop !62
 
 95:                                               ; preds = %80
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #12
   br label %96
 
 96:                                               ; preds = %95, %80
@@ -3702,7 +3905,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %127, ptr %137, align 8
   %138 = add nuw nsw i64 %124, 1
   %139 = icmp eq i64 %138, %64
-  br i1 %139, label %120, label %123, !llvm.loop !62
+  br i1 %139, label %120, label %123, !llvm.loop !63
 
 140:                                              ; preds = %98, %96
   %141 = load ptr, ptr %57, align 8
@@ -3713,7 +3916,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
 
 145:                                              ; preds = %140
   %146 = inttoptr i64 %143 to ptr
-  %147 = tail call i64 %146(ptr noundef %56) #12
+  %147 = tail call i64 %146(ptr noundef %56) #13
   br label %148
 
 148:                                              ; preds = %145, %140
@@ -3721,7 +3924,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %75, label %150, label %151
 
 150:                                              ; preds = %148
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #12
   br label %151
 
 151:                                              ; preds = %150, %148
@@ -3782,7 +3985,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %191, ptr %193, align 8
   %194 = add nuw nsw i64 %181, 1
   %195 = icmp eq i64 %194, %164
-  br i1 %195, label %177, label %180, !llvm.loop !63
+  br i1 %195, label %177, label %180, !llvm.loop !64
 
 196:                                              ; preds = %200, %177
   %197 = add i64 %157, 3
@@ -3802,14 +4005,14 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %204, ptr %208, align 8
   %209 = add nuw nsw i64 %201, 1
   %210 = icmp eq i64 %209, %7
-  br i1 %210, label %196, label %200, !llvm.loop !64
+  br i1 %210, label %196, label %200, !llvm.loop !65
 
 211:                                              ; preds = %196
   %212 = or i64 %199, %21
   br label %214
 
 213:                                              ; preds = %196
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #12
   br label %214
 
 214:                                              ; preds = %213, %211
@@ -3817,7 +4020,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %216 = add nsw i64 %22, -1
   %217 = and i64 %216, %22
   %218 = icmp eq i64 %217, 0
-  br i1 %218, label %32, label %20, !llvm.loop !65
+  br i1 %218, label %32, label %20, !llvm.loop !66
 }
 
 define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
@@ -3856,7 +4059,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %29, label %31, label %30
 
 30:                                               ; preds = %17
-  tail call fastcc void @settle(ptr noundef nonnull %18) #11
+  tail call fastcc void @settle(ptr noundef nonnull %18) #12
   br label %31
 
 31:                                               ; preds = %30, %17
@@ -3866,7 +4069,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %34, label %35, label %36
 
 35:                                               ; preds = %31
-  tail call fastcc void @sample(ptr noundef nonnull %18) #11
+  tail call fastcc void @sample(ptr noundef nonnull %18) #12
   br label %36
 
 36:                                               ; preds = %31, %35
@@ -3879,7 +4082,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %43 = load ptr, ptr %42, align 8
   %44 = inttoptr i64 %38 to ptr
   %45 = load ptr, ptr %44, align 8
-  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #12
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #13
   %47 = load ptr, ptr %9, align 8
   %48 = load ptr, ptr %47, align 8
   %49 = getelementptr inbounds i8, ptr %48, i64 8
@@ -3900,7 +4103,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %60 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
   %61 = fadd <8 x double> %60, %59
   store <8 x double> %61, ptr %58, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #12
   ret i64 %56
 
 62:                                               ; preds = %52, %62
@@ -3920,7 +4123,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %75 = getelementptr inbounds i8, ptr %74, i64 8
   %76 = load i64, ptr %75, align 8
   %77 = icmp slt i64 %72, %76
-  br i1 %77, label %62, label %54, !llvm.loop !66
+  br i1 %77, label %62, label %54, !llvm.loop !67
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
@@ -3966,7 +4169,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   %31 = select i1 %29, i64 %25, i64 %23
   %32 = select i1 %29, i64 %22, i64 %30
   %33 = icmp slt i64 %32, %31
-  br i1 %33, label %21, label %34, !llvm.loop !41
+  br i1 %33, label %21, label %34, !llvm.loop !42
 
 34:                                               ; preds = %21, %7
   %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
@@ -4000,7 +4203,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   store double %52, ptr %13, align 8
   %53 = add nuw nsw i64 %8, 1
   %54 = icmp eq i64 %53, 8
-  br i1 %54, label %6, label %7, !llvm.loop !67
+  br i1 %54, label %6, label %7, !llvm.loop !68
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
@@ -4036,7 +4239,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !68
+  br i1 %25, label %15, label %14, !llvm.loop !69
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -4097,7 +4300,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !69
+  br i1 %76, label %65, label %77, !llvm.loop !70
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -4130,7 +4333,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !70
+  br i1 %105, label %22, label %26, !llvm.loop !71
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
@@ -4184,7 +4387,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !71
+  br i1 %48, label %13, label %20, !llvm.loop !72
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
@@ -4273,7 +4476,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !72
+  br i1 %60, label %29, label %33, !llvm.loop !73
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -4293,7 +4496,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !73
+  br i1 %76, label %57, label %61, !llvm.loop !74
 }
 
 declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg) #7
@@ -4351,7 +4554,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
   %49 = add nuw nsw i64 %30, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %25, !llvm.loop !74
+  br i1 %50, label %51, label %25, !llvm.loop !75
 
 51:                                               ; preds = %25, %19
   %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
@@ -4409,7 +4612,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %93, ptr %96, align 8
   %97 = add nuw nsw i64 %20, 32
   %98 = icmp sgt i64 %97, %10
-  br i1 %98, label %14, label %19, !llvm.loop !75
+  br i1 %98, label %14, label %19, !llvm.loop !76
 
 99:                                               ; preds = %17, %135
   %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
@@ -4440,7 +4643,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
   %122 = add nuw nsw i64 %112, 1
   %123 = icmp eq i64 %122, %6
-  br i1 %123, label %104, label %110, !llvm.loop !74
+  br i1 %123, label %104, label %110, !llvm.loop !75
 
 124:                                              ; preds = %104
   %125 = getelementptr inbounds double, ptr %5, i64 %106
@@ -4460,7 +4663,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %136, ptr %101, align 8
   %137 = add nuw nsw i64 %100, 8
   %138 = icmp slt i64 %137, %10
-  br i1 %138, label %99, label %139, !llvm.loop !76
+  br i1 %138, label %99, label %139, !llvm.loop !77
 
 139:                                              ; preds = %135, %14
   ret void
@@ -4520,7 +4723,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %52 = load ptr, ptr %51, align 8
   %53 = getelementptr inbounds i8, ptr %52, i64 16
   %54 = load i64, ptr %53, align 8
-  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #11
+  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #12
   %55 = fmul <8 x double> %35, zeroinitializer
   %56 = fadd <8 x double> %21, %55
   %57 = getelementptr inbounds i8, ptr %0, i64 168
@@ -4533,7 +4736,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %62, label %64, label %63
 
 63:                                               ; preds = %27
-  tail call fastcc void @settle(ptr noundef nonnull %30) #11
+  tail call fastcc void @settle(ptr noundef nonnull %30) #12
   br label %64
 
 64:                                               ; preds = %63, %27
@@ -4543,7 +4746,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %67, label %68, label %69
 
 68:                                               ; preds = %64
-  tail call fastcc void @sample(ptr noundef nonnull %30) #11
+  tail call fastcc void @sample(ptr noundef nonnull %30) #12
   br label %69
 
 69:                                               ; preds = %64, %68
@@ -4560,7 +4763,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %80 = load ptr, ptr %79, align 8
   %81 = inttoptr i64 %71 to ptr
   %82 = load ptr, ptr %81, align 8
-  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #12
+  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #13
   %84 = zext i32 %83 to i64
   %85 = and i64 %84, %24
   %86 = icmp sgt i64 %9, 0
@@ -4583,7 +4786,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %98, ptr %96, align 8
   %99 = add nuw nsw i64 %90, 1
   %100 = icmp eq i64 %99, %9
-  br i1 %100, label %101, label %89, !llvm.loop !77
+  br i1 %100, label %101, label %89, !llvm.loop !78
 
 101:                                              ; preds = %89, %69, %4
   %102 = phi i64 [ 0, %4 ], [ %85, %69 ], [ %85, %89 ]
@@ -4651,7 +4854,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %157 = load ptr, ptr %156, align 8
   %158 = getelementptr inbounds i8, ptr %157, i64 16
   %159 = load i64, ptr %158, align 8
-  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #11
+  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #12
   %160 = fmul <8 x double> %141, %139
   %161 = fadd <8 x double> %135, %160
   %162 = load ptr, ptr %108, align 8
@@ -4663,7 +4866,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %166, label %168, label %167
 
 167:                                              ; preds = %126
-  tail call fastcc void @settle(ptr noundef nonnull %105) #11
+  tail call fastcc void @settle(ptr noundef nonnull %105) #12
   br label %168
 
 168:                                              ; preds = %167, %126
@@ -4672,7 +4875,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %170, label %171, label %172
 
 171:                                              ; preds = %168
-  tail call fastcc void @sample(ptr noundef nonnull %105) #11
+  tail call fastcc void @sample(ptr noundef nonnull %105) #12
   br label %172
 
 172:                                              ; preds = %168, %171
@@ -4686,12 +4889,12 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %180 = load ptr, ptr %112, align 8
   %181 = inttoptr i64 %174 to ptr
   %182 = load ptr, ptr %181, align 8
-  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #12
+  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #13
   %184 = zext i32 %183 to i64
   %185 = or i64 %128, %184
   %186 = add nuw nsw i64 %127, 1
   %187 = icmp eq i64 %186, 5
-  br i1 %187, label %113, label %126, !llvm.loop !78
+  br i1 %187, label %113, label %126, !llvm.loop !79
 
 188:                                              ; preds = %316, %113
   %189 = phi <8 x i64> [ %118, %113 ], [ %318, %316 ]
@@ -4764,7 +4967,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %235 = phi <8 x i64> [ %233, %231 ], [ %212, %229 ]
   %236 = add nuw nsw i64 %209, 1
   %237 = icmp eq i64 %236, 5
-  br i1 %237, label %203, label %208, !llvm.loop !79
+  br i1 %237, label %203, label %208, !llvm.loop !80
 
 238:                                              ; preds = %203
   %239 = fmul <8 x double> %225, %230
@@ -4852,14 +5055,14 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 313:                                              ; preds = %282, %256
   %314 = phi <8 x i64> [ %312, %282 ], [ %258, %256 ]
   %315 = icmp eq i64 %263, 4
-  br i1 %315, label %316, label %256, !llvm.loop !80
+  br i1 %315, label %316, label %256, !llvm.loop !81
 
 316:                                              ; preds = %313
   %317 = xor <8 x i64> %314, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
   %318 = and <8 x i64> %251, %317
   %319 = add nuw nsw i64 %198, 1
   %320 = icmp eq i64 %319, %9
-  br i1 %320, label %188, label %195, !llvm.loop !81
+  br i1 %320, label %188, label %195, !llvm.loop !82
 
 321:                                              ; preds = %330, %188
   %322 = load ptr, ptr %16, align 8
@@ -4887,7 +5090,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %340, ptr %338, align 8
   %341 = add nuw nsw i64 %331, 1
   %342 = icmp eq i64 %341, %9
-  br i1 %342, label %321, label %330, !llvm.loop !82
+  br i1 %342, label %321, label %330, !llvm.loop !83
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
@@ -4961,7 +5164,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %60, ptr %61, align 8
   %62 = add nuw nsw i64 %49, 1
   %63 = icmp eq i64 %62, %32
-  br i1 %63, label %64, label %48, !llvm.loop !63
+  br i1 %63, label %64, label %48, !llvm.loop !64
 
 64:                                               ; preds = %48, %24
   %65 = getelementptr inbounds i8, ptr %9, i64 624
@@ -4987,7 +5190,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %83 = load ptr, ptr %82, align 8
   %84 = getelementptr inbounds double, ptr %83, i64 %1
   %85 = load double, ptr %84, align 8
-  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #12
+  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #13
   %87 = load ptr, ptr %75, align 8
   store double 0x7FF0000000000000, ptr %87, align 8
   %88 = load ptr, ptr %65, align 8
@@ -5038,7 +5241,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %123, ptr %125, align 8
   %126 = add nuw nsw i64 %113, 1
   %127 = icmp eq i64 %126, %97
-  br i1 %127, label %128, label %112, !llvm.loop !63
+  br i1 %127, label %128, label %112, !llvm.loop !64
 
 128:                                              ; preds = %112, %64
   ret i64 %86
@@ -5068,7 +5271,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 147:                                              ; preds = %150, %129
   %148 = add nuw nsw i64 %130, 1
   %149 = icmp eq i64 %148, %15
-  br i1 %149, label %24, label %129, !llvm.loop !83
+  br i1 %149, label %24, label %129, !llvm.loop !84
 
 150:                                              ; preds = %129, %150
   %151 = phi i64 [ %164, %150 ], [ 0, %129 ]
@@ -5090,7 +5293,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %166 = getelementptr inbounds i8, ptr %165, i64 24
   %167 = load i64, ptr %166, align 8
   %168 = icmp slt i64 %164, %167
-  br i1 %168, label %150, label %147, !llvm.loop !84
+  br i1 %168, label %150, label %147, !llvm.loop !85
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -5127,7 +5330,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !85
+  br i1 %31, label %20, label %19, !llvm.loop !86
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -5141,10 +5344,113 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !86
+  br i1 %43, label %32, label %24, !llvm.loop !87
 }
 
-declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #9
+define internal fastcc double @knot_after(ptr noundef readonly %0, double noundef %1) unnamed_addr #9 {
+  %3 = tail call double @llvm.fabs.f64(double %1)
+  %4 = fmul double %3, 0x3D10000000000000
+  %5 = fadd double %4, %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 152
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp sgt i64 %7, 0
+  br i1 %8, label %9, label %16
+
+9:                                                ; preds = %2
+  %10 = getelementptr inbounds i8, ptr %0, i64 144
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %0, i64 160
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 192
+  %15 = load ptr, ptr %14, align 8
+  br label %18
+
+16:                                               ; preds = %68, %2
+  %17 = phi double [ 0x7FF0000000000000, %2 ], [ %69, %68 ]
+  ret double %17
+
+18:                                               ; preds = %9, %68
+  %19 = phi double [ 0x7FF0000000000000, %9 ], [ %69, %68 ]
+  %20 = phi i64 [ 0, %9 ], [ %70, %68 ]
+  %21 = mul nsw i64 %13, %20
+  %22 = getelementptr inbounds i64, ptr %11, i64 %21
+  %23 = getelementptr inbounds i8, ptr %22, i64 8
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %15, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %5
+  br i1 %27, label %58, label %28
+
+28:                                               ; preds = %18
+  %29 = getelementptr inbounds i8, ptr %22, i64 16
+  %30 = load i64, ptr %29, align 8
+  %31 = fcmp ugt double %26, %5
+  br i1 %31, label %40, label %32
+
+32:                                               ; preds = %28
+  %33 = icmp eq i64 %30, 1
+  br i1 %33, label %55, label %34
+
+34:                                               ; preds = %32
+  %35 = getelementptr i8, ptr %25, i64 8
+  %36 = load double, ptr %35, align 8
+  %37 = fcmp ule double %36, %5
+  %38 = icmp sgt i64 %30, 1
+  %39 = select i1 %37, i1 %38, i1 false
+  br i1 %39, label %42, label %55
+
+40:                                               ; preds = %28
+  %41 = icmp sgt i64 %30, 1
+  br i1 %41, label %42, label %55
+
+42:                                               ; preds = %40, %34
+  br label %43
+
+43:                                               ; preds = %42, %43
+  %44 = phi i64 [ %52, %43 ], [ %30, %42 ]
+  %45 = phi i64 [ %51, %43 ], [ 0, %42 ]
+  %46 = add nsw i64 %44, %45
+  %47 = sdiv i64 %46, 2
+  %48 = getelementptr inbounds double, ptr %25, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fcmp ugt double %49, %5
+  %51 = select i1 %50, i64 %45, i64 %47
+  %52 = select i1 %50, i64 %47, i64 %44
+  %53 = sub nsw i64 %52, %51
+  %54 = icmp sgt i64 %53, 1
+  br i1 %54, label %43, label %55, !llvm.loop !70
+
+55:                                               ; preds = %43, %40, %32, %34
+  %56 = phi i64 [ 0, %34 ], [ 0, %32 ], [ 0, %40 ], [ %51, %43 ]
+  %57 = add nsw i64 %56, 1
+  br label %58
+
+58:                                               ; preds = %18, %55
+  %59 = phi i64 [ %57, %55 ], [ 0, %18 ]
+  %60 = getelementptr inbounds i8, ptr %22, i64 16
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp slt i64 %59, %61
+  br i1 %62, label %63, label %68
+
+63:                                               ; preds = %58
+  %64 = getelementptr inbounds double, ptr %25, i64 %59
+  %65 = load double, ptr %64, align 8
+  %66 = fcmp olt double %65, %19
+  br i1 %66, label %67, label %68
+
+67:                                               ; preds = %63
+  br label %68
+
+68:                                               ; preds = %67, %63, %58
+  %69 = phi double [ %65, %67 ], [ %19, %63 ], [ %19, %58 ]
+  %70 = add nuw nsw i64 %20, 1
+  %71 = icmp eq i64 %70, %7
+  br i1 %71, label %16, label %18, !llvm.loop !88
+}
+
+declare double @llvm.fabs.f64(double) #5
+
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #10
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -5155,10 +5461,11 @@ attributes #5 = { nounwind willreturn memory(none) }
 attributes #6 = { noinline nounwind }
 attributes #7 = { nounwind willreturn }
 attributes #8 = { noinline nounwind }
-attributes #9 = { nounwind willreturn memory(none) }
-attributes #10 = { nounwind }
+attributes #9 = { noinline nounwind }
+attributes #10 = { nounwind willreturn memory(none) }
 attributes #11 = { nounwind }
 attributes #12 = { nounwind }
+attributes #13 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -5183,20 +5490,20 @@ attributes #12 = { nounwind }
 !19 = distinct !{!19, !4, !5}
 !20 = distinct !{!20, !4, !5}
 !21 = distinct !{!21, !4, !5}
-!22 = distinct !{!22, !4, !5}
-!23 = distinct !{!23, !4, !5}
+!22 = distinct !{!22, !4, !5, !23}
+!23 = !{!"llvm.loop.vectorize.width", i32 1}
 !24 = distinct !{!24, !4, !5}
 !25 = distinct !{!25, !4, !5}
-!26 = distinct !{!26, !4, !5, !27}
-!27 = !{!"llvm.loop.vectorize.width", i32 1}
-!28 = distinct !{!28, !4, !5, !27}
-!29 = distinct !{!29, !4, !5}
+!26 = distinct !{!26, !4, !5}
+!27 = distinct !{!27, !4, !5}
+!28 = distinct !{!28, !4, !5, !23}
+!29 = distinct !{!29, !4, !5, !23}
 !30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
-!34 = distinct !{!34, !4, !5, !27}
-!35 = distinct !{!35, !4, !5}
+!34 = distinct !{!34, !4, !5}
+!35 = distinct !{!35, !4, !5, !23}
 !36 = distinct !{!36, !4, !5}
 !37 = distinct !{!37, !4, !5}
 !38 = distinct !{!38, !4, !5}
@@ -5205,9 +5512,9 @@ attributes #12 = { nounwind }
 !41 = distinct !{!41, !4, !5}
 !42 = distinct !{!42, !4, !5}
 !43 = distinct !{!43, !4, !5}
-!44 = distinct !{!44, !4, !5, !27}
-!45 = distinct !{!45, !4, !5, !27}
-!46 = distinct !{!46, !4, !5}
+!44 = distinct !{!44, !4, !5}
+!45 = distinct !{!45, !4, !5, !23}
+!46 = distinct !{!46, !4, !5, !23}
 !47 = distinct !{!47, !4, !5}
 !48 = distinct !{!48, !4, !5}
 !49 = distinct !{!49, !4, !5}
@@ -5215,17 +5522,17 @@ attributes #12 = { nounwind }
 !51 = distinct !{!51, !4, !5}
 !52 = distinct !{!52, !4, !5}
 !53 = distinct !{!53, !4, !5}
-!54 = distinct !{!54, !4, !5, !27}
-!55 = distinct !{!55, !5}
-!56 = distinct !{!56, !4, !5}
+!54 = distinct !{!54, !4, !5}
+!55 = distinct !{!55, !4, !5, !23}
+!56 = distinct !{!56, !5}
 !57 = distinct !{!57, !4, !5}
 !58 = distinct !{!58, !4, !5}
-!59 = distinct !{!59, !4, !5, !27}
-!60 = distinct !{!60, !4, !5}
+!59 = distinct !{!59, !4, !5}
+!60 = distinct !{!60, !4, !5, !23}
 !61 = distinct !{!61, !4, !5}
 !62 = distinct !{!62, !4, !5}
-!63 = distinct !{!63, !4, !5, !27}
-!64 = distinct !{!64, !4, !5}
+!63 = distinct !{!63, !4, !5}
+!64 = distinct !{!64, !4, !5, !23}
 !65 = distinct !{!65, !4, !5}
 !66 = distinct !{!66, !4, !5}
 !67 = distinct !{!67, !4, !5}
@@ -5234,8 +5541,8 @@ attributes #12 = { nounwind }
 !70 = distinct !{!70, !4, !5}
 !71 = distinct !{!71, !4, !5}
 !72 = distinct !{!72, !4, !5}
-!73 = distinct !{!73, !4, !5, !27}
-!74 = distinct !{!74, !4, !5}
+!73 = distinct !{!73, !4, !5}
+!74 = distinct !{!74, !4, !5, !23}
 !75 = distinct !{!75, !4, !5}
 !76 = distinct !{!76, !4, !5}
 !77 = distinct !{!77, !4, !5}
@@ -5244,7 +5551,9 @@ attributes #12 = { nounwind }
 !80 = distinct !{!80, !4, !5}
 !81 = distinct !{!81, !4, !5}
 !82 = distinct !{!82, !4, !5}
-!83 = distinct !{!83, !4, !5, !27}
-!84 = distinct !{!84, !4, !5}
+!83 = distinct !{!83, !4, !5}
+!84 = distinct !{!84, !4, !5, !23}
 !85 = distinct !{!85, !4, !5}
 !86 = distinct !{!86, !4, !5}
+!87 = distinct !{!87, !4, !5}
+!88 = distinct !{!88, !4, !5}

@@ -1,4 +1,4 @@
-; sources 7e045d56d242161b5aaa239a6996b4e1ce82b574c695223241f21f9cdfb2fbca
+; sources eca84e0c24259c19e7894775b39b36680e230f5ec9cd3b6b104854aba1f15ff9
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -10,2523 +10,2633 @@
 @scan_points = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
 
 define noundef i64 @step_lanes_implicit(ptr noundef %0) #0 {
-  %2 = alloca [3 x double], align 16
+  %2 = alloca [8 x double], align 16
   %3 = alloca [3 x double], align 16
-  %4 = alloca [64 x double], align 16
+  %4 = alloca [3 x double], align 16
   %5 = alloca [64 x double], align 16
   %6 = alloca [64 x double], align 16
   %7 = alloca [64 x double], align 16
-  %8 = alloca [8 x double], align 16
+  %8 = alloca [64 x double], align 16
   %9 = alloca [8 x double], align 16
-  %10 = alloca [3 x <8 x double>], align 64
-  %11 = alloca %struct.Stepper, align 8
-  %12 = alloca [8 x double], align 16
+  %10 = alloca [8 x double], align 16
+  %11 = alloca [3 x <8 x double>], align 64
+  %12 = alloca %struct.Stepper, align 8
   %13 = alloca [8 x double], align 16
   %14 = alloca [8 x double], align 16
-  %15 = alloca i64, align 8
-  %16 = alloca [8 x i64], align 16
-  %17 = alloca i64, align 8
-  store ptr %0, ptr %11, align 8
-  %18 = getelementptr inbounds i8, ptr %11, i64 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %19, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %11, i64 16
-  %21 = getelementptr inbounds i8, ptr %0, i64 432
-  store ptr %21, ptr %20, align 8
-  %22 = getelementptr inbounds i8, ptr %0, i64 984
-  %23 = load ptr, ptr %19, align 8
-  %24 = getelementptr inbounds i8, ptr %23, i64 8
-  %25 = load i64, ptr %24, align 8
-  %26 = getelementptr inbounds i8, ptr %0, i64 1032
-  %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds i8, ptr %0, i64 1040
-  %29 = load i64, ptr %28, align 8
-  %30 = getelementptr double, ptr %27, i64 %29
-  %31 = getelementptr i8, ptr %30, i64 -16
-  %32 = load double, ptr %31, align 8
-  %33 = getelementptr inbounds i8, ptr %0, i64 1008
-  %34 = load ptr, ptr %33, align 8
-  %35 = load double, ptr %34, align 8
-  %36 = load ptr, ptr %22, align 8
-  %37 = getelementptr inbounds i8, ptr %36, i64 16
-  %38 = load i64, ptr %37, align 8
-  %39 = getelementptr inbounds i8, ptr %0, i64 1680
-  %40 = load ptr, ptr %39, align 8
-  %41 = load i64, ptr %40, align 8
-  %42 = getelementptr inbounds i8, ptr %0, i64 1272
-  %43 = load ptr, ptr %42, align 8
-  %44 = getelementptr inbounds i8, ptr %43, i64 8
-  %45 = load i64, ptr %44, align 8
-  store i64 0, ptr %15, align 8
-  %46 = getelementptr inbounds i8, ptr %0, i64 936
-  %47 = load ptr, ptr %46, align 8
-  br label %149
+  %15 = alloca [8 x double], align 16
+  %16 = alloca i64, align 8
+  %17 = alloca [8 x i64], align 16
+  %18 = alloca i64, align 8
+  store ptr %0, ptr %12, align 8
+  %19 = getelementptr inbounds i8, ptr %12, i64 8
+  %20 = getelementptr inbounds i8, ptr %0, i64 144
+  store ptr %20, ptr %19, align 8
+  %21 = getelementptr inbounds i8, ptr %12, i64 16
+  %22 = getelementptr inbounds i8, ptr %0, i64 432
+  store ptr %22, ptr %21, align 8
+  %23 = getelementptr inbounds i8, ptr %0, i64 984
+  %24 = load ptr, ptr %20, align 8
+  %25 = getelementptr inbounds i8, ptr %24, i64 8
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr inbounds i8, ptr %0, i64 1032
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr inbounds i8, ptr %0, i64 1040
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr double, ptr %28, i64 %30
+  %32 = getelementptr i8, ptr %31, i64 -16
+  %33 = load double, ptr %32, align 8
+  %34 = getelementptr inbounds i8, ptr %0, i64 1008
+  %35 = load ptr, ptr %34, align 8
+  %36 = load double, ptr %35, align 8
+  %37 = load ptr, ptr %23, align 8
+  %38 = getelementptr inbounds i8, ptr %37, i64 16
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr inbounds i8, ptr %0, i64 1680
+  %41 = load ptr, ptr %40, align 8
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %0, i64 1272
+  %44 = load ptr, ptr %43, align 8
+  %45 = getelementptr inbounds i8, ptr %44, i64 8
+  %46 = load i64, ptr %45, align 8
+  store i64 0, ptr %16, align 8
+  %47 = getelementptr inbounds i8, ptr %0, i64 936
+  %48 = load ptr, ptr %47, align 8
+  br label %153
 
-48:                                               ; preds = %149
-  %49 = getelementptr inbounds i8, ptr %0, i64 696
-  %50 = sitofp i64 %38 to double
-  %51 = icmp eq i64 %41, 1
-  %52 = icmp sgt i64 %45, 0
-  store i64 %157, ptr %15, align 8
-  %53 = getelementptr inbounds i8, ptr %0, i64 936
-  %54 = getelementptr inbounds i8, ptr %0, i64 1592
-  %55 = getelementptr inbounds i8, ptr %0, i64 1224
-  %56 = insertelement <8 x double> poison, double %32, i64 0
-  %57 = shufflevector <8 x double> %56, <8 x double> poison, <8 x i32> zeroinitializer
-  %58 = getelementptr inbounds i8, ptr %0, i64 720
-  %59 = insertelement <8 x double> poison, double %35, i64 0
-  %60 = shufflevector <8 x double> %59, <8 x double> poison, <8 x i32> zeroinitializer
-  %61 = getelementptr inbounds i8, ptr %0, i64 840
-  %62 = getelementptr inbounds i8, ptr %0, i64 864
-  %63 = insertelement <8 x double> poison, double %50, i64 0
-  %64 = shufflevector <8 x double> %63, <8 x double> poison, <8 x i32> zeroinitializer
-  %65 = getelementptr inbounds i8, ptr %0, i64 1752
-  %66 = getelementptr inbounds i8, ptr %0, i64 648
-  %67 = getelementptr inbounds i8, ptr %0, i64 1824
-  %68 = getelementptr inbounds i8, ptr %0, i64 1848
-  %69 = getelementptr inbounds i8, ptr %0, i64 168
-  %70 = getelementptr inbounds i8, ptr %0, i64 296
-  %71 = getelementptr inbounds i8, ptr %0, i64 192
-  %72 = getelementptr inbounds i8, ptr %0, i64 1800
-  %73 = getelementptr inbounds i8, ptr %0, i64 1832
-  %74 = getelementptr inbounds i8, ptr %0, i64 1776
-  %75 = getelementptr inbounds i8, ptr %0, i64 1928
-  %76 = getelementptr inbounds i8, ptr %0, i64 1872
-  %77 = getelementptr inbounds i8, ptr %0, i64 1896
-  %78 = getelementptr inbounds i8, ptr %0, i64 1824
-  %79 = getelementptr inbounds i8, ptr %0, i64 1920
-  %80 = getelementptr inbounds i8, ptr %0, i64 1944
-  %81 = getelementptr inbounds i8, ptr %0, i64 2040
-  %82 = getelementptr inbounds i8, ptr %0, i64 1968
-  %83 = getelementptr inbounds i8, ptr %0, i64 1992
-  %84 = getelementptr inbounds i8, ptr %0, i64 480
-  %85 = getelementptr inbounds i8, ptr %0, i64 2016
-  %86 = getelementptr inbounds i8, ptr %0, i64 480
-  %87 = getelementptr inbounds i8, ptr %0, i64 168
-  %88 = getelementptr inbounds i8, ptr %0, i64 296
-  %89 = getelementptr inbounds i8, ptr %0, i64 192
-  %90 = getelementptr inbounds i8, ptr %0, i64 240
-  %91 = getelementptr inbounds i8, ptr %0, i64 2016
-  %92 = getelementptr inbounds i8, ptr %0, i64 2064
-  %93 = getelementptr inbounds i8, ptr %0, i64 2088
-  %94 = getelementptr inbounds i8, ptr %0, i64 672
-  %95 = getelementptr inbounds i8, ptr %0, i64 1920
-  %96 = getelementptr inbounds i8, ptr %0, i64 1928
-  %97 = getelementptr inbounds i8, ptr %0, i64 2064
-  %98 = getelementptr inbounds i8, ptr %0, i64 2088
-  %99 = getelementptr inbounds i8, ptr %0, i64 1872
-  %100 = getelementptr inbounds i8, ptr %0, i64 1896
-  %101 = getelementptr inbounds i8, ptr %0, i64 1944
-  %102 = getelementptr inbounds i8, ptr %0, i64 672
-  %103 = getelementptr inbounds i8, ptr %10, i64 64
-  %104 = getelementptr inbounds i8, ptr %10, i64 128
-  %105 = getelementptr inbounds i8, ptr %0, i64 1832
-  %106 = getelementptr inbounds i8, ptr %0, i64 1824
-  %107 = getelementptr inbounds i8, ptr %0, i64 456
-  %108 = getelementptr inbounds i8, ptr %0, i64 2112
-  %109 = getelementptr inbounds i8, ptr %0, i64 2064
-  %110 = getelementptr inbounds i8, ptr %0, i64 600
-  %111 = getelementptr inbounds i8, ptr %0, i64 1920
-  %112 = getelementptr inbounds i8, ptr %0, i64 1928
-  %113 = getelementptr inbounds i8, ptr %0, i64 1872
-  %114 = getelementptr inbounds i8, ptr %0, i64 456
-  %115 = getelementptr inbounds i8, ptr %0, i64 672
-  %116 = getelementptr inbounds i8, ptr %0, i64 480
+49:                                               ; preds = %153
+  %50 = getelementptr inbounds i8, ptr %0, i64 696
+  %51 = sitofp i64 %39 to double
+  %52 = icmp eq i64 %42, 1
+  %53 = icmp sgt i64 %46, 0
+  store i64 %161, ptr %16, align 8
+  %54 = getelementptr inbounds i8, ptr %0, i64 936
+  %55 = getelementptr inbounds i8, ptr %0, i64 1592
+  %56 = getelementptr inbounds i8, ptr %0, i64 1224
+  %57 = insertelement <8 x double> poison, double %33, i64 0
+  %58 = shufflevector <8 x double> %57, <8 x double> poison, <8 x i32> zeroinitializer
+  %59 = getelementptr inbounds i8, ptr %0, i64 720
+  %60 = insertelement <8 x double> poison, double %36, i64 0
+  %61 = shufflevector <8 x double> %60, <8 x double> poison, <8 x i32> zeroinitializer
+  %62 = getelementptr inbounds i8, ptr %0, i64 840
+  %63 = getelementptr inbounds i8, ptr %0, i64 864
+  %64 = insertelement <8 x double> poison, double %51, i64 0
+  %65 = shufflevector <8 x double> %64, <8 x double> poison, <8 x i32> zeroinitializer
+  %66 = getelementptr inbounds i8, ptr %0, i64 1752
+  %67 = getelementptr inbounds i8, ptr %0, i64 648
+  %68 = getelementptr inbounds i8, ptr %0, i64 1824
+  %69 = getelementptr inbounds i8, ptr %0, i64 1848
+  %70 = getelementptr inbounds i8, ptr %0, i64 168
+  %71 = getelementptr inbounds i8, ptr %0, i64 296
+  %72 = getelementptr inbounds i8, ptr %0, i64 192
+  %73 = getelementptr inbounds i8, ptr %0, i64 1800
+  %74 = getelementptr inbounds i8, ptr %0, i64 1832
+  %75 = getelementptr inbounds i8, ptr %0, i64 1776
+  %76 = getelementptr inbounds i8, ptr %0, i64 1928
+  %77 = getelementptr inbounds i8, ptr %0, i64 1872
+  %78 = getelementptr inbounds i8, ptr %0, i64 1896
+  %79 = getelementptr inbounds i8, ptr %0, i64 1824
+  %80 = getelementptr inbounds i8, ptr %0, i64 1920
+  %81 = getelementptr inbounds i8, ptr %0, i64 1944
+  %82 = getelementptr inbounds i8, ptr %0, i64 2040
+  %83 = getelementptr inbounds i8, ptr %0, i64 1968
+  %84 = getelementptr inbounds i8, ptr %0, i64 1992
+  %85 = getelementptr inbounds i8, ptr %0, i64 480
+  %86 = getelementptr inbounds i8, ptr %0, i64 2016
+  %87 = getelementptr inbounds i8, ptr %0, i64 480
+  %88 = getelementptr inbounds i8, ptr %0, i64 168
+  %89 = getelementptr inbounds i8, ptr %0, i64 296
+  %90 = getelementptr inbounds i8, ptr %0, i64 192
+  %91 = getelementptr inbounds i8, ptr %0, i64 240
+  %92 = getelementptr inbounds i8, ptr %0, i64 2016
+  %93 = getelementptr inbounds i8, ptr %0, i64 2064
+  %94 = getelementptr inbounds i8, ptr %0, i64 2088
+  %95 = getelementptr inbounds i8, ptr %0, i64 672
+  %96 = getelementptr inbounds i8, ptr %0, i64 1920
+  %97 = getelementptr inbounds i8, ptr %0, i64 1928
+  %98 = getelementptr inbounds i8, ptr %0, i64 2064
+  %99 = getelementptr inbounds i8, ptr %0, i64 2088
+  %100 = getelementptr inbounds i8, ptr %0, i64 1872
+  %101 = getelementptr inbounds i8, ptr %0, i64 1896
+  %102 = getelementptr inbounds i8, ptr %0, i64 1944
+  %103 = getelementptr inbounds i8, ptr %0, i64 672
+  %104 = getelementptr inbounds i8, ptr %11, i64 64
+  %105 = getelementptr inbounds i8, ptr %11, i64 128
+  %106 = getelementptr inbounds i8, ptr %0, i64 1832
+  %107 = getelementptr inbounds i8, ptr %0, i64 1824
+  %108 = getelementptr inbounds i8, ptr %0, i64 456
+  %109 = getelementptr inbounds i8, ptr %0, i64 2112
+  %110 = getelementptr inbounds i8, ptr %0, i64 2064
+  %111 = getelementptr inbounds i8, ptr %0, i64 600
+  %112 = getelementptr inbounds i8, ptr %0, i64 1920
+  %113 = getelementptr inbounds i8, ptr %0, i64 1928
+  %114 = getelementptr inbounds i8, ptr %0, i64 1872
+  %115 = getelementptr inbounds i8, ptr %0, i64 456
+  %116 = getelementptr inbounds i8, ptr %0, i64 672
   %117 = getelementptr inbounds i8, ptr %0, i64 480
-  %118 = getelementptr inbounds i8, ptr %0, i64 2016
-  %119 = getelementptr inbounds i8, ptr %0, i64 168
-  %120 = getelementptr inbounds i8, ptr %0, i64 296
-  %121 = getelementptr inbounds i8, ptr %0, i64 192
-  %122 = getelementptr inbounds i8, ptr %0, i64 240
-  %123 = getelementptr inbounds i8, ptr %0, i64 672
-  %124 = getelementptr inbounds i8, ptr %0, i64 888
-  %125 = getelementptr inbounds i8, ptr %0, i64 456
-  %126 = getelementptr inbounds i8, ptr %0, i64 440
-  %127 = getelementptr inbounds i8, ptr %0, i64 1968
-  %128 = getelementptr inbounds i8, ptr %0, i64 624
-  %129 = getelementptr inbounds i8, ptr %0, i64 2040
-  %130 = getelementptr inbounds i8, ptr %0, i64 1776
-  %131 = getelementptr inbounds i8, ptr %2, i64 8
-  %132 = getelementptr inbounds i8, ptr %2, i64 16
-  %133 = getelementptr inbounds i8, ptr %3, i64 8
-  %134 = getelementptr inbounds i8, ptr %3, i64 16
-  %135 = getelementptr inbounds i8, ptr %0, i64 456
-  %136 = getelementptr inbounds i8, ptr %0, i64 816
-  %137 = getelementptr inbounds i8, ptr %0, i64 456
-  %138 = getelementptr inbounds i8, ptr %0, i64 912
-  %139 = icmp sgt i64 %25, 0
-  %140 = getelementptr inbounds i8, ptr %0, i64 456
-  br label %141
+  %118 = getelementptr inbounds i8, ptr %0, i64 480
+  %119 = getelementptr inbounds i8, ptr %0, i64 2016
+  %120 = getelementptr inbounds i8, ptr %0, i64 168
+  %121 = getelementptr inbounds i8, ptr %0, i64 296
+  %122 = getelementptr inbounds i8, ptr %0, i64 192
+  %123 = getelementptr inbounds i8, ptr %0, i64 240
+  %124 = getelementptr inbounds i8, ptr %0, i64 672
+  %125 = getelementptr inbounds i8, ptr %0, i64 888
+  %126 = getelementptr inbounds i8, ptr %0, i64 456
+  %127 = getelementptr inbounds i8, ptr %0, i64 440
+  %128 = getelementptr inbounds i8, ptr %0, i64 1968
+  %129 = getelementptr inbounds i8, ptr %0, i64 624
+  %130 = getelementptr inbounds i8, ptr %0, i64 2040
+  %131 = getelementptr inbounds i8, ptr %0, i64 1776
+  %132 = getelementptr inbounds i8, ptr %3, i64 8
+  %133 = getelementptr inbounds i8, ptr %3, i64 16
+  %134 = getelementptr inbounds i8, ptr %4, i64 8
+  %135 = getelementptr inbounds i8, ptr %4, i64 16
+  %136 = getelementptr inbounds i8, ptr %0, i64 456
+  %137 = getelementptr inbounds i8, ptr %0, i64 816
+  %138 = getelementptr inbounds i8, ptr %0, i64 456
+  %139 = getelementptr inbounds i8, ptr %0, i64 296
+  %140 = getelementptr inbounds i8, ptr %0, i64 296
+  %141 = getelementptr inbounds i8, ptr %0, i64 296
+  %142 = getelementptr inbounds i8, ptr %0, i64 912
+  %143 = icmp sgt i64 %26, 0
+  %144 = getelementptr inbounds i8, ptr %0, i64 456
+  br label %145
 
-141:                                              ; preds = %2046, %48
-  %142 = phi i64 [ %1706, %2046 ], [ undef, %48 ]
-  %143 = phi i64 [ %1707, %2046 ], [ undef, %48 ]
-  %144 = phi <8 x double> [ %1708, %2046 ], [ undef, %48 ]
-  %145 = phi <8 x double> [ %1709, %2046 ], [ undef, %48 ]
-  %146 = phi <8 x double> [ %1710, %2046 ], [ undef, %48 ]
-  %147 = phi i32 [ %2047, %2046 ], [ 1, %48 ]
-  %148 = phi i64 [ %2022, %2046 ], [ 0, %48 ]
-  br label %160
+145:                                              ; preds = %2126, %49
+  %146 = phi i64 [ %1712, %2126 ], [ undef, %49 ]
+  %147 = phi i64 [ %1713, %2126 ], [ undef, %49 ]
+  %148 = phi <8 x double> [ %1714, %2126 ], [ undef, %49 ]
+  %149 = phi <8 x double> [ %1715, %2126 ], [ undef, %49 ]
+  %150 = phi <8 x double> [ %1716, %2126 ], [ undef, %49 ]
+  %151 = phi i32 [ %2127, %2126 ], [ 1, %49 ]
+  %152 = phi i64 [ %2102, %2126 ], [ 0, %49 ]
+  br label %164
 
-149:                                              ; preds = %1, %149
-  %150 = phi i64 [ 0, %1 ], [ %158, %149 ]
-  %151 = phi i64 [ 0, %1 ], [ %157, %149 ]
-  %152 = getelementptr inbounds i64, ptr %47, i64 %150
-  %153 = load i64, ptr %152, align 8
-  %154 = icmp sgt i64 %153, -1
-  %155 = zext i1 %154 to i64
-  %156 = shl nuw nsw i64 %155, %150
-  %157 = or i64 %156, %151
-  %158 = add nuw nsw i64 %150, 1
-  %159 = icmp eq i64 %158, 8
-  br i1 %159, label %48, label %149, !llvm.loop !3
+153:                                              ; preds = %1, %153
+  %154 = phi i64 [ 0, %1 ], [ %162, %153 ]
+  %155 = phi i64 [ 0, %1 ], [ %161, %153 ]
+  %156 = getelementptr inbounds i64, ptr %48, i64 %154
+  %157 = load i64, ptr %156, align 8
+  %158 = icmp sgt i64 %157, -1
+  %159 = zext i1 %158 to i64
+  %160 = shl nuw nsw i64 %159, %154
+  %161 = or i64 %160, %155
+  %162 = add nuw nsw i64 %154, 1
+  %163 = icmp eq i64 %162, 8
+  br i1 %163, label %49, label %153, !llvm.loop !3
 
-160:                                              ; preds = %141, %264
-  %161 = phi i32 [ 1, %264 ], [ %147, %141 ]
-  %162 = phi i64 [ %200, %264 ], [ %148, %141 ]
-  br label %163
+164:                                              ; preds = %145, %268
+  %165 = phi i32 [ 1, %268 ], [ %151, %145 ]
+  %166 = phi i64 [ %204, %268 ], [ %152, %145 ]
+  br label %167
 
-163:                                              ; preds = %194, %160
-  %164 = phi i32 [ %161, %160 ], [ %196, %194 ]
-  %165 = phi i64 [ %162, %160 ], [ %197, %194 ]
-  %166 = icmp ne i32 %164, 0
-  %167 = icmp ne i64 %165, 0
-  %168 = select i1 %166, i1 true, i1 %167
-  br i1 %168, label %169, label %198
+167:                                              ; preds = %198, %164
+  %168 = phi i32 [ %165, %164 ], [ %200, %198 ]
+  %169 = phi i64 [ %166, %164 ], [ %201, %198 ]
+  %170 = icmp ne i32 %168, 0
+  %171 = icmp ne i64 %169, 0
+  %172 = select i1 %170, i1 true, i1 %171
+  br i1 %172, label %173, label %202
 
-169:                                              ; preds = %163
-  br i1 %166, label %170, label %172
+173:                                              ; preds = %167
+  br i1 %170, label %174, label %176
 
-170:                                              ; preds = %169
-  %171 = call fastcc i64 @fill(ptr noundef %0, ptr noundef nonnull %15) #11
-  br label %172
+174:                                              ; preds = %173
+  %175 = call fastcc i64 @fill(ptr noundef %0, ptr noundef nonnull %16) #12
+  br label %176
 
-172:                                              ; preds = %169, %170
-  %173 = phi i64 [ %171, %170 ], [ 0, %169 ]
-  %174 = load i64, ptr %15, align 8
-  %175 = icmp eq i64 %174, 0
-  br i1 %175, label %194, label %176
+176:                                              ; preds = %173, %174
+  %177 = phi i64 [ %175, %174 ], [ 0, %173 ]
+  %178 = load i64, ptr %16, align 8
+  %179 = icmp eq i64 %178, 0
+  br i1 %179, label %198, label %180
 
-176:                                              ; preds = %172
-  %177 = or i64 %173, %165
-  %178 = icmp eq i64 %177, 0
-  br i1 %178, label %194, label %179
+180:                                              ; preds = %176
+  %181 = or i64 %177, %169
+  %182 = icmp eq i64 %181, 0
+  br i1 %182, label %198, label %183
 
-179:                                              ; preds = %176
-  call fastcc void @start(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %173, i64 noundef %165) #11
-  br label %180
+183:                                              ; preds = %180
+  call fastcc void @start(ptr noundef %0, ptr noundef nonnull %12, i64 noundef %177, i64 noundef %169) #12
+  br label %184
 
-180:                                              ; preds = %179, %189
-  %181 = phi i32 [ 0, %179 ], [ %191, %189 ]
-  %182 = phi i64 [ 0, %179 ], [ %192, %189 ]
-  %183 = icmp eq i32 %181, 0
-  br i1 %183, label %184, label %189
+184:                                              ; preds = %183, %193
+  %185 = phi i32 [ 0, %183 ], [ %195, %193 ]
+  %186 = phi i64 [ 0, %183 ], [ %196, %193 ]
+  %187 = icmp eq i32 %185, 0
+  br i1 %187, label %188, label %193
 
-184:                                              ; preds = %180
-  %185 = load ptr, ptr %53, align 8
-  %186 = getelementptr inbounds i64, ptr %185, i64 %182
-  %187 = load i64, ptr %186, align 8
-  %188 = icmp eq i64 %187, -1
-  br label %189
+188:                                              ; preds = %184
+  %189 = load ptr, ptr %54, align 8
+  %190 = getelementptr inbounds i64, ptr %189, i64 %186
+  %191 = load i64, ptr %190, align 8
+  %192 = icmp eq i64 %191, -1
+  br label %193
 
-189:                                              ; preds = %184, %180
-  %190 = phi i1 [ true, %180 ], [ %188, %184 ]
-  %191 = zext i1 %190 to i32
-  %192 = add nuw nsw i64 %182, 1
-  %193 = icmp eq i64 %192, 8
-  br i1 %193, label %194, label %180, !llvm.loop !6
+193:                                              ; preds = %188, %184
+  %194 = phi i1 [ true, %184 ], [ %192, %188 ]
+  %195 = zext i1 %194 to i32
+  %196 = add nuw nsw i64 %186, 1
+  %197 = icmp eq i64 %196, 8
+  br i1 %197, label %198, label %184, !llvm.loop !6
 
-194:                                              ; preds = %189, %176, %172
-  %195 = phi i32 [ 1, %172 ], [ 8, %176 ], [ 0, %189 ]
-  %196 = phi i32 [ %164, %172 ], [ 0, %176 ], [ %191, %189 ]
-  %197 = phi i64 [ %165, %172 ], [ %165, %176 ], [ 0, %189 ]
-  switch i32 %195, label %2048 [
-    i32 0, label %163
-    i32 8, label %198
+198:                                              ; preds = %193, %180, %176
+  %199 = phi i32 [ 1, %176 ], [ 8, %180 ], [ 0, %193 ]
+  %200 = phi i32 [ %168, %176 ], [ 0, %180 ], [ %195, %193 ]
+  %201 = phi i64 [ %169, %176 ], [ %169, %180 ], [ 0, %193 ]
+  switch i32 %199, label %2128 [
+    i32 0, label %167
+    i32 8, label %202
   ], !llvm.loop !7
 
-198:                                              ; preds = %194, %163
-  %199 = phi i32 [ %196, %194 ], [ 0, %163 ]
-  %200 = phi i64 [ %197, %194 ], [ 0, %163 ]
-  %201 = load ptr, ptr %22, align 8
-  %202 = getelementptr inbounds i8, ptr %201, i64 8
-  %203 = load i64, ptr %202, align 8
-  %204 = icmp slt i64 %203, 1
-  br i1 %204, label %2048, label %205
+202:                                              ; preds = %198, %167
+  %203 = phi i32 [ %200, %198 ], [ 0, %167 ]
+  %204 = phi i64 [ %201, %198 ], [ 0, %167 ]
+  %205 = load ptr, ptr %23, align 8
+  %206 = getelementptr inbounds i8, ptr %205, i64 8
+  %207 = load i64, ptr %206, align 8
+  %208 = icmp slt i64 %207, 1
+  br i1 %208, label %2128, label %209
 
-205:                                              ; preds = %198
-  br i1 %52, label %206, label %226
+209:                                              ; preds = %202
+  br i1 %53, label %210, label %230
 
-206:                                              ; preds = %205
-  %207 = load i64, ptr %54, align 8
-  %208 = icmp sgt i64 %207, 0
-  br i1 %208, label %209, label %223
+210:                                              ; preds = %209
+  %211 = load i64, ptr %55, align 8
+  %212 = icmp sgt i64 %211, 0
+  br i1 %212, label %213, label %227
 
-209:                                              ; preds = %206
-  %210 = load ptr, ptr %42, align 8
-  %211 = getelementptr inbounds i8, ptr %210, i64 72
-  %212 = load i64, ptr %211, align 8
-  %213 = load ptr, ptr %55, align 8
-  %214 = load i64, ptr %213, align 8
-  %215 = inttoptr i64 %214 to ptr
-  %216 = getelementptr inbounds i8, ptr %215, i64 1064
-  %217 = load i64, ptr %216, align 8
-  %218 = shl i64 %217, 4
-  %219 = add i64 %212, 16
-  %220 = add i64 %219, %218
-  %221 = icmp sgt i64 %220, %207
-  %222 = zext i1 %221 to i32
-  br label %223
+213:                                              ; preds = %210
+  %214 = load ptr, ptr %43, align 8
+  %215 = getelementptr inbounds i8, ptr %214, i64 72
+  %216 = load i64, ptr %215, align 8
+  %217 = load ptr, ptr %56, align 8
+  %218 = load i64, ptr %217, align 8
+  %219 = inttoptr i64 %218 to ptr
+  %220 = getelementptr inbounds i8, ptr %219, i64 1064
+  %221 = load i64, ptr %220, align 8
+  %222 = shl i64 %221, 4
+  %223 = add i64 %216, 16
+  %224 = add i64 %223, %222
+  %225 = icmp sgt i64 %224, %211
+  %226 = zext i1 %225 to i32
+  br label %227
 
-223:                                              ; preds = %206, %209
-  %224 = phi i32 [ 0, %206 ], [ %222, %209 ]
-  %225 = icmp eq i32 %224, 0
-  br i1 %225, label %226, label %2048
+227:                                              ; preds = %210, %213
+  %228 = phi i32 [ 0, %210 ], [ %226, %213 ]
+  %229 = icmp eq i32 %228, 0
+  br i1 %229, label %230, label %2128
 
-226:                                              ; preds = %223, %205
-  %227 = add nsw i64 %203, -1
-  store i64 %227, ptr %202, align 8
-  %228 = load i64, ptr %15, align 8
-  %229 = trunc i64 %228 to i8
-  %230 = bitcast i8 %229 to <8 x i1>
-  %231 = load ptr, ptr %49, align 8
-  %232 = load <8 x double>, ptr %231, align 8
-  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %14) #11
-  %233 = load <8 x double>, ptr %14, align 16
-  %234 = fcmp olt <8 x double> %57, %233
-  %235 = select <8 x i1> %234, <8 x double> %57, <8 x double> %233
-  %236 = load ptr, ptr %58, align 8
-  %237 = load <8 x double>, ptr %236, align 8
-  %238 = fcmp olt <8 x double> %237, %60
-  %239 = select <8 x i1> %238, <8 x double> %237, <8 x double> %60
-  %240 = fadd <8 x double> %232, %239
-  %241 = fmul <8 x double> %239, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %242 = fsub <8 x double> %235, %241
-  %243 = fcmp ogt <8 x double> %240, %242
-  %244 = select <8 x i1> %243, <8 x double> %235, <8 x double> %240
-  %245 = fsub <8 x double> %244, %232
-  %246 = bitcast <8 x double> %245 to <8 x i64>
-  %247 = select <8 x i1> %230, <8 x i64> %246, <8 x i64> zeroinitializer
-  %248 = bitcast <8 x i64> %247 to <8 x double>
-  %249 = load ptr, ptr %61, align 8
-  %250 = load <8 x double>, ptr %249, align 8
-  %251 = load ptr, ptr %62, align 8
-  %252 = load <8 x double>, ptr %251, align 8
-  %253 = fadd <8 x double> %250, %252
-  %254 = fcmp oge <8 x double> %253, %64
-  %255 = fmul <8 x double> %248, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %256 = fadd <8 x double> %232, %255
-  %257 = fcmp ule <8 x double> %256, %232
-  %258 = fcmp une <8 x double> %244, %235
-  %259 = and <8 x i1> %257, %258
-  %260 = or <8 x i1> %259, %254
-  %261 = and <8 x i1> %260, %230
-  %262 = bitcast <8 x i1> %261 to i8
-  %263 = icmp eq i8 %262, 0
-  br i1 %263, label %271, label %264
+230:                                              ; preds = %227, %209
+  %231 = add nsw i64 %207, -1
+  store i64 %231, ptr %206, align 8
+  %232 = load i64, ptr %16, align 8
+  %233 = trunc i64 %232 to i8
+  %234 = bitcast i8 %233 to <8 x i1>
+  %235 = load ptr, ptr %50, align 8
+  %236 = load <8 x double>, ptr %235, align 8
+  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %15) #12
+  %237 = load <8 x double>, ptr %15, align 16
+  %238 = fcmp olt <8 x double> %58, %237
+  %239 = select <8 x i1> %238, <8 x double> %58, <8 x double> %237
+  %240 = load ptr, ptr %59, align 8
+  %241 = load <8 x double>, ptr %240, align 8
+  %242 = fcmp olt <8 x double> %241, %61
+  %243 = select <8 x i1> %242, <8 x double> %241, <8 x double> %61
+  %244 = fadd <8 x double> %236, %243
+  %245 = fmul <8 x double> %243, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %246 = fsub <8 x double> %239, %245
+  %247 = fcmp ogt <8 x double> %244, %246
+  %248 = select <8 x i1> %247, <8 x double> %239, <8 x double> %244
+  %249 = fsub <8 x double> %248, %236
+  %250 = bitcast <8 x double> %249 to <8 x i64>
+  %251 = select <8 x i1> %234, <8 x i64> %250, <8 x i64> zeroinitializer
+  %252 = bitcast <8 x i64> %251 to <8 x double>
+  %253 = load ptr, ptr %62, align 8
+  %254 = load <8 x double>, ptr %253, align 8
+  %255 = load ptr, ptr %63, align 8
+  %256 = load <8 x double>, ptr %255, align 8
+  %257 = fadd <8 x double> %254, %256
+  %258 = fcmp oge <8 x double> %257, %65
+  %259 = fmul <8 x double> %252, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %260 = fadd <8 x double> %236, %259
+  %261 = fcmp ule <8 x double> %260, %236
+  %262 = fcmp une <8 x double> %248, %239
+  %263 = and <8 x i1> %261, %262
+  %264 = or <8 x i1> %263, %258
+  %265 = and <8 x i1> %264, %234
+  %266 = bitcast <8 x i1> %265 to i8
+  %267 = icmp eq i8 %266, 0
+  br i1 %267, label %275, label %268
 
-264:                                              ; preds = %226
-  %265 = zext i8 %262 to i64
-  %266 = bitcast <8 x i1> %254 to i8
-  %267 = zext i8 %266 to i64
-  %268 = and i64 %265, %267
-  call fastcc void @retire(ptr noundef %0, i64 noundef %268, i64 noundef 1) #11
-  %269 = xor i64 %267, -1
-  %270 = and i64 %265, %269
-  call fastcc void @retire(ptr noundef %0, i64 noundef %270, i64 noundef -1) #11
-  br label %160, !llvm.loop !8
+268:                                              ; preds = %230
+  %269 = zext i8 %266 to i64
+  %270 = bitcast <8 x i1> %258 to i8
+  %271 = zext i8 %270 to i64
+  %272 = and i64 %269, %271
+  call fastcc void @retire(ptr noundef %0, i64 noundef %272, i64 noundef 1) #12
+  %273 = xor i64 %271, -1
+  %274 = and i64 %269, %273
+  call fastcc void @retire(ptr noundef %0, i64 noundef %274, i64 noundef -1) #12
+  br label %164, !llvm.loop !8
 
-271:                                              ; preds = %226
-  %272 = load ptr, ptr %26, align 8, !noalias !9
-  %273 = load i64, ptr %28, align 8, !noalias !9
-  %274 = getelementptr double, ptr %272, i64 %273
-  %275 = getelementptr i8, ptr %274, i64 -16
-  %276 = load double, ptr %275, align 8, !noalias !9
-  %277 = load double, ptr %272, align 8, !noalias !9
-  %278 = fsub double %276, %277
-  %279 = fmul double %278, 0x3D70000000000000
-  %280 = load ptr, ptr %66, align 8, !noalias !14
-  %281 = load double, ptr %280, align 8, !noalias !14
-  %282 = load ptr, ptr %19, align 8, !noalias !17
-  %283 = getelementptr inbounds i8, ptr %282, i64 8
-  %284 = load i64, ptr %283, align 8, !noalias !17
-  %285 = icmp sgt i64 %284, 0
-  br i1 %285, label %286, label %295
+275:                                              ; preds = %230
+  %276 = load ptr, ptr %27, align 8, !noalias !9
+  %277 = load i64, ptr %29, align 8, !noalias !9
+  %278 = getelementptr double, ptr %276, i64 %277
+  %279 = getelementptr i8, ptr %278, i64 -16
+  %280 = load double, ptr %279, align 8, !noalias !9
+  %281 = load double, ptr %276, align 8, !noalias !9
+  %282 = fsub double %280, %281
+  %283 = fmul double %282, 0x3D70000000000000
+  %284 = load ptr, ptr %67, align 8, !noalias !14
+  %285 = load double, ptr %284, align 8, !noalias !14
+  %286 = load ptr, ptr %20, align 8, !noalias !17
+  %287 = getelementptr inbounds i8, ptr %286, i64 8
+  %288 = load i64, ptr %287, align 8, !noalias !17
+  %289 = icmp sgt i64 %288, 0
+  br i1 %289, label %290, label %299
 
-286:                                              ; preds = %271, %286
-  %287 = phi i64 [ %293, %286 ], [ 0, %271 ]
-  %288 = phi double [ %292, %286 ], [ %281, %271 ]
-  %289 = getelementptr inbounds double, ptr %280, i64 %287
-  %290 = load double, ptr %289, align 8, !noalias !14
-  %291 = fcmp olt double %290, %288
-  %292 = select i1 %291, double %290, double %288
-  %293 = add nuw nsw i64 %287, 1
-  %294 = icmp eq i64 %293, %284
-  br i1 %294, label %295, label %286, !llvm.loop !18
+290:                                              ; preds = %275, %290
+  %291 = phi i64 [ %297, %290 ], [ 0, %275 ]
+  %292 = phi double [ %296, %290 ], [ %285, %275 ]
+  %293 = getelementptr inbounds double, ptr %284, i64 %291
+  %294 = load double, ptr %293, align 8, !noalias !14
+  %295 = fcmp olt double %294, %292
+  %296 = select i1 %295, double %294, double %292
+  %297 = add nuw nsw i64 %291, 1
+  %298 = icmp eq i64 %297, %288
+  br i1 %298, label %299, label %290, !llvm.loop !18
 
-295:                                              ; preds = %286, %271
-  %296 = phi double [ %281, %271 ], [ %292, %286 ]
-  %297 = load ptr, ptr %65, align 8, !noalias !19
-  %298 = getelementptr inbounds i8, ptr %297, i64 8
-  %299 = load i64, ptr %298, align 8, !noalias !19
-  %300 = and i64 %299, %228
-  %301 = icmp eq i64 %300, 0
-  br i1 %301, label %365, label %302
+299:                                              ; preds = %290, %275
+  %300 = phi double [ %285, %275 ], [ %296, %290 ]
+  %301 = load ptr, ptr %66, align 8, !noalias !19
+  %302 = getelementptr inbounds i8, ptr %301, i64 8
+  %303 = load i64, ptr %302, align 8, !noalias !19
+  %304 = and i64 %303, %232
+  %305 = getelementptr inbounds i8, ptr %301, i64 32
+  %306 = load i64, ptr %305, align 8, !noalias !19
+  %307 = and i64 %306, %232
+  %308 = icmp eq i64 %304, 0
+  br i1 %308, label %372, label %309
 
-302:                                              ; preds = %295
-  %303 = load i64, ptr %297, align 8, !noalias !19
-  %304 = icmp eq i64 %303, 0
-  br i1 %304, label %328, label %305
-
-305:                                              ; preds = %302
-  %306 = load ptr, ptr %68, align 8, !noalias !19
-  %307 = load ptr, ptr %69, align 8, !noalias !19
-  store <8 x double> %232, ptr %307, align 8, !noalias !19
-  %308 = load ptr, ptr %19, align 8, !noalias !19
-  %309 = getelementptr inbounds i8, ptr %308, i64 40
-  %310 = load i64, ptr %309, align 8, !noalias !19
+309:                                              ; preds = %299
+  %310 = load i64, ptr %301, align 8, !noalias !19
   %311 = icmp eq i64 %310, 0
-  br i1 %311, label %313, label %312
+  br i1 %311, label %335, label %312
 
-312:                                              ; preds = %305
-  call fastcc void @settle(ptr noundef nonnull %19) #11, !noalias !19
-  br label %313
+312:                                              ; preds = %309
+  %313 = load ptr, ptr %69, align 8, !noalias !19
+  %314 = load ptr, ptr %70, align 8, !noalias !19
+  store <8 x double> %236, ptr %314, align 8, !noalias !19
+  %315 = load ptr, ptr %20, align 8, !noalias !19
+  %316 = getelementptr inbounds i8, ptr %315, i64 40
+  %317 = load i64, ptr %316, align 8, !noalias !19
+  %318 = icmp eq i64 %317, 0
+  br i1 %318, label %320, label %319
 
-313:                                              ; preds = %312, %305
-  %314 = load i64, ptr %70, align 8, !noalias !19
-  %315 = icmp sgt i64 %314, 0
-  br i1 %315, label %316, label %317
+319:                                              ; preds = %312
+  call fastcc void @settle(ptr noundef nonnull %20) #12, !noalias !19
+  br label %320
 
-316:                                              ; preds = %313
-  call fastcc void @sample(ptr noundef nonnull %19) #11, !noalias !19
-  br label %317
+320:                                              ; preds = %319, %312
+  %321 = load i64, ptr %71, align 8, !noalias !19
+  %322 = icmp sgt i64 %321, 0
+  br i1 %322, label %323, label %324
 
-317:                                              ; preds = %316, %313
-  %318 = load ptr, ptr %65, align 8, !noalias !19
-  %319 = load i64, ptr %318, align 8, !noalias !19
-  %320 = load ptr, ptr %69, align 8, !noalias !19
-  %321 = load ptr, ptr %21, align 8, !noalias !19
-  %322 = load ptr, ptr %71, align 8, !noalias !19
-  %323 = load ptr, ptr %72, align 8, !noalias !19
-  %324 = inttoptr i64 %319 to ptr
-  %325 = load ptr, ptr %324, align 8, !noalias !19
-  %326 = call i32 %325(ptr noundef %320, ptr noundef %321, ptr noundef %322, ptr noundef %323, ptr noundef %306) #12, !noalias !19
-  %327 = sext i32 %326 to i64
-  br label %328
+323:                                              ; preds = %320
+  call fastcc void @sample(ptr noundef nonnull %20) #12, !noalias !19
+  br label %324
 
-328:                                              ; preds = %302, %317
-  %329 = phi i64 [ %327, %317 ], [ 0, %302 ]
-  %330 = load i64, ptr %73, align 8, !noalias !19
-  %331 = icmp sgt i64 %330, 7
-  br i1 %331, label %332, label %353
-
-332:                                              ; preds = %328
-  %333 = trunc i64 %300 to i8
-  %334 = bitcast i8 %333 to <8 x i1>
+324:                                              ; preds = %323, %320
+  %325 = load ptr, ptr %66, align 8, !noalias !19
+  %326 = load i64, ptr %325, align 8, !noalias !19
+  %327 = load ptr, ptr %70, align 8, !noalias !19
+  %328 = load ptr, ptr %22, align 8, !noalias !19
+  %329 = load ptr, ptr %72, align 8, !noalias !19
+  %330 = load ptr, ptr %73, align 8, !noalias !19
+  %331 = inttoptr i64 %326 to ptr
+  %332 = load ptr, ptr %331, align 8, !noalias !19
+  %333 = call i32 %332(ptr noundef %327, ptr noundef %328, ptr noundef %329, ptr noundef %330, ptr noundef %313) #13, !noalias !19
+  %334 = sext i32 %333 to i64
   br label %335
 
-335:                                              ; preds = %332, %335
-  %336 = phi i64 [ 0, %332 ], [ %349, %335 ]
-  %337 = load ptr, ptr %68, align 8, !noalias !19
-  %338 = shl nsw i64 %336, 6
-  %339 = getelementptr inbounds i8, ptr %337, i64 %338
-  %340 = load <8 x double>, ptr %339, align 8, !noalias !19
-  %341 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %340)
-  %342 = fcmp one <8 x double> %341, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %343 = bitcast <8 x double> %340 to <8 x i64>
-  %344 = select <8 x i1> %342, <8 x i64> %343, <8 x i64> zeroinitializer
-  %345 = load ptr, ptr %67, align 8, !noalias !19
-  %346 = getelementptr inbounds i8, ptr %345, i64 %338
-  %347 = load <8 x i64>, ptr %346, align 8, !noalias !19
-  %348 = select <8 x i1> %334, <8 x i64> %344, <8 x i64> %347
-  store <8 x i64> %348, ptr %346, align 8, !noalias !19
-  %349 = add nuw nsw i64 %336, 1
-  %350 = load i64, ptr %73, align 8, !noalias !19
-  %351 = sdiv i64 %350, 8
-  %352 = icmp slt i64 %349, %351
-  br i1 %352, label %335, label %353, !llvm.loop !22
+335:                                              ; preds = %309, %324
+  %336 = phi i64 [ %334, %324 ], [ 0, %309 ]
+  %337 = load i64, ptr %74, align 8, !noalias !19
+  %338 = icmp sgt i64 %337, 7
+  br i1 %338, label %339, label %360
 
-353:                                              ; preds = %335, %328
-  %354 = icmp slt i64 %329, 0
-  br i1 %354, label %1705, label %355
+339:                                              ; preds = %335
+  %340 = trunc i64 %304 to i8
+  %341 = bitcast i8 %340 to <8 x i1>
+  br label %342
 
-355:                                              ; preds = %353
-  %356 = xor i64 %300, -1
-  %357 = load i64, ptr %298, align 8, !noalias !19
-  %358 = and i64 %357, %356
-  store i64 %358, ptr %298, align 8, !noalias !19
-  %359 = getelementptr inbounds i8, ptr %297, i64 16
-  %360 = load i64, ptr %359, align 8, !noalias !19
-  %361 = or i64 %360, %300
-  store i64 %361, ptr %359, align 8, !noalias !19
-  %362 = getelementptr inbounds i8, ptr %297, i64 24
-  %363 = load i64, ptr %362, align 8, !noalias !19
-  %364 = and i64 %363, %356
-  store i64 %364, ptr %362, align 8, !noalias !19
-  br label %365
+342:                                              ; preds = %339, %342
+  %343 = phi i64 [ 0, %339 ], [ %356, %342 ]
+  %344 = load ptr, ptr %69, align 8, !noalias !19
+  %345 = shl nsw i64 %343, 6
+  %346 = getelementptr inbounds i8, ptr %344, i64 %345
+  %347 = load <8 x double>, ptr %346, align 8, !noalias !19
+  %348 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %347)
+  %349 = fcmp one <8 x double> %348, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %350 = bitcast <8 x double> %347 to <8 x i64>
+  %351 = select <8 x i1> %349, <8 x i64> %350, <8 x i64> zeroinitializer
+  %352 = load ptr, ptr %68, align 8, !noalias !19
+  %353 = getelementptr inbounds i8, ptr %352, i64 %345
+  %354 = load <8 x i64>, ptr %353, align 8, !noalias !19
+  %355 = select <8 x i1> %341, <8 x i64> %351, <8 x i64> %354
+  store <8 x i64> %355, ptr %353, align 8, !noalias !19
+  %356 = add nuw nsw i64 %343, 1
+  %357 = load i64, ptr %74, align 8, !noalias !19
+  %358 = sdiv i64 %357, 8
+  %359 = icmp slt i64 %356, %358
+  br i1 %359, label %342, label %360, !llvm.loop !22
 
-365:                                              ; preds = %355, %295
-  %366 = load ptr, ptr %65, align 8, !noalias !19
-  %367 = load ptr, ptr %74, align 8, !noalias !19
-  %368 = load <8 x double>, ptr %367, align 8, !noalias !19
-  %369 = fsub <8 x double> %248, %368
-  %370 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %369)
-  %371 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %244)
-  %372 = fmul <8 x double> %371, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
-  %373 = fcmp ogt <8 x double> %370, %372
-  %374 = bitcast <8 x i1> %373 to i8
-  %375 = zext i8 %374 to i64
-  %376 = getelementptr inbounds i8, ptr %366, i64 24
-  %377 = load i64, ptr %376, align 8, !noalias !19
-  %378 = xor i64 %377, -1
-  %379 = or i64 %375, %378
-  %380 = and i64 %379, %228
-  %381 = icmp eq i64 %380, 0
-  br i1 %381, label %451, label %382
+360:                                              ; preds = %342, %335
+  %361 = icmp slt i64 %336, 0
+  br i1 %361, label %1711, label %362
 
-382:                                              ; preds = %365
-  %383 = trunc i64 %380 to i8
-  %384 = bitcast i8 %383 to <8 x i1>
-  %385 = bitcast <8 x double> %368 to <8 x i64>
-  %386 = select <8 x i1> %384, <8 x i64> %247, <8 x i64> %385
-  store <8 x i64> %386, ptr %367, align 8, !noalias !19
-  %387 = load i64, ptr %75, align 8, !noalias !19
-  %388 = sdiv i64 %387, 8
-  %389 = load ptr, ptr %76, align 8, !noalias !19
-  %390 = load ptr, ptr %77, align 8, !noalias !19
-  %391 = icmp sgt i64 %387, 7
-  br i1 %391, label %392, label %425
+362:                                              ; preds = %360
+  %363 = xor i64 %304, -1
+  %364 = load i64, ptr %302, align 8, !noalias !19
+  %365 = and i64 %364, %363
+  store i64 %365, ptr %302, align 8, !noalias !19
+  %366 = getelementptr inbounds i8, ptr %301, i64 16
+  %367 = load i64, ptr %366, align 8, !noalias !19
+  %368 = or i64 %367, %304
+  store i64 %368, ptr %366, align 8, !noalias !19
+  %369 = getelementptr inbounds i8, ptr %301, i64 24
+  %370 = load i64, ptr %369, align 8, !noalias !19
+  %371 = and i64 %370, %363
+  store i64 %371, ptr %369, align 8, !noalias !19
+  br label %372
 
-392:                                              ; preds = %382
-  %393 = bitcast <8 x i64> %386 to <8 x double>
-  %394 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %393
-  %395 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %393
-  %396 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %393
-  br label %397
+372:                                              ; preds = %362, %299
+  %373 = load ptr, ptr %66, align 8, !noalias !19
+  %374 = load ptr, ptr %75, align 8, !noalias !19
+  %375 = load <8 x double>, ptr %374, align 8, !noalias !19
+  %376 = fsub <8 x double> %252, %375
+  %377 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %376)
+  %378 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %248)
+  %379 = fmul <8 x double> %378, <double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000, double 0x3CB0000000000000>
+  %380 = fcmp ogt <8 x double> %377, %379
+  %381 = bitcast <8 x i1> %380 to i8
+  %382 = zext i8 %381 to i64
+  %383 = getelementptr inbounds i8, ptr %373, i64 24
+  %384 = load i64, ptr %383, align 8, !noalias !19
+  %385 = xor i64 %384, -1
+  %386 = or i64 %382, %385
+  %387 = and i64 %386, %232
+  %388 = icmp eq i64 %387, 0
+  br i1 %388, label %458, label %389
 
-397:                                              ; preds = %392, %400
-  %398 = phi i64 [ 0, %392 ], [ %401, %400 ]
-  %399 = mul nuw nsw i64 %398, %388
-  br label %403
+389:                                              ; preds = %372
+  %390 = trunc i64 %387 to i8
+  %391 = bitcast i8 %390 to <8 x i1>
+  %392 = bitcast <8 x double> %375 to <8 x i64>
+  %393 = select <8 x i1> %391, <8 x i64> %251, <8 x i64> %392
+  store <8 x i64> %393, ptr %374, align 8, !noalias !19
+  %394 = load i64, ptr %76, align 8, !noalias !19
+  %395 = sdiv i64 %394, 8
+  %396 = load ptr, ptr %77, align 8, !noalias !19
+  %397 = load ptr, ptr %78, align 8, !noalias !19
+  %398 = icmp sgt i64 %394, 7
+  br i1 %398, label %399, label %432
 
-400:                                              ; preds = %403
-  %401 = add nuw nsw i64 %398, 1
-  %402 = icmp eq i64 %401, %388
-  br i1 %402, label %425, label %397, !llvm.loop !23
+399:                                              ; preds = %389
+  %400 = bitcast <8 x i64> %393 to <8 x double>
+  %401 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %400
+  %402 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %400
+  %403 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %400
+  br label %404
 
-403:                                              ; preds = %397, %403
-  %404 = phi i64 [ 0, %397 ], [ %423, %403 ]
-  %405 = load ptr, ptr %78, align 8, !noalias !19
-  %406 = add nuw nsw i64 %404, %399
-  %407 = shl nsw i64 %406, 6
-  %408 = getelementptr inbounds i8, ptr %405, i64 %407
-  %409 = load <8 x double>, ptr %408, align 8, !noalias !19
-  %410 = fneg <8 x double> %409
-  %411 = icmp eq i64 %398, %404
-  %412 = fsub <8 x double> %394, %409
-  %413 = select i1 %411, <8 x double> %412, <8 x double> %410
-  %414 = fsub <8 x double> %395, %409
-  %415 = select i1 %411, <8 x double> %414, <8 x double> %410
-  %416 = getelementptr inbounds i8, ptr %389, i64 %407
-  store <8 x double> %413, ptr %416, align 8, !noalias !19
-  %417 = select i1 %411, <8 x double> %396, <8 x double> zeroinitializer
-  %418 = shl i64 %406, 7
-  %419 = shl nsw i64 %406, 7
-  %420 = getelementptr inbounds i8, ptr %390, i64 %419
-  store <8 x double> %415, ptr %420, align 8, !noalias !19
-  %421 = or disjoint i64 %418, 64
-  %422 = getelementptr inbounds i8, ptr %390, i64 %421
-  store <8 x double> %417, ptr %422, align 8, !noalias !19
-  %423 = add nuw nsw i64 %404, 1
-  %424 = icmp eq i64 %423, %388
-  br i1 %424, label %400, label %403, !llvm.loop !24
+404:                                              ; preds = %399, %407
+  %405 = phi i64 [ 0, %399 ], [ %408, %407 ]
+  %406 = mul nuw nsw i64 %405, %395
+  br label %410
 
-425:                                              ; preds = %400, %382
-  %426 = load ptr, ptr %79, align 8, !noalias !19
-  %427 = call fastcc i64 @real_factorise(ptr noundef %389, i64 noundef %388, ptr noundef %426) #11, !noalias !19
-  %428 = load ptr, ptr %80, align 8, !noalias !19
-  %429 = call fastcc i64 @pair_factorise(ptr noundef %390, i64 noundef %388, ptr noundef %428) #11, !noalias !19
-  %430 = or i64 %429, %427
-  %431 = and i64 %430, %380
-  %432 = load i64, ptr %376, align 8, !noalias !19
-  %433 = or i64 %432, %380
-  %434 = xor i64 %431, -1
-  %435 = xor i64 %431, %433
-  store i64 %435, ptr %376, align 8, !noalias !19
-  %436 = trunc nuw i64 %431 to i8
-  %437 = bitcast i8 %436 to <8 x i1>
-  %438 = select <8 x i1> %437, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>, <8 x double> <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %439 = fmul <8 x double> %248, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %440 = select <8 x i1> %437, <8 x double> %439, <8 x double> %237
-  %441 = load ptr, ptr %65, align 8, !noalias !19
-  %442 = getelementptr inbounds i8, ptr %441, i64 8
-  %443 = load i64, ptr %442, align 8, !noalias !19
-  %444 = and i64 %443, %434
-  %445 = getelementptr inbounds i8, ptr %441, i64 16
-  %446 = load i64, ptr %445, align 8, !noalias !19
-  %447 = xor i64 %446, -1
-  %448 = and i64 %431, %447
-  %449 = or disjoint i64 %448, %444
-  store i64 %449, ptr %442, align 8, !noalias !19
-  %450 = xor i64 %431, %228
-  br label %451
+407:                                              ; preds = %410
+  %408 = add nuw nsw i64 %405, 1
+  %409 = icmp eq i64 %408, %395
+  br i1 %409, label %432, label %404, !llvm.loop !23
 
-451:                                              ; preds = %365, %425
-  %452 = phi <8 x double> [ %237, %365 ], [ %440, %425 ]
-  %453 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %365 ], [ %438, %425 ]
-  %454 = phi i64 [ %228, %365 ], [ %450, %425 ]
-  %455 = icmp eq i64 %454, 0
-  br i1 %455, label %1705, label %456
+410:                                              ; preds = %404, %410
+  %411 = phi i64 [ 0, %404 ], [ %430, %410 ]
+  %412 = load ptr, ptr %79, align 8, !noalias !19
+  %413 = add nuw nsw i64 %411, %406
+  %414 = shl nsw i64 %413, 6
+  %415 = getelementptr inbounds i8, ptr %412, i64 %414
+  %416 = load <8 x double>, ptr %415, align 8, !noalias !19
+  %417 = fneg <8 x double> %416
+  %418 = icmp eq i64 %405, %411
+  %419 = fsub <8 x double> %401, %416
+  %420 = select i1 %418, <8 x double> %419, <8 x double> %417
+  %421 = fsub <8 x double> %402, %416
+  %422 = select i1 %418, <8 x double> %421, <8 x double> %417
+  %423 = getelementptr inbounds i8, ptr %396, i64 %414
+  store <8 x double> %420, ptr %423, align 8, !noalias !19
+  %424 = select i1 %418, <8 x double> %403, <8 x double> zeroinitializer
+  %425 = shl i64 %413, 7
+  %426 = shl nsw i64 %413, 7
+  %427 = getelementptr inbounds i8, ptr %397, i64 %426
+  store <8 x double> %422, ptr %427, align 8, !noalias !19
+  %428 = or disjoint i64 %425, 64
+  %429 = getelementptr inbounds i8, ptr %397, i64 %428
+  store <8 x double> %424, ptr %429, align 8, !noalias !19
+  %430 = add nuw nsw i64 %411, 1
+  %431 = icmp eq i64 %430, %395
+  br i1 %431, label %407, label %410, !llvm.loop !24
 
-456:                                              ; preds = %451
-  %457 = fcmp ogt double %296, 0x3CB0000000000000
-  %458 = select i1 %457, double %296, double 0x3CB0000000000000
-  %459 = fdiv double 0x3CE4000000000000, %458
-  %460 = call double @llvm.sqrt.f64(double %296)
-  %461 = fcmp olt double %460, 3.000000e-02
-  %462 = select i1 %461, double %460, double 3.000000e-02
-  %463 = fcmp ogt double %462, %459
-  %464 = load ptr, ptr %74, align 8, !noalias !19
-  %465 = getelementptr inbounds i8, ptr %464, i64 64
-  %466 = load <8 x double>, ptr %465, align 8, !noalias !19
-  %467 = load ptr, ptr %19, align 8, !noalias !19
-  %468 = getelementptr inbounds i8, ptr %467, i64 8
-  %469 = load i64, ptr %468, align 8, !noalias !19
-  %470 = load ptr, ptr %81, align 8, !noalias !19
-  %471 = load ptr, ptr %21, align 8, !noalias !19
-  %472 = load ptr, ptr %82, align 8, !noalias !19
-  %473 = load ptr, ptr %83, align 8, !noalias !19
-  %474 = fcmp ogt <8 x double> %466, zeroinitializer
-  %475 = icmp sgt i64 %469, 0
-  %476 = shl i64 %469, 7
-  %477 = getelementptr i8, ptr %470, i64 %476
-  %478 = mul nsw i64 %469, 3
-  br label %483
+432:                                              ; preds = %407, %389
+  %433 = load ptr, ptr %80, align 8, !noalias !19
+  %434 = call fastcc i64 @real_factorise(ptr noundef %396, i64 noundef %395, ptr noundef %433) #12, !noalias !19
+  %435 = load ptr, ptr %81, align 8, !noalias !19
+  %436 = call fastcc i64 @pair_factorise(ptr noundef %397, i64 noundef %395, ptr noundef %435) #12, !noalias !19
+  %437 = or i64 %436, %434
+  %438 = and i64 %437, %387
+  %439 = load i64, ptr %383, align 8, !noalias !19
+  %440 = or i64 %439, %387
+  %441 = xor i64 %438, -1
+  %442 = xor i64 %438, %440
+  store i64 %442, ptr %383, align 8, !noalias !19
+  %443 = trunc nuw i64 %438 to i8
+  %444 = bitcast i8 %443 to <8 x i1>
+  %445 = select <8 x i1> %444, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>, <8 x double> <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %446 = fmul <8 x double> %252, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %447 = select <8 x i1> %444, <8 x double> %446, <8 x double> %241
+  %448 = load ptr, ptr %66, align 8, !noalias !19
+  %449 = getelementptr inbounds i8, ptr %448, i64 8
+  %450 = load i64, ptr %449, align 8, !noalias !19
+  %451 = and i64 %450, %441
+  %452 = getelementptr inbounds i8, ptr %448, i64 16
+  %453 = load i64, ptr %452, align 8, !noalias !19
+  %454 = xor i64 %453, -1
+  %455 = and i64 %438, %454
+  %456 = or disjoint i64 %455, %451
+  store i64 %456, ptr %449, align 8, !noalias !19
+  %457 = xor i64 %438, %232
+  br label %458
 
-479:                                              ; preds = %495
-  %480 = icmp sgt i64 %469, 0
-  %481 = shl i64 %469, 7
-  %482 = getelementptr i8, ptr %472, i64 %481
-  br label %529
+458:                                              ; preds = %372, %432
+  %459 = phi <8 x double> [ %241, %372 ], [ %447, %432 ]
+  %460 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %372 ], [ %445, %432 ]
+  %461 = phi i64 [ %232, %372 ], [ %457, %432 ]
+  %462 = icmp eq i64 %461, 0
+  br i1 %462, label %1711, label %463
 
-483:                                              ; preds = %456, %495
-  %484 = phi i64 [ 0, %456 ], [ %496, %495 ]
-  %485 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %484
-  %486 = load double, ptr %485, align 8, !noalias !19
-  %487 = insertelement <8 x double> poison, double %486, i64 0
-  %488 = shufflevector <8 x double> %487, <8 x double> poison, <8 x i32> zeroinitializer
-  %489 = fmul <8 x double> %488, %248
-  %490 = fdiv <8 x double> %489, %466
-  %491 = fadd <8 x double> %490, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  br i1 %475, label %492, label %495
+463:                                              ; preds = %458
+  %464 = fcmp ogt double %300, 0x3CB0000000000000
+  %465 = select i1 %464, double %300, double 0x3CB0000000000000
+  %466 = fdiv double 0x3CE4000000000000, %465
+  %467 = call double @llvm.sqrt.f64(double %300)
+  %468 = fcmp olt double %467, 3.000000e-02
+  %469 = select i1 %468, double %467, double 3.000000e-02
+  %470 = fcmp ogt double %469, %466
+  %471 = load ptr, ptr %75, align 8, !noalias !19
+  %472 = getelementptr inbounds i8, ptr %471, i64 64
+  %473 = load <8 x double>, ptr %472, align 8, !noalias !19
+  %474 = load ptr, ptr %20, align 8, !noalias !19
+  %475 = getelementptr inbounds i8, ptr %474, i64 8
+  %476 = load i64, ptr %475, align 8, !noalias !19
+  %477 = load ptr, ptr %82, align 8, !noalias !19
+  %478 = load ptr, ptr %22, align 8, !noalias !19
+  %479 = load ptr, ptr %83, align 8, !noalias !19
+  %480 = load ptr, ptr %84, align 8, !noalias !19
+  %481 = fcmp ogt <8 x double> %473, zeroinitializer
+  %482 = icmp sgt i64 %476, 0
+  %483 = shl i64 %476, 7
+  %484 = getelementptr i8, ptr %477, i64 %483
+  %485 = mul nsw i64 %476, 3
+  br label %490
 
-492:                                              ; preds = %483
-  %493 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %491
-  %494 = mul nuw nsw i64 %469, %484
-  br label %498
+486:                                              ; preds = %502
+  %487 = icmp sgt i64 %476, 0
+  %488 = shl i64 %476, 7
+  %489 = getelementptr i8, ptr %479, i64 %488
+  br label %536
 
-495:                                              ; preds = %498, %483
-  %496 = add nuw nsw i64 %484, 1
-  %497 = icmp eq i64 %496, 3
-  br i1 %497, label %479, label %483, !llvm.loop !25
+490:                                              ; preds = %463, %502
+  %491 = phi i64 [ 0, %463 ], [ %503, %502 ]
+  %492 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %491
+  %493 = load double, ptr %492, align 8, !noalias !19
+  %494 = insertelement <8 x double> poison, double %493, i64 0
+  %495 = shufflevector <8 x double> %494, <8 x double> poison, <8 x i32> zeroinitializer
+  %496 = fmul <8 x double> %495, %252
+  %497 = fdiv <8 x double> %496, %473
+  %498 = fadd <8 x double> %497, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  br i1 %482, label %499, label %502
 
-498:                                              ; preds = %492, %498
-  %499 = phi i64 [ 0, %492 ], [ %527, %498 ]
-  %500 = shl i64 %499, 6
-  %501 = getelementptr i8, ptr %477, i64 %500
-  %502 = load <8 x double>, ptr %501, align 8, !noalias !19
-  %503 = add nuw nsw i64 %499, %478
-  %504 = shl nsw i64 %503, 6
-  %505 = getelementptr inbounds i8, ptr %470, i64 %504
-  %506 = load <8 x double>, ptr %505, align 8, !noalias !19
-  %507 = fmul <8 x double> %491, %506
-  %508 = fadd <8 x double> %502, %507
-  %509 = fmul <8 x double> %493, %508
-  %510 = shl nsw i64 %499, 6
-  %511 = getelementptr inbounds i8, ptr %470, i64 %510
-  %512 = load <8 x double>, ptr %511, align 8, !noalias !19
-  %513 = add nuw nsw i64 %499, %469
-  %514 = shl nsw i64 %513, 6
-  %515 = getelementptr inbounds i8, ptr %470, i64 %514
-  %516 = load <8 x double>, ptr %515, align 8, !noalias !19
-  %517 = fadd <8 x double> %516, %509
-  %518 = fmul <8 x double> %491, %517
-  %519 = fadd <8 x double> %512, %518
-  %520 = getelementptr inbounds i8, ptr %471, i64 %510
-  %521 = load <8 x double>, ptr %520, align 8, !noalias !19
-  %522 = fsub <8 x double> %519, %521
-  %523 = add nuw nsw i64 %499, %494
-  %524 = select <8 x i1> %474, <8 x double> %522, <8 x double> zeroinitializer
-  %525 = shl nsw i64 %523, 6
-  %526 = getelementptr inbounds i8, ptr %472, i64 %525
-  store <8 x double> %524, ptr %526, align 8, !noalias !19
-  %527 = add nuw nsw i64 %499, 1
-  %528 = icmp eq i64 %527, %469
-  br i1 %528, label %495, label %498, !llvm.loop !26
+499:                                              ; preds = %490
+  %500 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %498
+  %501 = mul nuw nsw i64 %476, %491
+  br label %505
 
-529:                                              ; preds = %479, %545
-  %530 = phi i64 [ 0, %479 ], [ %546, %545 ]
-  br i1 %480, label %531, label %545
+502:                                              ; preds = %505, %490
+  %503 = add nuw nsw i64 %491, 1
+  %504 = icmp eq i64 %503, 3
+  br i1 %504, label %486, label %490, !llvm.loop !25
 
-531:                                              ; preds = %529
-  %532 = mul nuw nsw i64 %469, %530
-  %533 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %530
-  %534 = load double, ptr %533, align 8, !noalias !19
-  %535 = insertelement <8 x double> poison, double %534, i64 0
-  %536 = shufflevector <8 x double> %535, <8 x double> poison, <8 x i32> zeroinitializer
-  %537 = getelementptr inbounds i8, ptr %533, i64 8
-  %538 = load double, ptr %537, align 8, !noalias !19
-  %539 = insertelement <8 x double> poison, double %538, i64 0
-  %540 = shufflevector <8 x double> %539, <8 x double> poison, <8 x i32> zeroinitializer
-  %541 = getelementptr inbounds i8, ptr %533, i64 16
-  %542 = load double, ptr %541, align 8, !noalias !19
-  %543 = insertelement <8 x double> poison, double %542, i64 0
-  %544 = shufflevector <8 x double> %543, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %548
+505:                                              ; preds = %499, %505
+  %506 = phi i64 [ 0, %499 ], [ %534, %505 ]
+  %507 = shl i64 %506, 6
+  %508 = getelementptr i8, ptr %484, i64 %507
+  %509 = load <8 x double>, ptr %508, align 8, !noalias !19
+  %510 = add nuw nsw i64 %506, %485
+  %511 = shl nsw i64 %510, 6
+  %512 = getelementptr inbounds i8, ptr %477, i64 %511
+  %513 = load <8 x double>, ptr %512, align 8, !noalias !19
+  %514 = fmul <8 x double> %498, %513
+  %515 = fadd <8 x double> %509, %514
+  %516 = fmul <8 x double> %500, %515
+  %517 = shl nsw i64 %506, 6
+  %518 = getelementptr inbounds i8, ptr %477, i64 %517
+  %519 = load <8 x double>, ptr %518, align 8, !noalias !19
+  %520 = add nuw nsw i64 %506, %476
+  %521 = shl nsw i64 %520, 6
+  %522 = getelementptr inbounds i8, ptr %477, i64 %521
+  %523 = load <8 x double>, ptr %522, align 8, !noalias !19
+  %524 = fadd <8 x double> %523, %516
+  %525 = fmul <8 x double> %498, %524
+  %526 = fadd <8 x double> %519, %525
+  %527 = getelementptr inbounds i8, ptr %478, i64 %517
+  %528 = load <8 x double>, ptr %527, align 8, !noalias !19
+  %529 = fsub <8 x double> %526, %528
+  %530 = add nuw nsw i64 %506, %501
+  %531 = select <8 x i1> %481, <8 x double> %529, <8 x double> zeroinitializer
+  %532 = shl nsw i64 %530, 6
+  %533 = getelementptr inbounds i8, ptr %479, i64 %532
+  store <8 x double> %531, ptr %533, align 8, !noalias !19
+  %534 = add nuw nsw i64 %506, 1
+  %535 = icmp eq i64 %534, %476
+  br i1 %535, label %502, label %505, !llvm.loop !26
 
-545:                                              ; preds = %548, %529
-  %546 = add nuw nsw i64 %530, 1
-  %547 = icmp eq i64 %546, 3
-  br i1 %547, label %570, label %529, !llvm.loop !27
+536:                                              ; preds = %486, %552
+  %537 = phi i64 [ 0, %486 ], [ %553, %552 ]
+  br i1 %487, label %538, label %552
 
-548:                                              ; preds = %531, %548
-  %549 = phi i64 [ 0, %531 ], [ %568, %548 ]
-  %550 = add nuw nsw i64 %549, %532
-  %551 = shl nsw i64 %549, 6
-  %552 = getelementptr inbounds i8, ptr %472, i64 %551
-  %553 = load <8 x double>, ptr %552, align 8, !noalias !19
-  %554 = fmul <8 x double> %553, %536
-  %555 = add nuw nsw i64 %549, %469
-  %556 = shl nsw i64 %555, 6
-  %557 = getelementptr inbounds i8, ptr %472, i64 %556
-  %558 = load <8 x double>, ptr %557, align 8, !noalias !19
-  %559 = fmul <8 x double> %558, %540
-  %560 = fadd <8 x double> %554, %559
-  %561 = shl i64 %549, 6
-  %562 = getelementptr i8, ptr %482, i64 %561
-  %563 = load <8 x double>, ptr %562, align 8, !noalias !19
-  %564 = fmul <8 x double> %563, %544
-  %565 = fadd <8 x double> %560, %564
-  %566 = shl nsw i64 %550, 6
-  %567 = getelementptr inbounds i8, ptr %473, i64 %566
-  store <8 x double> %565, ptr %567, align 8, !noalias !19
-  %568 = add nuw nsw i64 %549, 1
-  %569 = icmp eq i64 %568, %469
-  br i1 %569, label %545, label %548, !llvm.loop !28
+538:                                              ; preds = %536
+  %539 = mul nuw nsw i64 %476, %537
+  %540 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %537
+  %541 = load double, ptr %540, align 8, !noalias !19
+  %542 = insertelement <8 x double> poison, double %541, i64 0
+  %543 = shufflevector <8 x double> %542, <8 x double> poison, <8 x i32> zeroinitializer
+  %544 = getelementptr inbounds i8, ptr %540, i64 8
+  %545 = load double, ptr %544, align 8, !noalias !19
+  %546 = insertelement <8 x double> poison, double %545, i64 0
+  %547 = shufflevector <8 x double> %546, <8 x double> poison, <8 x i32> zeroinitializer
+  %548 = getelementptr inbounds i8, ptr %540, i64 16
+  %549 = load double, ptr %548, align 8, !noalias !19
+  %550 = insertelement <8 x double> poison, double %549, i64 0
+  %551 = shufflevector <8 x double> %550, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %555
 
-570:                                              ; preds = %545
-  %571 = select i1 %463, double %462, double %459
-  %572 = fmul double %296, %571
-  %573 = load ptr, ptr %65, align 8, !noalias !29
-  %574 = getelementptr inbounds i8, ptr %573, i64 40
-  %575 = load i64, ptr %574, align 8, !noalias !29
-  %576 = icmp sgt i64 %575, 0
-  %577 = select i1 %576, i64 10, i64 6
-  %578 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %248
-  %579 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %248
-  %580 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %248
-  %581 = fneg <8 x double> %579
-  %582 = insertelement <8 x double> poison, double %571, i64 0
-  %583 = shufflevector <8 x double> %582, <8 x double> poison, <8 x i32> zeroinitializer
-  %584 = fmul double %572, %572
-  %585 = insertelement <8 x double> poison, double %584, i64 0
-  %586 = shufflevector <8 x double> %585, <8 x double> poison, <8 x i32> zeroinitializer
-  br label %590
+552:                                              ; preds = %555, %536
+  %553 = add nuw nsw i64 %537, 1
+  %554 = icmp eq i64 %553, 3
+  br i1 %554, label %577, label %536, !llvm.loop !27
 
-587:                                              ; preds = %1095
-  %588 = add nuw nsw i64 %594, 1
-  %589 = icmp eq i64 %588, %577
-  br i1 %589, label %1109, label %590, !llvm.loop !32
+555:                                              ; preds = %538, %555
+  %556 = phi i64 [ 0, %538 ], [ %575, %555 ]
+  %557 = add nuw nsw i64 %556, %539
+  %558 = shl nsw i64 %556, 6
+  %559 = getelementptr inbounds i8, ptr %479, i64 %558
+  %560 = load <8 x double>, ptr %559, align 8, !noalias !19
+  %561 = fmul <8 x double> %560, %543
+  %562 = add nuw nsw i64 %556, %476
+  %563 = shl nsw i64 %562, 6
+  %564 = getelementptr inbounds i8, ptr %479, i64 %563
+  %565 = load <8 x double>, ptr %564, align 8, !noalias !19
+  %566 = fmul <8 x double> %565, %547
+  %567 = fadd <8 x double> %561, %566
+  %568 = shl i64 %556, 6
+  %569 = getelementptr i8, ptr %489, i64 %568
+  %570 = load <8 x double>, ptr %569, align 8, !noalias !19
+  %571 = fmul <8 x double> %570, %551
+  %572 = fadd <8 x double> %567, %571
+  %573 = shl nsw i64 %557, 6
+  %574 = getelementptr inbounds i8, ptr %480, i64 %573
+  store <8 x double> %572, ptr %574, align 8, !noalias !19
+  %575 = add nuw nsw i64 %556, 1
+  %576 = icmp eq i64 %575, %476
+  br i1 %576, label %552, label %555, !llvm.loop !28
 
-590:                                              ; preds = %570, %587
-  %591 = phi <8 x double> [ <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>, %570 ], [ %1107, %587 ]
-  %592 = phi i64 [ %454, %570 ], [ %1106, %587 ]
-  %593 = phi i64 [ 0, %570 ], [ %1105, %587 ]
-  %594 = phi i64 [ 0, %570 ], [ %588, %587 ]
-  %595 = phi i64 [ 0, %570 ], [ %1103, %587 ]
-  %596 = phi i64 [ 0, %570 ], [ %683, %587 ]
-  %597 = phi <8 x double> [ zeroinitializer, %570 ], [ %682, %587 ]
-  %598 = phi <8 x double> [ zeroinitializer, %570 ], [ %1102, %587 ]
-  %599 = phi <8 x double> [ zeroinitializer, %570 ], [ %1101, %587 ]
-  %600 = phi <8 x double> [ %146, %570 ], [ %1100, %587 ]
-  %601 = phi <8 x double> [ %145, %570 ], [ %1099, %587 ]
-  %602 = phi <8 x double> [ %144, %570 ], [ %1098, %587 ]
-  %603 = phi i64 [ %143, %570 ], [ %1097, %587 ]
-  %604 = phi i64 [ %142, %570 ], [ %1096, %587 ]
-  %605 = icmp ugt i64 %594, 5
-  %606 = select i1 %605, i64 %595, i64 -1
-  %607 = and i64 %592, %606
-  %608 = load ptr, ptr %19, align 8, !noalias !29
-  %609 = getelementptr inbounds i8, ptr %608, i64 8
-  %610 = load i64, ptr %609, align 8, !noalias !29
-  %611 = load ptr, ptr %82, align 8, !noalias !29
-  %612 = icmp eq i64 %607, 0
-  br i1 %612, label %681, label %613
+577:                                              ; preds = %552
+  %578 = select i1 %470, double %469, double %466
+  %579 = fmul double %300, %578
+  %580 = load ptr, ptr %66, align 8, !noalias !29
+  %581 = getelementptr inbounds i8, ptr %580, i64 40
+  %582 = load i64, ptr %581, align 8, !noalias !29
+  %583 = icmp sgt i64 %582, 0
+  %584 = select i1 %583, i64 10, i64 6
+  %585 = fdiv <8 x double> <double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672, double 0x400572DB93E0C672>, %252
+  %586 = fdiv <8 x double> <double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6, double 0xC0086747F2C3FCB6>, %252
+  %587 = fdiv <8 x double> <double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D, double 0x400D1A48D83E731D>, %252
+  %588 = fneg <8 x double> %586
+  %589 = insertelement <8 x double> poison, double %578, i64 0
+  %590 = shufflevector <8 x double> %589, <8 x double> poison, <8 x i32> zeroinitializer
+  %591 = fmul double %579, %579
+  %592 = insertelement <8 x double> poison, double %591, i64 0
+  %593 = shufflevector <8 x double> %592, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %597
 
-613:                                              ; preds = %590
-  %614 = icmp sgt i64 %610, 0
-  %615 = shl i64 %610, 6
-  br label %616
+594:                                              ; preds = %1102
+  %595 = add nuw nsw i64 %601, 1
+  %596 = icmp eq i64 %595, %584
+  br i1 %596, label %1116, label %597, !llvm.loop !32
 
-616:                                              ; preds = %613, %648
-  %617 = phi i64 [ %607, %613 ], [ %661, %648 ]
-  %618 = phi i64 [ 0, %613 ], [ %662, %648 ]
-  %619 = phi i64 [ %596, %613 ], [ %659, %648 ]
-  %620 = phi <8 x double> [ %597, %613 ], [ %627, %648 ]
-  br i1 %614, label %621, label %623
+597:                                              ; preds = %577, %594
+  %598 = phi <8 x double> [ <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>, %577 ], [ %1114, %594 ]
+  %599 = phi i64 [ %461, %577 ], [ %1113, %594 ]
+  %600 = phi i64 [ 0, %577 ], [ %1112, %594 ]
+  %601 = phi i64 [ 0, %577 ], [ %595, %594 ]
+  %602 = phi i64 [ 0, %577 ], [ %1110, %594 ]
+  %603 = phi i64 [ 0, %577 ], [ %690, %594 ]
+  %604 = phi <8 x double> [ zeroinitializer, %577 ], [ %689, %594 ]
+  %605 = phi <8 x double> [ zeroinitializer, %577 ], [ %1109, %594 ]
+  %606 = phi <8 x double> [ zeroinitializer, %577 ], [ %1108, %594 ]
+  %607 = phi <8 x double> [ %150, %577 ], [ %1107, %594 ]
+  %608 = phi <8 x double> [ %149, %577 ], [ %1106, %594 ]
+  %609 = phi <8 x double> [ %148, %577 ], [ %1105, %594 ]
+  %610 = phi i64 [ %147, %577 ], [ %1104, %594 ]
+  %611 = phi i64 [ %146, %577 ], [ %1103, %594 ]
+  %612 = icmp ugt i64 %601, 5
+  %613 = select i1 %612, i64 %602, i64 -1
+  %614 = and i64 %599, %613
+  %615 = load ptr, ptr %20, align 8, !noalias !29
+  %616 = getelementptr inbounds i8, ptr %615, i64 8
+  %617 = load i64, ptr %616, align 8, !noalias !29
+  %618 = load ptr, ptr %83, align 8, !noalias !29
+  %619 = icmp eq i64 %614, 0
+  br i1 %619, label %688, label %620
 
-621:                                              ; preds = %616
-  %622 = mul nuw nsw i64 %618, %610
-  br label %666
+620:                                              ; preds = %597
+  %621 = icmp sgt i64 %617, 0
+  %622 = shl i64 %617, 6
+  br label %623
 
-623:                                              ; preds = %666, %616
-  %624 = trunc i64 %617 to i8
-  %625 = bitcast i8 %624 to <8 x i1>
-  %626 = select <8 x i1> %625, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %627 = fadd <8 x double> %620, %626
-  %628 = load ptr, ptr %85, align 8, !noalias !29
-  %629 = mul i64 %615, %618
-  %630 = getelementptr inbounds i8, ptr %628, i64 %629
-  %631 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %618
-  %632 = load double, ptr %631, align 8, !noalias !29
-  %633 = insertelement <8 x double> poison, double %632, i64 0
-  %634 = shufflevector <8 x double> %633, <8 x double> poison, <8 x i32> zeroinitializer
-  %635 = fmul <8 x double> %634, %248
-  %636 = fadd <8 x double> %232, %635
-  %637 = load ptr, ptr %86, align 8, !noalias !29
-  %638 = load ptr, ptr %87, align 8, !noalias !29
-  store <8 x double> %636, ptr %638, align 8, !noalias !29
-  %639 = load ptr, ptr %19, align 8, !noalias !29
-  %640 = getelementptr inbounds i8, ptr %639, i64 40
-  %641 = load i64, ptr %640, align 8, !noalias !29
-  %642 = icmp eq i64 %641, 0
-  br i1 %642, label %644, label %643
+623:                                              ; preds = %620, %655
+  %624 = phi i64 [ %614, %620 ], [ %668, %655 ]
+  %625 = phi i64 [ 0, %620 ], [ %669, %655 ]
+  %626 = phi i64 [ %603, %620 ], [ %666, %655 ]
+  %627 = phi <8 x double> [ %604, %620 ], [ %634, %655 ]
+  br i1 %621, label %628, label %630
 
-643:                                              ; preds = %623
-  call fastcc void @settle(ptr noundef nonnull %19) #11, !noalias !29
-  br label %644
+628:                                              ; preds = %623
+  %629 = mul nuw nsw i64 %625, %617
+  br label %673
 
-644:                                              ; preds = %643, %623
-  %645 = load i64, ptr %88, align 8, !noalias !29
-  %646 = icmp sgt i64 %645, 0
-  br i1 %646, label %647, label %648
+630:                                              ; preds = %673, %623
+  %631 = trunc i64 %624 to i8
+  %632 = bitcast i8 %631 to <8 x i1>
+  %633 = select <8 x i1> %632, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %634 = fadd <8 x double> %627, %633
+  %635 = load ptr, ptr %86, align 8, !noalias !29
+  %636 = mul i64 %622, %625
+  %637 = getelementptr inbounds i8, ptr %635, i64 %636
+  %638 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %625
+  %639 = load double, ptr %638, align 8, !noalias !29
+  %640 = insertelement <8 x double> poison, double %639, i64 0
+  %641 = shufflevector <8 x double> %640, <8 x double> poison, <8 x i32> zeroinitializer
+  %642 = fmul <8 x double> %641, %252
+  %643 = fadd <8 x double> %236, %642
+  %644 = load ptr, ptr %87, align 8, !noalias !29
+  %645 = load ptr, ptr %88, align 8, !noalias !29
+  store <8 x double> %643, ptr %645, align 8, !noalias !29
+  %646 = load ptr, ptr %20, align 8, !noalias !29
+  %647 = getelementptr inbounds i8, ptr %646, i64 40
+  %648 = load i64, ptr %647, align 8, !noalias !29
+  %649 = icmp eq i64 %648, 0
+  br i1 %649, label %651, label %650
 
-647:                                              ; preds = %644
-  call fastcc void @sample(ptr noundef nonnull %19) #11, !noalias !29
-  br label %648
+650:                                              ; preds = %630
+  call fastcc void @settle(ptr noundef nonnull %20) #12, !noalias !29
+  br label %651
 
-648:                                              ; preds = %647, %644
-  %649 = load ptr, ptr %19, align 8, !noalias !29
-  %650 = load i64, ptr %649, align 8, !noalias !29
-  %651 = load ptr, ptr %87, align 8, !noalias !29
-  %652 = load ptr, ptr %89, align 8, !noalias !29
-  %653 = load ptr, ptr %90, align 8, !noalias !29
-  %654 = inttoptr i64 %650 to ptr
-  %655 = load ptr, ptr %654, align 8, !noalias !29
-  %656 = call i32 %655(ptr noundef %651, ptr noundef %637, ptr noundef %652, ptr noundef %653, ptr noundef %630) #12, !noalias !29
-  %657 = sext i32 %656 to i64
-  %658 = and i64 %617, %657
-  %659 = or i64 %658, %619
-  %660 = xor i64 %657, -1
-  %661 = and i64 %617, %660
-  %662 = add nuw nsw i64 %618, 1
-  %663 = icmp ult i64 %618, 2
-  %664 = icmp ne i64 %661, 0
-  %665 = select i1 %663, i1 %664, i1 false
-  br i1 %665, label %616, label %681, !llvm.loop !33
+651:                                              ; preds = %650, %630
+  %652 = load i64, ptr %89, align 8, !noalias !29
+  %653 = icmp sgt i64 %652, 0
+  br i1 %653, label %654, label %655
 
-666:                                              ; preds = %621, %666
-  %667 = phi i64 [ 0, %621 ], [ %679, %666 ]
-  %668 = load ptr, ptr %84, align 8, !noalias !29
-  %669 = load ptr, ptr %21, align 8, !noalias !29
-  %670 = shl nsw i64 %667, 6
-  %671 = getelementptr inbounds i8, ptr %669, i64 %670
-  %672 = load <8 x double>, ptr %671, align 8, !noalias !29
-  %673 = add nuw nsw i64 %667, %622
-  %674 = shl nsw i64 %673, 6
-  %675 = getelementptr inbounds i8, ptr %611, i64 %674
-  %676 = load <8 x double>, ptr %675, align 8, !noalias !29
-  %677 = fadd <8 x double> %672, %676
-  %678 = getelementptr inbounds i8, ptr %668, i64 %670
-  store <8 x double> %677, ptr %678, align 8, !noalias !29
-  %679 = add nuw nsw i64 %667, 1
-  %680 = icmp eq i64 %679, %610
-  br i1 %680, label %623, label %666, !llvm.loop !34
+654:                                              ; preds = %651
+  call fastcc void @sample(ptr noundef nonnull %20) #12, !noalias !29
+  br label %655
 
-681:                                              ; preds = %648, %590
-  %682 = phi <8 x double> [ %597, %590 ], [ %627, %648 ]
-  %683 = phi i64 [ %596, %590 ], [ %659, %648 ]
-  %684 = phi i64 [ %607, %590 ], [ %661, %648 ]
-  %685 = icmp eq i64 %684, 0
-  br i1 %685, label %686, label %690
+655:                                              ; preds = %654, %651
+  %656 = load ptr, ptr %20, align 8, !noalias !29
+  %657 = load i64, ptr %656, align 8, !noalias !29
+  %658 = load ptr, ptr %88, align 8, !noalias !29
+  %659 = load ptr, ptr %90, align 8, !noalias !29
+  %660 = load ptr, ptr %91, align 8, !noalias !29
+  %661 = inttoptr i64 %657 to ptr
+  %662 = load ptr, ptr %661, align 8, !noalias !29
+  %663 = call i32 %662(ptr noundef %658, ptr noundef %644, ptr noundef %659, ptr noundef %660, ptr noundef %637) #13, !noalias !29
+  %664 = sext i32 %663 to i64
+  %665 = and i64 %624, %664
+  %666 = or i64 %665, %626
+  %667 = xor i64 %664, -1
+  %668 = and i64 %624, %667
+  %669 = add nuw nsw i64 %625, 1
+  %670 = icmp ult i64 %625, 2
+  %671 = icmp ne i64 %668, 0
+  %672 = select i1 %670, i1 %671, i1 false
+  br i1 %672, label %623, label %688, !llvm.loop !33
 
-686:                                              ; preds = %681
-  %687 = or i64 %607, %593
-  %688 = xor i64 %687, -1
-  %689 = and i64 %595, %688
-  br label %1095
+673:                                              ; preds = %628, %673
+  %674 = phi i64 [ 0, %628 ], [ %686, %673 ]
+  %675 = load ptr, ptr %85, align 8, !noalias !29
+  %676 = load ptr, ptr %22, align 8, !noalias !29
+  %677 = shl nsw i64 %674, 6
+  %678 = getelementptr inbounds i8, ptr %676, i64 %677
+  %679 = load <8 x double>, ptr %678, align 8, !noalias !29
+  %680 = add nuw nsw i64 %674, %629
+  %681 = shl nsw i64 %680, 6
+  %682 = getelementptr inbounds i8, ptr %618, i64 %681
+  %683 = load <8 x double>, ptr %682, align 8, !noalias !29
+  %684 = fadd <8 x double> %679, %683
+  %685 = getelementptr inbounds i8, ptr %675, i64 %677
+  store <8 x double> %684, ptr %685, align 8, !noalias !29
+  %686 = add nuw nsw i64 %674, 1
+  %687 = icmp eq i64 %686, %617
+  br i1 %687, label %630, label %673, !llvm.loop !34
 
-690:                                              ; preds = %681
-  %691 = load ptr, ptr %19, align 8, !noalias !29
-  %692 = getelementptr inbounds i8, ptr %691, i64 8
-  %693 = load i64, ptr %692, align 8, !noalias !29
-  %694 = getelementptr inbounds i8, ptr %691, i64 24
-  %695 = load i64, ptr %694, align 8, !noalias !29
-  %696 = load ptr, ptr %91, align 8, !noalias !29
-  %697 = load ptr, ptr %83, align 8, !noalias !29
-  %698 = icmp sgt i64 %693, 0
-  br i1 %698, label %699, label %789
+688:                                              ; preds = %655, %597
+  %689 = phi <8 x double> [ %604, %597 ], [ %634, %655 ]
+  %690 = phi i64 [ %603, %597 ], [ %666, %655 ]
+  %691 = phi i64 [ %614, %597 ], [ %668, %655 ]
+  %692 = icmp eq i64 %691, 0
+  br i1 %692, label %693, label %697
 
-699:                                              ; preds = %690
-  %700 = shl i64 %693, 7
-  br label %701
+693:                                              ; preds = %688
+  %694 = or i64 %614, %600
+  %695 = xor i64 %694, -1
+  %696 = and i64 %602, %695
+  br label %1102
 
-701:                                              ; preds = %699, %785
-  %702 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %699 ], [ %720, %785 ]
-  %703 = phi i64 [ 0, %699 ], [ %787, %785 ]
-  %704 = phi <8 x double> [ zeroinitializer, %699 ], [ %786, %785 ]
-  %705 = shl nsw i64 %703, 6
-  %706 = getelementptr inbounds i8, ptr %696, i64 %705
-  %707 = load <8 x double>, ptr %706, align 8, !noalias !29
-  %708 = add nuw nsw i64 %703, %693
-  %709 = shl nsw i64 %708, 6
-  %710 = getelementptr inbounds i8, ptr %696, i64 %709
-  %711 = load <8 x double>, ptr %710, align 8, !noalias !29
-  %712 = fadd <8 x double> %707, %711
-  %713 = shl i64 %703, 6
-  %714 = add i64 %713, %700
-  %715 = getelementptr inbounds i8, ptr %696, i64 %714
-  %716 = load <8 x double>, ptr %715, align 8, !noalias !29
-  %717 = fadd <8 x double> %712, %716
-  %718 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %717)
-  %719 = fcmp one <8 x double> %718, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %720 = select <8 x i1> %719, <8 x i64> %702, <8 x i64> zeroinitializer
-  %721 = getelementptr inbounds i8, ptr %697, i64 %709
-  %722 = load <8 x double>, ptr %721, align 8, !noalias !29
-  %723 = getelementptr inbounds i8, ptr %697, i64 %714
-  %724 = load <8 x double>, ptr %723, align 8, !noalias !29
-  %725 = fmul <8 x double> %707, <double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46>
-  %726 = fmul <8 x double> %711, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
-  %727 = fsub <8 x double> %725, %726
-  %728 = fmul <8 x double> %716, <double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221>
-  %729 = fadd <8 x double> %727, %728
-  %730 = fmul <8 x double> %707, <double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2>
-  %731 = fmul <8 x double> %711, <double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598>
-  %732 = fsub <8 x double> %730, %731
-  %733 = fmul <8 x double> %716, <double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1>
-  %734 = fadd <8 x double> %732, %733
-  %735 = fmul <8 x double> %707, <double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46>
-  %736 = fmul <8 x double> %711, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
-  %737 = fadd <8 x double> %735, %736
-  %738 = fmul <8 x double> %716, <double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF>
-  %739 = fadd <8 x double> %737, %738
-  %740 = getelementptr inbounds i8, ptr %697, i64 %705
-  %741 = load <8 x double>, ptr %740, align 8, !noalias !29
-  %742 = fmul <8 x double> %580, %741
-  %743 = fsub <8 x double> %739, %742
-  %744 = fmul <8 x double> %724, %581
-  %745 = call <8 x double> @llvm.fma.v8f64(<8 x double> %578, <8 x double> %722, <8 x double> %744)
-  %746 = fmul <8 x double> %579, %722
-  %747 = call <8 x double> @llvm.fma.v8f64(<8 x double> %578, <8 x double> %724, <8 x double> %746)
-  %748 = fsub <8 x double> %729, %745
-  %749 = fsub <8 x double> %734, %747
-  %750 = load ptr, ptr %92, align 8, !noalias !29
-  %751 = getelementptr inbounds i8, ptr %750, i64 %705
-  store <8 x double> %743, ptr %751, align 8, !noalias !29
-  %752 = load ptr, ptr %93, align 8, !noalias !29
-  %753 = shl i64 %703, 7
-  %754 = shl nsw i64 %703, 7
-  %755 = getelementptr inbounds i8, ptr %752, i64 %754
-  store <8 x double> %748, ptr %755, align 8, !noalias !29
-  %756 = or disjoint i64 %753, 64
-  %757 = getelementptr inbounds i8, ptr %752, i64 %756
-  store <8 x double> %749, ptr %757, align 8, !noalias !29
-  %758 = icmp slt i64 %703, %695
-  br i1 %758, label %759, label %785
+697:                                              ; preds = %688
+  %698 = load ptr, ptr %20, align 8, !noalias !29
+  %699 = getelementptr inbounds i8, ptr %698, i64 8
+  %700 = load i64, ptr %699, align 8, !noalias !29
+  %701 = getelementptr inbounds i8, ptr %698, i64 24
+  %702 = load i64, ptr %701, align 8, !noalias !29
+  %703 = load ptr, ptr %92, align 8, !noalias !29
+  %704 = load ptr, ptr %84, align 8, !noalias !29
+  %705 = icmp sgt i64 %700, 0
+  br i1 %705, label %706, label %796
 
-759:                                              ; preds = %701
-  %760 = load ptr, ptr %21, align 8, !noalias !29
-  %761 = getelementptr inbounds i8, ptr %760, i64 %705
-  %762 = load <8 x double>, ptr %761, align 8, !noalias !29
-  %763 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %743)
-  %764 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %748)
-  %765 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %749)
-  %766 = fadd <8 x double> %765, %764
-  %767 = fadd <8 x double> %763, %766
-  %768 = fmul <8 x double> %767, %248
-  %769 = load ptr, ptr %94, align 8, !noalias !29
-  %770 = getelementptr inbounds double, ptr %769, i64 %703
-  %771 = load double, ptr %770, align 8, !noalias !29
-  %772 = insertelement <8 x double> poison, double %771, i64 0
-  %773 = shufflevector <8 x double> %772, <8 x double> poison, <8 x i32> zeroinitializer
-  %774 = load ptr, ptr %66, align 8, !noalias !29
-  %775 = getelementptr inbounds double, ptr %774, i64 %703
-  %776 = load double, ptr %775, align 8, !noalias !29
-  %777 = insertelement <8 x double> poison, double %776, i64 0
-  %778 = shufflevector <8 x double> %777, <8 x double> poison, <8 x i32> zeroinitializer
-  %779 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %762)
-  %780 = fmul <8 x double> %779, %778
-  %781 = fadd <8 x double> %773, %780
-  %782 = fdiv <8 x double> %768, %781
-  %783 = fmul <8 x double> %782, %782
-  %784 = fadd <8 x double> %704, %783
-  br label %785
+706:                                              ; preds = %697
+  %707 = shl i64 %700, 7
+  br label %708
 
-785:                                              ; preds = %759, %701
-  %786 = phi <8 x double> [ %784, %759 ], [ %704, %701 ]
-  %787 = add nuw nsw i64 %703, 1
-  %788 = icmp eq i64 %787, %693
-  br i1 %788, label %789, label %701, !llvm.loop !35
+708:                                              ; preds = %706, %792
+  %709 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %706 ], [ %727, %792 ]
+  %710 = phi i64 [ 0, %706 ], [ %794, %792 ]
+  %711 = phi <8 x double> [ zeroinitializer, %706 ], [ %793, %792 ]
+  %712 = shl nsw i64 %710, 6
+  %713 = getelementptr inbounds i8, ptr %703, i64 %712
+  %714 = load <8 x double>, ptr %713, align 8, !noalias !29
+  %715 = add nuw nsw i64 %710, %700
+  %716 = shl nsw i64 %715, 6
+  %717 = getelementptr inbounds i8, ptr %703, i64 %716
+  %718 = load <8 x double>, ptr %717, align 8, !noalias !29
+  %719 = fadd <8 x double> %714, %718
+  %720 = shl i64 %710, 6
+  %721 = add i64 %720, %707
+  %722 = getelementptr inbounds i8, ptr %703, i64 %721
+  %723 = load <8 x double>, ptr %722, align 8, !noalias !29
+  %724 = fadd <8 x double> %719, %723
+  %725 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %724)
+  %726 = fcmp one <8 x double> %725, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %727 = select <8 x i1> %726, <8 x i64> %709, <8 x i64> zeroinitializer
+  %728 = getelementptr inbounds i8, ptr %704, i64 %716
+  %729 = load <8 x double>, ptr %728, align 8, !noalias !29
+  %730 = getelementptr inbounds i8, ptr %704, i64 %721
+  %731 = load <8 x double>, ptr %730, align 8, !noalias !29
+  %732 = fmul <8 x double> %714, <double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46, double 0xC010B70201A79C46>
+  %733 = fmul <8 x double> %718, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
+  %734 = fsub <8 x double> %732, %733
+  %735 = fmul <8 x double> %723, <double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221, double 0x3FDE810014C55221>
+  %736 = fadd <8 x double> %734, %735
+  %737 = fmul <8 x double> %714, <double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2, double 0x3FE017885A24A7F2>
+  %738 = fmul <8 x double> %718, <double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598, double 0x4004934E6FCAA598>
+  %739 = fsub <8 x double> %737, %738
+  %740 = fmul <8 x double> %723, <double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1, double 0x3FE312C0CF7BDFD1>
+  %741 = fadd <8 x double> %739, %740
+  %742 = fmul <8 x double> %714, <double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46, double 0x4010B70201A79C46>
+  %743 = fmul <8 x double> %718, <double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86, double 0x3FD4F8C15DA84E86>
+  %744 = fadd <8 x double> %742, %743
+  %745 = fmul <8 x double> %723, <double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF, double 0x3FE0BF7FF59D56EF>
+  %746 = fadd <8 x double> %744, %745
+  %747 = getelementptr inbounds i8, ptr %704, i64 %712
+  %748 = load <8 x double>, ptr %747, align 8, !noalias !29
+  %749 = fmul <8 x double> %587, %748
+  %750 = fsub <8 x double> %746, %749
+  %751 = fmul <8 x double> %731, %588
+  %752 = call <8 x double> @llvm.fma.v8f64(<8 x double> %585, <8 x double> %729, <8 x double> %751)
+  %753 = fmul <8 x double> %586, %729
+  %754 = call <8 x double> @llvm.fma.v8f64(<8 x double> %585, <8 x double> %731, <8 x double> %753)
+  %755 = fsub <8 x double> %736, %752
+  %756 = fsub <8 x double> %741, %754
+  %757 = load ptr, ptr %93, align 8, !noalias !29
+  %758 = getelementptr inbounds i8, ptr %757, i64 %712
+  store <8 x double> %750, ptr %758, align 8, !noalias !29
+  %759 = load ptr, ptr %94, align 8, !noalias !29
+  %760 = shl i64 %710, 7
+  %761 = shl nsw i64 %710, 7
+  %762 = getelementptr inbounds i8, ptr %759, i64 %761
+  store <8 x double> %755, ptr %762, align 8, !noalias !29
+  %763 = or disjoint i64 %760, 64
+  %764 = getelementptr inbounds i8, ptr %759, i64 %763
+  store <8 x double> %756, ptr %764, align 8, !noalias !29
+  %765 = icmp slt i64 %710, %702
+  br i1 %765, label %766, label %792
 
-789:                                              ; preds = %785, %690
-  %790 = phi <8 x double> [ zeroinitializer, %690 ], [ %786, %785 ]
-  %791 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %690 ], [ %720, %785 ]
-  %792 = icmp ne <8 x i64> %791, zeroinitializer
-  %793 = bitcast <8 x i1> %792 to i8
-  %794 = zext i8 %793 to i64
-  %795 = and i64 %684, %794
-  %796 = xor i64 %795, %684
-  %797 = trunc i64 %796 to i8
-  %798 = bitcast i8 %797 to <8 x i1>
-  %799 = load ptr, ptr %19, align 8, !noalias !29
-  %800 = getelementptr inbounds i8, ptr %799, i64 24
-  %801 = load i64, ptr %800, align 8, !noalias !29
-  %802 = load i64, ptr %96, align 8, !noalias !29
-  %803 = sdiv i64 %802, 8
-  %804 = load ptr, ptr %65, align 8, !noalias !29
-  %805 = getelementptr inbounds i8, ptr %804, i64 40
-  %806 = load i64, ptr %805, align 8, !noalias !29
-  %807 = load ptr, ptr %97, align 8, !noalias !29
-  %808 = load ptr, ptr %98, align 8, !noalias !29
-  %809 = load ptr, ptr %99, align 8, !noalias !29
-  %810 = load ptr, ptr %95, align 8, !noalias !29
-  call fastcc void @real_solve(ptr noundef %809, i64 noundef %803, ptr noundef %810, ptr noundef %807) #11, !noalias !29
-  %811 = load ptr, ptr %100, align 8, !noalias !29
-  %812 = load ptr, ptr %101, align 8, !noalias !29
-  call fastcc void @pair_solve(ptr noundef %811, i64 noundef %803, ptr noundef %812, ptr noundef %808) #11, !noalias !29
-  %813 = icmp sgt i64 %806, 0
-  br i1 %813, label %814, label %823
+766:                                              ; preds = %708
+  %767 = load ptr, ptr %22, align 8, !noalias !29
+  %768 = getelementptr inbounds i8, ptr %767, i64 %712
+  %769 = load <8 x double>, ptr %768, align 8, !noalias !29
+  %770 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %750)
+  %771 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %755)
+  %772 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %756)
+  %773 = fadd <8 x double> %772, %771
+  %774 = fadd <8 x double> %770, %773
+  %775 = fmul <8 x double> %774, %252
+  %776 = load ptr, ptr %95, align 8, !noalias !29
+  %777 = getelementptr inbounds double, ptr %776, i64 %710
+  %778 = load double, ptr %777, align 8, !noalias !29
+  %779 = insertelement <8 x double> poison, double %778, i64 0
+  %780 = shufflevector <8 x double> %779, <8 x double> poison, <8 x i32> zeroinitializer
+  %781 = load ptr, ptr %67, align 8, !noalias !29
+  %782 = getelementptr inbounds double, ptr %781, i64 %710
+  %783 = load double, ptr %782, align 8, !noalias !29
+  %784 = insertelement <8 x double> poison, double %783, i64 0
+  %785 = shufflevector <8 x double> %784, <8 x double> poison, <8 x i32> zeroinitializer
+  %786 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %769)
+  %787 = fmul <8 x double> %786, %785
+  %788 = fadd <8 x double> %780, %787
+  %789 = fdiv <8 x double> %775, %788
+  %790 = fmul <8 x double> %789, %789
+  %791 = fadd <8 x double> %711, %790
+  br label %792
 
-814:                                              ; preds = %789
+792:                                              ; preds = %766, %708
+  %793 = phi <8 x double> [ %791, %766 ], [ %711, %708 ]
+  %794 = add nuw nsw i64 %710, 1
+  %795 = icmp eq i64 %794, %700
+  br i1 %795, label %796, label %708, !llvm.loop !35
+
+796:                                              ; preds = %792, %697
+  %797 = phi <8 x double> [ zeroinitializer, %697 ], [ %793, %792 ]
+  %798 = phi <8 x i64> [ <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, %697 ], [ %727, %792 ]
+  %799 = icmp ne <8 x i64> %798, zeroinitializer
+  %800 = bitcast <8 x i1> %799 to i8
+  %801 = zext i8 %800 to i64
+  %802 = and i64 %691, %801
+  %803 = xor i64 %802, %691
+  %804 = trunc i64 %803 to i8
+  %805 = bitcast i8 %804 to <8 x i1>
+  %806 = load ptr, ptr %20, align 8, !noalias !29
+  %807 = getelementptr inbounds i8, ptr %806, i64 24
+  %808 = load i64, ptr %807, align 8, !noalias !29
+  %809 = load i64, ptr %97, align 8, !noalias !29
+  %810 = sdiv i64 %809, 8
+  %811 = load ptr, ptr %66, align 8, !noalias !29
+  %812 = getelementptr inbounds i8, ptr %811, i64 40
+  %813 = load i64, ptr %812, align 8, !noalias !29
+  %814 = load ptr, ptr %98, align 8, !noalias !29
   %815 = load ptr, ptr %99, align 8, !noalias !29
-  %816 = load ptr, ptr %95, align 8, !noalias !29
-  %817 = shl nsw i64 %803, 6
-  %818 = getelementptr inbounds i8, ptr %807, i64 %817
-  call fastcc void @real_solve_columns(ptr noundef %815, i64 noundef %803, ptr noundef %816, ptr noundef %818, i64 noundef %806) #11, !noalias !29
-  %819 = load ptr, ptr %100, align 8, !noalias !29
-  %820 = load ptr, ptr %101, align 8, !noalias !29
-  %821 = shl nsw i64 %803, 7
-  %822 = getelementptr inbounds i8, ptr %808, i64 %821
-  call fastcc void @pair_solve_columns(ptr noundef %819, i64 noundef %803, ptr noundef %820, ptr noundef %822, i64 noundef %806) #11, !noalias !29
-  br label %823
+  %816 = load ptr, ptr %100, align 8, !noalias !29
+  %817 = load ptr, ptr %96, align 8, !noalias !29
+  call fastcc void @real_solve(ptr noundef %816, i64 noundef %810, ptr noundef %817, ptr noundef %814) #12, !noalias !29
+  %818 = load ptr, ptr %101, align 8, !noalias !29
+  %819 = load ptr, ptr %102, align 8, !noalias !29
+  call fastcc void @pair_solve(ptr noundef %818, i64 noundef %810, ptr noundef %819, ptr noundef %815) #12, !noalias !29
+  %820 = icmp sgt i64 %813, 0
+  br i1 %820, label %821, label %830
 
-823:                                              ; preds = %814, %789
-  %824 = icmp sgt i64 %801, 0
-  br i1 %824, label %825, label %866
-
-825:                                              ; preds = %823
-  %826 = load ptr, ptr %21, align 8, !noalias !29
+821:                                              ; preds = %796
+  %822 = load ptr, ptr %100, align 8, !noalias !29
+  %823 = load ptr, ptr %96, align 8, !noalias !29
+  %824 = shl nsw i64 %810, 6
+  %825 = getelementptr inbounds i8, ptr %814, i64 %824
+  call fastcc void @real_solve_columns(ptr noundef %822, i64 noundef %810, ptr noundef %823, ptr noundef %825, i64 noundef %813) #12, !noalias !29
+  %826 = load ptr, ptr %101, align 8, !noalias !29
   %827 = load ptr, ptr %102, align 8, !noalias !29
-  %828 = load ptr, ptr %66, align 8, !noalias !29
-  br label %829
+  %828 = shl nsw i64 %810, 7
+  %829 = getelementptr inbounds i8, ptr %815, i64 %828
+  call fastcc void @pair_solve_columns(ptr noundef %826, i64 noundef %810, ptr noundef %827, ptr noundef %829, i64 noundef %813) #12, !noalias !29
+  br label %830
 
-829:                                              ; preds = %825, %829
-  %830 = phi <8 x double> [ zeroinitializer, %825 ], [ %863, %829 ]
-  %831 = phi i64 [ 0, %825 ], [ %864, %829 ]
-  %832 = shl nsw i64 %831, 6
-  %833 = getelementptr inbounds i8, ptr %826, i64 %832
-  %834 = load <8 x double>, ptr %833, align 8, !noalias !29
-  %835 = getelementptr inbounds double, ptr %827, i64 %831
-  %836 = load double, ptr %835, align 8, !noalias !29
-  %837 = insertelement <8 x double> poison, double %836, i64 0
-  %838 = shufflevector <8 x double> %837, <8 x double> poison, <8 x i32> zeroinitializer
-  %839 = getelementptr inbounds double, ptr %828, i64 %831
-  %840 = load double, ptr %839, align 8, !noalias !29
-  %841 = insertelement <8 x double> poison, double %840, i64 0
-  %842 = shufflevector <8 x double> %841, <8 x double> poison, <8 x i32> zeroinitializer
-  %843 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %834)
-  %844 = fmul <8 x double> %843, %842
-  %845 = fadd <8 x double> %838, %844
-  %846 = getelementptr inbounds i8, ptr %807, i64 %832
-  %847 = load <8 x double>, ptr %846, align 8, !noalias !29
-  %848 = fdiv <8 x double> %847, %845
-  %849 = shl i64 %831, 7
-  %850 = shl nsw i64 %831, 7
-  %851 = getelementptr inbounds i8, ptr %808, i64 %850
-  %852 = load <8 x double>, ptr %851, align 8, !noalias !36
-  %853 = or disjoint i64 %849, 64
-  %854 = getelementptr inbounds i8, ptr %808, i64 %853
-  %855 = load <8 x double>, ptr %854, align 8, !noalias !36
-  %856 = fdiv <8 x double> %852, %845
-  %857 = fdiv <8 x double> %855, %845
-  %858 = fmul <8 x double> %848, %848
-  %859 = fmul <8 x double> %856, %856
-  %860 = fadd <8 x double> %858, %859
-  %861 = fmul <8 x double> %857, %857
-  %862 = fadd <8 x double> %861, %860
-  %863 = fadd <8 x double> %830, %862
-  %864 = add nuw nsw i64 %831, 1
-  %865 = icmp eq i64 %864, %801
-  br i1 %865, label %866, label %829, !llvm.loop !39
+830:                                              ; preds = %821, %796
+  %831 = icmp sgt i64 %808, 0
+  br i1 %831, label %832, label %873
 
-866:                                              ; preds = %829, %823
-  %867 = phi <8 x double> [ zeroinitializer, %823 ], [ %863, %829 ]
-  %868 = mul nsw i64 %801, 3
-  %869 = sitofp i64 %868 to double
-  %870 = insertelement <8 x double> poison, double %869, i64 0
-  %871 = shufflevector <8 x double> %870, <8 x double> poison, <8 x i32> zeroinitializer
-  %872 = fdiv <8 x double> %867, %871
-  %873 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %872)
-  %874 = fcmp oeq <8 x double> %873, zeroinitializer
-  %875 = fcmp ogt <8 x double> %790, zeroinitializer
-  %876 = and <8 x i1> %874, %875
-  %877 = bitcast <8 x i1> %876 to i8
-  %878 = zext i8 %877 to i64
-  %879 = xor i64 %878, -1
-  %880 = and i64 %795, %879
-  %881 = xor i64 %595, -1
-  %882 = and i64 %880, %881
-  %883 = trunc nuw i64 %882 to i8
-  %884 = bitcast i8 %883 to <8 x i1>
-  %885 = fcmp ogt <8 x double> %591, zeroinitializer
-  %886 = select <8 x i1> %885, <8 x i1> %884, <8 x i1> zeroinitializer
-  %887 = fdiv <8 x double> %873, %591
-  %888 = select <8 x i1> %798, <8 x double> <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, <8 x double> %598
-  %889 = select <8 x i1> %886, <8 x double> %887, <8 x double> %888
-  %890 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %889
-  %891 = fdiv <8 x double> %873, %890
-  %892 = icmp ult i64 %594, 5
-  br i1 %892, label %1003, label %893
+832:                                              ; preds = %830
+  %833 = load ptr, ptr %22, align 8, !noalias !29
+  %834 = load ptr, ptr %103, align 8, !noalias !29
+  %835 = load ptr, ptr %67, align 8, !noalias !29
+  br label %836
 
-893:                                              ; preds = %1003, %866
-  %894 = phi <8 x double> [ %891, %866 ], [ %1006, %1003 ]
-  %895 = fcmp oge <8 x double> %889, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %896 = fcmp ogt <8 x double> %894, %583
-  %897 = or <8 x i1> %896, %895
-  %898 = select <8 x i1> %897, <8 x i1> %886, <8 x i1> zeroinitializer
-  %899 = bitcast <8 x i1> %898 to i8
-  %900 = zext i8 %899 to i64
-  %901 = xor i64 %900, -1
-  %902 = and i64 %880, %901
-  %903 = xor i64 %902, -1
-  %904 = and i64 %607, %903
-  %905 = or i64 %904, %593
-  %906 = load ptr, ptr %19, align 8, !noalias !29
-  %907 = getelementptr inbounds i8, ptr %906, i64 8
-  %908 = load i64, ptr %907, align 8, !noalias !29
-  %909 = trunc nuw i64 %902 to i8
-  %910 = bitcast i8 %909 to <8 x i1>
-  %911 = load ptr, ptr %82, align 8, !noalias !29
-  %912 = load ptr, ptr %83, align 8, !noalias !29
-  %913 = icmp sgt i64 %908, 0
-  br i1 %913, label %914, label %985
+836:                                              ; preds = %832, %836
+  %837 = phi <8 x double> [ zeroinitializer, %832 ], [ %870, %836 ]
+  %838 = phi i64 [ 0, %832 ], [ %871, %836 ]
+  %839 = shl nsw i64 %838, 6
+  %840 = getelementptr inbounds i8, ptr %833, i64 %839
+  %841 = load <8 x double>, ptr %840, align 8, !noalias !29
+  %842 = getelementptr inbounds double, ptr %834, i64 %838
+  %843 = load double, ptr %842, align 8, !noalias !29
+  %844 = insertelement <8 x double> poison, double %843, i64 0
+  %845 = shufflevector <8 x double> %844, <8 x double> poison, <8 x i32> zeroinitializer
+  %846 = getelementptr inbounds double, ptr %835, i64 %838
+  %847 = load double, ptr %846, align 8, !noalias !29
+  %848 = insertelement <8 x double> poison, double %847, i64 0
+  %849 = shufflevector <8 x double> %848, <8 x double> poison, <8 x i32> zeroinitializer
+  %850 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %841)
+  %851 = fmul <8 x double> %850, %849
+  %852 = fadd <8 x double> %845, %851
+  %853 = getelementptr inbounds i8, ptr %814, i64 %839
+  %854 = load <8 x double>, ptr %853, align 8, !noalias !29
+  %855 = fdiv <8 x double> %854, %852
+  %856 = shl i64 %838, 7
+  %857 = shl nsw i64 %838, 7
+  %858 = getelementptr inbounds i8, ptr %815, i64 %857
+  %859 = load <8 x double>, ptr %858, align 8, !noalias !36
+  %860 = or disjoint i64 %856, 64
+  %861 = getelementptr inbounds i8, ptr %815, i64 %860
+  %862 = load <8 x double>, ptr %861, align 8, !noalias !36
+  %863 = fdiv <8 x double> %859, %852
+  %864 = fdiv <8 x double> %862, %852
+  %865 = fmul <8 x double> %855, %855
+  %866 = fmul <8 x double> %863, %863
+  %867 = fadd <8 x double> %865, %866
+  %868 = fmul <8 x double> %864, %864
+  %869 = fadd <8 x double> %868, %867
+  %870 = fadd <8 x double> %837, %869
+  %871 = add nuw nsw i64 %838, 1
+  %872 = icmp eq i64 %871, %808
+  br i1 %872, label %873, label %836, !llvm.loop !39
 
-914:                                              ; preds = %893
-  %915 = shl i64 %908, 7
-  %916 = getelementptr i8, ptr %912, i64 %915
-  br label %917
+873:                                              ; preds = %836, %830
+  %874 = phi <8 x double> [ zeroinitializer, %830 ], [ %870, %836 ]
+  %875 = mul nsw i64 %808, 3
+  %876 = sitofp i64 %875 to double
+  %877 = insertelement <8 x double> poison, double %876, i64 0
+  %878 = shufflevector <8 x double> %877, <8 x double> poison, <8 x i32> zeroinitializer
+  %879 = fdiv <8 x double> %874, %878
+  %880 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %879)
+  %881 = fcmp oeq <8 x double> %880, zeroinitializer
+  %882 = fcmp ogt <8 x double> %797, zeroinitializer
+  %883 = and <8 x i1> %881, %882
+  %884 = bitcast <8 x i1> %883 to i8
+  %885 = zext i8 %884 to i64
+  %886 = xor i64 %885, -1
+  %887 = and i64 %802, %886
+  %888 = xor i64 %602, -1
+  %889 = and i64 %887, %888
+  %890 = trunc nuw i64 %889 to i8
+  %891 = bitcast i8 %890 to <8 x i1>
+  %892 = fcmp ogt <8 x double> %598, zeroinitializer
+  %893 = select <8 x i1> %892, <8 x i1> %891, <8 x i1> zeroinitializer
+  %894 = fdiv <8 x double> %880, %598
+  %895 = select <8 x i1> %805, <8 x double> <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>, <8 x double> %605
+  %896 = select <8 x i1> %893, <8 x double> %894, <8 x double> %895
+  %897 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %896
+  %898 = fdiv <8 x double> %880, %897
+  %899 = icmp ult i64 %601, 5
+  br i1 %899, label %1010, label %900
 
-917:                                              ; preds = %914, %951
-  %918 = phi i64 [ 0, %914 ], [ %952, %951 ]
-  %919 = load ptr, ptr %98, align 8, !noalias !29
-  %920 = shl i64 %918, 7
-  %921 = shl nsw i64 %918, 7
-  %922 = getelementptr inbounds i8, ptr %919, i64 %921
-  %923 = load <8 x double>, ptr %922, align 8, !noalias !40
-  %924 = or disjoint i64 %920, 64
-  %925 = getelementptr inbounds i8, ptr %919, i64 %924
-  %926 = load <8 x double>, ptr %925, align 8, !noalias !40
-  %927 = load ptr, ptr %97, align 8, !noalias !29
-  %928 = shl nsw i64 %918, 6
-  %929 = getelementptr inbounds i8, ptr %927, i64 %928
-  %930 = load <8 x double>, ptr %929, align 8, !noalias !29
-  store <8 x double> %930, ptr %10, align 64, !noalias !29
-  store <8 x double> %923, ptr %103, align 64, !noalias !29
-  store <8 x double> %926, ptr %104, align 64, !noalias !29
-  br label %938
+900:                                              ; preds = %1010, %873
+  %901 = phi <8 x double> [ %898, %873 ], [ %1013, %1010 ]
+  %902 = fcmp oge <8 x double> %896, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %903 = fcmp ogt <8 x double> %901, %590
+  %904 = or <8 x i1> %903, %902
+  %905 = select <8 x i1> %904, <8 x i1> %893, <8 x i1> zeroinitializer
+  %906 = bitcast <8 x i1> %905 to i8
+  %907 = zext i8 %906 to i64
+  %908 = xor i64 %907, -1
+  %909 = and i64 %887, %908
+  %910 = xor i64 %909, -1
+  %911 = and i64 %614, %910
+  %912 = or i64 %911, %600
+  %913 = load ptr, ptr %20, align 8, !noalias !29
+  %914 = getelementptr inbounds i8, ptr %913, i64 8
+  %915 = load i64, ptr %914, align 8, !noalias !29
+  %916 = trunc nuw i64 %909 to i8
+  %917 = bitcast i8 %916 to <8 x i1>
+  %918 = load ptr, ptr %83, align 8, !noalias !29
+  %919 = load ptr, ptr %84, align 8, !noalias !29
+  %920 = icmp sgt i64 %915, 0
+  br i1 %920, label %921, label %992
 
-931:                                              ; preds = %938
-  %932 = getelementptr inbounds i8, ptr %912, i64 %928
-  %933 = add nuw nsw i64 %918, %908
-  %934 = shl nsw i64 %933, 6
-  %935 = getelementptr inbounds i8, ptr %912, i64 %934
-  %936 = shl i64 %918, 6
-  %937 = getelementptr i8, ptr %916, i64 %936
-  br label %954
+921:                                              ; preds = %900
+  %922 = shl i64 %915, 7
+  %923 = getelementptr i8, ptr %919, i64 %922
+  br label %924
 
-938:                                              ; preds = %917, %938
-  %939 = phi i64 [ 0, %917 ], [ %949, %938 ]
-  %940 = mul nuw nsw i64 %908, %939
-  %941 = add nuw nsw i64 %940, %918
-  %942 = shl nsw i64 %941, 6
-  %943 = getelementptr inbounds i8, ptr %912, i64 %942
-  %944 = load <8 x double>, ptr %943, align 8, !noalias !29
-  %945 = getelementptr inbounds [3 x <8 x double>], ptr %10, i64 0, i64 %939
-  %946 = load <8 x double>, ptr %945, align 64, !noalias !29
-  %947 = fadd <8 x double> %944, %946
-  %948 = select <8 x i1> %910, <8 x double> %947, <8 x double> %944
-  store <8 x double> %948, ptr %943, align 8, !noalias !29
-  %949 = add nuw nsw i64 %939, 1
-  %950 = icmp eq i64 %949, 3
-  br i1 %950, label %931, label %938, !llvm.loop !43
+924:                                              ; preds = %921, %958
+  %925 = phi i64 [ 0, %921 ], [ %959, %958 ]
+  %926 = load ptr, ptr %99, align 8, !noalias !29
+  %927 = shl i64 %925, 7
+  %928 = shl nsw i64 %925, 7
+  %929 = getelementptr inbounds i8, ptr %926, i64 %928
+  %930 = load <8 x double>, ptr %929, align 8, !noalias !40
+  %931 = or disjoint i64 %927, 64
+  %932 = getelementptr inbounds i8, ptr %926, i64 %931
+  %933 = load <8 x double>, ptr %932, align 8, !noalias !40
+  %934 = load ptr, ptr %98, align 8, !noalias !29
+  %935 = shl nsw i64 %925, 6
+  %936 = getelementptr inbounds i8, ptr %934, i64 %935
+  %937 = load <8 x double>, ptr %936, align 8, !noalias !29
+  store <8 x double> %937, ptr %11, align 64, !noalias !29
+  store <8 x double> %930, ptr %104, align 64, !noalias !29
+  store <8 x double> %933, ptr %105, align 64, !noalias !29
+  br label %945
 
-951:                                              ; preds = %954
-  %952 = add nuw nsw i64 %918, 1
-  %953 = icmp eq i64 %952, %908
-  br i1 %953, label %985, label %917, !llvm.loop !44
+938:                                              ; preds = %945
+  %939 = getelementptr inbounds i8, ptr %919, i64 %935
+  %940 = add nuw nsw i64 %925, %915
+  %941 = shl nsw i64 %940, 6
+  %942 = getelementptr inbounds i8, ptr %919, i64 %941
+  %943 = shl i64 %925, 6
+  %944 = getelementptr i8, ptr %923, i64 %943
+  br label %961
 
-954:                                              ; preds = %931, %954
-  %955 = phi i64 [ 0, %931 ], [ %983, %954 ]
-  %956 = mul nuw nsw i64 %908, %955
-  %957 = add nuw nsw i64 %956, %918
-  %958 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %955
-  %959 = load double, ptr %958, align 8, !noalias !29
-  %960 = insertelement <8 x double> poison, double %959, i64 0
-  %961 = shufflevector <8 x double> %960, <8 x double> poison, <8 x i32> zeroinitializer
-  %962 = load <8 x double>, ptr %932, align 8, !noalias !29
-  %963 = fmul <8 x double> %962, %961
-  %964 = getelementptr inbounds i8, ptr %958, i64 8
-  %965 = load double, ptr %964, align 8, !noalias !29
-  %966 = insertelement <8 x double> poison, double %965, i64 0
-  %967 = shufflevector <8 x double> %966, <8 x double> poison, <8 x i32> zeroinitializer
-  %968 = load <8 x double>, ptr %935, align 8, !noalias !29
-  %969 = fmul <8 x double> %968, %967
-  %970 = fadd <8 x double> %963, %969
-  %971 = getelementptr inbounds i8, ptr %958, i64 16
+945:                                              ; preds = %924, %945
+  %946 = phi i64 [ 0, %924 ], [ %956, %945 ]
+  %947 = mul nuw nsw i64 %915, %946
+  %948 = add nuw nsw i64 %947, %925
+  %949 = shl nsw i64 %948, 6
+  %950 = getelementptr inbounds i8, ptr %919, i64 %949
+  %951 = load <8 x double>, ptr %950, align 8, !noalias !29
+  %952 = getelementptr inbounds [3 x <8 x double>], ptr %11, i64 0, i64 %946
+  %953 = load <8 x double>, ptr %952, align 64, !noalias !29
+  %954 = fadd <8 x double> %951, %953
+  %955 = select <8 x i1> %917, <8 x double> %954, <8 x double> %951
+  store <8 x double> %955, ptr %950, align 8, !noalias !29
+  %956 = add nuw nsw i64 %946, 1
+  %957 = icmp eq i64 %956, 3
+  br i1 %957, label %938, label %945, !llvm.loop !43
+
+958:                                              ; preds = %961
+  %959 = add nuw nsw i64 %925, 1
+  %960 = icmp eq i64 %959, %915
+  br i1 %960, label %992, label %924, !llvm.loop !44
+
+961:                                              ; preds = %938, %961
+  %962 = phi i64 [ 0, %938 ], [ %990, %961 ]
+  %963 = mul nuw nsw i64 %915, %962
+  %964 = add nuw nsw i64 %963, %925
+  %965 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %962
+  %966 = load double, ptr %965, align 8, !noalias !29
+  %967 = insertelement <8 x double> poison, double %966, i64 0
+  %968 = shufflevector <8 x double> %967, <8 x double> poison, <8 x i32> zeroinitializer
+  %969 = load <8 x double>, ptr %939, align 8, !noalias !29
+  %970 = fmul <8 x double> %969, %968
+  %971 = getelementptr inbounds i8, ptr %965, i64 8
   %972 = load double, ptr %971, align 8, !noalias !29
   %973 = insertelement <8 x double> poison, double %972, i64 0
   %974 = shufflevector <8 x double> %973, <8 x double> poison, <8 x i32> zeroinitializer
-  %975 = load <8 x double>, ptr %937, align 8, !noalias !29
+  %975 = load <8 x double>, ptr %942, align 8, !noalias !29
   %976 = fmul <8 x double> %975, %974
   %977 = fadd <8 x double> %970, %976
-  %978 = shl nsw i64 %957, 6
-  %979 = getelementptr inbounds i8, ptr %911, i64 %978
-  %980 = load <8 x i64>, ptr %979, align 8, !noalias !29
-  %981 = bitcast <8 x double> %977 to <8 x i64>
-  %982 = select <8 x i1> %910, <8 x i64> %981, <8 x i64> %980
-  store <8 x i64> %982, ptr %979, align 8, !noalias !29
-  %983 = add nuw nsw i64 %955, 1
-  %984 = icmp eq i64 %983, 3
-  br i1 %984, label %951, label %954, !llvm.loop !45
+  %978 = getelementptr inbounds i8, ptr %965, i64 16
+  %979 = load double, ptr %978, align 8, !noalias !29
+  %980 = insertelement <8 x double> poison, double %979, i64 0
+  %981 = shufflevector <8 x double> %980, <8 x double> poison, <8 x i32> zeroinitializer
+  %982 = load <8 x double>, ptr %944, align 8, !noalias !29
+  %983 = fmul <8 x double> %982, %981
+  %984 = fadd <8 x double> %977, %983
+  %985 = shl nsw i64 %964, 6
+  %986 = getelementptr inbounds i8, ptr %918, i64 %985
+  %987 = load <8 x i64>, ptr %986, align 8, !noalias !29
+  %988 = bitcast <8 x double> %984 to <8 x i64>
+  %989 = select <8 x i1> %917, <8 x i64> %988, <8 x i64> %987
+  store <8 x i64> %989, ptr %986, align 8, !noalias !29
+  %990 = add nuw nsw i64 %962, 1
+  %991 = icmp eq i64 %990, 3
+  br i1 %991, label %958, label %961, !llvm.loop !45
 
-985:                                              ; preds = %951, %893
-  %986 = fdiv <8 x double> %889, %890
-  %987 = fmul <8 x double> %873, %986
-  %988 = fcmp olt <8 x double> %987, %583
-  %989 = and <8 x i1> %988, %885
-  %990 = or <8 x i1> %989, %874
-  %991 = bitcast <8 x i1> %990 to i8
-  %992 = zext i8 %991 to i64
-  %993 = and i64 %992, %881
-  %994 = and i64 %993, %902
-  %995 = trunc nuw i64 %994 to i8
-  %996 = bitcast i8 %995 to <8 x i1>
-  %997 = add nuw nsw i64 %594, 1
-  %998 = uitofp nneg i64 %997 to double
-  %999 = insertelement <8 x double> poison, double %998, i64 0
-  %1000 = shufflevector <8 x double> %999, <8 x double> poison, <8 x i32> zeroinitializer
-  %1001 = select <8 x i1> %996, <8 x double> %1000, <8 x double> %599
-  %1002 = or i64 %994, %595
-  br i1 %576, label %1009, label %1088
+992:                                              ; preds = %958, %900
+  %993 = fdiv <8 x double> %896, %897
+  %994 = fmul <8 x double> %880, %993
+  %995 = fcmp olt <8 x double> %994, %590
+  %996 = and <8 x i1> %995, %892
+  %997 = or <8 x i1> %996, %881
+  %998 = bitcast <8 x i1> %997 to i8
+  %999 = zext i8 %998 to i64
+  %1000 = and i64 %999, %888
+  %1001 = and i64 %1000, %909
+  %1002 = trunc nuw i64 %1001 to i8
+  %1003 = bitcast i8 %1002 to <8 x i1>
+  %1004 = add nuw nsw i64 %601, 1
+  %1005 = uitofp nneg i64 %1004 to double
+  %1006 = insertelement <8 x double> poison, double %1005, i64 0
+  %1007 = shufflevector <8 x double> %1006, <8 x double> poison, <8 x i32> zeroinitializer
+  %1008 = select <8 x i1> %1003, <8 x double> %1007, <8 x double> %606
+  %1009 = or i64 %1001, %602
+  br i1 %583, label %1016, label %1095
 
-1003:                                             ; preds = %866, %1003
-  %1004 = phi i64 [ %1007, %1003 ], [ %594, %866 ]
-  %1005 = phi <8 x double> [ %1006, %1003 ], [ %891, %866 ]
-  %1006 = fmul <8 x double> %1005, %889
-  %1007 = add nuw nsw i64 %1004, 1
-  %1008 = icmp ult i64 %1004, 4
-  br i1 %1008, label %1003, label %893, !llvm.loop !46
+1010:                                             ; preds = %873, %1010
+  %1011 = phi i64 [ %1014, %1010 ], [ %601, %873 ]
+  %1012 = phi <8 x double> [ %1013, %1010 ], [ %898, %873 ]
+  %1013 = fmul <8 x double> %1012, %896
+  %1014 = add nuw nsw i64 %1011, 1
+  %1015 = icmp ult i64 %1011, 4
+  br i1 %1015, label %1010, label %900, !llvm.loop !46
 
-1009:                                             ; preds = %985
-  %1010 = load i64, ptr %96, align 8, !noalias !29
-  %1011 = sdiv i64 %1010, 8
-  %1012 = load ptr, ptr %65, align 8, !noalias !29
-  %1013 = getelementptr inbounds i8, ptr %1012, i64 40
-  %1014 = load i64, ptr %1013, align 8, !noalias !29
-  %1015 = load ptr, ptr %19, align 8, !noalias !29
-  %1016 = getelementptr inbounds i8, ptr %1015, i64 8
-  %1017 = load i64, ptr %1016, align 8, !noalias !29
-  %1018 = load ptr, ptr %83, align 8, !noalias !29
-  %1019 = icmp sgt i64 %1014, 0
-  br i1 %1019, label %1020, label %1082
+1016:                                             ; preds = %992
+  %1017 = load i64, ptr %97, align 8, !noalias !29
+  %1018 = sdiv i64 %1017, 8
+  %1019 = load ptr, ptr %66, align 8, !noalias !29
+  %1020 = getelementptr inbounds i8, ptr %1019, i64 40
+  %1021 = load i64, ptr %1020, align 8, !noalias !29
+  %1022 = load ptr, ptr %20, align 8, !noalias !29
+  %1023 = getelementptr inbounds i8, ptr %1022, i64 8
+  %1024 = load i64, ptr %1023, align 8, !noalias !29
+  %1025 = load ptr, ptr %84, align 8, !noalias !29
+  %1026 = icmp sgt i64 %1021, 0
+  br i1 %1026, label %1027, label %1089
 
-1020:                                             ; preds = %1009
-  %1021 = icmp sgt i64 %1010, 7
-  br label %1022
+1027:                                             ; preds = %1016
+  %1028 = icmp sgt i64 %1017, 7
+  br label %1029
 
-1022:                                             ; preds = %1020, %1030
-  %1023 = phi <8 x double> [ zeroinitializer, %1020 ], [ %1038, %1030 ]
-  %1024 = phi i64 [ 0, %1020 ], [ %1039, %1030 ]
-  br i1 %1021, label %1025, label %1030
+1029:                                             ; preds = %1027, %1037
+  %1030 = phi <8 x double> [ zeroinitializer, %1027 ], [ %1045, %1037 ]
+  %1031 = phi i64 [ 0, %1027 ], [ %1046, %1037 ]
+  br i1 %1028, label %1032, label %1037
 
-1025:                                             ; preds = %1022
-  %1026 = add nuw i64 %1024, %1011
-  %1027 = load ptr, ptr %97, align 8, !noalias !29
-  %1028 = load ptr, ptr %21, align 8, !noalias !29
-  %1029 = load ptr, ptr %98, align 8, !noalias !29
-  br label %1041
+1032:                                             ; preds = %1029
+  %1033 = add nuw i64 %1031, %1018
+  %1034 = load ptr, ptr %98, align 8, !noalias !29
+  %1035 = load ptr, ptr %22, align 8, !noalias !29
+  %1036 = load ptr, ptr %99, align 8, !noalias !29
+  br label %1048
 
-1030:                                             ; preds = %1066, %1022
-  %1031 = phi <8 x double> [ zeroinitializer, %1022 ], [ %1079, %1066 ]
-  %1032 = phi <8 x double> [ zeroinitializer, %1022 ], [ %1067, %1066 ]
-  %1033 = fcmp ogt <8 x double> %1031, zeroinitializer
-  %1034 = fdiv <8 x double> %1032, %1031
-  %1035 = fmul <8 x double> %1023, %1031
-  %1036 = fcmp ogt <8 x double> %1032, %1035
-  %1037 = select <8 x i1> %1033, <8 x double> %1034, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1038 = select <8 x i1> %1036, <8 x double> %1037, <8 x double> %1023
-  %1039 = add nuw nsw i64 %1024, 1
-  %1040 = icmp eq i64 %1039, %1014
-  br i1 %1040, label %1082, label %1022, !llvm.loop !47
+1037:                                             ; preds = %1073, %1029
+  %1038 = phi <8 x double> [ zeroinitializer, %1029 ], [ %1086, %1073 ]
+  %1039 = phi <8 x double> [ zeroinitializer, %1029 ], [ %1074, %1073 ]
+  %1040 = fcmp ogt <8 x double> %1038, zeroinitializer
+  %1041 = fdiv <8 x double> %1039, %1038
+  %1042 = fmul <8 x double> %1030, %1038
+  %1043 = fcmp ogt <8 x double> %1039, %1042
+  %1044 = select <8 x i1> %1040, <8 x double> %1041, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1045 = select <8 x i1> %1043, <8 x double> %1044, <8 x double> %1030
+  %1046 = add nuw nsw i64 %1031, 1
+  %1047 = icmp eq i64 %1046, %1021
+  br i1 %1047, label %1089, label %1029, !llvm.loop !47
 
-1041:                                             ; preds = %1025, %1066
-  %1042 = phi <8 x double> [ zeroinitializer, %1025 ], [ %1067, %1066 ]
-  %1043 = phi i64 [ 0, %1025 ], [ %1068, %1066 ]
-  %1044 = phi <8 x double> [ zeroinitializer, %1025 ], [ %1079, %1066 ]
-  %1045 = mul nuw nsw i64 %1043, %1014
-  %1046 = add i64 %1026, %1045
-  %1047 = shl nsw i64 %1046, 6
-  %1048 = getelementptr inbounds i8, ptr %1027, i64 %1047
-  %1049 = load <8 x double>, ptr %1048, align 8, !noalias !29
-  %1050 = getelementptr inbounds i8, ptr %1028, i64 %1047
-  %1051 = load <8 x double>, ptr %1050, align 8, !noalias !29
-  %1052 = shl i64 %1046, 7
-  %1053 = shl nsw i64 %1046, 7
-  %1054 = getelementptr inbounds i8, ptr %1029, i64 %1053
-  %1055 = load <8 x double>, ptr %1054, align 8, !noalias !48
-  %1056 = or disjoint i64 %1052, 64
-  %1057 = getelementptr inbounds i8, ptr %1029, i64 %1056
-  %1058 = load <8 x double>, ptr %1057, align 8, !noalias !48
-  %1059 = fmul <8 x double> %1049, %1049
-  %1060 = fmul <8 x double> %1055, %1055
-  %1061 = fmul <8 x double> %1058, %1058
-  %1062 = fadd <8 x double> %1060, %1061
-  %1063 = fadd <8 x double> %1059, %1062
-  %1064 = fmul <8 x double> %1051, %1051
-  %1065 = fadd <8 x double> %1044, %1064
-  br label %1070
+1048:                                             ; preds = %1032, %1073
+  %1049 = phi <8 x double> [ zeroinitializer, %1032 ], [ %1074, %1073 ]
+  %1050 = phi i64 [ 0, %1032 ], [ %1075, %1073 ]
+  %1051 = phi <8 x double> [ zeroinitializer, %1032 ], [ %1086, %1073 ]
+  %1052 = mul nuw nsw i64 %1050, %1021
+  %1053 = add i64 %1033, %1052
+  %1054 = shl nsw i64 %1053, 6
+  %1055 = getelementptr inbounds i8, ptr %1034, i64 %1054
+  %1056 = load <8 x double>, ptr %1055, align 8, !noalias !29
+  %1057 = getelementptr inbounds i8, ptr %1035, i64 %1054
+  %1058 = load <8 x double>, ptr %1057, align 8, !noalias !29
+  %1059 = shl i64 %1053, 7
+  %1060 = shl nsw i64 %1053, 7
+  %1061 = getelementptr inbounds i8, ptr %1036, i64 %1060
+  %1062 = load <8 x double>, ptr %1061, align 8, !noalias !48
+  %1063 = or disjoint i64 %1059, 64
+  %1064 = getelementptr inbounds i8, ptr %1036, i64 %1063
+  %1065 = load <8 x double>, ptr %1064, align 8, !noalias !48
+  %1066 = fmul <8 x double> %1056, %1056
+  %1067 = fmul <8 x double> %1062, %1062
+  %1068 = fmul <8 x double> %1065, %1065
+  %1069 = fadd <8 x double> %1067, %1068
+  %1070 = fadd <8 x double> %1066, %1069
+  %1071 = fmul <8 x double> %1058, %1058
+  %1072 = fadd <8 x double> %1051, %1071
+  br label %1077
 
-1066:                                             ; preds = %1070
-  %1067 = fadd <8 x double> %1042, %1063
-  %1068 = add nuw nsw i64 %1043, 1
-  %1069 = icmp eq i64 %1068, %1011
-  br i1 %1069, label %1030, label %1041, !llvm.loop !51
+1073:                                             ; preds = %1077
+  %1074 = fadd <8 x double> %1049, %1070
+  %1075 = add nuw nsw i64 %1050, 1
+  %1076 = icmp eq i64 %1075, %1018
+  br i1 %1076, label %1037, label %1048, !llvm.loop !51
 
-1070:                                             ; preds = %1041, %1070
-  %1071 = phi i64 [ 0, %1041 ], [ %1080, %1070 ]
-  %1072 = phi <8 x double> [ %1065, %1041 ], [ %1079, %1070 ]
-  %1073 = mul nsw i64 %1017, %1071
-  %1074 = add nsw i64 %1073, %1046
-  %1075 = shl nsw i64 %1074, 6
-  %1076 = getelementptr inbounds i8, ptr %1018, i64 %1075
-  %1077 = load <8 x double>, ptr %1076, align 8, !noalias !29
-  %1078 = fmul <8 x double> %1077, %1077
-  %1079 = fadd <8 x double> %1072, %1078
-  %1080 = add nuw nsw i64 %1071, 1
-  %1081 = icmp eq i64 %1080, 3
-  br i1 %1081, label %1066, label %1070, !llvm.loop !52
+1077:                                             ; preds = %1048, %1077
+  %1078 = phi i64 [ 0, %1048 ], [ %1087, %1077 ]
+  %1079 = phi <8 x double> [ %1072, %1048 ], [ %1086, %1077 ]
+  %1080 = mul nsw i64 %1024, %1078
+  %1081 = add nsw i64 %1080, %1053
+  %1082 = shl nsw i64 %1081, 6
+  %1083 = getelementptr inbounds i8, ptr %1025, i64 %1082
+  %1084 = load <8 x double>, ptr %1083, align 8, !noalias !29
+  %1085 = fmul <8 x double> %1084, %1084
+  %1086 = fadd <8 x double> %1079, %1085
+  %1087 = add nuw nsw i64 %1078, 1
+  %1088 = icmp eq i64 %1087, 3
+  br i1 %1088, label %1073, label %1077, !llvm.loop !52
 
-1082:                                             ; preds = %1030, %1009
-  %1083 = phi <8 x double> [ zeroinitializer, %1009 ], [ %1038, %1030 ]
-  %1084 = fcmp ole <8 x double> %1083, %586
-  %1085 = bitcast <8 x i1> %1084 to i8
-  %1086 = zext i8 %1085 to i64
-  %1087 = and i64 %1002, %1086
-  br label %1088
-
-1088:                                             ; preds = %1082, %985
-  %1089 = phi i64 [ %1087, %1082 ], [ %1002, %985 ]
-  %1090 = xor i64 %1089, -1
-  %1091 = and i64 %902, %1090
-  %1092 = icmp eq i64 %1091, 0
-  %1093 = select i1 %1092, i32 2, i32 0
-  %1094 = select i1 %1092, <8 x double> %591, <8 x double> %873
+1089:                                             ; preds = %1037, %1016
+  %1090 = phi <8 x double> [ zeroinitializer, %1016 ], [ %1045, %1037 ]
+  %1091 = fcmp ole <8 x double> %1090, %593
+  %1092 = bitcast <8 x i1> %1091 to i8
+  %1093 = zext i8 %1092 to i64
+  %1094 = and i64 %1009, %1093
   br label %1095
 
-1095:                                             ; preds = %1088, %686
-  %1096 = phi i64 [ %689, %686 ], [ %604, %1088 ]
-  %1097 = phi i64 [ %683, %686 ], [ %603, %1088 ]
-  %1098 = phi <8 x double> [ %599, %686 ], [ %602, %1088 ]
-  %1099 = phi <8 x double> [ %598, %686 ], [ %601, %1088 ]
-  %1100 = phi <8 x double> [ %682, %686 ], [ %600, %1088 ]
-  %1101 = phi <8 x double> [ %599, %686 ], [ %1001, %1088 ]
-  %1102 = phi <8 x double> [ %598, %686 ], [ %889, %1088 ]
-  %1103 = phi i64 [ %689, %686 ], [ %1002, %1088 ]
-  %1104 = phi i32 [ 1, %686 ], [ %1093, %1088 ]
-  %1105 = phi i64 [ %593, %686 ], [ %905, %1088 ]
-  %1106 = phi i64 [ %607, %686 ], [ %1091, %1088 ]
-  %1107 = phi <8 x double> [ %591, %686 ], [ %1094, %1088 ]
-  %1108 = icmp eq i32 %1104, 0
-  br i1 %1108, label %587, label %1109
+1095:                                             ; preds = %1089, %992
+  %1096 = phi i64 [ %1094, %1089 ], [ %1009, %992 ]
+  %1097 = xor i64 %1096, -1
+  %1098 = and i64 %909, %1097
+  %1099 = icmp eq i64 %1098, 0
+  %1100 = select i1 %1099, i32 2, i32 0
+  %1101 = select i1 %1099, <8 x double> %598, <8 x double> %880
+  br label %1102
 
-1109:                                             ; preds = %1095, %587
-  %1110 = phi i32 [ %1104, %1095 ], [ 2, %587 ]
-  %1111 = icmp eq i32 %1110, 2
-  br i1 %1111, label %1112, label %1115
+1102:                                             ; preds = %1095, %693
+  %1103 = phi i64 [ %696, %693 ], [ %611, %1095 ]
+  %1104 = phi i64 [ %690, %693 ], [ %610, %1095 ]
+  %1105 = phi <8 x double> [ %606, %693 ], [ %609, %1095 ]
+  %1106 = phi <8 x double> [ %605, %693 ], [ %608, %1095 ]
+  %1107 = phi <8 x double> [ %689, %693 ], [ %607, %1095 ]
+  %1108 = phi <8 x double> [ %606, %693 ], [ %1008, %1095 ]
+  %1109 = phi <8 x double> [ %605, %693 ], [ %896, %1095 ]
+  %1110 = phi i64 [ %696, %693 ], [ %1009, %1095 ]
+  %1111 = phi i32 [ 1, %693 ], [ %1100, %1095 ]
+  %1112 = phi i64 [ %600, %693 ], [ %912, %1095 ]
+  %1113 = phi i64 [ %614, %693 ], [ %1098, %1095 ]
+  %1114 = phi <8 x double> [ %598, %693 ], [ %1101, %1095 ]
+  %1115 = icmp eq i32 %1111, 0
+  br i1 %1115, label %594, label %1116
 
-1112:                                             ; preds = %1109
-  %1113 = xor i64 %1105, -1
-  %1114 = and i64 %1103, %1113
-  br label %1115
+1116:                                             ; preds = %1102, %594
+  %1117 = phi i32 [ %1111, %1102 ], [ 2, %594 ]
+  %1118 = icmp eq i32 %1117, 2
+  br i1 %1118, label %1119, label %1122
 
-1115:                                             ; preds = %1109, %1112
-  %1116 = phi i64 [ %1114, %1112 ], [ %1096, %1109 ]
-  %1117 = phi i64 [ %683, %1112 ], [ %1097, %1109 ]
-  %1118 = phi <8 x double> [ %1101, %1112 ], [ %1098, %1109 ]
-  %1119 = phi <8 x double> [ %1102, %1112 ], [ %1099, %1109 ]
-  %1120 = phi <8 x double> [ %682, %1112 ], [ %1100, %1109 ]
-  %1121 = fadd <8 x double> %1120, zeroinitializer
-  %1122 = fcmp ogt <8 x double> %1118, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
-  %1123 = fcmp ogt <8 x double> %1119, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %1124 = and <8 x i1> %1123, %1122
-  %1125 = bitcast <8 x i1> %1124 to i8
-  %1126 = icmp eq i64 %1116, %454
-  br i1 %1126, label %1203, label %1127
+1119:                                             ; preds = %1116
+  %1120 = xor i64 %1112, -1
+  %1121 = and i64 %1110, %1120
+  br label %1122
 
-1127:                                             ; preds = %1115
-  %1128 = xor i64 %1116, -1
-  %1129 = and i64 %454, %1128
-  %1130 = load ptr, ptr %65, align 8, !noalias !19
-  %1131 = getelementptr inbounds i8, ptr %1130, i64 16
-  %1132 = load i64, ptr %1131, align 8, !noalias !19
-  %1133 = xor i64 %1117, -1
-  %1134 = and i64 %1132, %1133
-  %1135 = and i64 %1134, %1129
-  %1136 = trunc i64 %1129 to i8
-  %1137 = bitcast i8 %1136 to <8 x i1>
-  %1138 = trunc i64 %1117 to i8
-  %1139 = bitcast i8 %1138 to <8 x i1>
-  %1140 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1119)
-  %1141 = fcmp one <8 x double> %1140, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1142 = select <8 x i1> %1141, <8 x double> <double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00>, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
-  %1143 = select <8 x i1> %1139, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1142
-  %1144 = select <8 x i1> %1137, <8 x double> %1143, <8 x double> %453
-  %1145 = icmp eq i64 %1135, 0
-  br i1 %1145, label %1173, label %1146
+1122:                                             ; preds = %1116, %1119
+  %1123 = phi i64 [ %1121, %1119 ], [ %1103, %1116 ]
+  %1124 = phi i64 [ %690, %1119 ], [ %1104, %1116 ]
+  %1125 = phi <8 x double> [ %1108, %1119 ], [ %1105, %1116 ]
+  %1126 = phi <8 x double> [ %1109, %1119 ], [ %1106, %1116 ]
+  %1127 = phi <8 x double> [ %689, %1119 ], [ %1107, %1116 ]
+  %1128 = fadd <8 x double> %1127, zeroinitializer
+  %1129 = fcmp ogt <8 x double> %1125, <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>
+  %1130 = fcmp ogt <8 x double> %1126, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %1131 = and <8 x i1> %1130, %1129
+  %1132 = bitcast <8 x i1> %1131 to i8
+  %1133 = icmp eq i64 %1123, %461
+  br i1 %1133, label %1210, label %1134
 
-1146:                                             ; preds = %1127
-  %1147 = load i64, ptr %105, align 8, !noalias !19
-  %1148 = icmp sgt i64 %1147, 7
-  br i1 %1148, label %1149, label %1166
+1134:                                             ; preds = %1122
+  %1135 = xor i64 %1123, -1
+  %1136 = and i64 %461, %1135
+  %1137 = load ptr, ptr %66, align 8, !noalias !19
+  %1138 = getelementptr inbounds i8, ptr %1137, i64 16
+  %1139 = load i64, ptr %1138, align 8, !noalias !19
+  %1140 = xor i64 %1124, -1
+  %1141 = and i64 %1139, %1140
+  %1142 = and i64 %1141, %1136
+  %1143 = trunc i64 %1136 to i8
+  %1144 = bitcast i8 %1143 to <8 x i1>
+  %1145 = trunc i64 %1124 to i8
+  %1146 = bitcast i8 %1145 to <8 x i1>
+  %1147 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1126)
+  %1148 = fcmp one <8 x double> %1147, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1149 = select <8 x i1> %1148, <8 x double> <double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00, double 7.000000e+00>, <8 x double> <double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00, double 4.000000e+00>
+  %1150 = select <8 x i1> %1146, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1149
+  %1151 = select <8 x i1> %1144, <8 x double> %1150, <8 x double> %460
+  %1152 = icmp eq i64 %1142, 0
+  br i1 %1152, label %1180, label %1153
 
-1149:                                             ; preds = %1146
-  %1150 = trunc i64 %1135 to i8
-  %1151 = bitcast i8 %1150 to <8 x i1>
-  br label %1152
+1153:                                             ; preds = %1134
+  %1154 = load i64, ptr %106, align 8, !noalias !19
+  %1155 = icmp sgt i64 %1154, 7
+  br i1 %1155, label %1156, label %1173
 
-1152:                                             ; preds = %1149, %1152
-  %1153 = phi <8 x i64> [ zeroinitializer, %1149 ], [ %1160, %1152 ]
-  %1154 = phi i64 [ 0, %1149 ], [ %1162, %1152 ]
-  %1155 = load ptr, ptr %106, align 8, !noalias !19
-  %1156 = shl nsw i64 %1154, 6
-  %1157 = getelementptr inbounds i8, ptr %1155, i64 %1156
-  %1158 = load <8 x double>, ptr %1157, align 8, !noalias !19
-  %1159 = fcmp une <8 x double> %1158, zeroinitializer
-  %1160 = select <8 x i1> %1159, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %1153
-  %1161 = select <8 x i1> %1151, <8 x double> zeroinitializer, <8 x double> %1158
-  store <8 x double> %1161, ptr %1157, align 8, !noalias !19
-  %1162 = add nuw nsw i64 %1154, 1
-  %1163 = load i64, ptr %105, align 8, !noalias !19
-  %1164 = sdiv i64 %1163, 8
-  %1165 = icmp slt i64 %1162, %1164
-  br i1 %1165, label %1152, label %1166, !llvm.loop !53
+1156:                                             ; preds = %1153
+  %1157 = trunc i64 %1142 to i8
+  %1158 = bitcast i8 %1157 to <8 x i1>
+  br label %1159
 
-1166:                                             ; preds = %1152, %1146
-  %1167 = phi <8 x i64> [ zeroinitializer, %1146 ], [ %1160, %1152 ]
-  %1168 = icmp ne <8 x i64> %1167, zeroinitializer
-  %1169 = bitcast <8 x i1> %1168 to i8
-  %1170 = zext i8 %1169 to i64
-  %1171 = and i64 %1135, %1170
-  %1172 = xor i64 %1171, -1
-  br label %1173
+1159:                                             ; preds = %1156, %1159
+  %1160 = phi <8 x i64> [ zeroinitializer, %1156 ], [ %1167, %1159 ]
+  %1161 = phi i64 [ 0, %1156 ], [ %1169, %1159 ]
+  %1162 = load ptr, ptr %107, align 8, !noalias !19
+  %1163 = shl nsw i64 %1161, 6
+  %1164 = getelementptr inbounds i8, ptr %1162, i64 %1163
+  %1165 = load <8 x double>, ptr %1164, align 8, !noalias !19
+  %1166 = fcmp une <8 x double> %1165, zeroinitializer
+  %1167 = select <8 x i1> %1166, <8 x i64> <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>, <8 x i64> %1160
+  %1168 = select <8 x i1> %1158, <8 x double> zeroinitializer, <8 x double> %1165
+  store <8 x double> %1168, ptr %1164, align 8, !noalias !19
+  %1169 = add nuw nsw i64 %1161, 1
+  %1170 = load i64, ptr %106, align 8, !noalias !19
+  %1171 = sdiv i64 %1170, 8
+  %1172 = icmp slt i64 %1169, %1171
+  br i1 %1172, label %1159, label %1173, !llvm.loop !53
 
-1173:                                             ; preds = %1127, %1166
-  %1174 = phi i64 [ -1, %1127 ], [ %1172, %1166 ]
-  %1175 = and i64 %1174, %1135
-  %1176 = getelementptr inbounds i8, ptr %1130, i64 24
-  %1177 = load i64, ptr %1176, align 8, !noalias !19
-  %1178 = and i64 %1177, %1174
-  store i64 %1178, ptr %1176, align 8, !noalias !19
-  %1179 = xor i64 %1175, -1
-  %1180 = load i64, ptr %1131, align 8, !noalias !19
-  %1181 = and i64 %1180, %1179
-  store i64 %1181, ptr %1131, align 8, !noalias !19
-  %1182 = trunc i64 %1175 to i8
-  %1183 = bitcast i8 %1182 to <8 x i1>
-  %1184 = fmul <8 x double> %248, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
-  %1185 = select <8 x i1> %1183, <8 x double> %1184, <8 x double> %452
-  %1186 = fmul <8 x double> %248, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1187 = select <8 x i1> %1139, <8 x double> %1186, <8 x double> %1185
-  %1188 = load ptr, ptr %74, align 8, !noalias !19
-  %1189 = getelementptr inbounds i8, ptr %1188, i64 64
-  %1190 = load <8 x double>, ptr %1189, align 8, !noalias !19
-  %1191 = select <8 x i1> %1139, <8 x double> zeroinitializer, <8 x double> %1190
-  store <8 x double> %1191, ptr %1189, align 8, !noalias !19
-  %1192 = and i64 %1174, %1129
-  %1193 = load ptr, ptr %65, align 8, !noalias !19
-  %1194 = getelementptr inbounds i8, ptr %1193, i64 8
-  %1195 = load i64, ptr %1194, align 8, !noalias !19
-  %1196 = xor i64 %1192, -1
-  %1197 = and i64 %1195, %1196
-  %1198 = getelementptr inbounds i8, ptr %1193, i64 16
-  %1199 = load i64, ptr %1198, align 8, !noalias !19
-  %1200 = xor i64 %1199, -1
-  %1201 = and i64 %1192, %1200
-  %1202 = or disjoint i64 %1201, %1197
-  store i64 %1202, ptr %1194, align 8, !noalias !19
-  br label %1203
+1173:                                             ; preds = %1159, %1153
+  %1174 = phi <8 x i64> [ zeroinitializer, %1153 ], [ %1167, %1159 ]
+  %1175 = icmp ne <8 x i64> %1174, zeroinitializer
+  %1176 = bitcast <8 x i1> %1175 to i8
+  %1177 = zext i8 %1176 to i64
+  %1178 = and i64 %1142, %1177
+  %1179 = xor i64 %1178, -1
+  br label %1180
 
-1203:                                             ; preds = %1173, %1115
-  %1204 = phi <8 x double> [ %452, %1115 ], [ %1187, %1173 ]
-  %1205 = phi <8 x double> [ %453, %1115 ], [ %1144, %1173 ]
-  %1206 = icmp eq i64 %1116, 0
-  br i1 %1206, label %1705, label %1207
+1180:                                             ; preds = %1134, %1173
+  %1181 = phi i64 [ -1, %1134 ], [ %1179, %1173 ]
+  %1182 = and i64 %1181, %1142
+  %1183 = getelementptr inbounds i8, ptr %1137, i64 24
+  %1184 = load i64, ptr %1183, align 8, !noalias !19
+  %1185 = and i64 %1184, %1181
+  store i64 %1185, ptr %1183, align 8, !noalias !19
+  %1186 = xor i64 %1182, -1
+  %1187 = load i64, ptr %1138, align 8, !noalias !19
+  %1188 = and i64 %1187, %1186
+  store i64 %1188, ptr %1138, align 8, !noalias !19
+  %1189 = trunc i64 %1182 to i8
+  %1190 = bitcast i8 %1189 to <8 x i1>
+  %1191 = fmul <8 x double> %252, <double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01, double 5.000000e-01>
+  %1192 = select <8 x i1> %1190, <8 x double> %1191, <8 x double> %459
+  %1193 = fmul <8 x double> %252, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1194 = select <8 x i1> %1146, <8 x double> %1193, <8 x double> %1192
+  %1195 = load ptr, ptr %75, align 8, !noalias !19
+  %1196 = getelementptr inbounds i8, ptr %1195, i64 64
+  %1197 = load <8 x double>, ptr %1196, align 8, !noalias !19
+  %1198 = select <8 x i1> %1146, <8 x double> zeroinitializer, <8 x double> %1197
+  store <8 x double> %1198, ptr %1196, align 8, !noalias !19
+  %1199 = and i64 %1181, %1136
+  %1200 = load ptr, ptr %66, align 8, !noalias !19
+  %1201 = getelementptr inbounds i8, ptr %1200, i64 8
+  %1202 = load i64, ptr %1201, align 8, !noalias !19
+  %1203 = xor i64 %1199, -1
+  %1204 = and i64 %1202, %1203
+  %1205 = getelementptr inbounds i8, ptr %1200, i64 16
+  %1206 = load i64, ptr %1205, align 8, !noalias !19
+  %1207 = xor i64 %1206, -1
+  %1208 = and i64 %1199, %1207
+  %1209 = or disjoint i64 %1208, %1204
+  store i64 %1209, ptr %1201, align 8, !noalias !19
+  br label %1210
 
-1207:                                             ; preds = %1203
-  %1208 = icmp sgt i64 %284, 0
-  br i1 %1208, label %1209, label %1211
+1210:                                             ; preds = %1180, %1122
+  %1211 = phi <8 x double> [ %459, %1122 ], [ %1194, %1180 ]
+  %1212 = phi <8 x double> [ %460, %1122 ], [ %1151, %1180 ]
+  %1213 = icmp eq i64 %1123, 0
+  br i1 %1213, label %1711, label %1214
 
-1209:                                             ; preds = %1207
-  %1210 = shl i64 %284, 7
-  br label %1689
+1214:                                             ; preds = %1210
+  %1215 = icmp sgt i64 %288, 0
+  br i1 %1215, label %1216, label %1218
 
-1211:                                             ; preds = %1689, %1207
-  %1212 = getelementptr inbounds i8, ptr %297, i64 32
-  %1213 = load i64, ptr %1212, align 8, !noalias !19
-  %1214 = load ptr, ptr %19, align 8, !noalias !19
-  %1215 = getelementptr inbounds i8, ptr %1214, i64 8
-  %1216 = load i64, ptr %1215, align 8, !noalias !19
-  %1217 = load ptr, ptr %108, align 8, !noalias !19
-  %1218 = load ptr, ptr %109, align 8, !noalias !19
-  %1219 = icmp sgt i64 %1216, 0
-  br i1 %1219, label %1220, label %1222
+1216:                                             ; preds = %1214
+  %1217 = shl i64 %288, 7
+  br label %1695
 
-1220:                                             ; preds = %1211
-  %1221 = shl i64 %1216, 7
-  br label %1378
+1218:                                             ; preds = %1695, %1214
+  %1219 = load i64, ptr %305, align 8, !noalias !19
+  %1220 = load ptr, ptr %20, align 8, !noalias !19
+  %1221 = getelementptr inbounds i8, ptr %1220, i64 8
+  %1222 = load i64, ptr %1221, align 8, !noalias !19
+  %1223 = load ptr, ptr %109, align 8, !noalias !19
+  %1224 = load ptr, ptr %110, align 8, !noalias !19
+  %1225 = icmp sgt i64 %1222, 0
+  br i1 %1225, label %1226, label %1228
 
-1222:                                             ; preds = %1378, %1211
-  %1223 = load i64, ptr %112, align 8, !noalias !19
-  %1224 = sdiv i64 %1223, 8
-  %1225 = load ptr, ptr %65, align 8, !noalias !19
-  %1226 = getelementptr inbounds i8, ptr %1225, i64 40
-  %1227 = load i64, ptr %1226, align 8, !noalias !19
-  %1228 = load ptr, ptr %113, align 8, !noalias !19
-  %1229 = load ptr, ptr %111, align 8, !noalias !19
-  call fastcc void @real_solve(ptr noundef %1228, i64 noundef %1224, ptr noundef %1229, ptr noundef %1218) #11, !noalias !19
-  %1230 = icmp sgt i64 %1227, 0
-  br i1 %1230, label %1231, label %1236
+1226:                                             ; preds = %1218
+  %1227 = shl i64 %1222, 7
+  br label %1384
 
-1231:                                             ; preds = %1222
-  %1232 = load ptr, ptr %113, align 8, !noalias !19
-  %1233 = load ptr, ptr %111, align 8, !noalias !19
-  %1234 = shl nsw i64 %1224, 6
-  %1235 = getelementptr inbounds i8, ptr %1218, i64 %1234
-  call fastcc void @real_solve_columns(ptr noundef %1232, i64 noundef %1224, ptr noundef %1233, ptr noundef %1235, i64 noundef %1227) #11, !noalias !19
-  br label %1236
+1228:                                             ; preds = %1384, %1218
+  %1229 = load i64, ptr %113, align 8, !noalias !19
+  %1230 = sdiv i64 %1229, 8
+  %1231 = load ptr, ptr %66, align 8, !noalias !19
+  %1232 = getelementptr inbounds i8, ptr %1231, i64 40
+  %1233 = load i64, ptr %1232, align 8, !noalias !19
+  %1234 = load ptr, ptr %114, align 8, !noalias !19
+  %1235 = load ptr, ptr %112, align 8, !noalias !19
+  call fastcc void @real_solve(ptr noundef %1234, i64 noundef %1230, ptr noundef %1235, ptr noundef %1224) #12, !noalias !19
+  %1236 = icmp sgt i64 %1233, 0
+  br i1 %1236, label %1237, label %1242
 
-1236:                                             ; preds = %1222, %1231
-  %1237 = load ptr, ptr %19, align 8, !noalias !19
-  %1238 = getelementptr inbounds i8, ptr %1237, i64 24
-  %1239 = load i64, ptr %1238, align 8, !noalias !19
-  %1240 = load ptr, ptr %114, align 8, !noalias !19
-  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %1218, ptr noundef %1240, ptr noundef nonnull %21, i64 noundef %1239) #11, !noalias !19
-  %1241 = load <8 x double>, ptr %8, align 16, !noalias !19
-  %1242 = getelementptr inbounds i8, ptr %1237, i64 8
-  %1243 = load i64, ptr %1242, align 8, !noalias !19
-  %1244 = add nsw i64 %1243, -3
-  %1245 = getelementptr i8, ptr %1240, i64 64
-  %1246 = getelementptr i8, ptr %1240, i64 128
-  %1247 = getelementptr i8, ptr %1240, i64 192
-  %1248 = icmp slt i64 %1239, %1244
-  br i1 %1248, label %1256, label %1249
+1237:                                             ; preds = %1228
+  %1238 = load ptr, ptr %114, align 8, !noalias !19
+  %1239 = load ptr, ptr %112, align 8, !noalias !19
+  %1240 = shl nsw i64 %1230, 6
+  %1241 = getelementptr inbounds i8, ptr %1224, i64 %1240
+  call fastcc void @real_solve_columns(ptr noundef %1238, i64 noundef %1230, ptr noundef %1239, ptr noundef %1241, i64 noundef %1233) #12, !noalias !19
+  br label %1242
 
-1249:                                             ; preds = %1256, %1236
-  %1250 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1266, %1256 ]
-  %1251 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1271, %1256 ]
-  %1252 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1276, %1256 ]
-  %1253 = phi <8 x double> [ zeroinitializer, %1236 ], [ %1281, %1256 ]
-  %1254 = phi i64 [ %1239, %1236 ], [ %1282, %1256 ]
-  %1255 = icmp slt i64 %1254, %1243
-  br i1 %1255, label %1284, label %1294
+1242:                                             ; preds = %1228, %1237
+  %1243 = load ptr, ptr %20, align 8, !noalias !19
+  %1244 = getelementptr inbounds i8, ptr %1243, i64 24
+  %1245 = load i64, ptr %1244, align 8, !noalias !19
+  %1246 = load ptr, ptr %115, align 8, !noalias !19
+  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1224, ptr noundef %1246, ptr noundef nonnull %22, i64 noundef %1245) #12, !noalias !19
+  %1247 = load <8 x double>, ptr %9, align 16, !noalias !19
+  %1248 = getelementptr inbounds i8, ptr %1243, i64 8
+  %1249 = load i64, ptr %1248, align 8, !noalias !19
+  %1250 = add nsw i64 %1249, -3
+  %1251 = getelementptr i8, ptr %1246, i64 64
+  %1252 = getelementptr i8, ptr %1246, i64 128
+  %1253 = getelementptr i8, ptr %1246, i64 192
+  %1254 = icmp slt i64 %1245, %1250
+  br i1 %1254, label %1262, label %1255
 
-1256:                                             ; preds = %1236, %1256
-  %1257 = phi i64 [ %1282, %1256 ], [ %1239, %1236 ]
-  %1258 = phi <8 x double> [ %1281, %1256 ], [ zeroinitializer, %1236 ]
-  %1259 = phi <8 x double> [ %1276, %1256 ], [ zeroinitializer, %1236 ]
-  %1260 = phi <8 x double> [ %1271, %1256 ], [ zeroinitializer, %1236 ]
-  %1261 = phi <8 x double> [ %1266, %1256 ], [ zeroinitializer, %1236 ]
-  %1262 = shl nsw i64 %1257, 6
-  %1263 = getelementptr inbounds i8, ptr %1240, i64 %1262
-  %1264 = load <8 x double>, ptr %1263, align 8, !noalias !19
-  %1265 = fmul <8 x double> %1264, zeroinitializer
-  %1266 = fadd <8 x double> %1261, %1265
-  %1267 = shl i64 %1257, 6
-  %1268 = getelementptr i8, ptr %1245, i64 %1267
-  %1269 = load <8 x double>, ptr %1268, align 8, !noalias !19
-  %1270 = fmul <8 x double> %1269, zeroinitializer
-  %1271 = fadd <8 x double> %1260, %1270
-  %1272 = shl i64 %1257, 6
-  %1273 = getelementptr i8, ptr %1246, i64 %1272
-  %1274 = load <8 x double>, ptr %1273, align 8, !noalias !19
-  %1275 = fmul <8 x double> %1274, zeroinitializer
-  %1276 = fadd <8 x double> %1259, %1275
-  %1277 = shl i64 %1257, 6
-  %1278 = getelementptr i8, ptr %1247, i64 %1277
-  %1279 = load <8 x double>, ptr %1278, align 8, !noalias !19
-  %1280 = fmul <8 x double> %1279, zeroinitializer
-  %1281 = fadd <8 x double> %1258, %1280
-  %1282 = add nsw i64 %1257, 4
-  %1283 = icmp slt i64 %1282, %1244
-  br i1 %1283, label %1256, label %1249, !llvm.loop !54
+1255:                                             ; preds = %1262, %1242
+  %1256 = phi <8 x double> [ zeroinitializer, %1242 ], [ %1272, %1262 ]
+  %1257 = phi <8 x double> [ zeroinitializer, %1242 ], [ %1277, %1262 ]
+  %1258 = phi <8 x double> [ zeroinitializer, %1242 ], [ %1282, %1262 ]
+  %1259 = phi <8 x double> [ zeroinitializer, %1242 ], [ %1287, %1262 ]
+  %1260 = phi i64 [ %1245, %1242 ], [ %1288, %1262 ]
+  %1261 = icmp slt i64 %1260, %1249
+  br i1 %1261, label %1290, label %1300
 
-1284:                                             ; preds = %1249, %1284
-  %1285 = phi i64 [ %1292, %1284 ], [ %1254, %1249 ]
-  %1286 = phi <8 x double> [ %1291, %1284 ], [ %1250, %1249 ]
-  %1287 = shl nsw i64 %1285, 6
-  %1288 = getelementptr inbounds i8, ptr %1240, i64 %1287
-  %1289 = load <8 x double>, ptr %1288, align 8, !noalias !19
-  %1290 = fmul <8 x double> %1289, zeroinitializer
-  %1291 = fadd <8 x double> %1286, %1290
-  %1292 = add nsw i64 %1285, 1
-  %1293 = icmp eq i64 %1292, %1243
-  br i1 %1293, label %1294, label %1284, !llvm.loop !55
+1262:                                             ; preds = %1242, %1262
+  %1263 = phi i64 [ %1288, %1262 ], [ %1245, %1242 ]
+  %1264 = phi <8 x double> [ %1287, %1262 ], [ zeroinitializer, %1242 ]
+  %1265 = phi <8 x double> [ %1282, %1262 ], [ zeroinitializer, %1242 ]
+  %1266 = phi <8 x double> [ %1277, %1262 ], [ zeroinitializer, %1242 ]
+  %1267 = phi <8 x double> [ %1272, %1262 ], [ zeroinitializer, %1242 ]
+  %1268 = shl nsw i64 %1263, 6
+  %1269 = getelementptr inbounds i8, ptr %1246, i64 %1268
+  %1270 = load <8 x double>, ptr %1269, align 8, !noalias !19
+  %1271 = fmul <8 x double> %1270, zeroinitializer
+  %1272 = fadd <8 x double> %1267, %1271
+  %1273 = shl i64 %1263, 6
+  %1274 = getelementptr i8, ptr %1251, i64 %1273
+  %1275 = load <8 x double>, ptr %1274, align 8, !noalias !19
+  %1276 = fmul <8 x double> %1275, zeroinitializer
+  %1277 = fadd <8 x double> %1266, %1276
+  %1278 = shl i64 %1263, 6
+  %1279 = getelementptr i8, ptr %1252, i64 %1278
+  %1280 = load <8 x double>, ptr %1279, align 8, !noalias !19
+  %1281 = fmul <8 x double> %1280, zeroinitializer
+  %1282 = fadd <8 x double> %1265, %1281
+  %1283 = shl i64 %1263, 6
+  %1284 = getelementptr i8, ptr %1253, i64 %1283
+  %1285 = load <8 x double>, ptr %1284, align 8, !noalias !19
+  %1286 = fmul <8 x double> %1285, zeroinitializer
+  %1287 = fadd <8 x double> %1264, %1286
+  %1288 = add nsw i64 %1263, 4
+  %1289 = icmp slt i64 %1288, %1250
+  br i1 %1289, label %1262, label %1255, !llvm.loop !54
 
-1294:                                             ; preds = %1284, %1249
-  %1295 = phi <8 x double> [ %1250, %1249 ], [ %1291, %1284 ]
-  %1296 = fadd <8 x double> %1251, %1295
-  %1297 = fadd <8 x double> %1252, %1253
-  %1298 = fadd <8 x double> %1297, %1296
-  %1299 = fadd <8 x double> %1241, %1298
-  %1300 = getelementptr inbounds i8, ptr %1237, i64 48
-  %1301 = load i64, ptr %1300, align 8, !noalias !19
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %6, i8 0, i64 512, i1 false), !noalias !19
+1290:                                             ; preds = %1255, %1290
+  %1291 = phi i64 [ %1298, %1290 ], [ %1260, %1255 ]
+  %1292 = phi <8 x double> [ %1297, %1290 ], [ %1256, %1255 ]
+  %1293 = shl nsw i64 %1291, 6
+  %1294 = getelementptr inbounds i8, ptr %1246, i64 %1293
+  %1295 = load <8 x double>, ptr %1294, align 8, !noalias !19
+  %1296 = fmul <8 x double> %1295, zeroinitializer
+  %1297 = fadd <8 x double> %1292, %1296
+  %1298 = add nsw i64 %1291, 1
+  %1299 = icmp eq i64 %1298, %1249
+  br i1 %1299, label %1300, label %1290, !llvm.loop !55
+
+1300:                                             ; preds = %1290, %1255
+  %1301 = phi <8 x double> [ %1256, %1255 ], [ %1297, %1290 ]
+  %1302 = fadd <8 x double> %1257, %1301
+  %1303 = fadd <8 x double> %1258, %1259
+  %1304 = fadd <8 x double> %1303, %1302
+  %1305 = fadd <8 x double> %1247, %1304
+  %1306 = getelementptr inbounds i8, ptr %1243, i64 48
+  %1307 = load i64, ptr %1306, align 8, !noalias !19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %7, i8 0, i64 512, i1 false), !noalias !19
-  %1302 = icmp eq i64 %1301, 0
-  br i1 %1302, label %1366, label %1303
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %8, i8 0, i64 512, i1 false), !noalias !19
+  %1308 = icmp eq i64 %1307, 0
+  br i1 %1308, label %1372, label %1309
 
-1303:                                             ; preds = %1294
-  %1304 = icmp slt i64 %1239, %1301
-  br i1 %1304, label %1306, label %1305
+1309:                                             ; preds = %1300
+  %1310 = icmp slt i64 %1245, %1307
+  br i1 %1310, label %1312, label %1311
 
-1305:                                             ; preds = %1310, %1303
-  br label %1357
+1311:                                             ; preds = %1316, %1309
+  br label %1363
 
-1306:                                             ; preds = %1303
-  %1307 = load ptr, ptr %21, align 8, !noalias !19
-  %1308 = load ptr, ptr %115, align 8, !noalias !19
-  %1309 = load ptr, ptr %66, align 8, !noalias !19
-  br label %1310
+1312:                                             ; preds = %1309
+  %1313 = load ptr, ptr %22, align 8, !noalias !19
+  %1314 = load ptr, ptr %116, align 8, !noalias !19
+  %1315 = load ptr, ptr %67, align 8, !noalias !19
+  br label %1316
 
-1310:                                             ; preds = %1306, %1310
-  %1311 = phi i64 [ %1239, %1306 ], [ %1342, %1310 ]
-  %1312 = shl nsw i64 %1311, 6
-  %1313 = getelementptr inbounds i8, ptr %1307, i64 %1312
-  %1314 = load <8 x double>, ptr %1313, align 8, !noalias !19
-  %1315 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1314)
-  %1316 = getelementptr inbounds i8, ptr %1240, i64 %1312
-  %1317 = load <8 x double>, ptr %1316, align 8, !noalias !19
-  %1318 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1317)
-  %1319 = fcmp ogt <8 x double> %1315, %1318
-  %1320 = select <8 x i1> %1319, <8 x double> %1315, <8 x double> %1318
-  %1321 = getelementptr inbounds i8, ptr %1308, i64 %1312
-  %1322 = load <8 x double>, ptr %1321, align 8, !noalias !19
-  %1323 = getelementptr inbounds double, ptr %1309, i64 %1311
-  %1324 = load double, ptr %1323, align 8, !noalias !19
-  %1325 = insertelement <8 x double> poison, double %1324, i64 0
-  %1326 = shufflevector <8 x double> %1325, <8 x double> poison, <8 x i32> zeroinitializer
-  %1327 = fmul <8 x double> %1320, %1326
-  %1328 = fadd <8 x double> %1322, %1327
-  %1329 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1328
-  %1330 = getelementptr inbounds i8, ptr %1218, i64 %1312
-  %1331 = load <8 x double>, ptr %1330, align 8, !noalias !19
-  %1332 = fmul <8 x double> %1331, %1329
-  %1333 = srem i64 %1311, 8
-  %1334 = shl nsw i64 %1333, 6
-  %1335 = getelementptr inbounds i8, ptr %6, i64 %1334
-  %1336 = load <8 x double>, ptr %1335, align 16, !noalias !19
-  %1337 = fmul <8 x double> %1332, %1332
-  %1338 = fadd <8 x double> %1336, %1337
-  store <8 x double> %1338, ptr %1335, align 16, !noalias !19
-  %1339 = getelementptr inbounds i8, ptr %7, i64 %1334
-  %1340 = load <8 x double>, ptr %1339, align 16, !noalias !19
-  %1341 = fadd <8 x double> %1340, %1337
-  store <8 x double> %1341, ptr %1339, align 16, !noalias !19
-  %1342 = add nsw i64 %1311, 1
-  %1343 = icmp eq i64 %1342, %1301
-  br i1 %1343, label %1305, label %1310, !llvm.loop !56
+1316:                                             ; preds = %1312, %1316
+  %1317 = phi i64 [ %1245, %1312 ], [ %1348, %1316 ]
+  %1318 = shl nsw i64 %1317, 6
+  %1319 = getelementptr inbounds i8, ptr %1313, i64 %1318
+  %1320 = load <8 x double>, ptr %1319, align 8, !noalias !19
+  %1321 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1320)
+  %1322 = getelementptr inbounds i8, ptr %1246, i64 %1318
+  %1323 = load <8 x double>, ptr %1322, align 8, !noalias !19
+  %1324 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1323)
+  %1325 = fcmp ogt <8 x double> %1321, %1324
+  %1326 = select <8 x i1> %1325, <8 x double> %1321, <8 x double> %1324
+  %1327 = getelementptr inbounds i8, ptr %1314, i64 %1318
+  %1328 = load <8 x double>, ptr %1327, align 8, !noalias !19
+  %1329 = getelementptr inbounds double, ptr %1315, i64 %1317
+  %1330 = load double, ptr %1329, align 8, !noalias !19
+  %1331 = insertelement <8 x double> poison, double %1330, i64 0
+  %1332 = shufflevector <8 x double> %1331, <8 x double> poison, <8 x i32> zeroinitializer
+  %1333 = fmul <8 x double> %1326, %1332
+  %1334 = fadd <8 x double> %1328, %1333
+  %1335 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1334
+  %1336 = getelementptr inbounds i8, ptr %1224, i64 %1318
+  %1337 = load <8 x double>, ptr %1336, align 8, !noalias !19
+  %1338 = fmul <8 x double> %1337, %1335
+  %1339 = srem i64 %1317, 8
+  %1340 = shl nsw i64 %1339, 6
+  %1341 = getelementptr inbounds i8, ptr %7, i64 %1340
+  %1342 = load <8 x double>, ptr %1341, align 16, !noalias !19
+  %1343 = fmul <8 x double> %1338, %1338
+  %1344 = fadd <8 x double> %1342, %1343
+  store <8 x double> %1344, ptr %1341, align 16, !noalias !19
+  %1345 = getelementptr inbounds i8, ptr %8, i64 %1340
+  %1346 = load <8 x double>, ptr %1345, align 16, !noalias !19
+  %1347 = fadd <8 x double> %1346, %1343
+  store <8 x double> %1347, ptr %1345, align 16, !noalias !19
+  %1348 = add nsw i64 %1317, 1
+  %1349 = icmp eq i64 %1348, %1307
+  br i1 %1349, label %1311, label %1316, !llvm.loop !56
 
-1344:                                             ; preds = %1357
-  %1345 = sub nsw i64 %1301, %1239
-  %1346 = sitofp i64 %1345 to double
-  %1347 = insertelement <8 x double> poison, double %1346, i64 0
-  %1348 = shufflevector <8 x double> %1347, <8 x double> poison, <8 x i32> zeroinitializer
-  %1349 = fdiv <8 x double> %1363, %1348
-  %1350 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1349)
-  %1351 = insertelement <8 x double> poison, double %279, i64 0
-  %1352 = shufflevector <8 x double> %1351, <8 x double> poison, <8 x i32> zeroinitializer
-  %1353 = fcmp olt <8 x double> %1352, %248
-  %1354 = fcmp ogt <8 x double> %1350, %1299
-  %1355 = select <8 x i1> %1353, <8 x i1> %1354, <8 x i1> zeroinitializer
-  %1356 = select <8 x i1> %1355, <8 x double> %1350, <8 x double> %1299
-  br label %1366
+1350:                                             ; preds = %1363
+  %1351 = sub nsw i64 %1307, %1245
+  %1352 = sitofp i64 %1351 to double
+  %1353 = insertelement <8 x double> poison, double %1352, i64 0
+  %1354 = shufflevector <8 x double> %1353, <8 x double> poison, <8 x i32> zeroinitializer
+  %1355 = fdiv <8 x double> %1369, %1354
+  %1356 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1355)
+  %1357 = insertelement <8 x double> poison, double %283, i64 0
+  %1358 = shufflevector <8 x double> %1357, <8 x double> poison, <8 x i32> zeroinitializer
+  %1359 = fcmp olt <8 x double> %1358, %252
+  %1360 = fcmp ogt <8 x double> %1356, %1305
+  %1361 = select <8 x i1> %1359, <8 x i1> %1360, <8 x i1> zeroinitializer
+  %1362 = select <8 x i1> %1361, <8 x double> %1356, <8 x double> %1305
+  br label %1372
 
-1357:                                             ; preds = %1305, %1357
-  %1358 = phi i64 [ %1364, %1357 ], [ 0, %1305 ]
-  %1359 = phi <8 x double> [ %1363, %1357 ], [ zeroinitializer, %1305 ]
-  %1360 = shl nuw nsw i64 %1358, 6
-  %1361 = getelementptr inbounds i8, ptr %6, i64 %1360
-  %1362 = load <8 x double>, ptr %1361, align 16, !noalias !19
-  %1363 = fadd <8 x double> %1359, %1362
-  %1364 = add nuw nsw i64 %1358, 1
-  %1365 = icmp eq i64 %1364, 8
-  br i1 %1365, label %1344, label %1357, !llvm.loop !57
+1363:                                             ; preds = %1311, %1363
+  %1364 = phi i64 [ %1370, %1363 ], [ 0, %1311 ]
+  %1365 = phi <8 x double> [ %1369, %1363 ], [ zeroinitializer, %1311 ]
+  %1366 = shl nuw nsw i64 %1364, 6
+  %1367 = getelementptr inbounds i8, ptr %7, i64 %1366
+  %1368 = load <8 x double>, ptr %1367, align 16, !noalias !19
+  %1369 = fadd <8 x double> %1365, %1368
+  %1370 = add nuw nsw i64 %1364, 1
+  %1371 = icmp eq i64 %1370, 8
+  br i1 %1371, label %1350, label %1363, !llvm.loop !57
 
-1366:                                             ; preds = %1294, %1344
-  %1367 = phi <8 x double> [ %1299, %1294 ], [ %1356, %1344 ]
-  %1368 = fcmp olt <8 x double> %1367, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1369 = bitcast <8 x i1> %1368 to i8
-  %1370 = zext i8 %1369 to i64
-  %1371 = xor i64 %1370, -1
-  %1372 = and i64 %1213, %1371
-  %1373 = and i64 %1372, %1116
-  %1374 = and i64 %1116, %1370
-  %1375 = icmp eq i64 %1373, 0
-  br i1 %1375, label %1619, label %1376
+1372:                                             ; preds = %1300, %1350
+  %1373 = phi <8 x double> [ %1305, %1300 ], [ %1362, %1350 ]
+  %1374 = fcmp olt <8 x double> %1373, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1375 = bitcast <8 x i1> %1374 to i8
+  %1376 = zext i8 %1375 to i64
+  %1377 = xor i64 %1376, -1
+  %1378 = and i64 %1219, %1377
+  %1379 = and i64 %1378, %1123
+  %1380 = and i64 %1123, %1376
+  %1381 = icmp eq i64 %1379, 0
+  br i1 %1381, label %1625, label %1382
 
-1376:                                             ; preds = %1366
-  %1377 = icmp sgt i64 %1216, 0
-  br i1 %1377, label %1438, label %1406
+1382:                                             ; preds = %1372
+  %1383 = icmp sgt i64 %1222, 0
+  br i1 %1383, label %1444, label %1412
 
-1378:                                             ; preds = %1220, %1378
-  %1379 = phi i64 [ 0, %1220 ], [ %1404, %1378 ]
-  %1380 = load ptr, ptr %82, align 8, !noalias !19
-  %1381 = shl nsw i64 %1379, 6
-  %1382 = getelementptr inbounds i8, ptr %1380, i64 %1381
-  %1383 = load <8 x double>, ptr %1382, align 8, !noalias !19
-  %1384 = fmul <8 x double> %1383, <double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05>
-  %1385 = add nuw nsw i64 %1379, %1216
-  %1386 = shl nsw i64 %1385, 6
-  %1387 = getelementptr inbounds i8, ptr %1380, i64 %1386
-  %1388 = load <8 x double>, ptr %1387, align 8, !noalias !19
-  %1389 = fmul <8 x double> %1388, <double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580>
-  %1390 = fsub <8 x double> %1389, %1384
-  %1391 = shl i64 %1379, 6
-  %1392 = getelementptr i8, ptr %1380, i64 %1221
-  %1393 = getelementptr i8, ptr %1392, i64 %1391
+1384:                                             ; preds = %1226, %1384
+  %1385 = phi i64 [ 0, %1226 ], [ %1410, %1384 ]
+  %1386 = load ptr, ptr %83, align 8, !noalias !19
+  %1387 = shl nsw i64 %1385, 6
+  %1388 = getelementptr inbounds i8, ptr %1386, i64 %1387
+  %1389 = load <8 x double>, ptr %1388, align 8, !noalias !19
+  %1390 = fmul <8 x double> %1389, <double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05, double 0x402418FD8BAFFE05>
+  %1391 = add nuw nsw i64 %1385, %1222
+  %1392 = shl nsw i64 %1391, 6
+  %1393 = getelementptr inbounds i8, ptr %1386, i64 %1392
   %1394 = load <8 x double>, ptr %1393, align 8, !noalias !19
-  %1395 = fmul <8 x double> %1394, <double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555>
-  %1396 = fsub <8 x double> %1390, %1395
-  %1397 = fdiv <8 x double> %1396, %248
-  %1398 = getelementptr inbounds i8, ptr %1217, i64 %1381
-  store <8 x double> %1397, ptr %1398, align 8, !noalias !19
-  %1399 = load ptr, ptr %110, align 8, !noalias !19
-  %1400 = getelementptr inbounds i8, ptr %1399, i64 %1381
-  %1401 = load <8 x double>, ptr %1400, align 8, !noalias !19
-  %1402 = fadd <8 x double> %1401, %1397
-  %1403 = getelementptr inbounds i8, ptr %1218, i64 %1381
-  store <8 x double> %1402, ptr %1403, align 8, !noalias !19
-  %1404 = add nuw nsw i64 %1379, 1
-  %1405 = icmp eq i64 %1404, %1216
-  br i1 %1405, label %1222, label %1378, !llvm.loop !58
+  %1395 = fmul <8 x double> %1394, <double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580, double 0x3FF61D41B2D54580>
+  %1396 = fsub <8 x double> %1395, %1390
+  %1397 = shl i64 %1385, 6
+  %1398 = getelementptr i8, ptr %1386, i64 %1227
+  %1399 = getelementptr i8, ptr %1398, i64 %1397
+  %1400 = load <8 x double>, ptr %1399, align 8, !noalias !19
+  %1401 = fmul <8 x double> %1400, <double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555, double 0x3FD5555555555555>
+  %1402 = fsub <8 x double> %1396, %1401
+  %1403 = fdiv <8 x double> %1402, %252
+  %1404 = getelementptr inbounds i8, ptr %1223, i64 %1387
+  store <8 x double> %1403, ptr %1404, align 8, !noalias !19
+  %1405 = load ptr, ptr %111, align 8, !noalias !19
+  %1406 = getelementptr inbounds i8, ptr %1405, i64 %1387
+  %1407 = load <8 x double>, ptr %1406, align 8, !noalias !19
+  %1408 = fadd <8 x double> %1407, %1403
+  %1409 = getelementptr inbounds i8, ptr %1224, i64 %1387
+  store <8 x double> %1408, ptr %1409, align 8, !noalias !19
+  %1410 = add nuw nsw i64 %1385, 1
+  %1411 = icmp eq i64 %1410, %1222
+  br i1 %1411, label %1228, label %1384, !llvm.loop !58
 
-1406:                                             ; preds = %1438, %1376
-  %1407 = trunc i64 %1373 to i8
-  %1408 = bitcast i8 %1407 to <8 x i1>
-  %1409 = select <8 x i1> %1408, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1410 = fadd <8 x double> %1121, %1409
-  %1411 = load ptr, ptr %117, align 8, !noalias !19
-  %1412 = load ptr, ptr %118, align 8, !noalias !19
-  %1413 = load ptr, ptr %119, align 8, !noalias !19
-  store <8 x double> %232, ptr %1413, align 8, !noalias !19
-  %1414 = load ptr, ptr %19, align 8, !noalias !19
-  %1415 = getelementptr inbounds i8, ptr %1414, i64 40
-  %1416 = load i64, ptr %1415, align 8, !noalias !19
-  %1417 = icmp eq i64 %1416, 0
-  br i1 %1417, label %1419, label %1418
+1412:                                             ; preds = %1444, %1382
+  %1413 = trunc i64 %1379 to i8
+  %1414 = bitcast i8 %1413 to <8 x i1>
+  %1415 = select <8 x i1> %1414, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1416 = fadd <8 x double> %1128, %1415
+  %1417 = load ptr, ptr %118, align 8, !noalias !19
+  %1418 = load ptr, ptr %119, align 8, !noalias !19
+  %1419 = load ptr, ptr %120, align 8, !noalias !19
+  store <8 x double> %236, ptr %1419, align 8, !noalias !19
+  %1420 = load ptr, ptr %20, align 8, !noalias !19
+  %1421 = getelementptr inbounds i8, ptr %1420, i64 40
+  %1422 = load i64, ptr %1421, align 8, !noalias !19
+  %1423 = icmp eq i64 %1422, 0
+  br i1 %1423, label %1425, label %1424
 
-1418:                                             ; preds = %1406
-  call fastcc void @settle(ptr noundef nonnull %19) #11, !noalias !19
-  br label %1419
+1424:                                             ; preds = %1412
+  call fastcc void @settle(ptr noundef nonnull %20) #12, !noalias !19
+  br label %1425
 
-1419:                                             ; preds = %1418, %1406
-  %1420 = load i64, ptr %120, align 8, !noalias !19
-  %1421 = icmp sgt i64 %1420, 0
-  br i1 %1421, label %1422, label %1423
+1425:                                             ; preds = %1424, %1412
+  %1426 = load i64, ptr %121, align 8, !noalias !19
+  %1427 = icmp sgt i64 %1426, 0
+  br i1 %1427, label %1428, label %1429
 
-1422:                                             ; preds = %1419
-  call fastcc void @sample(ptr noundef nonnull %19) #11, !noalias !19
-  br label %1423
+1428:                                             ; preds = %1425
+  call fastcc void @sample(ptr noundef nonnull %20) #12, !noalias !19
+  br label %1429
 
-1423:                                             ; preds = %1422, %1419
-  %1424 = load ptr, ptr %19, align 8, !noalias !19
-  %1425 = load i64, ptr %1424, align 8, !noalias !19
-  %1426 = load ptr, ptr %119, align 8, !noalias !19
-  %1427 = load ptr, ptr %121, align 8, !noalias !19
-  %1428 = load ptr, ptr %122, align 8, !noalias !19
-  %1429 = inttoptr i64 %1425 to ptr
-  %1430 = load ptr, ptr %1429, align 8, !noalias !19
-  %1431 = call i32 %1430(ptr noundef %1426, ptr noundef %1411, ptr noundef %1427, ptr noundef %1428, ptr noundef %1412) #12, !noalias !19
-  %1432 = zext i32 %1431 to i64
-  %1433 = and i64 %1373, %1432
-  %1434 = trunc i64 %1433 to i8
-  %1435 = bitcast i8 %1434 to <8 x i1>
-  %1436 = select <8 x i1> %1435, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1205
-  %1437 = icmp sgt i64 %1216, 0
-  br i1 %1437, label %1607, label %1451
+1429:                                             ; preds = %1428, %1425
+  %1430 = load ptr, ptr %20, align 8, !noalias !19
+  %1431 = load i64, ptr %1430, align 8, !noalias !19
+  %1432 = load ptr, ptr %120, align 8, !noalias !19
+  %1433 = load ptr, ptr %122, align 8, !noalias !19
+  %1434 = load ptr, ptr %123, align 8, !noalias !19
+  %1435 = inttoptr i64 %1431 to ptr
+  %1436 = load ptr, ptr %1435, align 8, !noalias !19
+  %1437 = call i32 %1436(ptr noundef %1432, ptr noundef %1417, ptr noundef %1433, ptr noundef %1434, ptr noundef %1418) #13, !noalias !19
+  %1438 = zext i32 %1437 to i64
+  %1439 = and i64 %1379, %1438
+  %1440 = trunc i64 %1439 to i8
+  %1441 = bitcast i8 %1440 to <8 x i1>
+  %1442 = select <8 x i1> %1441, <8 x double> <double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00, double 3.000000e+00>, <8 x double> %1212
+  %1443 = icmp sgt i64 %1222, 0
+  br i1 %1443, label %1613, label %1457
 
-1438:                                             ; preds = %1376, %1438
-  %1439 = phi i64 [ %1449, %1438 ], [ 0, %1376 ]
-  %1440 = load ptr, ptr %116, align 8, !noalias !19
-  %1441 = load ptr, ptr %21, align 8, !noalias !19
-  %1442 = shl nsw i64 %1439, 6
-  %1443 = getelementptr inbounds i8, ptr %1441, i64 %1442
-  %1444 = load <8 x double>, ptr %1443, align 8, !noalias !19
-  %1445 = getelementptr inbounds i8, ptr %1218, i64 %1442
-  %1446 = load <8 x double>, ptr %1445, align 8, !noalias !19
-  %1447 = fadd <8 x double> %1444, %1446
-  %1448 = getelementptr inbounds i8, ptr %1440, i64 %1442
-  store <8 x double> %1447, ptr %1448, align 8, !noalias !19
-  %1449 = add nuw nsw i64 %1439, 1
-  %1450 = icmp eq i64 %1449, %1216
-  br i1 %1450, label %1406, label %1438, !llvm.loop !59
+1444:                                             ; preds = %1382, %1444
+  %1445 = phi i64 [ %1455, %1444 ], [ 0, %1382 ]
+  %1446 = load ptr, ptr %117, align 8, !noalias !19
+  %1447 = load ptr, ptr %22, align 8, !noalias !19
+  %1448 = shl nsw i64 %1445, 6
+  %1449 = getelementptr inbounds i8, ptr %1447, i64 %1448
+  %1450 = load <8 x double>, ptr %1449, align 8, !noalias !19
+  %1451 = getelementptr inbounds i8, ptr %1224, i64 %1448
+  %1452 = load <8 x double>, ptr %1451, align 8, !noalias !19
+  %1453 = fadd <8 x double> %1450, %1452
+  %1454 = getelementptr inbounds i8, ptr %1446, i64 %1448
+  store <8 x double> %1453, ptr %1454, align 8, !noalias !19
+  %1455 = add nuw nsw i64 %1445, 1
+  %1456 = icmp eq i64 %1455, %1222
+  br i1 %1456, label %1412, label %1444, !llvm.loop !59
 
-1451:                                             ; preds = %1607, %1423
-  %1452 = load i64, ptr %112, align 8, !noalias !19
-  %1453 = sdiv i64 %1452, 8
-  %1454 = load ptr, ptr %65, align 8, !noalias !19
-  %1455 = getelementptr inbounds i8, ptr %1454, i64 40
-  %1456 = load i64, ptr %1455, align 8, !noalias !19
-  %1457 = load ptr, ptr %113, align 8, !noalias !19
-  %1458 = load ptr, ptr %111, align 8, !noalias !19
-  call fastcc void @real_solve(ptr noundef %1457, i64 noundef %1453, ptr noundef %1458, ptr noundef %1218) #11, !noalias !19
-  %1459 = icmp sgt i64 %1456, 0
-  br i1 %1459, label %1460, label %1465
+1457:                                             ; preds = %1613, %1429
+  %1458 = load i64, ptr %113, align 8, !noalias !19
+  %1459 = sdiv i64 %1458, 8
+  %1460 = load ptr, ptr %66, align 8, !noalias !19
+  %1461 = getelementptr inbounds i8, ptr %1460, i64 40
+  %1462 = load i64, ptr %1461, align 8, !noalias !19
+  %1463 = load ptr, ptr %114, align 8, !noalias !19
+  %1464 = load ptr, ptr %112, align 8, !noalias !19
+  call fastcc void @real_solve(ptr noundef %1463, i64 noundef %1459, ptr noundef %1464, ptr noundef %1224) #12, !noalias !19
+  %1465 = icmp sgt i64 %1462, 0
+  br i1 %1465, label %1466, label %1471
 
-1460:                                             ; preds = %1451
-  %1461 = load ptr, ptr %113, align 8, !noalias !19
-  %1462 = load ptr, ptr %111, align 8, !noalias !19
-  %1463 = shl nsw i64 %1453, 6
-  %1464 = getelementptr inbounds i8, ptr %1218, i64 %1463
-  call fastcc void @real_solve_columns(ptr noundef %1461, i64 noundef %1453, ptr noundef %1462, ptr noundef %1464, i64 noundef %1456) #11, !noalias !19
-  br label %1465
+1466:                                             ; preds = %1457
+  %1467 = load ptr, ptr %114, align 8, !noalias !19
+  %1468 = load ptr, ptr %112, align 8, !noalias !19
+  %1469 = shl nsw i64 %1459, 6
+  %1470 = getelementptr inbounds i8, ptr %1224, i64 %1469
+  call fastcc void @real_solve_columns(ptr noundef %1467, i64 noundef %1459, ptr noundef %1468, ptr noundef %1470, i64 noundef %1462) #12, !noalias !19
+  br label %1471
 
-1465:                                             ; preds = %1451, %1460
-  %1466 = load ptr, ptr %19, align 8, !noalias !19
-  %1467 = getelementptr inbounds i8, ptr %1466, i64 24
-  %1468 = load i64, ptr %1467, align 8, !noalias !19
-  %1469 = load ptr, ptr %114, align 8, !noalias !19
-  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1218, ptr noundef %1469, ptr noundef nonnull %21, i64 noundef %1468) #11, !noalias !19
-  %1470 = load <8 x double>, ptr %9, align 16, !noalias !19
-  %1471 = getelementptr inbounds i8, ptr %1466, i64 8
-  %1472 = load i64, ptr %1471, align 8, !noalias !19
-  %1473 = add nsw i64 %1472, -3
-  %1474 = getelementptr i8, ptr %1469, i64 64
-  %1475 = getelementptr i8, ptr %1469, i64 128
-  %1476 = getelementptr i8, ptr %1469, i64 192
-  %1477 = icmp slt i64 %1468, %1473
-  br i1 %1477, label %1485, label %1478
+1471:                                             ; preds = %1457, %1466
+  %1472 = load ptr, ptr %20, align 8, !noalias !19
+  %1473 = getelementptr inbounds i8, ptr %1472, i64 24
+  %1474 = load i64, ptr %1473, align 8, !noalias !19
+  %1475 = load ptr, ptr %115, align 8, !noalias !19
+  call fastcc void @norm_to(ptr noundef nonnull %10, ptr noundef %1224, ptr noundef %1475, ptr noundef nonnull %22, i64 noundef %1474) #12, !noalias !19
+  %1476 = load <8 x double>, ptr %10, align 16, !noalias !19
+  %1477 = getelementptr inbounds i8, ptr %1472, i64 8
+  %1478 = load i64, ptr %1477, align 8, !noalias !19
+  %1479 = add nsw i64 %1478, -3
+  %1480 = getelementptr i8, ptr %1475, i64 64
+  %1481 = getelementptr i8, ptr %1475, i64 128
+  %1482 = getelementptr i8, ptr %1475, i64 192
+  %1483 = icmp slt i64 %1474, %1479
+  br i1 %1483, label %1491, label %1484
 
-1478:                                             ; preds = %1485, %1465
-  %1479 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1495, %1485 ]
-  %1480 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1500, %1485 ]
-  %1481 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1505, %1485 ]
-  %1482 = phi <8 x double> [ zeroinitializer, %1465 ], [ %1510, %1485 ]
-  %1483 = phi i64 [ %1468, %1465 ], [ %1511, %1485 ]
-  %1484 = icmp slt i64 %1483, %1472
-  br i1 %1484, label %1513, label %1523
+1484:                                             ; preds = %1491, %1471
+  %1485 = phi <8 x double> [ zeroinitializer, %1471 ], [ %1501, %1491 ]
+  %1486 = phi <8 x double> [ zeroinitializer, %1471 ], [ %1506, %1491 ]
+  %1487 = phi <8 x double> [ zeroinitializer, %1471 ], [ %1511, %1491 ]
+  %1488 = phi <8 x double> [ zeroinitializer, %1471 ], [ %1516, %1491 ]
+  %1489 = phi i64 [ %1474, %1471 ], [ %1517, %1491 ]
+  %1490 = icmp slt i64 %1489, %1478
+  br i1 %1490, label %1519, label %1529
 
-1485:                                             ; preds = %1465, %1485
-  %1486 = phi i64 [ %1511, %1485 ], [ %1468, %1465 ]
-  %1487 = phi <8 x double> [ %1510, %1485 ], [ zeroinitializer, %1465 ]
-  %1488 = phi <8 x double> [ %1505, %1485 ], [ zeroinitializer, %1465 ]
-  %1489 = phi <8 x double> [ %1500, %1485 ], [ zeroinitializer, %1465 ]
-  %1490 = phi <8 x double> [ %1495, %1485 ], [ zeroinitializer, %1465 ]
-  %1491 = shl nsw i64 %1486, 6
-  %1492 = getelementptr inbounds i8, ptr %1469, i64 %1491
-  %1493 = load <8 x double>, ptr %1492, align 8, !noalias !19
-  %1494 = fmul <8 x double> %1493, zeroinitializer
-  %1495 = fadd <8 x double> %1490, %1494
-  %1496 = shl i64 %1486, 6
-  %1497 = getelementptr i8, ptr %1474, i64 %1496
-  %1498 = load <8 x double>, ptr %1497, align 8, !noalias !19
-  %1499 = fmul <8 x double> %1498, zeroinitializer
-  %1500 = fadd <8 x double> %1489, %1499
-  %1501 = shl i64 %1486, 6
-  %1502 = getelementptr i8, ptr %1475, i64 %1501
-  %1503 = load <8 x double>, ptr %1502, align 8, !noalias !19
-  %1504 = fmul <8 x double> %1503, zeroinitializer
-  %1505 = fadd <8 x double> %1488, %1504
-  %1506 = shl i64 %1486, 6
-  %1507 = getelementptr i8, ptr %1476, i64 %1506
-  %1508 = load <8 x double>, ptr %1507, align 8, !noalias !19
-  %1509 = fmul <8 x double> %1508, zeroinitializer
-  %1510 = fadd <8 x double> %1487, %1509
-  %1511 = add nsw i64 %1486, 4
-  %1512 = icmp slt i64 %1511, %1473
-  br i1 %1512, label %1485, label %1478, !llvm.loop !54
+1491:                                             ; preds = %1471, %1491
+  %1492 = phi i64 [ %1517, %1491 ], [ %1474, %1471 ]
+  %1493 = phi <8 x double> [ %1516, %1491 ], [ zeroinitializer, %1471 ]
+  %1494 = phi <8 x double> [ %1511, %1491 ], [ zeroinitializer, %1471 ]
+  %1495 = phi <8 x double> [ %1506, %1491 ], [ zeroinitializer, %1471 ]
+  %1496 = phi <8 x double> [ %1501, %1491 ], [ zeroinitializer, %1471 ]
+  %1497 = shl nsw i64 %1492, 6
+  %1498 = getelementptr inbounds i8, ptr %1475, i64 %1497
+  %1499 = load <8 x double>, ptr %1498, align 8, !noalias !19
+  %1500 = fmul <8 x double> %1499, zeroinitializer
+  %1501 = fadd <8 x double> %1496, %1500
+  %1502 = shl i64 %1492, 6
+  %1503 = getelementptr i8, ptr %1480, i64 %1502
+  %1504 = load <8 x double>, ptr %1503, align 8, !noalias !19
+  %1505 = fmul <8 x double> %1504, zeroinitializer
+  %1506 = fadd <8 x double> %1495, %1505
+  %1507 = shl i64 %1492, 6
+  %1508 = getelementptr i8, ptr %1481, i64 %1507
+  %1509 = load <8 x double>, ptr %1508, align 8, !noalias !19
+  %1510 = fmul <8 x double> %1509, zeroinitializer
+  %1511 = fadd <8 x double> %1494, %1510
+  %1512 = shl i64 %1492, 6
+  %1513 = getelementptr i8, ptr %1482, i64 %1512
+  %1514 = load <8 x double>, ptr %1513, align 8, !noalias !19
+  %1515 = fmul <8 x double> %1514, zeroinitializer
+  %1516 = fadd <8 x double> %1493, %1515
+  %1517 = add nsw i64 %1492, 4
+  %1518 = icmp slt i64 %1517, %1479
+  br i1 %1518, label %1491, label %1484, !llvm.loop !54
 
-1513:                                             ; preds = %1478, %1513
-  %1514 = phi i64 [ %1521, %1513 ], [ %1483, %1478 ]
-  %1515 = phi <8 x double> [ %1520, %1513 ], [ %1479, %1478 ]
-  %1516 = shl nsw i64 %1514, 6
-  %1517 = getelementptr inbounds i8, ptr %1469, i64 %1516
-  %1518 = load <8 x double>, ptr %1517, align 8, !noalias !19
-  %1519 = fmul <8 x double> %1518, zeroinitializer
-  %1520 = fadd <8 x double> %1515, %1519
-  %1521 = add nsw i64 %1514, 1
-  %1522 = icmp eq i64 %1521, %1472
-  br i1 %1522, label %1523, label %1513, !llvm.loop !55
+1519:                                             ; preds = %1484, %1519
+  %1520 = phi i64 [ %1527, %1519 ], [ %1489, %1484 ]
+  %1521 = phi <8 x double> [ %1526, %1519 ], [ %1485, %1484 ]
+  %1522 = shl nsw i64 %1520, 6
+  %1523 = getelementptr inbounds i8, ptr %1475, i64 %1522
+  %1524 = load <8 x double>, ptr %1523, align 8, !noalias !19
+  %1525 = fmul <8 x double> %1524, zeroinitializer
+  %1526 = fadd <8 x double> %1521, %1525
+  %1527 = add nsw i64 %1520, 1
+  %1528 = icmp eq i64 %1527, %1478
+  br i1 %1528, label %1529, label %1519, !llvm.loop !55
 
-1523:                                             ; preds = %1513, %1478
-  %1524 = phi <8 x double> [ %1479, %1478 ], [ %1520, %1513 ]
-  %1525 = fadd <8 x double> %1480, %1524
-  %1526 = fadd <8 x double> %1481, %1482
-  %1527 = fadd <8 x double> %1526, %1525
-  %1528 = fadd <8 x double> %1470, %1527
-  %1529 = getelementptr inbounds i8, ptr %1466, i64 48
-  %1530 = load i64, ptr %1529, align 8, !noalias !19
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %4, i8 0, i64 512, i1 false), !noalias !19
+1529:                                             ; preds = %1519, %1484
+  %1530 = phi <8 x double> [ %1485, %1484 ], [ %1526, %1519 ]
+  %1531 = fadd <8 x double> %1486, %1530
+  %1532 = fadd <8 x double> %1487, %1488
+  %1533 = fadd <8 x double> %1532, %1531
+  %1534 = fadd <8 x double> %1476, %1533
+  %1535 = getelementptr inbounds i8, ptr %1472, i64 48
+  %1536 = load i64, ptr %1535, align 8, !noalias !19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %5, i8 0, i64 512, i1 false), !noalias !19
-  %1531 = icmp eq i64 %1530, 0
-  br i1 %1531, label %1595, label %1532
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(512) %6, i8 0, i64 512, i1 false), !noalias !19
+  %1537 = icmp eq i64 %1536, 0
+  br i1 %1537, label %1601, label %1538
 
-1532:                                             ; preds = %1523
-  %1533 = icmp slt i64 %1468, %1530
-  br i1 %1533, label %1535, label %1534
+1538:                                             ; preds = %1529
+  %1539 = icmp slt i64 %1474, %1536
+  br i1 %1539, label %1541, label %1540
 
-1534:                                             ; preds = %1539, %1532
-  br label %1586
+1540:                                             ; preds = %1545, %1538
+  br label %1592
 
-1535:                                             ; preds = %1532
-  %1536 = load ptr, ptr %21, align 8, !noalias !19
-  %1537 = load ptr, ptr %123, align 8, !noalias !19
-  %1538 = load ptr, ptr %66, align 8, !noalias !19
-  br label %1539
+1541:                                             ; preds = %1538
+  %1542 = load ptr, ptr %22, align 8, !noalias !19
+  %1543 = load ptr, ptr %124, align 8, !noalias !19
+  %1544 = load ptr, ptr %67, align 8, !noalias !19
+  br label %1545
 
-1539:                                             ; preds = %1535, %1539
-  %1540 = phi i64 [ %1468, %1535 ], [ %1571, %1539 ]
-  %1541 = shl nsw i64 %1540, 6
-  %1542 = getelementptr inbounds i8, ptr %1536, i64 %1541
-  %1543 = load <8 x double>, ptr %1542, align 8, !noalias !19
-  %1544 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1543)
-  %1545 = getelementptr inbounds i8, ptr %1469, i64 %1541
-  %1546 = load <8 x double>, ptr %1545, align 8, !noalias !19
-  %1547 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1546)
-  %1548 = fcmp ogt <8 x double> %1544, %1547
-  %1549 = select <8 x i1> %1548, <8 x double> %1544, <8 x double> %1547
-  %1550 = getelementptr inbounds i8, ptr %1537, i64 %1541
-  %1551 = load <8 x double>, ptr %1550, align 8, !noalias !19
-  %1552 = getelementptr inbounds double, ptr %1538, i64 %1540
-  %1553 = load double, ptr %1552, align 8, !noalias !19
-  %1554 = insertelement <8 x double> poison, double %1553, i64 0
-  %1555 = shufflevector <8 x double> %1554, <8 x double> poison, <8 x i32> zeroinitializer
-  %1556 = fmul <8 x double> %1549, %1555
-  %1557 = fadd <8 x double> %1551, %1556
-  %1558 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1557
-  %1559 = getelementptr inbounds i8, ptr %1218, i64 %1541
-  %1560 = load <8 x double>, ptr %1559, align 8, !noalias !19
-  %1561 = fmul <8 x double> %1560, %1558
-  %1562 = srem i64 %1540, 8
-  %1563 = shl nsw i64 %1562, 6
-  %1564 = getelementptr inbounds i8, ptr %4, i64 %1563
-  %1565 = load <8 x double>, ptr %1564, align 16, !noalias !19
-  %1566 = fmul <8 x double> %1561, %1561
-  %1567 = fadd <8 x double> %1565, %1566
-  store <8 x double> %1567, ptr %1564, align 16, !noalias !19
-  %1568 = getelementptr inbounds i8, ptr %5, i64 %1563
-  %1569 = load <8 x double>, ptr %1568, align 16, !noalias !19
-  %1570 = fadd <8 x double> %1569, %1566
-  store <8 x double> %1570, ptr %1568, align 16, !noalias !19
-  %1571 = add nsw i64 %1540, 1
-  %1572 = icmp eq i64 %1571, %1530
-  br i1 %1572, label %1534, label %1539, !llvm.loop !56
+1545:                                             ; preds = %1541, %1545
+  %1546 = phi i64 [ %1474, %1541 ], [ %1577, %1545 ]
+  %1547 = shl nsw i64 %1546, 6
+  %1548 = getelementptr inbounds i8, ptr %1542, i64 %1547
+  %1549 = load <8 x double>, ptr %1548, align 8, !noalias !19
+  %1550 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1549)
+  %1551 = getelementptr inbounds i8, ptr %1475, i64 %1547
+  %1552 = load <8 x double>, ptr %1551, align 8, !noalias !19
+  %1553 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1552)
+  %1554 = fcmp ogt <8 x double> %1550, %1553
+  %1555 = select <8 x i1> %1554, <8 x double> %1550, <8 x double> %1553
+  %1556 = getelementptr inbounds i8, ptr %1543, i64 %1547
+  %1557 = load <8 x double>, ptr %1556, align 8, !noalias !19
+  %1558 = getelementptr inbounds double, ptr %1544, i64 %1546
+  %1559 = load double, ptr %1558, align 8, !noalias !19
+  %1560 = insertelement <8 x double> poison, double %1559, i64 0
+  %1561 = shufflevector <8 x double> %1560, <8 x double> poison, <8 x i32> zeroinitializer
+  %1562 = fmul <8 x double> %1555, %1561
+  %1563 = fadd <8 x double> %1557, %1562
+  %1564 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1563
+  %1565 = getelementptr inbounds i8, ptr %1224, i64 %1547
+  %1566 = load <8 x double>, ptr %1565, align 8, !noalias !19
+  %1567 = fmul <8 x double> %1566, %1564
+  %1568 = srem i64 %1546, 8
+  %1569 = shl nsw i64 %1568, 6
+  %1570 = getelementptr inbounds i8, ptr %5, i64 %1569
+  %1571 = load <8 x double>, ptr %1570, align 16, !noalias !19
+  %1572 = fmul <8 x double> %1567, %1567
+  %1573 = fadd <8 x double> %1571, %1572
+  store <8 x double> %1573, ptr %1570, align 16, !noalias !19
+  %1574 = getelementptr inbounds i8, ptr %6, i64 %1569
+  %1575 = load <8 x double>, ptr %1574, align 16, !noalias !19
+  %1576 = fadd <8 x double> %1575, %1572
+  store <8 x double> %1576, ptr %1574, align 16, !noalias !19
+  %1577 = add nsw i64 %1546, 1
+  %1578 = icmp eq i64 %1577, %1536
+  br i1 %1578, label %1540, label %1545, !llvm.loop !56
 
-1573:                                             ; preds = %1586
-  %1574 = sub nsw i64 %1530, %1468
-  %1575 = sitofp i64 %1574 to double
-  %1576 = insertelement <8 x double> poison, double %1575, i64 0
-  %1577 = shufflevector <8 x double> %1576, <8 x double> poison, <8 x i32> zeroinitializer
-  %1578 = fdiv <8 x double> %1592, %1577
-  %1579 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1578)
-  %1580 = insertelement <8 x double> poison, double %279, i64 0
-  %1581 = shufflevector <8 x double> %1580, <8 x double> poison, <8 x i32> zeroinitializer
-  %1582 = fcmp olt <8 x double> %1581, %248
-  %1583 = fcmp ogt <8 x double> %1579, %1528
-  %1584 = select <8 x i1> %1582, <8 x i1> %1583, <8 x i1> zeroinitializer
-  %1585 = select <8 x i1> %1584, <8 x double> %1579, <8 x double> %1528
-  br label %1595
+1579:                                             ; preds = %1592
+  %1580 = sub nsw i64 %1536, %1474
+  %1581 = sitofp i64 %1580 to double
+  %1582 = insertelement <8 x double> poison, double %1581, i64 0
+  %1583 = shufflevector <8 x double> %1582, <8 x double> poison, <8 x i32> zeroinitializer
+  %1584 = fdiv <8 x double> %1598, %1583
+  %1585 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1584)
+  %1586 = insertelement <8 x double> poison, double %283, i64 0
+  %1587 = shufflevector <8 x double> %1586, <8 x double> poison, <8 x i32> zeroinitializer
+  %1588 = fcmp olt <8 x double> %1587, %252
+  %1589 = fcmp ogt <8 x double> %1585, %1534
+  %1590 = select <8 x i1> %1588, <8 x i1> %1589, <8 x i1> zeroinitializer
+  %1591 = select <8 x i1> %1590, <8 x double> %1585, <8 x double> %1534
+  br label %1601
 
-1586:                                             ; preds = %1534, %1586
-  %1587 = phi i64 [ %1593, %1586 ], [ 0, %1534 ]
-  %1588 = phi <8 x double> [ %1592, %1586 ], [ zeroinitializer, %1534 ]
-  %1589 = shl nuw nsw i64 %1587, 6
-  %1590 = getelementptr inbounds i8, ptr %4, i64 %1589
-  %1591 = load <8 x double>, ptr %1590, align 16, !noalias !19
-  %1592 = fadd <8 x double> %1588, %1591
-  %1593 = add nuw nsw i64 %1587, 1
-  %1594 = icmp eq i64 %1593, 8
-  br i1 %1594, label %1573, label %1586, !llvm.loop !57
+1592:                                             ; preds = %1540, %1592
+  %1593 = phi i64 [ %1599, %1592 ], [ 0, %1540 ]
+  %1594 = phi <8 x double> [ %1598, %1592 ], [ zeroinitializer, %1540 ]
+  %1595 = shl nuw nsw i64 %1593, 6
+  %1596 = getelementptr inbounds i8, ptr %5, i64 %1595
+  %1597 = load <8 x double>, ptr %1596, align 16, !noalias !19
+  %1598 = fadd <8 x double> %1594, %1597
+  %1599 = add nuw nsw i64 %1593, 1
+  %1600 = icmp eq i64 %1599, 8
+  br i1 %1600, label %1579, label %1592, !llvm.loop !57
 
-1595:                                             ; preds = %1523, %1573
-  %1596 = phi <8 x double> [ %1528, %1523 ], [ %1585, %1573 ]
-  %1597 = xor i64 %1432, -1
-  %1598 = and i64 %1373, %1597
-  %1599 = fcmp olt <8 x double> %1596, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1600 = bitcast <8 x i1> %1599 to i8
-  %1601 = zext i8 %1600 to i64
-  %1602 = and i64 %1598, %1601
-  %1603 = or i64 %1602, %1374
-  %1604 = trunc i64 %1598 to i8
-  %1605 = bitcast i8 %1604 to <8 x i1>
-  %1606 = select <8 x i1> %1605, <8 x double> %1596, <8 x double> %1367
-  br label %1619
+1601:                                             ; preds = %1529, %1579
+  %1602 = phi <8 x double> [ %1534, %1529 ], [ %1591, %1579 ]
+  %1603 = xor i64 %1438, -1
+  %1604 = and i64 %1379, %1603
+  %1605 = fcmp olt <8 x double> %1602, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1606 = bitcast <8 x i1> %1605 to i8
+  %1607 = zext i8 %1606 to i64
+  %1608 = and i64 %1604, %1607
+  %1609 = or i64 %1608, %1380
+  %1610 = trunc i64 %1604 to i8
+  %1611 = bitcast i8 %1610 to <8 x i1>
+  %1612 = select <8 x i1> %1611, <8 x double> %1602, <8 x double> %1373
+  br label %1625
 
-1607:                                             ; preds = %1423, %1607
-  %1608 = phi i64 [ %1617, %1607 ], [ 0, %1423 ]
-  %1609 = load ptr, ptr %118, align 8, !noalias !19
-  %1610 = shl nsw i64 %1608, 6
-  %1611 = getelementptr inbounds i8, ptr %1609, i64 %1610
-  %1612 = load <8 x double>, ptr %1611, align 8, !noalias !19
-  %1613 = getelementptr inbounds i8, ptr %1217, i64 %1610
-  %1614 = load <8 x double>, ptr %1613, align 8, !noalias !19
-  %1615 = fadd <8 x double> %1612, %1614
-  %1616 = getelementptr inbounds i8, ptr %1218, i64 %1610
-  store <8 x double> %1615, ptr %1616, align 8, !noalias !19
-  %1617 = add nuw nsw i64 %1608, 1
-  %1618 = icmp eq i64 %1617, %1216
-  br i1 %1618, label %1451, label %1607, !llvm.loop !60
+1613:                                             ; preds = %1429, %1613
+  %1614 = phi i64 [ %1623, %1613 ], [ 0, %1429 ]
+  %1615 = load ptr, ptr %119, align 8, !noalias !19
+  %1616 = shl nsw i64 %1614, 6
+  %1617 = getelementptr inbounds i8, ptr %1615, i64 %1616
+  %1618 = load <8 x double>, ptr %1617, align 8, !noalias !19
+  %1619 = getelementptr inbounds i8, ptr %1223, i64 %1616
+  %1620 = load <8 x double>, ptr %1619, align 8, !noalias !19
+  %1621 = fadd <8 x double> %1618, %1620
+  %1622 = getelementptr inbounds i8, ptr %1224, i64 %1616
+  store <8 x double> %1621, ptr %1622, align 8, !noalias !19
+  %1623 = add nuw nsw i64 %1614, 1
+  %1624 = icmp eq i64 %1623, %1222
+  br i1 %1624, label %1457, label %1613, !llvm.loop !60
 
-1619:                                             ; preds = %1366, %1595
-  %1620 = phi i64 [ %1374, %1366 ], [ %1603, %1595 ]
-  %1621 = phi <8 x double> [ %1121, %1366 ], [ %1410, %1595 ]
-  %1622 = phi <8 x double> [ %1205, %1366 ], [ %1436, %1595 ]
-  %1623 = phi <8 x double> [ %1367, %1366 ], [ %1606, %1595 ]
-  %1624 = fcmp olt <8 x double> %1623, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1625 = select <8 x i1> %1624, <8 x double> <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>, <8 x double> %1623
-  %1626 = load ptr, ptr %74, align 8, !noalias !19
-  %1627 = getelementptr inbounds i8, ptr %1626, i64 192
-  %1628 = load <8 x double>, ptr %1627, align 8, !noalias !19
-  %1629 = fadd <8 x double> %1118, <double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01>
-  %1630 = fdiv <8 x double> <double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667>, %1629
-  %1631 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1625)
-  %1632 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1631)
-  %1633 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1632
-  %1634 = fmul <8 x double> %1630, %1633
-  %1635 = fcmp ogt <8 x double> %1634, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1636 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1623)
-  %1637 = fcmp one <8 x double> %1636, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1638 = select <8 x i1> %1635, <8 x double> %1634, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1639 = select <8 x i1> %1637, <8 x double> %1638, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1640 = fmul <8 x double> %1639, %248
-  %1641 = getelementptr inbounds i8, ptr %1626, i64 128
-  %1642 = load <8 x double>, ptr %1641, align 8, !noalias !19
-  %1643 = fdiv <8 x double> %248, %1642
-  %1644 = fdiv <8 x double> %1628, %1625
-  %1645 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1644)
-  %1646 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1645)
-  %1647 = fmul <8 x double> %1643, %1646
-  %1648 = fcmp ogt <8 x double> %1628, zeroinitializer
-  %1649 = fcmp olt <8 x double> %1647, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1650 = select <8 x i1> %1648, <8 x i1> %1649, <8 x i1> zeroinitializer
-  %1651 = select <8 x i1> %1650, <8 x double> %1647, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1652 = fmul <8 x double> %1634, %1651
-  %1653 = fcmp olt <8 x double> %1652, <double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01>
-  %1654 = bitcast <8 x double> %1652 to <8 x i64>
-  %1655 = select <8 x i1> %1653, <8 x i64> %1654, <8 x i64> <i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520>
-  %1656 = bitcast <8 x i64> %1655 to <8 x double>
-  %1657 = fcmp ule <8 x double> %1656, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1658 = fcmp uge <8 x double> %1656, <double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00>
-  %1659 = or <8 x i1> %1657, %1658
-  %1660 = select <8 x i1> %1659, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %1124
-  %1661 = load <8 x double>, ptr %1626, align 8, !noalias !19
-  %1662 = fcmp ogt <8 x double> %1656, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1663 = bitcast <8 x i64> %1655 to <8 x double>
-  %1664 = select <8 x i1> %1662, <8 x double> %1663, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
-  %1665 = fmul <8 x double> %1664, %248
-  %1666 = trunc nuw i64 %1620 to i8
-  %1667 = bitcast i8 %1666 to <8 x i1>
-  %1668 = trunc i64 %1116 to i8
-  %1669 = bitcast i8 %1668 to <8 x i1>
-  %1670 = select <8 x i1> %1660, <8 x double> %1665, <8 x double> %1661
-  %1671 = select <8 x i1> %1667, <8 x double> %1670, <8 x double> %1640
-  %1672 = select <8 x i1> %1669, <8 x double> %1671, <8 x double> %1204
-  %1673 = xor i64 %1620, -1
-  %1674 = and i64 %1116, %1673
-  %1675 = load ptr, ptr %65, align 8, !noalias !19
-  %1676 = getelementptr inbounds i8, ptr %1675, i64 32
-  %1677 = load i64, ptr %1676, align 8, !noalias !19
-  %1678 = or i64 %1677, %1674
-  store i64 %1678, ptr %1676, align 8, !noalias !19
-  %1679 = load ptr, ptr %65, align 8, !noalias !19
-  %1680 = getelementptr inbounds i8, ptr %1679, i64 8
-  %1681 = load i64, ptr %1680, align 8, !noalias !19
-  %1682 = xor i64 %1674, -1
-  %1683 = and i64 %1681, %1682
-  %1684 = getelementptr inbounds i8, ptr %1679, i64 16
-  %1685 = load i64, ptr %1684, align 8, !noalias !19
-  %1686 = xor i64 %1685, -1
-  %1687 = and i64 %1674, %1686
-  %1688 = or disjoint i64 %1687, %1683
-  store i64 %1688, ptr %1680, align 8, !noalias !19
-  br label %1705
+1625:                                             ; preds = %1372, %1601
+  %1626 = phi i64 [ %1380, %1372 ], [ %1609, %1601 ]
+  %1627 = phi <8 x double> [ %1128, %1372 ], [ %1416, %1601 ]
+  %1628 = phi <8 x double> [ %1212, %1372 ], [ %1442, %1601 ]
+  %1629 = phi <8 x double> [ %1373, %1372 ], [ %1612, %1601 ]
+  %1630 = fcmp olt <8 x double> %1629, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1631 = select <8 x i1> %1630, <8 x double> <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>, <8 x double> %1629
+  %1632 = load ptr, ptr %75, align 8, !noalias !19
+  %1633 = getelementptr inbounds i8, ptr %1632, i64 192
+  %1634 = load <8 x double>, ptr %1633, align 8, !noalias !19
+  %1635 = fadd <8 x double> %1125, <double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01, double 1.200000e+01>
+  %1636 = fdiv <8 x double> <double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667, double 0x4027666666666667>, %1635
+  %1637 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1631)
+  %1638 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1637)
+  %1639 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1638
+  %1640 = fmul <8 x double> %1636, %1639
+  %1641 = fcmp ogt <8 x double> %1640, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1642 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1629)
+  %1643 = fcmp one <8 x double> %1642, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1644 = select <8 x i1> %1641, <8 x double> %1640, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1645 = select <8 x i1> %1643, <8 x double> %1644, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %1646 = fmul <8 x double> %1645, %252
+  %1647 = getelementptr inbounds i8, ptr %1632, i64 128
+  %1648 = load <8 x double>, ptr %1647, align 8, !noalias !19
+  %1649 = fdiv <8 x double> %252, %1648
+  %1650 = fdiv <8 x double> %1634, %1631
+  %1651 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1650)
+  %1652 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1651)
+  %1653 = fmul <8 x double> %1649, %1652
+  %1654 = fcmp ogt <8 x double> %1634, zeroinitializer
+  %1655 = fcmp olt <8 x double> %1653, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1656 = select <8 x i1> %1654, <8 x i1> %1655, <8 x i1> zeroinitializer
+  %1657 = select <8 x i1> %1656, <8 x double> %1653, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1658 = fmul <8 x double> %1640, %1657
+  %1659 = fcmp olt <8 x double> %1658, <double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01, double 1.000000e+01>
+  %1660 = bitcast <8 x double> %1658 to <8 x i64>
+  %1661 = select <8 x i1> %1659, <8 x i64> %1660, <8 x i64> <i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520, i64 4621819117588971520>
+  %1662 = bitcast <8 x i64> %1661 to <8 x double>
+  %1663 = fcmp ule <8 x double> %1662, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1664 = fcmp uge <8 x double> %1662, <double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00, double 1.200000e+00>
+  %1665 = or <8 x i1> %1663, %1664
+  %1666 = select <8 x i1> %1665, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %1131
+  %1667 = load <8 x double>, ptr %1632, align 8, !noalias !19
+  %1668 = fcmp ogt <8 x double> %1662, <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1669 = bitcast <8 x i64> %1661 to <8 x double>
+  %1670 = select <8 x i1> %1668, <8 x double> %1669, <8 x double> <double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01, double 2.000000e-01>
+  %1671 = fmul <8 x double> %1670, %252
+  %1672 = trunc nuw i64 %1626 to i8
+  %1673 = bitcast i8 %1672 to <8 x i1>
+  %1674 = trunc i64 %1123 to i8
+  %1675 = bitcast i8 %1674 to <8 x i1>
+  %1676 = select <8 x i1> %1666, <8 x double> %1671, <8 x double> %1667
+  %1677 = select <8 x i1> %1673, <8 x double> %1676, <8 x double> %1646
+  %1678 = select <8 x i1> %1675, <8 x double> %1677, <8 x double> %1211
+  %1679 = xor i64 %1626, -1
+  %1680 = and i64 %1123, %1679
+  %1681 = load ptr, ptr %66, align 8, !noalias !19
+  %1682 = getelementptr inbounds i8, ptr %1681, i64 32
+  %1683 = load i64, ptr %1682, align 8, !noalias !19
+  %1684 = or i64 %1683, %1680
+  store i64 %1684, ptr %1682, align 8, !noalias !19
+  %1685 = load ptr, ptr %66, align 8, !noalias !19
+  %1686 = getelementptr inbounds i8, ptr %1685, i64 8
+  %1687 = load i64, ptr %1686, align 8, !noalias !19
+  %1688 = xor i64 %1680, -1
+  %1689 = and i64 %1687, %1688
+  %1690 = getelementptr inbounds i8, ptr %1685, i64 16
+  %1691 = load i64, ptr %1690, align 8, !noalias !19
+  %1692 = xor i64 %1691, -1
+  %1693 = and i64 %1680, %1692
+  %1694 = or disjoint i64 %1693, %1689
+  store i64 %1694, ptr %1686, align 8, !noalias !19
+  br label %1711
 
-1689:                                             ; preds = %1209, %1689
-  %1690 = phi i64 [ 0, %1209 ], [ %1703, %1689 ]
-  %1691 = load ptr, ptr %107, align 8, !noalias !19
-  %1692 = load ptr, ptr %21, align 8, !noalias !19
-  %1693 = shl nsw i64 %1690, 6
-  %1694 = getelementptr inbounds i8, ptr %1692, i64 %1693
-  %1695 = load <8 x double>, ptr %1694, align 8, !noalias !19
-  %1696 = load ptr, ptr %82, align 8, !noalias !19
-  %1697 = shl i64 %1690, 6
-  %1698 = getelementptr i8, ptr %1696, i64 %1210
-  %1699 = getelementptr i8, ptr %1698, i64 %1697
-  %1700 = load <8 x double>, ptr %1699, align 8, !noalias !19
-  %1701 = fadd <8 x double> %1695, %1700
-  %1702 = getelementptr inbounds i8, ptr %1691, i64 %1693
-  store <8 x double> %1701, ptr %1702, align 8, !noalias !19
-  %1703 = add nuw nsw i64 %1690, 1
-  %1704 = icmp eq i64 %1703, %284
-  br i1 %1704, label %1211, label %1689, !llvm.loop !61
+1695:                                             ; preds = %1216, %1695
+  %1696 = phi i64 [ 0, %1216 ], [ %1709, %1695 ]
+  %1697 = load ptr, ptr %108, align 8, !noalias !19
+  %1698 = load ptr, ptr %22, align 8, !noalias !19
+  %1699 = shl nsw i64 %1696, 6
+  %1700 = getelementptr inbounds i8, ptr %1698, i64 %1699
+  %1701 = load <8 x double>, ptr %1700, align 8, !noalias !19
+  %1702 = load ptr, ptr %83, align 8, !noalias !19
+  %1703 = shl i64 %1696, 6
+  %1704 = getelementptr i8, ptr %1702, i64 %1217
+  %1705 = getelementptr i8, ptr %1704, i64 %1703
+  %1706 = load <8 x double>, ptr %1705, align 8, !noalias !19
+  %1707 = fadd <8 x double> %1701, %1706
+  %1708 = getelementptr inbounds i8, ptr %1697, i64 %1699
+  store <8 x double> %1707, ptr %1708, align 8, !noalias !19
+  %1709 = add nuw nsw i64 %1696, 1
+  %1710 = icmp eq i64 %1709, %288
+  br i1 %1710, label %1218, label %1695, !llvm.loop !61
 
-1705:                                             ; preds = %1619, %1203, %451, %353
-  %1706 = phi i64 [ %142, %353 ], [ %142, %451 ], [ %1116, %1203 ], [ %1116, %1619 ]
-  %1707 = phi i64 [ %143, %353 ], [ %143, %451 ], [ %1117, %1203 ], [ %1117, %1619 ]
-  %1708 = phi <8 x double> [ %144, %353 ], [ %144, %451 ], [ %1118, %1203 ], [ %1118, %1619 ]
-  %1709 = phi <8 x double> [ %145, %353 ], [ %145, %451 ], [ %1119, %1203 ], [ %1119, %1619 ]
-  %1710 = phi <8 x double> [ %146, %353 ], [ %146, %451 ], [ %1120, %1203 ], [ %1120, %1619 ]
-  %1711 = phi i8 [ 0, %353 ], [ 0, %451 ], [ %1125, %1203 ], [ %1125, %1619 ]
-  %1712 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %353 ], [ %453, %451 ], [ %1205, %1203 ], [ %1622, %1619 ]
-  %1713 = phi <8 x double> [ zeroinitializer, %353 ], [ zeroinitializer, %451 ], [ zeroinitializer, %1203 ], [ %1623, %1619 ]
-  %1714 = phi <8 x double> [ %237, %353 ], [ %452, %451 ], [ %1204, %1203 ], [ %1672, %1619 ]
-  %1715 = phi <8 x double> [ zeroinitializer, %353 ], [ zeroinitializer, %451 ], [ %1121, %1203 ], [ %1621, %1619 ]
-  %1716 = phi i64 [ 0, %353 ], [ 0, %451 ], [ 0, %1203 ], [ %1620, %1619 ]
-  %1717 = zext i8 %1711 to i64
-  %1718 = load ptr, ptr %20, align 8, !noalias !62
-  %1719 = getelementptr inbounds i8, ptr %1718, i64 72
-  %1720 = load ptr, ptr %1719, align 8
-  store <8 x i64> %247, ptr %1720, align 8
-  %1721 = load ptr, ptr %124, align 8, !noalias !62
-  %1722 = load <8 x double>, ptr %1721, align 8
-  %1723 = fadd <8 x double> %1715, %1722
-  store <8 x double> %1723, ptr %1721, align 8
-  %1724 = icmp ne i64 %1716, 0
-  %1725 = select i1 %51, i1 %1724, i1 false
-  br i1 %1725, label %1726, label %1729
+1711:                                             ; preds = %1625, %1210, %458, %360
+  %1712 = phi i64 [ %146, %360 ], [ %146, %458 ], [ %1123, %1210 ], [ %1123, %1625 ]
+  %1713 = phi i64 [ %147, %360 ], [ %147, %458 ], [ %1124, %1210 ], [ %1124, %1625 ]
+  %1714 = phi <8 x double> [ %148, %360 ], [ %148, %458 ], [ %1125, %1210 ], [ %1125, %1625 ]
+  %1715 = phi <8 x double> [ %149, %360 ], [ %149, %458 ], [ %1126, %1210 ], [ %1126, %1625 ]
+  %1716 = phi <8 x double> [ %150, %360 ], [ %150, %458 ], [ %1127, %1210 ], [ %1127, %1625 ]
+  %1717 = phi i8 [ 0, %360 ], [ 0, %458 ], [ %1132, %1210 ], [ %1132, %1625 ]
+  %1718 = phi <8 x double> [ <double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00, double 2.000000e+00>, %360 ], [ %460, %458 ], [ %1212, %1210 ], [ %1628, %1625 ]
+  %1719 = phi <8 x double> [ zeroinitializer, %360 ], [ zeroinitializer, %458 ], [ zeroinitializer, %1210 ], [ %1629, %1625 ]
+  %1720 = phi <8 x double> [ %241, %360 ], [ %459, %458 ], [ %1211, %1210 ], [ %1678, %1625 ]
+  %1721 = phi <8 x double> [ zeroinitializer, %360 ], [ zeroinitializer, %458 ], [ %1128, %1210 ], [ %1627, %1625 ]
+  %1722 = phi i64 [ 0, %360 ], [ 0, %458 ], [ 0, %1210 ], [ %1626, %1625 ]
+  %1723 = zext i8 %1717 to i64
+  %1724 = load ptr, ptr %21, align 8, !noalias !62
+  %1725 = getelementptr inbounds i8, ptr %1724, i64 72
+  %1726 = load ptr, ptr %1725, align 8
+  store <8 x i64> %251, ptr %1726, align 8
+  %1727 = load ptr, ptr %125, align 8, !noalias !62
+  %1728 = load <8 x double>, ptr %1727, align 8
+  %1729 = fadd <8 x double> %1721, %1728
+  store <8 x double> %1729, ptr %1727, align 8
+  %1730 = icmp ne i64 %1722, 0
+  %1731 = select i1 %52, i1 %1730, i1 false
+  br i1 %1731, label %1732, label %1735
 
-1726:                                             ; preds = %1705
-  store <8 x double> %244, ptr %12, align 16
-  %1727 = load ptr, ptr %125, align 8
-  %1728 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %12, ptr noundef %1727, i64 noundef %1716, i32 noundef 1) #11
-  br label %1729
+1732:                                             ; preds = %1711
+  store <8 x double> %248, ptr %13, align 16
+  %1733 = load ptr, ptr %126, align 8
+  %1734 = call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef nonnull %13, ptr noundef %1733, i64 noundef %1722, i32 noundef 1) #12
+  br label %1735
 
-1729:                                             ; preds = %1726, %1705
-  %1730 = phi i64 [ %1728, %1726 ], [ 0, %1705 ]
-  %1731 = xor i64 %1730, -1
-  %1732 = and i64 %1716, %1731
-  %1733 = load ptr, ptr %19, align 8
-  %1734 = getelementptr inbounds i8, ptr %1733, i64 8
-  %1735 = load i64, ptr %1734, align 8
-  %1736 = load i64, ptr %126, align 8
-  %1737 = load ptr, ptr %127, align 8
-  %1738 = trunc nuw i64 %1732 to i8
-  %1739 = load ptr, ptr %128, align 8
-  %1740 = load ptr, ptr %129, align 8
-  %1741 = load ptr, ptr %130, align 8
-  br label %1765
+1735:                                             ; preds = %1732, %1711
+  %1736 = phi i64 [ %1734, %1732 ], [ 0, %1711 ]
+  %1737 = xor i64 %1736, -1
+  %1738 = and i64 %1722, %1737
+  %1739 = load ptr, ptr %20, align 8
+  %1740 = getelementptr inbounds i8, ptr %1739, i64 8
+  %1741 = load i64, ptr %1740, align 8
+  %1742 = load i64, ptr %127, align 8
+  %1743 = load ptr, ptr %128, align 8
+  %1744 = trunc nuw i64 %1738 to i8
+  %1745 = load ptr, ptr %129, align 8
+  %1746 = load ptr, ptr %130, align 8
+  %1747 = load ptr, ptr %131, align 8
+  br label %1771
 
-1742:                                             ; preds = %1765
-  %1743 = bitcast i8 %1738 to <8 x i1>
-  %1744 = icmp sgt i64 %1735, 0
-  br i1 %1744, label %1745, label %1834
+1748:                                             ; preds = %1771
+  %1749 = bitcast i8 %1744 to <8 x i1>
+  %1750 = icmp sgt i64 %1741, 0
+  br i1 %1750, label %1751, label %1840
 
-1745:                                             ; preds = %1742
-  %1746 = load <2 x double>, ptr %2, align 16
-  %1747 = shufflevector <2 x double> %1746, <2 x double> poison, <8 x i32> zeroinitializer
-  %1748 = load <2 x double>, ptr %131, align 8
-  %1749 = shufflevector <2 x double> %1748, <2 x double> poison, <8 x i32> zeroinitializer
-  %1750 = load double, ptr %132, align 16
-  %1751 = insertelement <8 x double> poison, double %1750, i64 0
-  %1752 = shufflevector <8 x double> %1751, <8 x double> poison, <8 x i32> zeroinitializer
-  %1753 = shl i64 %1735, 7
-  %1754 = getelementptr i8, ptr %1737, i64 %1753
-  %1755 = load <2 x double>, ptr %3, align 16
-  %1756 = shufflevector <2 x double> %1755, <2 x double> poison, <8 x i32> zeroinitializer
-  %1757 = load <2 x double>, ptr %133, align 8
-  %1758 = shufflevector <2 x double> %1757, <2 x double> poison, <8 x i32> zeroinitializer
-  %1759 = load double, ptr %134, align 16
-  %1760 = insertelement <8 x double> poison, double %1759, i64 0
-  %1761 = shufflevector <8 x double> %1760, <8 x double> poison, <8 x i32> zeroinitializer
-  %1762 = getelementptr inbounds double, ptr %1739, i64 %1736
-  %1763 = shl nsw i64 %1736, 4
-  %1764 = getelementptr inbounds i8, ptr %1739, i64 %1763
-  br label %1776
+1751:                                             ; preds = %1748
+  %1752 = load <2 x double>, ptr %3, align 16
+  %1753 = shufflevector <2 x double> %1752, <2 x double> poison, <8 x i32> zeroinitializer
+  %1754 = load <2 x double>, ptr %132, align 8
+  %1755 = shufflevector <2 x double> %1754, <2 x double> poison, <8 x i32> zeroinitializer
+  %1756 = load double, ptr %133, align 16
+  %1757 = insertelement <8 x double> poison, double %1756, i64 0
+  %1758 = shufflevector <8 x double> %1757, <8 x double> poison, <8 x i32> zeroinitializer
+  %1759 = shl i64 %1741, 7
+  %1760 = getelementptr i8, ptr %1743, i64 %1759
+  %1761 = load <2 x double>, ptr %4, align 16
+  %1762 = shufflevector <2 x double> %1761, <2 x double> poison, <8 x i32> zeroinitializer
+  %1763 = load <2 x double>, ptr %134, align 8
+  %1764 = shufflevector <2 x double> %1763, <2 x double> poison, <8 x i32> zeroinitializer
+  %1765 = load double, ptr %135, align 16
+  %1766 = insertelement <8 x double> poison, double %1765, i64 0
+  %1767 = shufflevector <8 x double> %1766, <8 x double> poison, <8 x i32> zeroinitializer
+  %1768 = getelementptr inbounds double, ptr %1745, i64 %1742
+  %1769 = shl nsw i64 %1742, 4
+  %1770 = getelementptr inbounds i8, ptr %1745, i64 %1769
+  br label %1782
 
-1765:                                             ; preds = %1729, %1765
-  %1766 = phi i64 [ 0, %1729 ], [ %1774, %1765 ]
-  %1767 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1766
-  %1768 = getelementptr inbounds i8, ptr %1767, i64 8
-  %1769 = load double, ptr %1768, align 8
-  %1770 = getelementptr inbounds [3 x double], ptr %2, i64 0, i64 %1766
-  store double %1769, ptr %1770, align 8
-  %1771 = getelementptr inbounds i8, ptr %1767, i64 16
-  %1772 = load double, ptr %1771, align 8
-  %1773 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %1766
-  store double %1772, ptr %1773, align 8
-  %1774 = add nuw nsw i64 %1766, 1
-  %1775 = icmp eq i64 %1774, 3
-  br i1 %1775, label %1742, label %1765, !llvm.loop !63
+1771:                                             ; preds = %1735, %1771
+  %1772 = phi i64 [ 0, %1735 ], [ %1780, %1771 ]
+  %1773 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1772
+  %1774 = getelementptr inbounds i8, ptr %1773, i64 8
+  %1775 = load double, ptr %1774, align 8
+  %1776 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %1772
+  store double %1775, ptr %1776, align 8
+  %1777 = getelementptr inbounds i8, ptr %1773, i64 16
+  %1778 = load double, ptr %1777, align 8
+  %1779 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %1772
+  store double %1778, ptr %1779, align 8
+  %1780 = add nuw nsw i64 %1772, 1
+  %1781 = icmp eq i64 %1780, 3
+  br i1 %1781, label %1748, label %1771, !llvm.loop !63
 
-1776:                                             ; preds = %1745, %1818
-  %1777 = phi i64 [ 0, %1745 ], [ %1819, %1818 ]
-  %1778 = shl nsw i64 %1777, 6
-  %1779 = getelementptr inbounds i8, ptr %1737, i64 %1778
-  %1780 = load <8 x double>, ptr %1779, align 8
-  %1781 = fmul <8 x double> %1780, %1747
-  %1782 = add nuw nsw i64 %1777, %1735
-  %1783 = shl nsw i64 %1782, 6
-  %1784 = getelementptr inbounds i8, ptr %1737, i64 %1783
-  %1785 = load <8 x double>, ptr %1784, align 8
-  %1786 = fmul <8 x double> %1785, %1749
-  %1787 = fadd <8 x double> %1781, %1786
-  %1788 = shl i64 %1777, 6
-  %1789 = getelementptr i8, ptr %1754, i64 %1788
-  %1790 = load <8 x double>, ptr %1789, align 8
-  %1791 = fmul <8 x double> %1790, %1752
-  %1792 = fadd <8 x double> %1787, %1791
-  %1793 = fmul <8 x double> %1780, %1756
-  %1794 = fmul <8 x double> %1785, %1758
-  %1795 = fadd <8 x double> %1793, %1794
-  %1796 = fmul <8 x double> %1790, %1761
-  %1797 = fadd <8 x double> %1795, %1796
-  %1798 = load ptr, ptr %135, align 8
-  %1799 = getelementptr inbounds i8, ptr %1798, i64 %1778
-  %1800 = load <8 x double>, ptr %1799, align 8
-  %1801 = load ptr, ptr %21, align 8
-  %1802 = getelementptr inbounds i8, ptr %1801, i64 %1778
-  %1803 = load <8 x double>, ptr %1802, align 8
-  %1804 = fsub <8 x double> %1800, %1803
-  %1805 = getelementptr inbounds i8, ptr %1739, i64 %1778
-  store <8 x double> %1804, ptr %1805, align 8
-  %1806 = fneg <8 x double> %1792
-  %1807 = fsub <8 x double> %1806, %1797
-  %1808 = getelementptr inbounds i8, ptr %1762, i64 %1778
-  store <8 x double> %1807, ptr %1808, align 8
-  %1809 = fneg <8 x double> %1797
-  %1810 = getelementptr inbounds i8, ptr %1764, i64 %1778
-  store <8 x double> %1809, ptr %1810, align 8
-  %1811 = load ptr, ptr %21, align 8
-  %1812 = getelementptr inbounds i8, ptr %1811, i64 %1778
-  %1813 = load <8 x i64>, ptr %1812, align 8
-  %1814 = getelementptr inbounds i8, ptr %1740, i64 %1778
-  %1815 = load <8 x i64>, ptr %1814, align 8
-  %1816 = select <8 x i1> %1743, <8 x i64> %1813, <8 x i64> %1815
-  store <8 x i64> %1816, ptr %1814, align 8
-  %1817 = getelementptr i8, ptr %1739, i64 %1778
-  br label %1821
+1782:                                             ; preds = %1751, %1824
+  %1783 = phi i64 [ 0, %1751 ], [ %1825, %1824 ]
+  %1784 = shl nsw i64 %1783, 6
+  %1785 = getelementptr inbounds i8, ptr %1743, i64 %1784
+  %1786 = load <8 x double>, ptr %1785, align 8
+  %1787 = fmul <8 x double> %1786, %1753
+  %1788 = add nuw nsw i64 %1783, %1741
+  %1789 = shl nsw i64 %1788, 6
+  %1790 = getelementptr inbounds i8, ptr %1743, i64 %1789
+  %1791 = load <8 x double>, ptr %1790, align 8
+  %1792 = fmul <8 x double> %1791, %1755
+  %1793 = fadd <8 x double> %1787, %1792
+  %1794 = shl i64 %1783, 6
+  %1795 = getelementptr i8, ptr %1760, i64 %1794
+  %1796 = load <8 x double>, ptr %1795, align 8
+  %1797 = fmul <8 x double> %1796, %1758
+  %1798 = fadd <8 x double> %1793, %1797
+  %1799 = fmul <8 x double> %1786, %1762
+  %1800 = fmul <8 x double> %1791, %1764
+  %1801 = fadd <8 x double> %1799, %1800
+  %1802 = fmul <8 x double> %1796, %1767
+  %1803 = fadd <8 x double> %1801, %1802
+  %1804 = load ptr, ptr %136, align 8
+  %1805 = getelementptr inbounds i8, ptr %1804, i64 %1784
+  %1806 = load <8 x double>, ptr %1805, align 8
+  %1807 = load ptr, ptr %22, align 8
+  %1808 = getelementptr inbounds i8, ptr %1807, i64 %1784
+  %1809 = load <8 x double>, ptr %1808, align 8
+  %1810 = fsub <8 x double> %1806, %1809
+  %1811 = getelementptr inbounds i8, ptr %1745, i64 %1784
+  store <8 x double> %1810, ptr %1811, align 8
+  %1812 = fneg <8 x double> %1798
+  %1813 = fsub <8 x double> %1812, %1803
+  %1814 = getelementptr inbounds i8, ptr %1768, i64 %1784
+  store <8 x double> %1813, ptr %1814, align 8
+  %1815 = fneg <8 x double> %1803
+  %1816 = getelementptr inbounds i8, ptr %1770, i64 %1784
+  store <8 x double> %1815, ptr %1816, align 8
+  %1817 = load ptr, ptr %22, align 8
+  %1818 = getelementptr inbounds i8, ptr %1817, i64 %1784
+  %1819 = load <8 x i64>, ptr %1818, align 8
+  %1820 = getelementptr inbounds i8, ptr %1746, i64 %1784
+  %1821 = load <8 x i64>, ptr %1820, align 8
+  %1822 = select <8 x i1> %1749, <8 x i64> %1819, <8 x i64> %1821
+  store <8 x i64> %1822, ptr %1820, align 8
+  %1823 = getelementptr i8, ptr %1745, i64 %1784
+  br label %1827
 
-1818:                                             ; preds = %1821
-  %1819 = add nuw nsw i64 %1777, 1
-  %1820 = icmp eq i64 %1819, %1735
-  br i1 %1820, label %1834, label %1776, !llvm.loop !64
+1824:                                             ; preds = %1827
+  %1825 = add nuw nsw i64 %1783, 1
+  %1826 = icmp eq i64 %1825, %1741
+  br i1 %1826, label %1840, label %1782, !llvm.loop !64
 
-1821:                                             ; preds = %1776, %1821
-  %1822 = phi i64 [ 0, %1776 ], [ %1823, %1821 ]
-  %1823 = add nuw nsw i64 %1822, 1
-  %1824 = mul nuw nsw i64 %1735, %1823
-  %1825 = add nuw nsw i64 %1824, %1777
-  %1826 = mul nsw i64 %1736, %1822
-  %1827 = getelementptr double, ptr %1817, i64 %1826
-  %1828 = load <8 x i64>, ptr %1827, align 8
-  %1829 = shl nsw i64 %1825, 6
-  %1830 = getelementptr inbounds i8, ptr %1740, i64 %1829
-  %1831 = load <8 x i64>, ptr %1830, align 8
-  %1832 = select <8 x i1> %1743, <8 x i64> %1828, <8 x i64> %1831
-  store <8 x i64> %1832, ptr %1830, align 8
-  %1833 = icmp eq i64 %1823, 3
-  br i1 %1833, label %1818, label %1821, !llvm.loop !65
+1827:                                             ; preds = %1782, %1827
+  %1828 = phi i64 [ 0, %1782 ], [ %1829, %1827 ]
+  %1829 = add nuw nsw i64 %1828, 1
+  %1830 = mul nuw nsw i64 %1741, %1829
+  %1831 = add nuw nsw i64 %1830, %1783
+  %1832 = mul nsw i64 %1742, %1828
+  %1833 = getelementptr double, ptr %1823, i64 %1832
+  %1834 = load <8 x i64>, ptr %1833, align 8
+  %1835 = shl nsw i64 %1831, 6
+  %1836 = getelementptr inbounds i8, ptr %1746, i64 %1835
+  %1837 = load <8 x i64>, ptr %1836, align 8
+  %1838 = select <8 x i1> %1749, <8 x i64> %1834, <8 x i64> %1837
+  store <8 x i64> %1838, ptr %1836, align 8
+  %1839 = icmp eq i64 %1829, 3
+  br i1 %1839, label %1824, label %1827, !llvm.loop !65
 
-1834:                                             ; preds = %1818, %1742
-  %1835 = fcmp olt <8 x double> %1713, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %1836 = bitcast <8 x double> %1713 to <8 x i64>
-  %1837 = select <8 x i1> %1835, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>, <8 x i64> %1836
-  %1838 = getelementptr inbounds i8, ptr %1741, i64 64
-  %1839 = load <8 x i64>, ptr %1838, align 8
-  %1840 = select <8 x i1> %1743, <8 x i64> %247, <8 x i64> %1839
-  store <8 x i64> %1840, ptr %1838, align 8
-  %1841 = getelementptr inbounds i8, ptr %1741, i64 128
-  %1842 = load <8 x i64>, ptr %1841, align 8
-  %1843 = select <8 x i1> %1743, <8 x i64> %247, <8 x i64> %1842
-  store <8 x i64> %1843, ptr %1841, align 8
-  %1844 = getelementptr inbounds i8, ptr %1741, i64 192
+1840:                                             ; preds = %1824, %1748
+  %1841 = fcmp olt <8 x double> %1719, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %1842 = bitcast <8 x double> %1719 to <8 x i64>
+  %1843 = select <8 x i1> %1841, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>, <8 x i64> %1842
+  %1844 = getelementptr inbounds i8, ptr %1747, i64 64
   %1845 = load <8 x i64>, ptr %1844, align 8
-  %1846 = select <8 x i1> %1743, <8 x i64> %1837, <8 x i64> %1845
+  %1846 = select <8 x i1> %1749, <8 x i64> %251, <8 x i64> %1845
   store <8 x i64> %1846, ptr %1844, align 8
-  %1847 = load ptr, ptr %65, align 8
-  %1848 = getelementptr inbounds i8, ptr %1847, i64 8
-  %1849 = load i64, ptr %1848, align 8
-  %1850 = xor i64 %1732, -1
-  %1851 = and i64 %1849, %1850
-  %1852 = and i64 %1732, %1717
-  %1853 = or disjoint i64 %1851, %1852
-  store i64 %1853, ptr %1848, align 8
-  %1854 = load ptr, ptr %65, align 8
-  %1855 = getelementptr inbounds i8, ptr %1854, i64 16
-  %1856 = load i64, ptr %1855, align 8
-  %1857 = and i64 %1856, %1850
-  store i64 %1857, ptr %1855, align 8
-  %1858 = load ptr, ptr %65, align 8
-  %1859 = getelementptr inbounds i8, ptr %1858, i64 32
-  %1860 = load i64, ptr %1859, align 8
-  %1861 = and i64 %1860, %1850
-  store i64 %1861, ptr %1859, align 8
-  %1862 = icmp ne i64 %1732, 0
-  %1863 = select i1 %52, i1 %1862, i1 false
-  br i1 %1863, label %1864, label %1868
+  %1847 = getelementptr inbounds i8, ptr %1747, i64 128
+  %1848 = load <8 x i64>, ptr %1847, align 8
+  %1849 = select <8 x i1> %1749, <8 x i64> %251, <8 x i64> %1848
+  store <8 x i64> %1849, ptr %1847, align 8
+  %1850 = getelementptr inbounds i8, ptr %1747, i64 192
+  %1851 = load <8 x i64>, ptr %1850, align 8
+  %1852 = select <8 x i1> %1749, <8 x i64> %1843, <8 x i64> %1851
+  store <8 x i64> %1852, ptr %1850, align 8
+  %1853 = load ptr, ptr %66, align 8
+  %1854 = getelementptr inbounds i8, ptr %1853, i64 8
+  %1855 = load i64, ptr %1854, align 8
+  %1856 = xor i64 %1738, -1
+  %1857 = and i64 %1855, %1856
+  %1858 = and i64 %1738, %1723
+  %1859 = or disjoint i64 %1857, %1858
+  store i64 %1859, ptr %1854, align 8
+  %1860 = load ptr, ptr %66, align 8
+  %1861 = getelementptr inbounds i8, ptr %1860, i64 16
+  %1862 = load i64, ptr %1861, align 8
+  %1863 = and i64 %1862, %1856
+  store i64 %1863, ptr %1861, align 8
+  %1864 = load ptr, ptr %66, align 8
+  %1865 = getelementptr inbounds i8, ptr %1864, i64 32
+  %1866 = load i64, ptr %1865, align 8
+  %1867 = and i64 %1866, %1856
+  store i64 %1867, ptr %1865, align 8
+  %1868 = icmp ne i64 %1738, 0
+  %1869 = select i1 %53, i1 %1868, i1 false
+  br i1 %1869, label %1870, label %1874
 
-1864:                                             ; preds = %1834
-  %1865 = call fastcc i64 @clear_lanes(ptr noundef %0) #11
-  %1866 = xor i64 %1865, -1
-  %1867 = and i64 %1732, %1866
-  br label %1868
+1870:                                             ; preds = %1840
+  %1871 = call fastcc i64 @clear_lanes(ptr noundef %0) #12
+  %1872 = xor i64 %1871, -1
+  %1873 = and i64 %1738, %1872
+  br label %1874
 
-1868:                                             ; preds = %1834, %1864
-  %1869 = phi i64 [ %1867, %1864 ], [ 0, %1834 ]
-  store i64 0, ptr %17, align 8
-  %1870 = load ptr, ptr %136, align 8
-  %1871 = load <8 x double>, ptr %1870, align 8
-  %1872 = fcmp olt <8 x double> %1871, %244
-  %1873 = bitcast <8 x i1> %1872 to i8
-  %1874 = zext i8 %1873 to i64
-  %1875 = and i64 %1732, %1874
-  %1876 = or i64 %1875, %1869
-  %1877 = icmp eq i64 %1876, 0
-  br i1 %1877, label %1912, label %1878
+1874:                                             ; preds = %1840, %1870
+  %1875 = phi i64 [ %1873, %1870 ], [ 0, %1840 ]
+  store i64 0, ptr %18, align 8
+  %1876 = load ptr, ptr %137, align 8
+  %1877 = load <8 x double>, ptr %1876, align 8
+  %1878 = fcmp olt <8 x double> %1877, %248
+  %1879 = bitcast <8 x i1> %1878 to i8
+  %1880 = zext i8 %1879 to i64
+  %1881 = and i64 %1738, %1880
+  %1882 = or i64 %1881, %1875
+  %1883 = icmp eq i64 %1882, 0
+  br i1 %1883, label %1918, label %1884
 
-1878:                                             ; preds = %1868
-  store <8 x double> %244, ptr %12, align 16
-  %1879 = icmp eq i64 %1869, 0
-  br i1 %1879, label %1882, label %1880
+1884:                                             ; preds = %1874
+  store <8 x double> %248, ptr %13, align 16
+  %1885 = icmp eq i64 %1875, 0
+  br i1 %1885, label %1888, label %1886
 
-1880:                                             ; preds = %1878
-  %1881 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %1869, ptr noundef nonnull %12, ptr noundef nonnull %14, ptr noundef nonnull %16, ptr noundef nonnull %13, ptr noundef nonnull %17) #11
-  br label %1882
+1886:                                             ; preds = %1884
+  %1887 = call fastcc i64 @look_for_events(ptr noundef %0, ptr noundef nonnull %12, i64 noundef %1875, ptr noundef nonnull %13, ptr noundef nonnull %15, ptr noundef nonnull %17, ptr noundef nonnull %14, ptr noundef nonnull %18) #12
+  br label %1888
 
-1882:                                             ; preds = %1880, %1878
-  %1883 = phi i64 [ %1881, %1880 ], [ 0, %1878 ]
-  %1884 = load i64, ptr %17, align 8
-  %1885 = xor i64 %1884, -1
-  %1886 = and i64 %1876, %1885
-  %1887 = icmp eq i64 %1883, 0
-  %1888 = select i1 %1887, ptr null, ptr %13
-  %1889 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %1886, ptr noundef nonnull %12, ptr noundef %1888) #11
-  %1890 = load <8 x double>, ptr %12, align 16
-  br i1 %1887, label %1896, label %1891
+1888:                                             ; preds = %1886, %1884
+  %1889 = phi i64 [ %1887, %1886 ], [ 0, %1884 ]
+  %1890 = load i64, ptr %18, align 8
+  %1891 = xor i64 %1890, -1
+  %1892 = and i64 %1882, %1891
+  %1893 = icmp eq i64 %1889, 0
+  %1894 = select i1 %1893, ptr null, ptr %14
+  %1895 = call fastcc i64 @write_within(ptr noundef %0, ptr noundef nonnull %12, i64 noundef %1892, ptr noundef nonnull %13, ptr noundef %1894) #12
+  %1896 = load <8 x double>, ptr %13, align 16
+  br i1 %1893, label %1902, label %1897
 
-1891:                                             ; preds = %1882
-  %1892 = xor i64 %1889, -1
-  %1893 = and i64 %1883, %1892
-  %1894 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %1893, ptr noundef nonnull %12, ptr noundef nonnull %13) #11
-  %1895 = or i64 %1894, %1889
-  br label %1896
+1897:                                             ; preds = %1888
+  %1898 = xor i64 %1895, -1
+  %1899 = and i64 %1889, %1898
+  %1900 = call fastcc i64 @end_within(ptr noundef %0, ptr noundef nonnull %12, i64 noundef %1899, ptr noundef nonnull %13, ptr noundef nonnull %14) #12
+  %1901 = or i64 %1900, %1895
+  br label %1902
 
-1896:                                             ; preds = %1891, %1882
-  %1897 = phi i64 [ %1895, %1891 ], [ %1889, %1882 ]
-  %1898 = icmp ne i64 %1897, 0
-  %1899 = select i1 %52, i1 %1898, i1 false
-  br i1 %1899, label %1900, label %1905
+1902:                                             ; preds = %1897, %1888
+  %1903 = phi i64 [ %1901, %1897 ], [ %1895, %1888 ]
+  %1904 = icmp ne i64 %1903, 0
+  %1905 = select i1 %53, i1 %1904, i1 false
+  br i1 %1905, label %1906, label %1911
 
-1900:                                             ; preds = %1896
-  call fastcc void @retire(ptr noundef %0, i64 noundef %1897, i64 noundef 6) #11
-  %1901 = xor i64 %1897, -1
-  %1902 = load i64, ptr %15, align 8
-  %1903 = and i64 %1902, %1901
-  store i64 %1903, ptr %15, align 8
-  %1904 = and i64 %1883, %1901
-  br label %1905
+1906:                                             ; preds = %1902
+  call fastcc void @retire(ptr noundef %0, i64 noundef %1903, i64 noundef 6) #12
+  %1907 = xor i64 %1903, -1
+  %1908 = load i64, ptr %16, align 8
+  %1909 = and i64 %1908, %1907
+  store i64 %1909, ptr %16, align 8
+  %1910 = and i64 %1889, %1907
+  br label %1911
 
-1905:                                             ; preds = %1900, %1896
-  %1906 = phi i32 [ 1, %1900 ], [ %199, %1896 ]
-  %1907 = phi i64 [ %1904, %1900 ], [ %1883, %1896 ]
-  %1908 = or i64 %1897, %1730
-  %1909 = or i64 %1897, %1884
-  %1910 = xor i64 %1909, -1
-  %1911 = and i64 %1732, %1910
-  br label %1912
+1911:                                             ; preds = %1906, %1902
+  %1912 = phi i32 [ 1, %1906 ], [ %203, %1902 ]
+  %1913 = phi i64 [ %1910, %1906 ], [ %1889, %1902 ]
+  %1914 = or i64 %1903, %1736
+  %1915 = or i64 %1903, %1890
+  %1916 = xor i64 %1915, -1
+  %1917 = and i64 %1738, %1916
+  br label %1918
 
-1912:                                             ; preds = %1905, %1868
-  %1913 = phi <8 x double> [ %244, %1868 ], [ %1890, %1905 ]
-  %1914 = phi i64 [ 0, %1868 ], [ %1884, %1905 ]
-  %1915 = phi i64 [ %1730, %1868 ], [ %1908, %1905 ]
-  %1916 = phi i32 [ %199, %1868 ], [ %1906, %1905 ]
-  %1917 = phi i64 [ %1732, %1868 ], [ %1911, %1905 ]
-  %1918 = phi i64 [ 0, %1868 ], [ %1907, %1905 ]
-  %1919 = load ptr, ptr %136, align 8
-  %1920 = load <8 x double>, ptr %1919, align 8
-  %1921 = fcmp oeq <8 x double> %1920, %1913
-  %1922 = bitcast <8 x i1> %1921 to i8
-  %1923 = zext i8 %1922 to i64
-  %1924 = and i64 %1917, %1923
-  %1925 = icmp eq i64 %1924, 0
-  br i1 %1925, label %1926, label %1985
+1918:                                             ; preds = %1911, %1874
+  %1919 = phi <8 x double> [ %248, %1874 ], [ %1896, %1911 ]
+  %1920 = phi i64 [ 0, %1874 ], [ %1890, %1911 ]
+  %1921 = phi i64 [ %1736, %1874 ], [ %1914, %1911 ]
+  %1922 = phi i32 [ %203, %1874 ], [ %1912, %1911 ]
+  %1923 = phi i64 [ %1738, %1874 ], [ %1917, %1911 ]
+  %1924 = phi i64 [ 0, %1874 ], [ %1913, %1911 ]
+  %1925 = load ptr, ptr %137, align 8
+  %1926 = load <8 x double>, ptr %1925, align 8
+  %1927 = fcmp oeq <8 x double> %1926, %1919
+  %1928 = bitcast <8 x i1> %1927 to i8
+  %1929 = zext i8 %1928 to i64
+  %1930 = and i64 %1923, %1929
+  %1931 = icmp eq i64 %1930, 0
+  br i1 %1931, label %1932, label %2065
 
-1926:                                             ; preds = %1985, %1912
-  %1927 = trunc nuw i64 %1917 to i8
-  %1928 = bitcast i8 %1927 to <8 x i1>
-  %1929 = load ptr, ptr %61, align 8
-  %1930 = load <8 x double>, ptr %1929, align 8
-  %1931 = select <8 x i1> %1928, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1932 = fadd <8 x double> %1931, %1930
-  store <8 x double> %1932, ptr %1929, align 8
-  %1933 = load ptr, ptr %62, align 8
-  %1934 = load <8 x double>, ptr %1933, align 8
-  %1935 = xor <8 x i1> %1928, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %1936 = and <8 x i1> %230, %1935
-  %1937 = select <8 x i1> %1936, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
-  %1938 = fadd <8 x double> %1937, %1934
-  store <8 x double> %1938, ptr %1933, align 8
-  %1939 = xor i64 %1917, -1
-  %1940 = and i64 %228, %1939
-  %1941 = or i64 %1915, %1914
-  %1942 = and i64 %1940, %1941
-  %1943 = trunc i64 %1915 to i8
-  %1944 = bitcast i8 %1943 to <8 x i1>
-  %1945 = trunc i64 %1942 to i8
-  %1946 = bitcast i8 %1945 to <8 x i1>
-  %1947 = fcmp oeq <8 x double> %1913, %235
-  %1948 = load ptr, ptr %58, align 8
-  %1949 = load <8 x double>, ptr %1948, align 8
-  %1950 = fcmp ogt <8 x double> %1949, %1714
-  %1951 = and <8 x i1> %1947, %1928
-  %1952 = select <8 x i1> %1951, <8 x i1> %1950, <8 x i1> zeroinitializer
-  %1953 = select <8 x i1> %1952, <8 x double> %1949, <8 x double> %1714
-  %1954 = fmul <8 x double> %248, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
-  %1955 = select <8 x i1> %1946, <8 x double> %1954, <8 x double> %1953
-  %1956 = select <8 x i1> %1944, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
-  %1957 = bitcast <8 x double> %1712 to <8 x i64>
-  %1958 = select <8 x i1> %1946, <8 x i64> %1956, <8 x i64> %1957
-  %1959 = load ptr, ptr %138, align 8
-  %1960 = trunc i64 %1940 to i8
-  %1961 = bitcast i8 %1960 to <8 x i1>
-  %1962 = load <8 x i64>, ptr %1959, align 8
-  %1963 = select <8 x i1> %1961, <8 x i64> %1958, <8 x i64> %1962
-  store <8 x i64> %1963, ptr %1959, align 8
-  %1964 = load ptr, ptr %65, align 8
-  %1965 = getelementptr inbounds i8, ptr %1964, i64 32
-  %1966 = load i64, ptr %1965, align 8
-  %1967 = or i64 %1966, %1942
-  store i64 %1967, ptr %1965, align 8
-  %1968 = load ptr, ptr %65, align 8
-  %1969 = getelementptr inbounds i8, ptr %1968, i64 8
-  %1970 = load i64, ptr %1969, align 8
-  %1971 = xor i64 %1942, -1
-  %1972 = and i64 %1970, %1971
-  %1973 = getelementptr inbounds i8, ptr %1968, i64 16
-  %1974 = load i64, ptr %1973, align 8
-  %1975 = xor i64 %1974, -1
-  %1976 = and i64 %1942, %1975
-  %1977 = or disjoint i64 %1976, %1972
-  store i64 %1977, ptr %1969, align 8
-  %1978 = load ptr, ptr %130, align 8
-  %1979 = getelementptr inbounds i8, ptr %1978, i64 64
-  %1980 = load <8 x double>, ptr %1979, align 8
-  %1981 = select <8 x i1> %1946, <8 x double> zeroinitializer, <8 x double> %1980
-  store <8 x double> %1981, ptr %1979, align 8
-  %1982 = load ptr, ptr %58, align 8
-  store <8 x double> %1955, ptr %1982, align 8
-  %1983 = load ptr, ptr %49, align 8
-  %1984 = select <8 x i1> %1928, <8 x double> %1913, <8 x double> %232
-  store <8 x double> %1984, ptr %1983, align 8
-  br i1 %139, label %1997, label %1995
+1932:                                             ; preds = %2065, %1918
+  %1933 = trunc nuw i64 %1923 to i8
+  %1934 = bitcast i8 %1933 to <8 x i1>
+  %1935 = load ptr, ptr %62, align 8
+  %1936 = load <8 x double>, ptr %1935, align 8
+  %1937 = select <8 x i1> %1934, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1938 = fadd <8 x double> %1937, %1936
+  store <8 x double> %1938, ptr %1935, align 8
+  %1939 = load ptr, ptr %63, align 8
+  %1940 = load <8 x double>, ptr %1939, align 8
+  %1941 = xor <8 x i1> %1934, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %1942 = and <8 x i1> %234, %1941
+  %1943 = select <8 x i1> %1942, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
+  %1944 = fadd <8 x double> %1943, %1940
+  store <8 x double> %1944, ptr %1939, align 8
+  %1945 = xor i64 %1923, -1
+  %1946 = and i64 %232, %1945
+  %1947 = or i64 %1921, %1920
+  %1948 = and i64 %1946, %1947
+  %1949 = trunc i64 %1921 to i8
+  %1950 = bitcast i8 %1949 to <8 x i1>
+  %1951 = trunc i64 %1948 to i8
+  %1952 = bitcast i8 %1951 to <8 x i1>
+  %1953 = load i64, ptr %139, align 8
+  %1954 = icmp sgt i64 %1953, 0
+  br i1 %1954, label %1955, label %2025
 
-1985:                                             ; preds = %1912, %1985
-  %1986 = phi i64 [ %1993, %1985 ], [ %1924, %1912 ]
-  %1987 = load ptr, ptr %137, align 8
-  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %1987, i64 noundef %1986) #11
-  %1988 = load ptr, ptr %136, align 8
-  %1989 = load <8 x double>, ptr %1988, align 8
-  %1990 = fcmp oeq <8 x double> %1989, %1913
-  %1991 = bitcast <8 x i1> %1990 to i8
-  %1992 = zext i8 %1991 to i64
-  %1993 = and i64 %1986, %1992
-  %1994 = icmp eq i64 %1993, 0
-  br i1 %1994, label %1926, label %1985, !llvm.loop !66
+1955:                                             ; preds = %1932
+  %1956 = fcmp oge <8 x double> %1719, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1957 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1719)
+  %1958 = fcmp one <8 x double> %1957, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1959 = and <8 x i1> %1958, %1956
+  %1960 = bitcast <8 x i1> %1959 to i8
+  %1961 = zext i8 %1960 to i64
+  %1962 = xor i64 %1948, %1946
+  %1963 = and i64 %1962, %1961
+  %1964 = and i64 %307, %1923
+  store <8 x double> %1720, ptr %2, align 16
+  br label %1965
 
-1995:                                             ; preds = %1997, %1926
-  %1996 = icmp eq i64 %1918, 0
-  br i1 %1996, label %2019, label %2009
+1965:                                             ; preds = %1955, %2020
+  %1966 = phi i64 [ 0, %1955 ], [ %2021, %2020 ]
+  %1967 = shl nuw nsw i64 1, %1966
+  %1968 = and i64 %1963, %1967
+  %1969 = icmp eq i64 %1968, 0
+  br i1 %1969, label %1991, label %1970
 
-1997:                                             ; preds = %1926, %1997
-  %1998 = phi i64 [ %2007, %1997 ], [ 0, %1926 ]
-  %1999 = load ptr, ptr %21, align 8
-  %2000 = load ptr, ptr %140, align 8
-  %2001 = shl nsw i64 %1998, 6
-  %2002 = getelementptr inbounds i8, ptr %2000, i64 %2001
-  %2003 = load <8 x i64>, ptr %2002, align 8
-  %2004 = getelementptr inbounds i8, ptr %1999, i64 %2001
-  %2005 = load <8 x i64>, ptr %2004, align 8
-  %2006 = select <8 x i1> %1928, <8 x i64> %2003, <8 x i64> %2005
-  store <8 x i64> %2006, ptr %2004, align 8
-  %2007 = add nuw nsw i64 %1998, 1
-  %2008 = icmp eq i64 %2007, %25
-  br i1 %2008, label %1995, label %1997, !llvm.loop !67
+1970:                                             ; preds = %1965
+  %1971 = extractelement <8 x double> %236, i64 %1966
+  %1972 = extractelement <8 x double> %1720, i64 %1966
+  %1973 = load i64, ptr %140, align 8
+  %1974 = icmp eq i64 %1973, 0
+  br i1 %1974, label %2017, label %1975
 
-2009:                                             ; preds = %1995
-  %2010 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1918, ptr noundef nonnull %16) #11
-  %2011 = icmp ne i32 %1916, 0
-  %2012 = icmp ne i64 %2010, %1918
-  %2013 = select i1 %2011, i1 true, i1 %2012
-  %2014 = zext i1 %2013 to i32
-  %2015 = trunc i64 %1918 to i8
-  %2016 = bitcast i8 %2015 to <8 x i1>
-  %2017 = xor <8 x i1> %2016, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %2018 = and <8 x i1> %2017, %1928
-  br label %2019
+1975:                                             ; preds = %1970
+  %1976 = extractelement <8 x double> %1919, i64 %1966
+  %1977 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1971) #12
+  %1978 = fsub double %1976, %1971
+  %1979 = fmul double %1978, 1.000000e-03
+  %1980 = fsub double %1976, %1979
+  %1981 = call double @llvm.fabs.f64(double %1976)
+  %1982 = fmul double %1981, 0x3D10000000000000
+  %1983 = fsub double %1980, %1982
+  %1984 = fcmp ogt double %1983, %1977
+  br i1 %1984, label %1985, label %2017
 
-2019:                                             ; preds = %2009, %1995
-  %2020 = phi i32 [ %2014, %2009 ], [ %1916, %1995 ]
-  %2021 = phi <8 x i1> [ %2018, %2009 ], [ %1928, %1995 ]
-  %2022 = phi i64 [ %2010, %2009 ], [ %200, %1995 ]
-  %2023 = bitcast <8 x i1> %2021 to i8
-  %2024 = icmp eq i8 %2023, 0
-  br i1 %2024, label %2028, label %2025
+1985:                                             ; preds = %1975
+  %1986 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1977) #12
+  %1987 = fadd double %1971, %1972
+  %1988 = fcmp ugt double %1986, %1987
+  br i1 %1988, label %1989, label %2017
 
-2025:                                             ; preds = %2019
-  %2026 = zext i8 %2023 to i64
-  %2027 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %11, i64 noundef %2026) #11
-  br label %2028
+1989:                                             ; preds = %1985
+  %1990 = fsub double %1977, %1971
+  br label %2017
 
-2028:                                             ; preds = %2019, %2025
-  %2029 = phi i64 [ %2027, %2025 ], [ 0, %2019 ]
-  %2030 = icmp ne i32 %2020, 0
-  %2031 = icmp ne i64 %2029, 0
-  %2032 = or i1 %2030, %2031
-  %2033 = zext i1 %2032 to i32
-  %2034 = trunc nuw i64 %2029 to i8
-  %2035 = bitcast i8 %2034 to <8 x i1>
-  %2036 = xor <8 x i1> %2035, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %2037 = and <8 x i1> %2021, %2036
-  %2038 = load ptr, ptr %136, align 8
-  %2039 = load <8 x double>, ptr %2038, align 8
-  %2040 = fcmp oeq <8 x double> %2039, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %2041 = select <8 x i1> %2040, <8 x i1> %2037, <8 x i1> zeroinitializer
-  %2042 = bitcast <8 x i1> %2041 to i8
-  %2043 = icmp eq i8 %2042, 0
-  br i1 %2043, label %2046, label %2044
+1991:                                             ; preds = %1965
+  %1992 = and i64 %1964, %1967
+  %1993 = icmp eq i64 %1992, 0
+  br i1 %1993, label %2020, label %1994
 
-2044:                                             ; preds = %2028
-  %2045 = zext i8 %2042 to i64
-  call fastcc void @retire(ptr noundef %0, i64 noundef %2045, i64 noundef 0) #11
-  br label %2046
+1994:                                             ; preds = %1991
+  %1995 = extractelement <8 x double> %1919, i64 %1966
+  %1996 = extractelement <8 x double> %1720, i64 %1966
+  %1997 = load i64, ptr %141, align 8
+  %1998 = icmp eq i64 %1997, 0
+  br i1 %1998, label %2017, label %1999
 
-2046:                                             ; preds = %2044, %2028
-  %2047 = phi i32 [ 1, %2044 ], [ %2033, %2028 ]
-  br label %141
+1999:                                             ; preds = %1994
+  %2000 = extractelement <8 x double> %236, i64 %1966
+  %2001 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %2000) #12
+  %2002 = fsub double %1995, %2000
+  %2003 = fmul double %2002, 1.000000e-03
+  %2004 = fsub double %1995, %2003
+  %2005 = call double @llvm.fabs.f64(double %1995)
+  %2006 = fmul double %2005, 0x3D10000000000000
+  %2007 = fsub double %2004, %2006
+  %2008 = fcmp ogt double %2007, %2001
+  %2009 = fadd double %1995, %2006
+  %2010 = fcmp ogt double %2001, %2009
+  %2011 = select i1 %2008, i1 true, i1 %2010
+  br i1 %2011, label %2017, label %2012
 
-2048:                                             ; preds = %198, %223, %194
-  %2049 = phi i64 [ 1, %194 ], [ 0, %223 ], [ 0, %198 ]
-  ret i64 %2049
+2012:                                             ; preds = %1999
+  %2013 = call fastcc double @knot_after(ptr noundef nonnull %20, double noundef %1995) #12
+  %2014 = fsub double %2013, %1995
+  %2015 = fcmp olt double %2014, %1996
+  %2016 = select i1 %2015, double %2014, double %1996
+  br label %2017
+
+2017:                                             ; preds = %2012, %1999, %1994, %1989, %1985, %1975, %1970
+  %2018 = phi double [ %1972, %1970 ], [ %1990, %1989 ], [ %1972, %1985 ], [ %1972, %1975 ], [ %1996, %1994 ], [ %2016, %2012 ], [ %1996, %1999 ]
+  %2019 = getelementptr inbounds [8 x double], ptr %2, i64 0, i64 %1966
+  store double %2018, ptr %2019, align 8
+  br label %2020
+
+2020:                                             ; preds = %2017, %1991
+  %2021 = add nuw nsw i64 %1966, 1
+  %2022 = icmp eq i64 %2021, 8
+  br i1 %2022, label %2023, label %1965, !llvm.loop !66
+
+2023:                                             ; preds = %2020
+  %2024 = load <8 x double>, ptr %2, align 16
+  br label %2025
+
+2025:                                             ; preds = %1932, %2023
+  %2026 = phi <8 x double> [ %2024, %2023 ], [ %1720, %1932 ]
+  %2027 = fcmp oeq <8 x double> %1919, %239
+  %2028 = load ptr, ptr %59, align 8
+  %2029 = load <8 x double>, ptr %2028, align 8
+  %2030 = fcmp ogt <8 x double> %2029, %2026
+  %2031 = and <8 x i1> %2027, %1934
+  %2032 = select <8 x i1> %2031, <8 x i1> %2030, <8 x i1> zeroinitializer
+  %2033 = select <8 x i1> %2032, <8 x double> %2029, <8 x double> %2026
+  %2034 = fmul <8 x double> %252, <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>
+  %2035 = select <8 x i1> %1952, <8 x double> %2034, <8 x double> %2033
+  %2036 = select <8 x i1> %1950, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
+  %2037 = bitcast <8 x double> %1718 to <8 x i64>
+  %2038 = select <8 x i1> %1952, <8 x i64> %2036, <8 x i64> %2037
+  %2039 = load ptr, ptr %142, align 8
+  %2040 = trunc i64 %1946 to i8
+  %2041 = bitcast i8 %2040 to <8 x i1>
+  %2042 = load <8 x i64>, ptr %2039, align 8
+  %2043 = select <8 x i1> %2041, <8 x i64> %2038, <8 x i64> %2042
+  store <8 x i64> %2043, ptr %2039, align 8
+  %2044 = load ptr, ptr %66, align 8
+  %2045 = getelementptr inbounds i8, ptr %2044, i64 32
+  %2046 = load i64, ptr %2045, align 8
+  %2047 = or i64 %2046, %1948
+  store i64 %2047, ptr %2045, align 8
+  %2048 = load ptr, ptr %66, align 8
+  %2049 = getelementptr inbounds i8, ptr %2048, i64 8
+  %2050 = load i64, ptr %2049, align 8
+  %2051 = xor i64 %1948, -1
+  %2052 = and i64 %2050, %2051
+  %2053 = getelementptr inbounds i8, ptr %2048, i64 16
+  %2054 = load i64, ptr %2053, align 8
+  %2055 = xor i64 %2054, -1
+  %2056 = and i64 %1948, %2055
+  %2057 = or disjoint i64 %2056, %2052
+  store i64 %2057, ptr %2049, align 8
+  %2058 = load ptr, ptr %131, align 8
+  %2059 = getelementptr inbounds i8, ptr %2058, i64 64
+  %2060 = load <8 x double>, ptr %2059, align 8
+  %2061 = select <8 x i1> %1952, <8 x double> zeroinitializer, <8 x double> %2060
+  store <8 x double> %2061, ptr %2059, align 8
+  %2062 = load ptr, ptr %59, align 8
+  store <8 x double> %2035, ptr %2062, align 8
+  %2063 = load ptr, ptr %50, align 8
+  %2064 = select <8 x i1> %1934, <8 x double> %1919, <8 x double> %236
+  store <8 x double> %2064, ptr %2063, align 8
+  br i1 %143, label %2077, label %2075
+
+2065:                                             ; preds = %1918, %2065
+  %2066 = phi i64 [ %2073, %2065 ], [ %1930, %1918 ]
+  %2067 = load ptr, ptr %138, align 8
+  call fastcc void @write_outputs(ptr noundef %0, ptr noundef %2067, i64 noundef %2066) #12
+  %2068 = load ptr, ptr %137, align 8
+  %2069 = load <8 x double>, ptr %2068, align 8
+  %2070 = fcmp oeq <8 x double> %2069, %1919
+  %2071 = bitcast <8 x i1> %2070 to i8
+  %2072 = zext i8 %2071 to i64
+  %2073 = and i64 %2066, %2072
+  %2074 = icmp eq i64 %2073, 0
+  br i1 %2074, label %1932, label %2065, !llvm.loop !68
+
+2075:                                             ; preds = %2077, %2025
+  %2076 = icmp eq i64 %1924, 0
+  br i1 %2076, label %2099, label %2089
+
+2077:                                             ; preds = %2025, %2077
+  %2078 = phi i64 [ %2087, %2077 ], [ 0, %2025 ]
+  %2079 = load ptr, ptr %22, align 8
+  %2080 = load ptr, ptr %144, align 8
+  %2081 = shl nsw i64 %2078, 6
+  %2082 = getelementptr inbounds i8, ptr %2080, i64 %2081
+  %2083 = load <8 x i64>, ptr %2082, align 8
+  %2084 = getelementptr inbounds i8, ptr %2079, i64 %2081
+  %2085 = load <8 x i64>, ptr %2084, align 8
+  %2086 = select <8 x i1> %1934, <8 x i64> %2083, <8 x i64> %2085
+  store <8 x i64> %2086, ptr %2084, align 8
+  %2087 = add nuw nsw i64 %2078, 1
+  %2088 = icmp eq i64 %2087, %26
+  br i1 %2088, label %2075, label %2077, !llvm.loop !69
+
+2089:                                             ; preds = %2075
+  %2090 = call fastcc i64 @act_in_lanes(ptr noundef %0, i64 noundef %1924, ptr noundef nonnull %17) #12
+  %2091 = icmp ne i32 %1922, 0
+  %2092 = icmp ne i64 %2090, %1924
+  %2093 = select i1 %2091, i1 true, i1 %2092
+  %2094 = zext i1 %2093 to i32
+  %2095 = trunc i64 %1924 to i8
+  %2096 = bitcast i8 %2095 to <8 x i1>
+  %2097 = xor <8 x i1> %2096, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %2098 = and <8 x i1> %2097, %1934
+  br label %2099
+
+2099:                                             ; preds = %2089, %2075
+  %2100 = phi i32 [ %2094, %2089 ], [ %1922, %2075 ]
+  %2101 = phi <8 x i1> [ %2098, %2089 ], [ %1934, %2075 ]
+  %2102 = phi i64 [ %2090, %2089 ], [ %204, %2075 ]
+  %2103 = bitcast <8 x i1> %2101 to i8
+  %2104 = icmp eq i8 %2103, 0
+  br i1 %2104, label %2108, label %2105
+
+2105:                                             ; preds = %2099
+  %2106 = zext i8 %2103 to i64
+  %2107 = call fastcc i64 @start_again(ptr noundef %0, ptr noundef nonnull %12, i64 noundef %2106) #12
+  br label %2108
+
+2108:                                             ; preds = %2099, %2105
+  %2109 = phi i64 [ %2107, %2105 ], [ 0, %2099 ]
+  %2110 = icmp ne i32 %2100, 0
+  %2111 = icmp ne i64 %2109, 0
+  %2112 = or i1 %2110, %2111
+  %2113 = zext i1 %2112 to i32
+  %2114 = trunc nuw i64 %2109 to i8
+  %2115 = bitcast i8 %2114 to <8 x i1>
+  %2116 = xor <8 x i1> %2115, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %2117 = and <8 x i1> %2101, %2116
+  %2118 = load ptr, ptr %137, align 8
+  %2119 = load <8 x double>, ptr %2118, align 8
+  %2120 = fcmp oeq <8 x double> %2119, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %2121 = select <8 x i1> %2120, <8 x i1> %2117, <8 x i1> zeroinitializer
+  %2122 = bitcast <8 x i1> %2121 to i8
+  %2123 = icmp eq i8 %2122, 0
+  br i1 %2123, label %2126, label %2124
+
+2124:                                             ; preds = %2108
+  %2125 = zext i8 %2122 to i64
+  call fastcc void @retire(ptr noundef %0, i64 noundef %2125, i64 noundef 0) #12
+  br label %2126
+
+2126:                                             ; preds = %2124, %2108
+  %2127 = phi i32 [ 1, %2124 ], [ %2113, %2108 ]
+  br label %145
+
+2128:                                             ; preds = %202, %227, %198
+  %2129 = phi i64 [ 1, %198 ], [ 0, %227 ], [ 0, %202 ]
+  ret i64 %2129
 }
 
 
@@ -2618,7 +2728,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %75 = getelementptr i8, ptr %74, i64 24
   %76 = load i64, ptr %75, align 8
   %77 = icmp eq i64 %76, 0
-  br i1 %77, label %83, label %78, !llvm.loop !68
+  br i1 %77, label %83, label %78, !llvm.loop !70
 
 78:                                               ; preds = %51, %70
   %79 = phi i64 [ %80, %70 ], [ %48, %51 ]
@@ -2626,7 +2736,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store i64 %80, ptr %7, align 8
   %81 = load i64, ptr %9, align 8
   %82 = icmp sge i64 %80, %81
-  br i1 %82, label %83, label %70, !llvm.loop !68
+  br i1 %82, label %83, label %70, !llvm.loop !70
 
 83:                                               ; preds = %78, %70, %51, %43
   %84 = phi i64 [ %48, %43 ], [ %48, %51 ], [ %80, %70 ], [ %80, %78 ]
@@ -2663,7 +2773,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %108 = add nuw nsw i64 %103, 1
   %109 = load i64, ptr %13, align 8
   %110 = icmp slt i64 %108, %109
-  br i1 %110, label %102, label %111, !llvm.loop !69
+  br i1 %110, label %102, label %111, !llvm.loop !71
 
 111:                                              ; preds = %102, %91
   %112 = load ptr, ptr %15, align 8
@@ -2685,7 +2795,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %125 = add nuw nsw i64 %120, 1
   %126 = load i64, ptr %16, align 8
   %127 = icmp slt i64 %125, %126
-  br i1 %127, label %119, label %128, !llvm.loop !69
+  br i1 %127, label %119, label %128, !llvm.loop !71
 
 128:                                              ; preds = %119, %111
   %129 = load ptr, ptr %18, align 8
@@ -2707,7 +2817,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %142 = add nuw nsw i64 %137, 1
   %143 = load i64, ptr %19, align 8
   %144 = icmp slt i64 %142, %143
-  br i1 %144, label %136, label %145, !llvm.loop !69
+  br i1 %144, label %136, label %145, !llvm.loop !71
 
 145:                                              ; preds = %136, %128
   %146 = load ptr, ptr %21, align 8
@@ -2734,7 +2844,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %164 = add nuw nsw i64 %159, 1
   %165 = load i64, ptr %22, align 8
   %166 = icmp slt i64 %164, %165
-  br i1 %166, label %158, label %167, !llvm.loop !69
+  br i1 %166, label %158, label %167, !llvm.loop !71
 
 167:                                              ; preds = %158, %145
   %168 = load ptr, ptr %24, align 8
@@ -2761,7 +2871,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %186 = add nuw nsw i64 %181, 1
   %187 = load i64, ptr %27, align 8
   %188 = icmp slt i64 %186, %187
-  br i1 %188, label %180, label %189, !llvm.loop !69
+  br i1 %188, label %180, label %189, !llvm.loop !71
 
 189:                                              ; preds = %180, %167
   %190 = load i64, ptr %28, align 8
@@ -2800,7 +2910,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %214 = add nuw nsw i64 %206, 1
   %215 = load i64, ptr %31, align 8
   %216 = icmp slt i64 %214, %215
-  br i1 %216, label %204, label %201, !llvm.loop !71
+  br i1 %216, label %204, label %201, !llvm.loop !72
 
 217:                                              ; preds = %225, %201
   %218 = load ptr, ptr %29, align 8
@@ -2831,11 +2941,11 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %239 = getelementptr i8, ptr %238, i64 8
   %240 = load i64, ptr %239, align 8
   %241 = inttoptr i64 %240 to ptr
-  tail call void %233(ptr noundef %237, ptr noundef %241) #12
+  tail call void %233(ptr noundef %237, ptr noundef %241) #13
   %242 = add nuw nsw i64 %226, 1
   %243 = load i64, ptr %32, align 8
   %244 = icmp slt i64 %242, %243
-  br i1 %244, label %225, label %217, !llvm.loop !72
+  br i1 %244, label %225, label %217, !llvm.loop !73
 
 245:                                              ; preds = %222, %259
   %246 = phi i64 [ 0, %222 ], [ %268, %259 ]
@@ -2871,7 +2981,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %270 = getelementptr inbounds i8, ptr %269, i64 8
   %271 = load i64, ptr %270, align 8
   %272 = icmp slt i64 %268, %271
-  br i1 %272, label %245, label %290, !llvm.loop !73
+  br i1 %272, label %245, label %290, !llvm.loop !74
 
 273:                                              ; preds = %245, %283
   %274 = phi i64 [ 0, %245 ], [ %288, %283 ]
@@ -2895,7 +3005,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %284, ptr %287, align 8
   %288 = add nuw nsw i64 %274, 1
   %289 = icmp eq i64 %288, 100
-  br i1 %289, label %259, label %273, !llvm.loop !74
+  br i1 %289, label %259, label %273, !llvm.loop !75
 
 290:                                              ; preds = %259, %217
   %291 = getelementptr inbounds i8, ptr %196, i64 648
@@ -2926,7 +3036,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %310 = select i1 %306, i64 %44, i64 %46
   %311 = add nuw nsw i64 %44, 1
   %312 = icmp eq i64 %311, 8
-  br i1 %312, label %59, label %43, !llvm.loop !75
+  br i1 %312, label %59, label %43, !llvm.loop !76
 
 313:                                              ; preds = %431
   %314 = getelementptr inbounds i8, ptr %0, i64 272
@@ -2952,11 +3062,11 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %330 = getelementptr inbounds i64, ptr %322, i64 %329
   %331 = load i64, ptr %330, align 8
   %332 = inttoptr i64 %331 to ptr
-  tail call void %327(ptr noundef %328, ptr noundef %332) #12
+  tail call void %327(ptr noundef %328, ptr noundef %332) #13
   %333 = add nuw nsw i64 %321, 1
   %334 = load i64, ptr %314, align 8
   %335 = icmp slt i64 %333, %334
-  br i1 %335, label %320, label %434, !llvm.loop !76
+  br i1 %335, label %320, label %434, !llvm.loop !77
 
 336:                                              ; preds = %61, %431
   %337 = phi i64 [ 0, %61 ], [ %432, %431 ]
@@ -2984,7 +3094,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %353, ptr %354, align 8
   %355 = add nuw nsw i64 %349, 1
   %356 = icmp eq i64 %355, %346
-  br i1 %356, label %357, label %348, !llvm.loop !77
+  br i1 %356, label %357, label %348, !llvm.loop !78
 
 357:                                              ; preds = %348, %342
   %358 = load ptr, ptr %63, align 8
@@ -3004,7 +3114,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %368, ptr %369, align 8
   %370 = add nuw nsw i64 %364, 1
   %371 = icmp eq i64 %370, %361
-  br i1 %371, label %372, label %363, !llvm.loop !77
+  br i1 %371, label %372, label %363, !llvm.loop !78
 
 372:                                              ; preds = %363, %357
   %373 = load ptr, ptr %64, align 8
@@ -3024,7 +3134,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %383, ptr %384, align 8
   %385 = add nuw nsw i64 %379, 1
   %386 = icmp eq i64 %385, %376
-  br i1 %386, label %387, label %378, !llvm.loop !77
+  br i1 %386, label %387, label %378, !llvm.loop !78
 
 387:                                              ; preds = %378, %372
   %388 = load ptr, ptr %65, align 8
@@ -3044,7 +3154,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %398, ptr %399, align 8
   %400 = add nuw nsw i64 %394, 1
   %401 = icmp eq i64 %400, %391
-  br i1 %401, label %402, label %393, !llvm.loop !77
+  br i1 %401, label %402, label %393, !llvm.loop !78
 
 402:                                              ; preds = %393, %387
   %403 = load ptr, ptr %66, align 8
@@ -3067,7 +3177,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   store double %416, ptr %417, align 8
   %418 = add nuw nsw i64 %412, 1
   %419 = icmp eq i64 %418, %409
-  br i1 %419, label %420, label %411, !llvm.loop !77
+  br i1 %419, label %420, label %411, !llvm.loop !78
 
 420:                                              ; preds = %411, %402
   %421 = load ptr, ptr %3, align 8
@@ -3089,7 +3199,7 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
 431:                                              ; preds = %336, %420
   %432 = add nuw nsw i64 %337, 1
   %433 = icmp eq i64 %432, 8
-  br i1 %433, label %313, label %336, !llvm.loop !78
+  br i1 %433, label %313, label %336, !llvm.loop !79
 
 434:                                              ; preds = %320, %313, %59
   ret i64 %302
@@ -3110,7 +3220,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %16 = bitcast i8 %15 to <8 x i1>
   %17 = load ptr, ptr %8, align 8
   %18 = load <8 x double>, ptr %17, align 8
-  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %7) #11
+  call fastcc void @hold_all(ptr noundef %0, ptr noundef nonnull %7) #12
   %19 = getelementptr inbounds i8, ptr %1, i64 8
   %20 = load ptr, ptr %19, align 8
   %21 = load ptr, ptr %11, align 8
@@ -3126,7 +3236,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %29, label %31, label %30
 
 30:                                               ; preds = %4
-  tail call fastcc void @settle(ptr noundef nonnull %20) #11
+  tail call fastcc void @settle(ptr noundef nonnull %20) #12
   br label %31
 
 31:                                               ; preds = %30, %4
@@ -3136,7 +3246,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   br i1 %34, label %35, label %36
 
 35:                                               ; preds = %31
-  tail call fastcc void @sample(ptr noundef nonnull %20) #11
+  tail call fastcc void @sample(ptr noundef nonnull %20) #12
   br label %36
 
 36:                                               ; preds = %31, %35
@@ -3149,7 +3259,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %43 = load ptr, ptr %42, align 8
   %44 = inttoptr i64 %38 to ptr
   %45 = load ptr, ptr %44, align 8
-  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #12
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #13
   %47 = sext i32 %46 to i64
   %48 = load ptr, ptr %19, align 8
   %49 = load ptr, ptr %48, align 8
@@ -3185,11 +3295,11 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %74 = getelementptr inbounds i8, ptr %73, i64 8
   %75 = load i64, ptr %74, align 8
   %76 = load ptr, ptr %71, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %76, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #11
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %76, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #12
   %77 = load <8 x double>, ptr %5, align 16
   %78 = getelementptr inbounds i8, ptr %71, i64 168
   %79 = load ptr, ptr %78, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %79, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #11
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %79, ptr noundef %76, ptr noundef nonnull %71, i64 noundef %75) #12
   %80 = load <8 x double>, ptr %6, align 16
   %81 = fcmp olt <8 x double> %77, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
   %82 = fcmp olt <8 x double> %80, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
@@ -3305,7 +3415,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %177 = getelementptr inbounds i8, ptr %176, i64 8
   %178 = load i64, ptr %177, align 8
   %179 = icmp slt i64 %174, %178
-  br i1 %179, label %164, label %55, !llvm.loop !79
+  br i1 %179, label %164, label %55, !llvm.loop !80
 
 180:                                              ; preds = %157, %180
   %181 = phi i64 [ %2, %157 ], [ %203, %180 ]
@@ -3335,7 +3445,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %202 = add nsw i64 %181, -1
   %203 = and i64 %202, %181
   %204 = icmp eq i64 %203, 0
-  br i1 %204, label %205, label %180, !llvm.loop !80
+  br i1 %204, label %205, label %180, !llvm.loop !81
 
 205:                                              ; preds = %180, %55
   %206 = xor i64 %47, -1
@@ -3363,14 +3473,14 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %224 = select <8 x i1> %16, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
   %225 = fadd <8 x double> %224, %223
   store <8 x double> %225, ptr %222, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %213, i64 noundef 3) #11
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %221, i64 noundef 0) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %213, i64 noundef 3) #12
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %221, i64 noundef 0) #12
   ret void
 
 226:                                              ; preds = %209, %226
   %227 = phi i64 [ %207, %209 ], [ %238, %226 ]
   %228 = load ptr, ptr %11, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %228, i64 noundef %227) #11
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %228, i64 noundef %227) #12
   %229 = load ptr, ptr %210, align 8
   %230 = load <8 x double>, ptr %229, align 8
   %231 = load ptr, ptr %211, align 8
@@ -3382,7 +3492,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %237 = zext i8 %236 to i64
   %238 = and i64 %227, %237
   %239 = icmp eq i64 %238, 0
-  br i1 %239, label %212, label %226, !llvm.loop !81
+  br i1 %239, label %212, label %226, !llvm.loop !82
 }
 
 define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #4 {
@@ -3425,7 +3535,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   %29 = select i1 %27, i64 %23, i64 %21
   %30 = select i1 %27, i64 %20, i64 %28
   %31 = icmp slt i64 %30, %29
-  br i1 %31, label %19, label %32, !llvm.loop !82
+  br i1 %31, label %19, label %32, !llvm.loop !83
 
 32:                                               ; preds = %19, %15
   %33 = phi i64 [ 0, %15 ], [ %30, %19 ]
@@ -3459,7 +3569,7 @@ define internal fastcc void @hold_all(ptr noundef readonly %0, ptr noundef write
   store double %50, ptr %51, align 8
   %52 = add nuw nsw i64 %9, 1
   %53 = icmp eq i64 %52, 8
-  br i1 %53, label %7, label %8, !llvm.loop !83
+  br i1 %53, label %7, label %8, !llvm.loop !84
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -3563,7 +3673,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %84 = add nsw i64 %62, -1
   %85 = getelementptr inbounds i8, ptr %63, i64 8
   %86 = icmp sgt i64 %62, 1
-  br i1 %86, label %61, label %64, !llvm.loop !84
+  br i1 %86, label %61, label %64, !llvm.loop !85
 
 87:                                               ; preds = %61, %87
   %88 = phi i64 [ %91, %87 ], [ 0, %61 ]
@@ -3572,7 +3682,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double 0x7FF8000000000000, ptr %90, align 8
   %91 = add nuw nsw i64 %88, 1
   %92 = icmp eq i64 %91, %9
-  br i1 %92, label %83, label %87, !llvm.loop !85
+  br i1 %92, label %83, label %87, !llvm.loop !86
 
 93:                                               ; preds = %64
   %94 = load ptr, ptr %26, align 8
@@ -3615,7 +3725,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %124 = add nuw nsw i64 %119, 1
   %125 = load i64, ptr %32, align 8
   %126 = icmp slt i64 %124, %125
-  br i1 %126, label %118, label %127, !llvm.loop !86
+  br i1 %126, label %118, label %127, !llvm.loop !87
 
 127:                                              ; preds = %118, %98
   %128 = load i64, ptr %33, align 8
@@ -3654,7 +3764,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %154 = load i64, ptr %153, align 8
   %155 = icmp slt i64 %151, %154
   %156 = add nuw i64 %136, 2
-  br i1 %155, label %135, label %174, !llvm.loop !87
+  br i1 %155, label %135, label %174, !llvm.loop !88
 
 157:                                              ; preds = %135, %157
   %158 = phi i64 [ %149, %135 ], [ %172, %157 ]
@@ -3674,10 +3784,10 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   store double %166, ptr %171, align 8
   %172 = add nuw nsw i64 %158, 1
   %173 = icmp eq i64 %172, %136
-  br i1 %173, label %150, label %157, !llvm.loop !88
+  br i1 %173, label %150, label %157, !llvm.loop !89
 
 174:                                              ; preds = %150, %130
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %43) #12
   br label %175
 
 175:                                              ; preds = %174, %127
@@ -3687,7 +3797,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %178 = add nsw i64 %42, -1
   %179 = and i64 %178, %42
   %180 = icmp eq i64 %179, 0
-  br i1 %180, label %60, label %41, !llvm.loop !89
+  br i1 %180, label %60, label %41, !llvm.loop !90
 }
 
 define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
@@ -3706,7 +3816,7 @@ define internal fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %1, ptr nound
 14:                                               ; preds = %5, %11
   %15 = phi ptr [ %13, %11 ], [ null, %5 ]
   %16 = inttoptr i64 %9 to ptr
-  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #12
+  %17 = tail call i64 %16(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %15, i64 noundef %3) #13
   ret i64 %17
 }
 
@@ -3772,7 +3882,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %52 = load ptr, ptr %51, align 8
   %53 = inttoptr i64 %45 to ptr
   %54 = load ptr, ptr %53, align 8
-  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #12
+  %55 = tail call i32 %54(ptr noundef %46, ptr noundef %47, ptr noundef %48, ptr noundef %50, ptr noundef %52) #13
   %56 = trunc i32 %55 to i8
   %57 = xor i8 %56, -1
   %58 = icmp sgt i64 %12, 0
@@ -3817,7 +3927,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %90 = add nuw nsw i64 %64, 1
   %91 = load i64, ptr %20, align 8
   %92 = icmp slt i64 %90, %91
-  br i1 %92, label %63, label %30, !llvm.loop !90
+  br i1 %92, label %63, label %30, !llvm.loop !91
 
 93:                                               ; preds = %63, %93
   %94 = phi i64 [ 0, %63 ], [ %106, %93 ]
@@ -3834,7 +3944,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %105 = select <8 x i1> %104, <8 x double> %95, <8 x double> %103
   %106 = add nuw nsw i64 %94, 1
   %107 = icmp eq i64 %106, 3
-  br i1 %107, label %83, label %93, !llvm.loop !91
+  br i1 %107, label %83, label %93, !llvm.loop !92
 
 108:                                              ; preds = %136
   %109 = icmp ne <8 x i64> %137, zeroinitializer
@@ -3876,7 +3986,7 @@ define internal fastcc range(i64 0, 256) i64 @clear_lanes(ptr noundef readonly %
   %137 = phi <8 x i64> [ %116, %114 ], [ %135, %121 ]
   %138 = add nuw nsw i64 %115, 1
   %139 = icmp eq i64 %138, %12
-  br i1 %139, label %108, label %114, !llvm.loop !92
+  br i1 %139, label %108, label %114, !llvm.loop !93
 
 140:                                              ; preds = %1, %111
   %141 = phi i64 [ %113, %111 ], [ 0, %1 ]
@@ -3894,7 +4004,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %14 = zext i8 %13 to i64
   %15 = xor i64 %14, -1
   %16 = and i64 %15, %2
-  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #11
+  %17 = tail call fastcc i64 @quiet_lanes(ptr noundef %0, ptr noundef %1, i64 noundef %16, ptr noundef nonnull %3) #12
   %18 = xor i64 %17, -1
   %19 = and i64 %18, %2
   %20 = icmp eq i64 %19, 0
@@ -3906,7 +4016,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   store double 1.000000e+00, ptr %23, align 8
   %24 = add nuw nsw i64 %22, 1
   %25 = icmp eq i64 %24, 8
-  br i1 %25, label %9, label %21, !llvm.loop !93
+  br i1 %25, label %9, label %21, !llvm.loop !94
 
 26:                                               ; preds = %9, %51
   %27 = phi i64 [ %53, %51 ], [ %19, %9 ]
@@ -3915,7 +4025,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %30 = getelementptr inbounds double, ptr %3, i64 %29
   %31 = load double, ptr %30, align 8
   %32 = getelementptr inbounds double, ptr %6, i64 %29
-  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #11
+  %33 = tail call fastcc i64 @look_alone(ptr noundef %0, i64 noundef %29, double noundef %31, ptr noundef %32) #12
   %34 = getelementptr inbounds i64, ptr %5, i64 %29
   store i64 %33, ptr %34, align 8
   %35 = icmp eq i64 %33, -6
@@ -3946,7 +4056,7 @@ define internal fastcc i64 @look_for_events(ptr noundef readonly %0, ptr noundef
   %52 = add nsw i64 %27, -1
   %53 = and i64 %52, %27
   %54 = icmp eq i64 %53, 0
-  br i1 %54, label %48, label %26, !llvm.loop !94
+  br i1 %54, label %48, label %26, !llvm.loop !95
 }
 
 define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef %3, ptr noundef readonly %4) unnamed_addr #3 {
@@ -4000,7 +4110,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   store i64 %42, ptr %43, align 8
   %44 = add nuw nsw i64 %40, 1
   %45 = icmp eq i64 %44, 8
-  br i1 %45, label %36, label %39, !llvm.loop !95
+  br i1 %45, label %36, label %39, !llvm.loop !96
 
 46:                                               ; preds = %36, %92
   %47 = phi i64 [ %59, %92 ], [ %2, %36 ]
@@ -4048,7 +4158,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %82, i64 16
   %84 = load i64, ptr %83, align 8
-  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #11
+  tail call fastcc void @nested(ptr noundef %22, ptr noundef %71, ptr noundef %73, i64 noundef %75, i64 noundef %79, ptr noundef %80, i64 noundef %84) #12
   %85 = load ptr, ptr %38, align 8
   %86 = load i64, ptr %85, align 8
   %87 = icmp eq i64 %86, 1
@@ -4056,7 +4166,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
 
 88:                                               ; preds = %65
   %89 = load ptr, ptr %18, align 8
-  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #11
+  %90 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %89, ptr noundef %22, i64 noundef %59, i32 noundef 0) #12
   %91 = or i64 %90, %48
   br label %92
 
@@ -4064,8 +4174,8 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %93 = phi i64 [ %91, %88 ], [ %48, %65 ]
   %94 = xor i64 %93, -1
   %95 = and i64 %59, %94
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #11
-  br label %46, !llvm.loop !96
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %22, i64 noundef %95) #12
+  br label %46, !llvm.loop !97
 
 96:                                               ; preds = %63, %96
   %97 = phi i64 [ %48, %63 ], [ %110, %96 ]
@@ -4086,7 +4196,7 @@ define internal fastcc i64 @write_within(ptr noundef %0, ptr noundef readonly %1
   %109 = add nsw i64 %97, -1
   %110 = and i64 %109, %97
   %111 = icmp eq i64 %110, 0
-  br i1 %111, label %112, label %96, !llvm.loop !97
+  br i1 %111, label %112, label %96, !llvm.loop !98
 
 112:                                              ; preds = %96, %61
   ret i64 %48
@@ -4121,7 +4231,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %30, i64 16
   %32 = load i64, ptr %31, align 8
-  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #11
+  tail call fastcc void @nested(ptr noundef %15, ptr noundef %18, ptr noundef %20, i64 noundef %22, i64 noundef %26, ptr noundef %27, i64 noundef %32) #12
   %33 = load ptr, ptr %28, align 8
   %34 = load ptr, ptr %33, align 8
   %35 = getelementptr inbounds i8, ptr %34, i64 8
@@ -4157,7 +4267,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %58 = getelementptr inbounds i8, ptr %57, i64 8
   %59 = load i64, ptr %58, align 8
   %60 = icmp slt i64 %55, %59
-  br i1 %60, label %45, label %40, !llvm.loop !98
+  br i1 %60, label %45, label %40, !llvm.loop !99
 
 61:                                               ; preds = %40
   %62 = bitcast <8 x i1> %12 to i8
@@ -4168,7 +4278,7 @@ define internal fastcc i64 @end_within(ptr noundef %0, ptr noundef readonly %1, 
   %65 = zext i8 %62 to i64
   %66 = getelementptr inbounds i8, ptr %7, i64 24
   %67 = load ptr, ptr %66, align 8
-  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #11
+  %68 = tail call fastcc i64 @hold_lanes(ptr noundef %0, ptr noundef %3, ptr noundef %67, i64 noundef %65, i32 noundef 0) #12
   br label %69
 
 69:                                               ; preds = %40, %61, %64
@@ -4230,7 +4340,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !99
+  br i1 %45, label %28, label %19, !llvm.loop !100
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -4242,7 +4352,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !100
+  br i1 %54, label %29, label %46, !llvm.loop !101
 }
 
 define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #2 {
@@ -4310,10 +4420,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %46, ptr %48, align 8
   %49 = add nuw nsw i64 %41, 1
   %50 = icmp eq i64 %49, %7
-  br i1 %50, label %34, label %40, !llvm.loop !101
+  br i1 %50, label %34, label %40, !llvm.loop !102
 
 51:                                               ; preds = %34
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #12
   br label %156
 
 52:                                               ; preds = %34
@@ -4365,10 +4475,10 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %92 = add nuw nsw i64 %85, %91
   %93 = add nuw nsw i64 %84, 1
   %94 = icmp eq i64 %93, %60
-  br i1 %94, label %80, label %83, !llvm.loop !102
+  br i1 %94, label %80, label %83, !llvm.loop !103
 
 95:                                               ; preds = %80
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #12
   br label %96
 
 96:                                               ; preds = %95, %80
@@ -4430,7 +4540,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %127, ptr %137, align 8
   %138 = add nuw nsw i64 %124, 1
   %139 = icmp eq i64 %138, %64
-  br i1 %139, label %120, label %123, !llvm.loop !103
+  br i1 %139, label %120, label %123, !llvm.loop !104
 
 140:                                              ; preds = %98, %96
   %141 = load ptr, ptr %57, align 8
@@ -4441,7 +4551,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
 
 145:                                              ; preds = %140
   %146 = inttoptr i64 %143 to ptr
-  %147 = tail call i64 %146(ptr noundef %56) #12
+  %147 = tail call i64 %146(ptr noundef %56) #13
   br label %148
 
 148:                                              ; preds = %145, %140
@@ -4449,7 +4559,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   br i1 %75, label %150, label %151
 
 150:                                              ; preds = %148
-  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #11
+  tail call fastcc void @empty_log(ptr noundef %0, i64 noundef %23) #12
   br label %151
 
 151:                                              ; preds = %150, %148
@@ -4510,7 +4620,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %191, ptr %193, align 8
   %194 = add nuw nsw i64 %181, 1
   %195 = icmp eq i64 %194, %164
-  br i1 %195, label %177, label %180, !llvm.loop !104
+  br i1 %195, label %177, label %180, !llvm.loop !105
 
 196:                                              ; preds = %200, %177
   %197 = add i64 %157, 3
@@ -4530,14 +4640,14 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   store double %204, ptr %208, align 8
   %209 = add nuw nsw i64 %201, 1
   %210 = icmp eq i64 %209, %7
-  br i1 %210, label %196, label %200, !llvm.loop !105
+  br i1 %210, label %196, label %200, !llvm.loop !106
 
 211:                                              ; preds = %196
   %212 = or i64 %199, %21
   br label %214
 
 213:                                              ; preds = %196
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %199, i64 noundef %157) #12
   br label %214
 
 214:                                              ; preds = %213, %211
@@ -4545,7 +4655,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %216 = add nsw i64 %22, -1
   %217 = and i64 %216, %22
   %218 = icmp eq i64 %217, 0
-  br i1 %218, label %32, label %20, !llvm.loop !106
+  br i1 %218, label %32, label %20, !llvm.loop !107
 }
 
 define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
@@ -4584,7 +4694,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %29, label %31, label %30
 
 30:                                               ; preds = %17
-  tail call fastcc void @settle(ptr noundef nonnull %18) #11
+  tail call fastcc void @settle(ptr noundef nonnull %18) #12
   br label %31
 
 31:                                               ; preds = %30, %17
@@ -4594,7 +4704,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   br i1 %34, label %35, label %36
 
 35:                                               ; preds = %31
-  tail call fastcc void @sample(ptr noundef nonnull %18) #11
+  tail call fastcc void @sample(ptr noundef nonnull %18) #12
   br label %36
 
 36:                                               ; preds = %31, %35
@@ -4607,7 +4717,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %43 = load ptr, ptr %42, align 8
   %44 = inttoptr i64 %38 to ptr
   %45 = load ptr, ptr %44, align 8
-  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #12
+  %46 = tail call i32 %45(ptr noundef %39, ptr noundef %21, ptr noundef %41, ptr noundef %43, ptr noundef %23) #13
   %47 = load ptr, ptr %9, align 8
   %48 = load ptr, ptr %47, align 8
   %49 = getelementptr inbounds i8, ptr %48, i64 8
@@ -4628,7 +4738,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %60 = select <8 x i1> %8, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, <8 x double> zeroinitializer
   %61 = fadd <8 x double> %60, %59
   store <8 x double> %61, ptr %58, align 8
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #11
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %56, i64 noundef 3) #12
   ret i64 %56
 
 62:                                               ; preds = %52, %62
@@ -4648,7 +4758,7 @@ define internal fastcc range(i64 0, 256) i64 @start_again(ptr noundef readonly %
   %75 = getelementptr inbounds i8, ptr %74, i64 8
   %76 = load i64, ptr %75, align 8
   %77 = icmp slt i64 %72, %76
-  br i1 %77, label %62, label %54, !llvm.loop !107
+  br i1 %77, label %62, label %54, !llvm.loop !108
 }
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
@@ -4694,7 +4804,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   %31 = select i1 %29, i64 %25, i64 %23
   %32 = select i1 %29, i64 %22, i64 %30
   %33 = icmp slt i64 %32, %31
-  br i1 %33, label %21, label %34, !llvm.loop !82
+  br i1 %33, label %21, label %34, !llvm.loop !83
 
 34:                                               ; preds = %21, %7
   %35 = phi i64 [ 0, %7 ], [ %32, %21 ]
@@ -4728,7 +4838,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #4 {
   store double %52, ptr %13, align 8
   %53 = add nuw nsw i64 %8, 1
   %54 = icmp eq i64 %53, 8
-  br i1 %54, label %6, label %7, !llvm.loop !108
+  br i1 %54, label %6, label %7, !llvm.loop !109
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
@@ -4764,7 +4874,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %23 = add nuw nsw i64 %16, 1
   %24 = load i64, ptr %2, align 8
   %25 = icmp slt i64 %23, %24
-  br i1 %25, label %15, label %14, !llvm.loop !109
+  br i1 %25, label %15, label %14, !llvm.loop !110
 
 26:                                               ; preds = %15, %77
   %27 = phi i64 [ 0, %15 ], [ %104, %77 ]
@@ -4825,7 +4935,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %74 = select i1 %72, i64 %69, i64 %66
   %75 = sub nsw i64 %74, %73
   %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %65, label %77, !llvm.loop !110
+  br i1 %76, label %65, label %77, !llvm.loop !111
 
 77:                                               ; preds = %65, %63, %56, %59
   %78 = phi i64 [ %52, %59 ], [ %52, %56 ], [ 0, %63 ], [ %73, %65 ]
@@ -4858,7 +4968,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %98, ptr %103, align 8
   %104 = add nuw nsw i64 %27, 1
   %105 = icmp eq i64 %104, 8
-  br i1 %105, label %22, label %26, !llvm.loop !111
+  br i1 %105, label %22, label %26, !llvm.loop !112
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
@@ -4912,7 +5022,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !112
+  br i1 %48, label %13, label %20, !llvm.loop !113
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
@@ -4995,7 +5105,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   %58 = add nuw nsw i64 %30, 1
   %59 = load i64, ptr %11, align 8
   %60 = icmp slt i64 %58, %59
-  br i1 %60, label %29, label %33, !llvm.loop !113
+  br i1 %60, label %29, label %33, !llvm.loop !114
 
 61:                                               ; preds = %54, %61
   %62 = phi i64 [ 0, %54 ], [ %75, %61 ]
@@ -5015,7 +5125,7 @@ define internal fastcc void @empty_log(ptr noundef readonly %0, i64 noundef %1) 
   store double %72, ptr %74, align 8
   %75 = add nuw nsw i64 %62, 1
   %76 = icmp eq i64 %75, %14
-  br i1 %76, label %57, label %61, !llvm.loop !114
+  br i1 %76, label %57, label %61, !llvm.loop !115
 }
 
 declare double @llvm.sqrt.f64(double) #5
@@ -5026,7 +5136,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
 
 5:                                                ; preds = %118, %57
   %6 = icmp eq i64 %25, %1
-  br i1 %6, label %7, label %13, !llvm.loop !115
+  br i1 %6, label %7, label %13, !llvm.loop !116
 
 7:                                                ; preds = %5
   %8 = icmp ne <8 x i64> %33, zeroinitializer
@@ -5087,7 +5197,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %54 = select <8 x i1> %49, <8 x double> %48, <8 x double> %41
   %55 = add nuw nsw i64 %42, 1
   %56 = icmp slt i64 %55, %1
-  br i1 %56, label %39, label %27, !llvm.loop !116
+  br i1 %56, label %39, label %27, !llvm.loop !117
 
 57:                                               ; preds = %71, %27
   %58 = load <8 x double>, ptr %22, align 8
@@ -5114,7 +5224,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %72 = add nuw nsw i64 %62, 1
   %73 = icmp sge i64 %72, %1
   %74 = select i1 %73, i1 true, i1 %36
-  br i1 %74, label %57, label %61, !llvm.loop !117
+  br i1 %74, label %57, label %61, !llvm.loop !118
 
 75:                                               ; preds = %69, %75
   %76 = phi i64 [ 0, %69 ], [ %87, %75 ]
@@ -5133,7 +5243,7 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   %87 = add nuw nsw i64 %76, 1
   %88 = icmp sge i64 %87, %1
   %89 = or i1 %88, %68
-  br i1 %89, label %71, label %75, !llvm.loop !118
+  br i1 %89, label %71, label %75, !llvm.loop !119
 
 90:                                               ; preds = %57, %118
   %91 = phi i64 [ %119, %118 ], [ %25, %57 ]
@@ -5169,12 +5279,12 @@ define internal fastcc range(i64 0, 256) i64 @real_factorise(ptr noundef %0, i64
   store <8 x double> %115, ptr %108, align 8
   %116 = add nuw nsw i64 %105, 1
   %117 = icmp slt i64 %116, %1
-  br i1 %117, label %104, label %118, !llvm.loop !119
+  br i1 %117, label %104, label %118, !llvm.loop !120
 
 118:                                              ; preds = %104, %90
   %119 = add nuw nsw i64 %91, 1
   %120 = icmp slt i64 %119, %1
-  br i1 %120, label %90, label %5, !llvm.loop !120
+  br i1 %120, label %90, label %5, !llvm.loop !121
 }
 
 define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #7 {
@@ -5183,7 +5293,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
 
 5:                                                ; preds = %179, %69
   %6 = icmp eq i64 %31, %1
-  br i1 %6, label %7, label %13, !llvm.loop !121
+  br i1 %6, label %7, label %13, !llvm.loop !122
 
 7:                                                ; preds = %5
   %8 = icmp ne <8 x i64> %39, zeroinitializer
@@ -5206,10 +5316,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %21 = shl i64 %20, 7
   %22 = shl nsw i64 %20, 7
   %23 = getelementptr inbounds i8, ptr %0, i64 %22
-  %24 = load <8 x double>, ptr %23, align 8, !noalias !122
+  %24 = load <8 x double>, ptr %23, align 8, !noalias !123
   %25 = or disjoint i64 %21, 64
   %26 = getelementptr inbounds i8, ptr %0, i64 %25
-  %27 = load <8 x double>, ptr %26, align 8, !noalias !122
+  %27 = load <8 x double>, ptr %26, align 8, !noalias !123
   %28 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %24)
   %29 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %27)
   %30 = fadd <8 x double> %28, %29
@@ -5241,10 +5351,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %51 = shl i64 %50, 7
   %52 = shl nsw i64 %50, 7
   %53 = getelementptr inbounds i8, ptr %0, i64 %52
-  %54 = load <8 x double>, ptr %53, align 8, !noalias !125
+  %54 = load <8 x double>, ptr %53, align 8, !noalias !126
   %55 = or disjoint i64 %51, 64
   %56 = getelementptr inbounds i8, ptr %0, i64 %55
-  %57 = load <8 x double>, ptr %56, align 8, !noalias !125
+  %57 = load <8 x double>, ptr %56, align 8, !noalias !126
   %58 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %54)
   %59 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %57)
   %60 = fadd <8 x double> %58, %59
@@ -5256,11 +5366,11 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %66 = select <8 x i1> %61, <8 x double> %60, <8 x double> %48
   %67 = add nuw nsw i64 %47, 1
   %68 = icmp slt i64 %67, %1
-  br i1 %68, label %45, label %33, !llvm.loop !128
+  br i1 %68, label %45, label %33, !llvm.loop !129
 
 69:                                               ; preds = %96, %33
-  %70 = load <8 x double>, ptr %23, align 8, !noalias !129
-  %71 = load <8 x double>, ptr %26, align 8, !noalias !129
+  %70 = load <8 x double>, ptr %23, align 8, !noalias !130
+  %71 = load <8 x double>, ptr %26, align 8, !noalias !130
   %72 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %70)
   %73 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %71)
   %74 = fcmp oge <8 x double> %72, %73
@@ -5297,7 +5407,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %97 = add nuw nsw i64 %87, 1
   %98 = icmp sge i64 %97, %1
   %99 = select i1 %98, i1 true, i1 %42
-  br i1 %99, label %69, label %86, !llvm.loop !132
+  br i1 %99, label %69, label %86, !llvm.loop !133
 
 100:                                              ; preds = %94, %100
   %101 = phi i64 [ 0, %94 ], [ %122, %100 ]
@@ -5305,18 +5415,18 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %103 = shl i64 %102, 7
   %104 = shl nsw i64 %102, 7
   %105 = getelementptr inbounds i8, ptr %0, i64 %104
-  %106 = load <8 x i64>, ptr %105, align 8, !noalias !133
+  %106 = load <8 x i64>, ptr %105, align 8, !noalias !134
   %107 = or disjoint i64 %103, 64
   %108 = getelementptr inbounds i8, ptr %0, i64 %107
-  %109 = load <8 x i64>, ptr %108, align 8, !noalias !133
+  %109 = load <8 x i64>, ptr %108, align 8, !noalias !134
   %110 = add nuw nsw i64 %101, %95
   %111 = shl i64 %110, 7
   %112 = shl nsw i64 %110, 7
   %113 = getelementptr inbounds i8, ptr %0, i64 %112
-  %114 = load <8 x i64>, ptr %113, align 8, !noalias !136
+  %114 = load <8 x i64>, ptr %113, align 8, !noalias !137
   %115 = or disjoint i64 %111, 64
   %116 = getelementptr inbounds i8, ptr %0, i64 %115
-  %117 = load <8 x i64>, ptr %116, align 8, !noalias !136
+  %117 = load <8 x i64>, ptr %116, align 8, !noalias !137
   %118 = select <8 x i1> %91, <8 x i64> %114, <8 x i64> %106
   %119 = select <8 x i1> %91, <8 x i64> %117, <8 x i64> %109
   store <8 x i64> %118, ptr %105, align 8
@@ -5328,7 +5438,7 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %122 = add nuw nsw i64 %101, 1
   %123 = icmp sge i64 %122, %1
   %124 = or i1 %123, %93
-  br i1 %124, label %96, label %100, !llvm.loop !139
+  br i1 %124, label %96, label %100, !llvm.loop !140
 
 125:                                              ; preds = %69, %179
   %126 = phi i64 [ %180, %179 ], [ %31, %69 ]
@@ -5337,10 +5447,10 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %129 = shl i64 %128, 7
   %130 = shl nsw i64 %128, 7
   %131 = getelementptr inbounds i8, ptr %0, i64 %130
-  %132 = load <8 x double>, ptr %131, align 8, !noalias !140
+  %132 = load <8 x double>, ptr %131, align 8, !noalias !141
   %133 = or disjoint i64 %129, 64
   %134 = getelementptr inbounds i8, ptr %0, i64 %133
-  %135 = load <8 x double>, ptr %134, align 8, !noalias !140
+  %135 = load <8 x double>, ptr %134, align 8, !noalias !141
   %136 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %132)
   %137 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %135)
   %138 = fadd <8 x double> %136, %137
@@ -5368,18 +5478,18 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   %154 = shl i64 %153, 7
   %155 = shl nsw i64 %153, 7
   %156 = getelementptr inbounds i8, ptr %0, i64 %155
-  %157 = load <8 x double>, ptr %156, align 8, !noalias !143
+  %157 = load <8 x double>, ptr %156, align 8, !noalias !144
   %158 = or disjoint i64 %154, 64
   %159 = getelementptr inbounds i8, ptr %0, i64 %158
-  %160 = load <8 x double>, ptr %159, align 8, !noalias !143
+  %160 = load <8 x double>, ptr %159, align 8, !noalias !144
   %161 = add nuw nsw i64 %152, %19
   %162 = shl i64 %161, 7
   %163 = shl nsw i64 %161, 7
   %164 = getelementptr inbounds i8, ptr %0, i64 %163
-  %165 = load <8 x double>, ptr %164, align 8, !noalias !146
+  %165 = load <8 x double>, ptr %164, align 8, !noalias !147
   %166 = or disjoint i64 %162, 64
   %167 = getelementptr inbounds i8, ptr %0, i64 %166
-  %168 = load <8 x double>, ptr %167, align 8, !noalias !146
+  %168 = load <8 x double>, ptr %167, align 8, !noalias !147
   %169 = fmul <8 x double> %168, %150
   %170 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %148, <8 x double> %165, <8 x double> %169)
   %171 = fmul <8 x double> %149, %165
@@ -5392,12 +5502,12 @@ define internal fastcc range(i64 0, 256) i64 @pair_factorise(ptr noundef %0, i64
   store <8 x double> %176, ptr %159, align 8
   %177 = add nuw nsw i64 %152, 1
   %178 = icmp slt i64 %177, %1
-  br i1 %178, label %151, label %179, !llvm.loop !149
+  br i1 %178, label %151, label %179, !llvm.loop !150
 
 179:                                              ; preds = %151, %125
   %180 = add nuw nsw i64 %126, 1
   %181 = icmp slt i64 %180, %1
-  br i1 %181, label %125, label %5, !llvm.loop !150
+  br i1 %181, label %125, label %5, !llvm.loop !151
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #5
@@ -5435,7 +5545,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
 24:                                               ; preds = %18, %27
   %25 = add nuw nsw i64 %7, 1
   %26 = icmp eq i64 %25, %1
-  br i1 %26, label %16, label %6, !llvm.loop !151
+  br i1 %26, label %16, label %6, !llvm.loop !152
 
 27:                                               ; preds = %18
   %28 = getelementptr inbounds double, ptr %13, i64 %19
@@ -5451,7 +5561,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %35, ptr %34, align 8
   %37 = add nuw nsw i64 %19, 1
   %38 = icmp eq i64 %37, 8
-  br i1 %38, label %24, label %18, !llvm.loop !152
+  br i1 %38, label %24, label %18, !llvm.loop !153
 
 39:                                               ; preds = %52, %16
   %40 = icmp sgt i64 %1, 0
@@ -5479,7 +5589,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %53, ptr %47, align 8
   %54 = add nuw nsw i64 %45, 1
   %55 = icmp eq i64 %54, %1
-  br i1 %55, label %39, label %44, !llvm.loop !153
+  br i1 %55, label %39, label %44, !llvm.loop !154
 
 56:                                               ; preds = %50, %56
   %57 = phi i64 [ 0, %50 ], [ %68, %56 ]
@@ -5495,7 +5605,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %67 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %66, <8 x double> %65, <8 x double> %58)
   %68 = add nuw nsw i64 %57, 1
   %69 = icmp eq i64 %68, %45
-  br i1 %69, label %52, label %56, !llvm.loop !154
+  br i1 %69, label %52, label %56, !llvm.loop !155
 
 70:                                               ; preds = %80, %39
   ret void
@@ -5521,7 +5631,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %85 = fmul <8 x double> %81, %84
   store <8 x double> %85, ptr %75, align 8
   %86 = icmp sgt i64 %72, 1
-  br i1 %86, label %71, label %70, !llvm.loop !155
+  br i1 %86, label %71, label %70, !llvm.loop !156
 
 87:                                               ; preds = %78, %87
   %88 = phi i64 [ %72, %78 ], [ %99, %87 ]
@@ -5537,7 +5647,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %98 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %97, <8 x double> %96, <8 x double> %89)
   %99 = add nuw nsw i64 %88, 1
   %100 = icmp eq i64 %99, %1
-  br i1 %100, label %80, label %87, !llvm.loop !156
+  br i1 %100, label %80, label %87, !llvm.loop !157
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #7 {
@@ -5572,7 +5682,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 25:                                               ; preds = %19, %36
   %26 = add nuw nsw i64 %7, 1
   %27 = icmp eq i64 %26, %1
-  br i1 %27, label %17, label %6, !llvm.loop !151
+  br i1 %27, label %17, label %6, !llvm.loop !152
 
 28:                                               ; preds = %19
   %29 = getelementptr inbounds double, ptr %14, i64 %20
@@ -5587,7 +5697,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 36:                                               ; preds = %39
   %37 = add nuw nsw i64 %20, 1
   %38 = icmp eq i64 %37, 8
-  br i1 %38, label %25, label %19, !llvm.loop !152
+  br i1 %38, label %25, label %19, !llvm.loop !153
 
 39:                                               ; preds = %28, %39
   %40 = phi i64 [ 0, %28 ], [ %45, %39 ]
@@ -5599,7 +5709,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %42, ptr %43, align 8
   %45 = add nuw nsw i64 %40, 8
   %46 = icmp eq i64 %40, 0
-  br i1 %46, label %39, label %36, !llvm.loop !157
+  br i1 %46, label %39, label %36, !llvm.loop !158
 
 47:                                               ; preds = %63, %17
   %48 = icmp sgt i64 %1, 0
@@ -5614,10 +5724,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %53 = shl i64 %52, 7
   %54 = shl nsw i64 %52, 7
   %55 = getelementptr inbounds i8, ptr %3, i64 %54
-  %56 = load <8 x double>, ptr %55, align 8, !noalias !158
+  %56 = load <8 x double>, ptr %55, align 8, !noalias !159
   %57 = or disjoint i64 %53, 64
   %58 = getelementptr inbounds i8, ptr %3, i64 %57
-  %59 = load <8 x double>, ptr %58, align 8, !noalias !158
+  %59 = load <8 x double>, ptr %58, align 8, !noalias !159
   %60 = icmp eq i64 %52, 0
   br i1 %60, label %63, label %61
 
@@ -5632,7 +5742,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %65, ptr %58, align 8
   %66 = add nuw nsw i64 %52, 1
   %67 = icmp eq i64 %66, %1
-  br i1 %67, label %47, label %51, !llvm.loop !161
+  br i1 %67, label %47, label %51, !llvm.loop !162
 
 68:                                               ; preds = %61, %68
   %69 = phi i64 [ 0, %61 ], [ %94, %68 ]
@@ -5642,17 +5752,17 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %73 = shl i64 %72, 7
   %74 = shl nsw i64 %72, 7
   %75 = getelementptr inbounds i8, ptr %0, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8, !noalias !162
+  %76 = load <8 x double>, ptr %75, align 8, !noalias !163
   %77 = or disjoint i64 %73, 64
   %78 = getelementptr inbounds i8, ptr %0, i64 %77
-  %79 = load <8 x double>, ptr %78, align 8, !noalias !162
+  %79 = load <8 x double>, ptr %78, align 8, !noalias !163
   %80 = shl i64 %69, 7
   %81 = shl nsw i64 %69, 7
   %82 = getelementptr inbounds i8, ptr %3, i64 %81
-  %83 = load <8 x double>, ptr %82, align 8, !noalias !165
+  %83 = load <8 x double>, ptr %82, align 8, !noalias !166
   %84 = or disjoint i64 %80, 64
   %85 = getelementptr inbounds i8, ptr %3, i64 %84
-  %86 = load <8 x double>, ptr %85, align 8, !noalias !165
+  %86 = load <8 x double>, ptr %85, align 8, !noalias !166
   %87 = fneg <8 x double> %79
   %88 = fmul <8 x double> %86, %87
   %89 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %76, <8 x double> %83, <8 x double> %88)
@@ -5662,7 +5772,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %93 = fsub <8 x double> %70, %91
   %94 = add nuw nsw i64 %69, 1
   %95 = icmp eq i64 %94, %52
-  br i1 %95, label %63, label %68, !llvm.loop !168
+  br i1 %95, label %63, label %68, !llvm.loop !169
 
 96:                                               ; preds = %110, %47
   ret void
@@ -5673,10 +5783,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %100 = shl i64 %99, 7
   %101 = shl nsw i64 %99, 7
   %102 = getelementptr inbounds i8, ptr %3, i64 %101
-  %103 = load <8 x double>, ptr %102, align 8, !noalias !169
+  %103 = load <8 x double>, ptr %102, align 8, !noalias !170
   %104 = or disjoint i64 %100, 64
   %105 = getelementptr inbounds i8, ptr %3, i64 %104
-  %106 = load <8 x double>, ptr %105, align 8, !noalias !169
+  %106 = load <8 x double>, ptr %105, align 8, !noalias !170
   %107 = icmp slt i64 %98, %1
   br i1 %107, label %108, label %110
 
@@ -5691,10 +5801,10 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %114 = shl i64 %113, 7
   %115 = shl nsw i64 %113, 7
   %116 = getelementptr inbounds i8, ptr %0, i64 %115
-  %117 = load <8 x double>, ptr %116, align 8, !noalias !172
+  %117 = load <8 x double>, ptr %116, align 8, !noalias !173
   %118 = or disjoint i64 %114, 64
   %119 = getelementptr inbounds i8, ptr %0, i64 %118
-  %120 = load <8 x double>, ptr %119, align 8, !noalias !172
+  %120 = load <8 x double>, ptr %119, align 8, !noalias !173
   %121 = fneg <8 x double> %112
   %122 = fmul <8 x double> %120, %121
   %123 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %111, <8 x double> %117, <8 x double> %122)
@@ -5703,7 +5813,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store <8 x double> %123, ptr %102, align 8
   store <8 x double> %125, ptr %105, align 8
   %126 = icmp sgt i64 %98, 1
-  br i1 %126, label %97, label %96, !llvm.loop !175
+  br i1 %126, label %97, label %96, !llvm.loop !176
 
 127:                                              ; preds = %108, %127
   %128 = phi i64 [ %98, %108 ], [ %153, %127 ]
@@ -5713,17 +5823,17 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %132 = shl i64 %131, 7
   %133 = shl nsw i64 %131, 7
   %134 = getelementptr inbounds i8, ptr %0, i64 %133
-  %135 = load <8 x double>, ptr %134, align 8, !noalias !176
+  %135 = load <8 x double>, ptr %134, align 8, !noalias !177
   %136 = or disjoint i64 %132, 64
   %137 = getelementptr inbounds i8, ptr %0, i64 %136
-  %138 = load <8 x double>, ptr %137, align 8, !noalias !176
+  %138 = load <8 x double>, ptr %137, align 8, !noalias !177
   %139 = shl i64 %128, 7
   %140 = shl nsw i64 %128, 7
   %141 = getelementptr inbounds i8, ptr %3, i64 %140
-  %142 = load <8 x double>, ptr %141, align 8, !noalias !179
+  %142 = load <8 x double>, ptr %141, align 8, !noalias !180
   %143 = or disjoint i64 %139, 64
   %144 = getelementptr inbounds i8, ptr %3, i64 %143
-  %145 = load <8 x double>, ptr %144, align 8, !noalias !179
+  %145 = load <8 x double>, ptr %144, align 8, !noalias !180
   %146 = fneg <8 x double> %138
   %147 = fmul <8 x double> %145, %146
   %148 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %135, <8 x double> %142, <8 x double> %147)
@@ -5733,7 +5843,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %152 = fsub <8 x double> %129, %150
   %153 = add nuw nsw i64 %128, 1
   %154 = icmp eq i64 %153, %1
-  br i1 %154, label %110, label %127, !llvm.loop !182
+  br i1 %154, label %110, label %127, !llvm.loop !183
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #7 {
@@ -5779,7 +5889,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 33:                                               ; preds = %27, %44
   %34 = add nuw nsw i64 %13, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %23, label %12, !llvm.loop !151
+  br i1 %35, label %23, label %12, !llvm.loop !152
 
 36:                                               ; preds = %27
   %37 = getelementptr inbounds double, ptr %20, i64 %28
@@ -5794,7 +5904,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 44:                                               ; preds = %47, %36
   %45 = add nuw nsw i64 %28, 1
   %46 = icmp eq i64 %45, 8
-  br i1 %46, label %33, label %27, !llvm.loop !152
+  br i1 %46, label %33, label %27, !llvm.loop !153
 
 47:                                               ; preds = %36, %47
   %48 = phi i64 [ %53, %47 ], [ 0, %36 ]
@@ -5806,7 +5916,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %50, ptr %51, align 8
   %53 = add nuw nsw i64 %48, 8
   %54 = icmp slt i64 %53, %10
-  br i1 %54, label %47, label %44, !llvm.loop !157
+  br i1 %54, label %47, label %44, !llvm.loop !158
 
 55:                                               ; preds = %25, %68
   %56 = phi i64 [ 0, %25 ], [ %69, %68 ]
@@ -5832,7 +5942,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 68:                                               ; preds = %93, %55
   %69 = add nuw nsw i64 %56, 1
   %70 = icmp eq i64 %69, %1
-  br i1 %70, label %61, label %55, !llvm.loop !183
+  br i1 %70, label %61, label %55, !llvm.loop !184
 
 71:                                               ; preds = %58, %93
   %72 = phi i64 [ 0, %58 ], [ %94, %93 ]
@@ -5861,16 +5971,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %90, ptr %84, align 8
   %91 = add nuw nsw i64 %81, 1
   %92 = icmp eq i64 %91, %4
-  br i1 %92, label %93, label %80, !llvm.loop !184
+  br i1 %92, label %93, label %80, !llvm.loop !185
 
 93:                                               ; preds = %80, %71
   %94 = add nuw nsw i64 %72, 1
   %95 = icmp eq i64 %94, %56
-  br i1 %95, label %68, label %71, !llvm.loop !185
+  br i1 %95, label %68, label %71, !llvm.loop !186
 
 96:                                               ; preds = %136, %106
   %97 = icmp sgt i64 %99, 1
-  br i1 %97, label %98, label %105, !llvm.loop !186
+  br i1 %97, label %98, label %105, !llvm.loop !187
 
 98:                                               ; preds = %63, %96
   %99 = phi i64 [ %1, %63 ], [ %100, %96 ]
@@ -5922,12 +6032,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %130, ptr %124, align 8
   %131 = add nuw nsw i64 %121, 1
   %132 = icmp eq i64 %131, %4
-  br i1 %132, label %133, label %120, !llvm.loop !184
+  br i1 %132, label %133, label %120, !llvm.loop !185
 
 133:                                              ; preds = %120, %111
   %134 = add nuw nsw i64 %112, 1
   %135 = icmp eq i64 %134, %1
-  br i1 %135, label %106, label %111, !llvm.loop !187
+  br i1 %135, label %106, label %111, !llvm.loop !188
 
 136:                                              ; preds = %107, %136
   %137 = phi i64 [ 0, %107 ], [ %144, %136 ]
@@ -5940,7 +6050,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %143, ptr %140, align 8
   %144 = add nuw nsw i64 %137, 1
   %145 = icmp eq i64 %144, %4
-  br i1 %145, label %96, label %136, !llvm.loop !188
+  br i1 %145, label %96, label %136, !llvm.loop !189
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #7 {
@@ -5986,7 +6096,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 33:                                               ; preds = %27, %44
   %34 = add nuw nsw i64 %13, 1
   %35 = icmp eq i64 %34, %1
-  br i1 %35, label %23, label %12, !llvm.loop !151
+  br i1 %35, label %23, label %12, !llvm.loop !152
 
 36:                                               ; preds = %27
   %37 = getelementptr inbounds double, ptr %20, i64 %28
@@ -6001,7 +6111,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 44:                                               ; preds = %47, %36
   %45 = add nuw nsw i64 %28, 1
   %46 = icmp eq i64 %45, 8
-  br i1 %46, label %33, label %27, !llvm.loop !152
+  br i1 %46, label %33, label %27, !llvm.loop !153
 
 47:                                               ; preds = %36, %47
   %48 = phi i64 [ %53, %47 ], [ 0, %36 ]
@@ -6013,7 +6123,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %50, ptr %51, align 8
   %53 = add nuw nsw i64 %48, 8
   %54 = icmp slt i64 %53, %10
-  br i1 %54, label %47, label %44, !llvm.loop !157
+  br i1 %54, label %47, label %44, !llvm.loop !158
 
 55:                                               ; preds = %25, %67
   %56 = phi i64 [ 0, %25 ], [ %68, %67 ]
@@ -6038,7 +6148,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 67:                                               ; preds = %109, %55
   %68 = add nuw nsw i64 %56, 1
   %69 = icmp eq i64 %68, %1
-  br i1 %69, label %61, label %55, !llvm.loop !189
+  br i1 %69, label %61, label %55, !llvm.loop !190
 
 70:                                               ; preds = %58, %109
   %71 = phi i64 [ 0, %58 ], [ %110, %109 ]
@@ -6046,10 +6156,10 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %73 = shl i64 %72, 7
   %74 = shl nsw i64 %72, 7
   %75 = getelementptr inbounds i8, ptr %0, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8, !noalias !190
+  %76 = load <8 x double>, ptr %75, align 8, !noalias !191
   %77 = or disjoint i64 %73, 64
   %78 = getelementptr inbounds i8, ptr %0, i64 %77
-  %79 = load <8 x double>, ptr %78, align 8, !noalias !190
+  %79 = load <8 x double>, ptr %78, align 8, !noalias !191
   br i1 %26, label %80, label %109
 
 80:                                               ; preds = %70
@@ -6063,18 +6173,18 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %86 = shl i64 %85, 7
   %87 = shl nsw i64 %85, 7
   %88 = getelementptr inbounds i8, ptr %3, i64 %87
-  %89 = load <8 x double>, ptr %88, align 8, !noalias !193
+  %89 = load <8 x double>, ptr %88, align 8, !noalias !194
   %90 = or disjoint i64 %86, 64
   %91 = getelementptr inbounds i8, ptr %3, i64 %90
-  %92 = load <8 x double>, ptr %91, align 8, !noalias !193
+  %92 = load <8 x double>, ptr %91, align 8, !noalias !194
   %93 = add nuw nsw i64 %84, %81
   %94 = shl i64 %93, 7
   %95 = shl nsw i64 %93, 7
   %96 = getelementptr inbounds i8, ptr %3, i64 %95
-  %97 = load <8 x double>, ptr %96, align 8, !noalias !196
+  %97 = load <8 x double>, ptr %96, align 8, !noalias !197
   %98 = or disjoint i64 %94, 64
   %99 = getelementptr inbounds i8, ptr %3, i64 %98
-  %100 = load <8 x double>, ptr %99, align 8, !noalias !196
+  %100 = load <8 x double>, ptr %99, align 8, !noalias !197
   %101 = fmul <8 x double> %100, %82
   %102 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %76, <8 x double> %97, <8 x double> %101)
   %103 = fmul <8 x double> %79, %97
@@ -6085,16 +6195,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %106, ptr %91, align 8
   %107 = add nuw nsw i64 %84, 1
   %108 = icmp eq i64 %107, %4
-  br i1 %108, label %109, label %83, !llvm.loop !199
+  br i1 %108, label %109, label %83, !llvm.loop !200
 
 109:                                              ; preds = %83, %70
   %110 = add nuw nsw i64 %71, 1
   %111 = icmp eq i64 %110, %56
-  br i1 %111, label %67, label %70, !llvm.loop !200
+  br i1 %111, label %67, label %70, !llvm.loop !201
 
 112:                                              ; preds = %173, %122
   %113 = icmp sgt i64 %115, 1
-  br i1 %113, label %114, label %121, !llvm.loop !201
+  br i1 %113, label %114, label %121, !llvm.loop !202
 
 114:                                              ; preds = %63, %112
   %115 = phi i64 [ %1, %63 ], [ %116, %112 ]
@@ -6129,10 +6239,10 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %134 = shl i64 %133, 7
   %135 = shl nsw i64 %133, 7
   %136 = getelementptr inbounds i8, ptr %0, i64 %135
-  %137 = load <8 x double>, ptr %136, align 8, !noalias !202
+  %137 = load <8 x double>, ptr %136, align 8, !noalias !203
   %138 = or disjoint i64 %134, 64
   %139 = getelementptr inbounds i8, ptr %0, i64 %138
-  %140 = load <8 x double>, ptr %139, align 8, !noalias !202
+  %140 = load <8 x double>, ptr %139, align 8, !noalias !203
   br i1 %64, label %141, label %170
 
 141:                                              ; preds = %131
@@ -6146,18 +6256,18 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %147 = shl i64 %146, 7
   %148 = shl nsw i64 %146, 7
   %149 = getelementptr inbounds i8, ptr %3, i64 %148
-  %150 = load <8 x double>, ptr %149, align 8, !noalias !205
+  %150 = load <8 x double>, ptr %149, align 8, !noalias !206
   %151 = or disjoint i64 %147, 64
   %152 = getelementptr inbounds i8, ptr %3, i64 %151
-  %153 = load <8 x double>, ptr %152, align 8, !noalias !205
+  %153 = load <8 x double>, ptr %152, align 8, !noalias !206
   %154 = add nsw i64 %145, %142
   %155 = shl i64 %154, 7
   %156 = shl nsw i64 %154, 7
   %157 = getelementptr inbounds i8, ptr %3, i64 %156
-  %158 = load <8 x double>, ptr %157, align 8, !noalias !208
+  %158 = load <8 x double>, ptr %157, align 8, !noalias !209
   %159 = or disjoint i64 %155, 64
   %160 = getelementptr inbounds i8, ptr %3, i64 %159
-  %161 = load <8 x double>, ptr %160, align 8, !noalias !208
+  %161 = load <8 x double>, ptr %160, align 8, !noalias !209
   %162 = fmul <8 x double> %161, %143
   %163 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %137, <8 x double> %158, <8 x double> %162)
   %164 = fmul <8 x double> %140, %158
@@ -6168,12 +6278,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %167, ptr %152, align 8
   %168 = add nuw nsw i64 %145, 1
   %169 = icmp eq i64 %168, %4
-  br i1 %169, label %170, label %144, !llvm.loop !199
+  br i1 %169, label %170, label %144, !llvm.loop !200
 
 170:                                              ; preds = %144, %131
   %171 = add nuw nsw i64 %132, 1
   %172 = icmp eq i64 %171, %1
-  br i1 %172, label %122, label %131, !llvm.loop !211
+  br i1 %172, label %122, label %131, !llvm.loop !212
 
 173:                                              ; preds = %123, %173
   %174 = phi i64 [ 0, %123 ], [ %190, %173 ]
@@ -6181,12 +6291,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   %176 = shl i64 %175, 7
   %177 = shl nsw i64 %175, 7
   %178 = getelementptr inbounds i8, ptr %3, i64 %177
-  %179 = load <8 x double>, ptr %178, align 8, !noalias !212
+  %179 = load <8 x double>, ptr %178, align 8, !noalias !213
   %180 = or disjoint i64 %176, 64
   %181 = getelementptr inbounds i8, ptr %3, i64 %180
-  %182 = load <8 x double>, ptr %181, align 8, !noalias !212
-  %183 = load <8 x double>, ptr %128, align 8, !noalias !215
-  %184 = load <8 x double>, ptr %130, align 8, !noalias !215
+  %182 = load <8 x double>, ptr %181, align 8, !noalias !213
+  %183 = load <8 x double>, ptr %128, align 8, !noalias !216
+  %184 = load <8 x double>, ptr %130, align 8, !noalias !216
   %185 = fneg <8 x double> %182
   %186 = fmul <8 x double> %184, %185
   %187 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %179, <8 x double> %183, <8 x double> %186)
@@ -6196,7 +6306,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store <8 x double> %189, ptr %181, align 8
   %190 = add nuw nsw i64 %174, 1
   %191 = icmp eq i64 %190, %4
-  br i1 %191, label %112, label %173, !llvm.loop !218
+  br i1 %191, label %112, label %173, !llvm.loop !219
 }
 
 define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2, ptr noundef readonly %3) unnamed_addr #3 {
@@ -6253,7 +6363,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %52 = load ptr, ptr %51, align 8
   %53 = getelementptr inbounds i8, ptr %52, i64 16
   %54 = load i64, ptr %53, align 8
-  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #11
+  tail call fastcc void @nested(ptr noundef %37, ptr noundef %40, ptr noundef %42, i64 noundef %44, i64 noundef %48, ptr noundef %49, i64 noundef %54) #12
   %55 = fmul <8 x double> %35, zeroinitializer
   %56 = fadd <8 x double> %21, %55
   %57 = getelementptr inbounds i8, ptr %0, i64 168
@@ -6266,7 +6376,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %62, label %64, label %63
 
 63:                                               ; preds = %27
-  tail call fastcc void @settle(ptr noundef nonnull %30) #11
+  tail call fastcc void @settle(ptr noundef nonnull %30) #12
   br label %64
 
 64:                                               ; preds = %63, %27
@@ -6276,7 +6386,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %67, label %68, label %69
 
 68:                                               ; preds = %64
-  tail call fastcc void @sample(ptr noundef nonnull %30) #11
+  tail call fastcc void @sample(ptr noundef nonnull %30) #12
   br label %69
 
 69:                                               ; preds = %64, %68
@@ -6293,7 +6403,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %80 = load ptr, ptr %79, align 8
   %81 = inttoptr i64 %71 to ptr
   %82 = load ptr, ptr %81, align 8
-  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #12
+  %83 = tail call i32 %82(ptr noundef %73, ptr noundef %76, ptr noundef %78, ptr noundef %80, ptr noundef %29) #13
   %84 = zext i32 %83 to i64
   %85 = and i64 %84, %24
   %86 = icmp sgt i64 %9, 0
@@ -6316,7 +6426,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %98, ptr %96, align 8
   %99 = add nuw nsw i64 %90, 1
   %100 = icmp eq i64 %99, %9
-  br i1 %100, label %101, label %89, !llvm.loop !219
+  br i1 %100, label %101, label %89, !llvm.loop !220
 
 101:                                              ; preds = %89, %69, %4
   %102 = phi i64 [ 0, %4 ], [ %85, %69 ], [ %85, %89 ]
@@ -6384,7 +6494,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %157 = load ptr, ptr %156, align 8
   %158 = getelementptr inbounds i8, ptr %157, i64 16
   %159 = load i64, ptr %158, align 8
-  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #11
+  tail call fastcc void @nested(ptr noundef %143, ptr noundef %146, ptr noundef %148, i64 noundef %150, i64 noundef %154, ptr noundef %155, i64 noundef %159) #12
   %160 = fmul <8 x double> %141, %139
   %161 = fadd <8 x double> %135, %160
   %162 = load ptr, ptr %108, align 8
@@ -6396,7 +6506,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %166, label %168, label %167
 
 167:                                              ; preds = %126
-  tail call fastcc void @settle(ptr noundef nonnull %105) #11
+  tail call fastcc void @settle(ptr noundef nonnull %105) #12
   br label %168
 
 168:                                              ; preds = %167, %126
@@ -6405,7 +6515,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   br i1 %170, label %171, label %172
 
 171:                                              ; preds = %168
-  tail call fastcc void @sample(ptr noundef nonnull %105) #11
+  tail call fastcc void @sample(ptr noundef nonnull %105) #12
   br label %172
 
 172:                                              ; preds = %168, %171
@@ -6419,12 +6529,12 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %180 = load ptr, ptr %112, align 8
   %181 = inttoptr i64 %174 to ptr
   %182 = load ptr, ptr %181, align 8
-  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #12
+  %183 = tail call i32 %182(ptr noundef %175, ptr noundef %178, ptr noundef %179, ptr noundef %180, ptr noundef %133) #13
   %184 = zext i32 %183 to i64
   %185 = or i64 %128, %184
   %186 = add nuw nsw i64 %127, 1
   %187 = icmp eq i64 %186, 5
-  br i1 %187, label %113, label %126, !llvm.loop !220
+  br i1 %187, label %113, label %126, !llvm.loop !221
 
 188:                                              ; preds = %316, %113
   %189 = phi <8 x i64> [ %118, %113 ], [ %318, %316 ]
@@ -6497,7 +6607,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   %235 = phi <8 x i64> [ %233, %231 ], [ %212, %229 ]
   %236 = add nuw nsw i64 %209, 1
   %237 = icmp eq i64 %236, 5
-  br i1 %237, label %203, label %208, !llvm.loop !221
+  br i1 %237, label %203, label %208, !llvm.loop !222
 
 238:                                              ; preds = %203
   %239 = fmul <8 x double> %225, %230
@@ -6585,14 +6695,14 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
 313:                                              ; preds = %282, %256
   %314 = phi <8 x i64> [ %312, %282 ], [ %258, %256 ]
   %315 = icmp eq i64 %263, 4
-  br i1 %315, label %316, label %256, !llvm.loop !222
+  br i1 %315, label %316, label %256, !llvm.loop !223
 
 316:                                              ; preds = %313
   %317 = xor <8 x i64> %314, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
   %318 = and <8 x i64> %251, %317
   %319 = add nuw nsw i64 %198, 1
   %320 = icmp eq i64 %319, %9
-  br i1 %320, label %188, label %195, !llvm.loop !223
+  br i1 %320, label %188, label %195, !llvm.loop !224
 
 321:                                              ; preds = %330, %188
   %322 = load ptr, ptr %16, align 8
@@ -6620,7 +6730,7 @@ define internal fastcc range(i64 0, 256) i64 @quiet_lanes(ptr noundef readonly %
   store <8 x i64> %340, ptr %338, align 8
   %341 = add nuw nsw i64 %331, 1
   %342 = icmp eq i64 %341, %9
-  br i1 %342, label %321, label %330, !llvm.loop !224
+  br i1 %342, label %321, label %330, !llvm.loop !225
 }
 
 define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, double noundef %2, ptr noundef writeonly %3) unnamed_addr #2 {
@@ -6694,7 +6804,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %60, ptr %61, align 8
   %62 = add nuw nsw i64 %49, 1
   %63 = icmp eq i64 %62, %32
-  br i1 %63, label %64, label %48, !llvm.loop !104
+  br i1 %63, label %64, label %48, !llvm.loop !105
 
 64:                                               ; preds = %48, %24
   %65 = getelementptr inbounds i8, ptr %9, i64 624
@@ -6720,7 +6830,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %83 = load ptr, ptr %82, align 8
   %84 = getelementptr inbounds double, ptr %83, i64 %1
   %85 = load double, ptr %84, align 8
-  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #12
+  %86 = tail call i64 %81(ptr noundef %9, double noundef %70, double noundef %85) #13
   %87 = load ptr, ptr %75, align 8
   store double 0x7FF0000000000000, ptr %87, align 8
   %88 = load ptr, ptr %65, align 8
@@ -6771,7 +6881,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   store double %123, ptr %125, align 8
   %126 = add nuw nsw i64 %113, 1
   %127 = icmp eq i64 %126, %97
-  br i1 %127, label %128, label %112, !llvm.loop !104
+  br i1 %127, label %128, label %112, !llvm.loop !105
 
 128:                                              ; preds = %112, %64
   ret i64 %86
@@ -6801,7 +6911,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
 147:                                              ; preds = %150, %129
   %148 = add nuw nsw i64 %130, 1
   %149 = icmp eq i64 %148, %15
-  br i1 %149, label %24, label %129, !llvm.loop !225
+  br i1 %149, label %24, label %129, !llvm.loop !226
 
 150:                                              ; preds = %129, %150
   %151 = phi i64 [ %164, %150 ], [ 0, %129 ]
@@ -6823,7 +6933,7 @@ define internal fastcc i64 @look_alone(ptr noundef readonly %0, i64 noundef %1, 
   %166 = getelementptr inbounds i8, ptr %165, i64 24
   %167 = load i64, ptr %166, align 8
   %168 = icmp slt i64 %164, %167
-  br i1 %168, label %150, label %147, !llvm.loop !226
+  br i1 %168, label %150, label %147, !llvm.loop !227
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -6860,7 +6970,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !227
+  br i1 %31, label %20, label %19, !llvm.loop !228
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -6874,10 +6984,113 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !228
+  br i1 %43, label %32, label %24, !llvm.loop !229
 }
 
-declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #9
+define internal fastcc double @knot_after(ptr noundef readonly %0, double noundef %1) unnamed_addr #9 {
+  %3 = tail call double @llvm.fabs.f64(double %1)
+  %4 = fmul double %3, 0x3D10000000000000
+  %5 = fadd double %4, %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 152
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp sgt i64 %7, 0
+  br i1 %8, label %9, label %16
+
+9:                                                ; preds = %2
+  %10 = getelementptr inbounds i8, ptr %0, i64 144
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %0, i64 160
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 192
+  %15 = load ptr, ptr %14, align 8
+  br label %18
+
+16:                                               ; preds = %68, %2
+  %17 = phi double [ 0x7FF0000000000000, %2 ], [ %69, %68 ]
+  ret double %17
+
+18:                                               ; preds = %9, %68
+  %19 = phi double [ 0x7FF0000000000000, %9 ], [ %69, %68 ]
+  %20 = phi i64 [ 0, %9 ], [ %70, %68 ]
+  %21 = mul nsw i64 %13, %20
+  %22 = getelementptr inbounds i64, ptr %11, i64 %21
+  %23 = getelementptr inbounds i8, ptr %22, i64 8
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %15, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %5
+  br i1 %27, label %58, label %28
+
+28:                                               ; preds = %18
+  %29 = getelementptr inbounds i8, ptr %22, i64 16
+  %30 = load i64, ptr %29, align 8
+  %31 = fcmp ugt double %26, %5
+  br i1 %31, label %40, label %32
+
+32:                                               ; preds = %28
+  %33 = icmp eq i64 %30, 1
+  br i1 %33, label %55, label %34
+
+34:                                               ; preds = %32
+  %35 = getelementptr i8, ptr %25, i64 8
+  %36 = load double, ptr %35, align 8
+  %37 = fcmp ule double %36, %5
+  %38 = icmp sgt i64 %30, 1
+  %39 = select i1 %37, i1 %38, i1 false
+  br i1 %39, label %42, label %55
+
+40:                                               ; preds = %28
+  %41 = icmp sgt i64 %30, 1
+  br i1 %41, label %42, label %55
+
+42:                                               ; preds = %40, %34
+  br label %43
+
+43:                                               ; preds = %42, %43
+  %44 = phi i64 [ %52, %43 ], [ %30, %42 ]
+  %45 = phi i64 [ %51, %43 ], [ 0, %42 ]
+  %46 = add nsw i64 %44, %45
+  %47 = sdiv i64 %46, 2
+  %48 = getelementptr inbounds double, ptr %25, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fcmp ugt double %49, %5
+  %51 = select i1 %50, i64 %45, i64 %47
+  %52 = select i1 %50, i64 %47, i64 %44
+  %53 = sub nsw i64 %52, %51
+  %54 = icmp sgt i64 %53, 1
+  br i1 %54, label %43, label %55, !llvm.loop !111
+
+55:                                               ; preds = %43, %40, %32, %34
+  %56 = phi i64 [ 0, %34 ], [ 0, %32 ], [ 0, %40 ], [ %51, %43 ]
+  %57 = add nsw i64 %56, 1
+  br label %58
+
+58:                                               ; preds = %18, %55
+  %59 = phi i64 [ %57, %55 ], [ 0, %18 ]
+  %60 = getelementptr inbounds i8, ptr %22, i64 16
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp slt i64 %59, %61
+  br i1 %62, label %63, label %68
+
+63:                                               ; preds = %58
+  %64 = getelementptr inbounds double, ptr %25, i64 %59
+  %65 = load double, ptr %64, align 8
+  %66 = fcmp olt double %65, %19
+  br i1 %66, label %67, label %68
+
+67:                                               ; preds = %63
+  br label %68
+
+68:                                               ; preds = %67, %63, %58
+  %69 = phi double [ %65, %67 ], [ %19, %63 ], [ %19, %58 ]
+  %70 = add nuw nsw i64 %20, 1
+  %71 = icmp eq i64 %70, %7
+  br i1 %71, label %16, label %18, !llvm.loop !230
+}
+
+declare double @llvm.fabs.f64(double) #5
+
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #10
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -6888,10 +7101,11 @@ attributes #5 = { nounwind willreturn memory(none) }
 attributes #6 = { noinline nounwind }
 attributes #7 = { noinline nounwind }
 attributes #8 = { nounwind willreturn }
-attributes #9 = { nounwind willreturn memory(none) }
-attributes #10 = { nounwind }
+attributes #9 = { noinline nounwind }
+attributes #10 = { nounwind willreturn memory(none) }
 attributes #11 = { nounwind }
 attributes #12 = { nounwind }
+attributes #13 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -6960,28 +7174,28 @@ attributes #12 = { nounwind }
 !63 = distinct !{!63, !4, !5}
 !64 = distinct !{!64, !4, !5}
 !65 = distinct !{!65, !4, !5}
-!66 = distinct !{!66, !4, !5}
-!67 = distinct !{!67, !4, !5}
+!66 = distinct !{!66, !4, !5, !67}
+!67 = !{!"llvm.loop.vectorize.width", i32 1}
 !68 = distinct !{!68, !4, !5}
-!69 = distinct !{!69, !4, !5, !70}
-!70 = !{!"llvm.loop.vectorize.width", i32 1}
-!71 = distinct !{!71, !4, !5, !70}
-!72 = distinct !{!72, !4, !5}
+!69 = distinct !{!69, !4, !5}
+!70 = distinct !{!70, !4, !5}
+!71 = distinct !{!71, !4, !5, !67}
+!72 = distinct !{!72, !4, !5, !67}
 !73 = distinct !{!73, !4, !5}
 !74 = distinct !{!74, !4, !5}
 !75 = distinct !{!75, !4, !5}
 !76 = distinct !{!76, !4, !5}
-!77 = distinct !{!77, !4, !5, !70}
-!78 = distinct !{!78, !4, !5}
+!77 = distinct !{!77, !4, !5}
+!78 = distinct !{!78, !4, !5, !67}
 !79 = distinct !{!79, !4, !5}
 !80 = distinct !{!80, !4, !5}
 !81 = distinct !{!81, !4, !5}
 !82 = distinct !{!82, !4, !5}
 !83 = distinct !{!83, !4, !5}
 !84 = distinct !{!84, !4, !5}
-!85 = distinct !{!85, !4, !5, !70}
-!86 = distinct !{!86, !4, !5, !70}
-!87 = distinct !{!87, !4, !5}
+!85 = distinct !{!85, !4, !5}
+!86 = distinct !{!86, !4, !5, !67}
+!87 = distinct !{!87, !4, !5, !67}
 !88 = distinct !{!88, !4, !5}
 !89 = distinct !{!89, !4, !5}
 !90 = distinct !{!90, !4, !5}
@@ -6989,17 +7203,17 @@ attributes #12 = { nounwind }
 !92 = distinct !{!92, !4, !5}
 !93 = distinct !{!93, !4, !5}
 !94 = distinct !{!94, !4, !5}
-!95 = distinct !{!95, !4, !5, !70}
-!96 = distinct !{!96, !5}
-!97 = distinct !{!97, !4, !5}
+!95 = distinct !{!95, !4, !5}
+!96 = distinct !{!96, !4, !5, !67}
+!97 = distinct !{!97, !5}
 !98 = distinct !{!98, !4, !5}
 !99 = distinct !{!99, !4, !5}
-!100 = distinct !{!100, !4, !5, !70}
-!101 = distinct !{!101, !4, !5}
+!100 = distinct !{!100, !4, !5}
+!101 = distinct !{!101, !4, !5, !67}
 !102 = distinct !{!102, !4, !5}
 !103 = distinct !{!103, !4, !5}
-!104 = distinct !{!104, !4, !5, !70}
-!105 = distinct !{!105, !4, !5}
+!104 = distinct !{!104, !4, !5}
+!105 = distinct !{!105, !4, !5, !67}
 !106 = distinct !{!106, !4, !5}
 !107 = distinct !{!107, !4, !5}
 !108 = distinct !{!108, !4, !5}
@@ -7008,42 +7222,42 @@ attributes #12 = { nounwind }
 !111 = distinct !{!111, !4, !5}
 !112 = distinct !{!112, !4, !5}
 !113 = distinct !{!113, !4, !5}
-!114 = distinct !{!114, !4, !5, !70}
-!115 = distinct !{!115, !4, !5}
+!114 = distinct !{!114, !4, !5}
+!115 = distinct !{!115, !4, !5, !67}
 !116 = distinct !{!116, !4, !5}
 !117 = distinct !{!117, !4, !5}
 !118 = distinct !{!118, !4, !5}
 !119 = distinct !{!119, !4, !5}
 !120 = distinct !{!120, !4, !5}
 !121 = distinct !{!121, !4, !5}
-!122 = !{!123}
-!123 = distinct !{!123, !124, !"pair_item: argument 0"}
-!124 = distinct !{!124, !"pair_item"}
-!125 = !{!126}
-!126 = distinct !{!126, !127, !"pair_item: argument 0"}
-!127 = distinct !{!127, !"pair_item"}
-!128 = distinct !{!128, !4, !5}
-!129 = !{!130}
-!130 = distinct !{!130, !131, !"pair_item: argument 0"}
-!131 = distinct !{!131, !"pair_item"}
-!132 = distinct !{!132, !4, !5}
-!133 = !{!134}
-!134 = distinct !{!134, !135, !"pair_item: argument 0"}
-!135 = distinct !{!135, !"pair_item"}
-!136 = !{!137}
-!137 = distinct !{!137, !138, !"pair_item: argument 0"}
-!138 = distinct !{!138, !"pair_item"}
-!139 = distinct !{!139, !4, !5}
-!140 = !{!141}
-!141 = distinct !{!141, !142, !"pair_item: argument 0"}
-!142 = distinct !{!142, !"pair_item"}
-!143 = !{!144}
-!144 = distinct !{!144, !145, !"pair_item: argument 0"}
-!145 = distinct !{!145, !"pair_item"}
-!146 = !{!147}
-!147 = distinct !{!147, !148, !"pair_item: argument 0"}
-!148 = distinct !{!148, !"pair_item"}
-!149 = distinct !{!149, !4, !5}
+!122 = distinct !{!122, !4, !5}
+!123 = !{!124}
+!124 = distinct !{!124, !125, !"pair_item: argument 0"}
+!125 = distinct !{!125, !"pair_item"}
+!126 = !{!127}
+!127 = distinct !{!127, !128, !"pair_item: argument 0"}
+!128 = distinct !{!128, !"pair_item"}
+!129 = distinct !{!129, !4, !5}
+!130 = !{!131}
+!131 = distinct !{!131, !132, !"pair_item: argument 0"}
+!132 = distinct !{!132, !"pair_item"}
+!133 = distinct !{!133, !4, !5}
+!134 = !{!135}
+!135 = distinct !{!135, !136, !"pair_item: argument 0"}
+!136 = distinct !{!136, !"pair_item"}
+!137 = !{!138}
+!138 = distinct !{!138, !139, !"pair_item: argument 0"}
+!139 = distinct !{!139, !"pair_item"}
+!140 = distinct !{!140, !4, !5}
+!141 = !{!142}
+!142 = distinct !{!142, !143, !"pair_item: argument 0"}
+!143 = distinct !{!143, !"pair_item"}
+!144 = !{!145}
+!145 = distinct !{!145, !146, !"pair_item: argument 0"}
+!146 = distinct !{!146, !"pair_item"}
+!147 = !{!148}
+!148 = distinct !{!148, !149, !"pair_item: argument 0"}
+!149 = distinct !{!149, !"pair_item"}
 !150 = distinct !{!150, !4, !5}
 !151 = distinct !{!151, !4, !5}
 !152 = distinct !{!152, !4, !5}
@@ -7051,32 +7265,32 @@ attributes #12 = { nounwind }
 !154 = distinct !{!154, !4, !5}
 !155 = distinct !{!155, !4, !5}
 !156 = distinct !{!156, !4, !5}
-!157 = distinct !{!157, !4, !5, !70}
-!158 = !{!159}
-!159 = distinct !{!159, !160, !"pair_item: argument 0"}
-!160 = distinct !{!160, !"pair_item"}
-!161 = distinct !{!161, !4, !5}
-!162 = !{!163}
-!163 = distinct !{!163, !164, !"pair_item: argument 0"}
-!164 = distinct !{!164, !"pair_item"}
-!165 = !{!166}
-!166 = distinct !{!166, !167, !"pair_item: argument 0"}
-!167 = distinct !{!167, !"pair_item"}
-!168 = distinct !{!168, !4, !5}
-!169 = !{!170}
-!170 = distinct !{!170, !171, !"pair_item: argument 0"}
-!171 = distinct !{!171, !"pair_item"}
-!172 = !{!173}
-!173 = distinct !{!173, !174, !"pair_item: argument 0"}
-!174 = distinct !{!174, !"pair_item"}
-!175 = distinct !{!175, !4, !5}
-!176 = !{!177}
-!177 = distinct !{!177, !178, !"pair_item: argument 0"}
-!178 = distinct !{!178, !"pair_item"}
-!179 = !{!180}
-!180 = distinct !{!180, !181, !"pair_item: argument 0"}
-!181 = distinct !{!181, !"pair_item"}
-!182 = distinct !{!182, !4, !5}
+!157 = distinct !{!157, !4, !5}
+!158 = distinct !{!158, !4, !5, !67}
+!159 = !{!160}
+!160 = distinct !{!160, !161, !"pair_item: argument 0"}
+!161 = distinct !{!161, !"pair_item"}
+!162 = distinct !{!162, !4, !5}
+!163 = !{!164}
+!164 = distinct !{!164, !165, !"pair_item: argument 0"}
+!165 = distinct !{!165, !"pair_item"}
+!166 = !{!167}
+!167 = distinct !{!167, !168, !"pair_item: argument 0"}
+!168 = distinct !{!168, !"pair_item"}
+!169 = distinct !{!169, !4, !5}
+!170 = !{!171}
+!171 = distinct !{!171, !172, !"pair_item: argument 0"}
+!172 = distinct !{!172, !"pair_item"}
+!173 = !{!174}
+!174 = distinct !{!174, !175, !"pair_item: argument 0"}
+!175 = distinct !{!175, !"pair_item"}
+!176 = distinct !{!176, !4, !5}
+!177 = !{!178}
+!178 = distinct !{!178, !179, !"pair_item: argument 0"}
+!179 = distinct !{!179, !"pair_item"}
+!180 = !{!181}
+!181 = distinct !{!181, !182, !"pair_item: argument 0"}
+!182 = distinct !{!182, !"pair_item"}
 !183 = distinct !{!183, !4, !5}
 !184 = distinct !{!184, !4, !5}
 !185 = distinct !{!185, !4, !5}
@@ -7084,42 +7298,44 @@ attributes #12 = { nounwind }
 !187 = distinct !{!187, !4, !5}
 !188 = distinct !{!188, !4, !5}
 !189 = distinct !{!189, !4, !5}
-!190 = !{!191}
-!191 = distinct !{!191, !192, !"pair_item: argument 0"}
-!192 = distinct !{!192, !"pair_item"}
-!193 = !{!194}
-!194 = distinct !{!194, !195, !"pair_item: argument 0"}
-!195 = distinct !{!195, !"pair_item"}
-!196 = !{!197}
-!197 = distinct !{!197, !198, !"pair_item: argument 0"}
-!198 = distinct !{!198, !"pair_item"}
-!199 = distinct !{!199, !4, !5}
+!190 = distinct !{!190, !4, !5}
+!191 = !{!192}
+!192 = distinct !{!192, !193, !"pair_item: argument 0"}
+!193 = distinct !{!193, !"pair_item"}
+!194 = !{!195}
+!195 = distinct !{!195, !196, !"pair_item: argument 0"}
+!196 = distinct !{!196, !"pair_item"}
+!197 = !{!198}
+!198 = distinct !{!198, !199, !"pair_item: argument 0"}
+!199 = distinct !{!199, !"pair_item"}
 !200 = distinct !{!200, !4, !5}
 !201 = distinct !{!201, !4, !5}
-!202 = !{!203}
-!203 = distinct !{!203, !204, !"pair_item: argument 0"}
-!204 = distinct !{!204, !"pair_item"}
-!205 = !{!206}
-!206 = distinct !{!206, !207, !"pair_item: argument 0"}
-!207 = distinct !{!207, !"pair_item"}
-!208 = !{!209}
-!209 = distinct !{!209, !210, !"pair_item: argument 0"}
-!210 = distinct !{!210, !"pair_item"}
-!211 = distinct !{!211, !4, !5}
-!212 = !{!213}
-!213 = distinct !{!213, !214, !"pair_item: argument 0"}
-!214 = distinct !{!214, !"pair_item"}
-!215 = !{!216}
-!216 = distinct !{!216, !217, !"pair_item: argument 0"}
-!217 = distinct !{!217, !"pair_item"}
-!218 = distinct !{!218, !4, !5}
+!202 = distinct !{!202, !4, !5}
+!203 = !{!204}
+!204 = distinct !{!204, !205, !"pair_item: argument 0"}
+!205 = distinct !{!205, !"pair_item"}
+!206 = !{!207}
+!207 = distinct !{!207, !208, !"pair_item: argument 0"}
+!208 = distinct !{!208, !"pair_item"}
+!209 = !{!210}
+!210 = distinct !{!210, !211, !"pair_item: argument 0"}
+!211 = distinct !{!211, !"pair_item"}
+!212 = distinct !{!212, !4, !5}
+!213 = !{!214}
+!214 = distinct !{!214, !215, !"pair_item: argument 0"}
+!215 = distinct !{!215, !"pair_item"}
+!216 = !{!217}
+!217 = distinct !{!217, !218, !"pair_item: argument 0"}
+!218 = distinct !{!218, !"pair_item"}
 !219 = distinct !{!219, !4, !5}
 !220 = distinct !{!220, !4, !5}
 !221 = distinct !{!221, !4, !5}
 !222 = distinct !{!222, !4, !5}
 !223 = distinct !{!223, !4, !5}
 !224 = distinct !{!224, !4, !5}
-!225 = distinct !{!225, !4, !5, !70}
-!226 = distinct !{!226, !4, !5}
+!225 = distinct !{!225, !4, !5}
+!226 = distinct !{!226, !4, !5, !67}
 !227 = distinct !{!227, !4, !5}
 !228 = distinct !{!228, !4, !5}
+!229 = distinct !{!229, !4, !5}
+!230 = distinct !{!230, !4, !5}

@@ -628,7 +628,7 @@ class Integration(Workspace):
             if acting:
                 self._stop(
                     Outcome.EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
-                    lower=jump.lower,
+                    lower=sensitivities.grazing_remedy(jump.lower, [*self.records, record]),
                 )  # fmt: skip
             jump = jump._replace(time=np.full(sensitivities.columns, np.nan))
         table = sensitivities.table(before).copy()

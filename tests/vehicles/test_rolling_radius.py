@@ -1,0 +1,89 @@
+"""Wheels that roll on the effective rolling radius of their tires."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy.mechanics import Definition
+from pydy.system import System
+from pydy.vehicles import MagicFormula, WheelContact
+from zoo import inertial_frame
+from zoo.tires import TABLE_A31
+from zoo.wheels import free_wheel, values
+
+R, M, I, G = 0.313, 400.0, 1.2, 9.81
+REFF = {"VERTICAL_STIFFNESS": 2e5, "BREFF": 8.4, "DREFF": 0.27, "FREFF": 0.045}
+STATE = {
+    "x": 0.1, "y": -0.2, "z": 0.28, "yaw": 0.4, "lean": 0.05, "spin": 1.2,
+    "vx": 8.0, "vy": 1.0, "vz": 0.0, "w1": 0.5, "w2": 20.0, "w3": -0.4,
+}  # fmt: skip
+
+
+def tire():
+    # No rolling resistance, and no shift of the force.
+    return MagicFormula({**TABLE_A31, **REFF, "QSY1": 0.0, "PHX1": 0.0, "PHX2": 0.0})
+
+
+def test_a_wheel_that_coasts_turns_at_its_speed_by_the_rolling_radius():
+    x, z, q, vx, vz, w = me.dynamicsymbols("x z q vx vz w")
+    N, O = inertial_frame()
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.y, q)
+    W.set_ang_vel(N, w * N.y)
+    C = O.locatenew("C", x * N.x + z * N.z)
+    C.set_vel(N, vx * N.x + vz * N.z)
+    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    rolls = tire()
+    contact = WheelContact(
+        body, N.y, R, O, N.z, N,
+        lambda gap, rate: rolls.normal_force(gap, rate) - 2e3 * rate,
+        rolling_radius=rolls.rolling_radius,
+    )  # fmt: skip
+    height = R - M * G / 2e5
+    system = System(
+        Definition(
+            N, [x, z, q], [vx, vz, w], bodies=[body],
+            loads=[(C, -M * G * N.z), *contact.loads(rolls)],
+        ),
+        ode_solver="radau",
+        initial_conditions={z: height, vx: 20.0, w: 60.0},
+        times=np.linspace(0.0, 2.0, 5),
+    )  # fmt: skip
+    system.outputs = {"kappa": contact.kappa}
+    motion = system.simulate(rtol=1e-10, atol=1e-10)
+    expected = rolls.rolling_radius(M * G)
+    assert expected == pytest.approx(0.3043, abs=1e-4)
+    assert motion["vx"][-1] / motion["w"][-1] == pytest.approx(expected, rel=1e-8)
+    assert abs(motion["kappa"][-1]) < 1e-8
+    assert abs(motion["kappa"][0]) > 0.05
+
+
+@pytest.mark.parametrize("options", [{}, {"crown_radius": 0.06}])
+def test_the_slip_is_that_of_the_speed_of_revolution(options):
+    w = free_wheel()
+    arguments = (w.body, w.B.y, R, w.O, w.N.z, w.N, lambda gap, rate: -2e5 * gap)
+    plain = WheelContact(*arguments, **options)
+    loaded = values(w, plain.contact.cross(w.B.y).dot(plain.forward), STATE)
+    # On the loaded radius the slips are the usual ones, and others differ by the spin.
+    same = WheelContact(*arguments, rolling_radius=loaded, **options)
+    larger = WheelContact(*arguments, rolling_radius=lambda load: loaded + 0.01, **options)
+    for name in ("kappa", "alpha"):
+        usual = values(w, getattr(plain, name), STATE)
+        assert values(w, getattr(same, name), STATE) == pytest.approx(usual, rel=1e-12)
+    kappa, speed = values(w, plain.kappa, STATE), values(w, plain.speed, STATE)
+    spin = STATE["w2"]
+    assert values(w, larger.kappa, STATE) == pytest.approx(kappa + 0.01 * spin / speed, rel=1e-12)
+    assert larger.alpha == plain.alpha
+
+
+def test_arguments_are_checked():
+    w = free_wheel()
+    arguments = (w.body, w.B.y, R, w.O, w.N.z, w.N)
+    with pytest.raises(ValueError, match=r"`rolling_radius` belongs to a tire .* rigid: give"):
+        WheelContact(*arguments, rolling_radius=0.3)
+    for radius in (-0.1, 0.0):
+        with pytest.raises(ValueError, match="`rolling_radius` must be positive"):
+            WheelContact(*arguments, lambda gap, rate: -gap, rolling_radius=radius)
+    with pytest.raises(ValueError, match=r"`rolling_radius\(normal_force\)` must"):
+        WheelContact(*arguments, lambda gap, rate: -gap, rolling_radius=lambda load: sm.nan)
