@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from oracles.crossings import CASES, KINDS, check, events, h, numbers, started, v
+from pydy.errors import PyDyUserWarning
+from pydy.solvers import Event
 from registry import ADAPTIVE_NAMES
 
 by_case = pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
@@ -31,6 +33,30 @@ def test_every_solver_follows_the_table(case, solver):
     system = started(case)
     system.ode_solver = solver
     judge(case, system.simulate(events=events(), **TIGHT))
+
+
+@pytest.mark.parametrize("outputs", [2, 26, 41])
+@pytest.mark.parametrize("step", [0.005, 0.01, 0.02, 0.03])
+def test_an_event_where_a_step_of_fixed_size_ends_happens_once(step, outputs):
+    case = next(case for case in CASES if case.name == "bounces at the end of a step")
+    system = started(case)
+    system.ode_solver, system.times = "rk4", np.linspace(0.0, case.end, outputs)
+    judge(case, system.simulate(events=events(), step=step))
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE_NAMES)
+@pytest.mark.parametrize("factor", [1e-9, 1e-6, 1e-2, 0.5])
+def test_bounces_accumulate_and_none_leads_through_the_floor(factor, solver):
+    """With a restitution e, bounces after a fall of 1 s end at 1 + 2e/(1 − e)."""
+    system = started(next(case for case in CASES if case.name == "bounces at the end of a step"))
+    system.ode_solver, system.times = solver, [0.0, 30.0]
+    with pytest.warns(PyDyUserWarning, match="`bounce` follow each other ever faster"):
+        trajectory = system.simulate(
+            events=Event(h, -1, reset={v: -factor * v}, name="bounce"), rtol=1e-10, atol=1e-10
+        )
+    end = 1.0 + 2.0 * factor / (1.0 - factor)
+    assert trajectory.statistics["time"] == pytest.approx(end, abs=1e-6)
+    assert all(record.before[1] <= 0.0 <= record.after[1] for record in trajectory.events)
 
 
 @by_case

@@ -214,8 +214,8 @@ static int derivative(Model *m, const unsigned *unknowns, size_t rows, const uns
 
 /* -- events ----------------------------------------------------------------------------------- */
 
-/* Set the sign that each event has just after now; where one is zero or fired, its rate tells, unless
-   a reset has led off its surface. */
+/* Set the sign that each event has just after now; where one is zero, fired or departs, its rate tells,
+   unless a reset has led off its surface. */
 static void take_sides(Model *m)
 {
 #if NE > 0
@@ -328,8 +328,8 @@ static int64_t act(Model *m)
     int64_t origins[NE], fired[NE];
     int terminal = -1, crowded = -1;
     memcpy(origins, m->sides, sizeof origins);
-    memcpy(fired, m->fired, sizeof fired);
     for (int k = 0; k < NE; k++) {
+        fired[k] = m->fired[k] > 0; /* others depart */
         if (!fired[k])
             continue;
         if (EVENT_ACTING[k])
