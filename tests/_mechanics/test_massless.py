@@ -152,3 +152,29 @@ def test_an_oscillator_through_a_massless_coordinate_moves_as_in_closed_form():
         np.testing.assert_allclose(place, expected, atol=1e-8)
     found = system.linearize().eigenvalues
     np.testing.assert_allclose(sorted(found.imag), [-turn, turn], rtol=1e-12)
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (1, 2, 0), (1, 0, 2)])
+@pytest.mark.parametrize("options", [{}, {"constraints": "project"}])
+def test_a_row_of_a_massless_speed_alone_counts_beside_redundant_ones(order, options):
+    """A bead on a rod that turns at ω: x = cosh(ωt) cos(ωt). The rod's angle has no inertia."""
+    (x, y, angle), (vx, vy, turn) = Q, U
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    point.set_vel(frame, vx * frame.x + vy * frame.y)
+    on_rod = y * sm.cos(angle) - x * sm.sin(angle)
+    rate = 1.5
+    rows = [angle - rate * T, on_rod, 2 * on_rod]
+    system = System(
+        Definition(
+            frame, Q, U, bodies=[me.Particle("bead", point, M1)],
+            holonomic_constraints=[rows[k] for k in order],
+            kinematic_equations=[a.diff(T) - b for a, b in zip(Q, U, strict=True)],
+        ),
+        initial_conditions={x: 1.0, vy: rate, turn: rate},
+        times=np.linspace(0.0, 2.0, 5), ode_solver="dop853",
+    )  # fmt: skip
+    motion = system.simulate(rtol=1e-10, atol=1e-10, **options)
+    turned = rate * motion.times
+    np.testing.assert_allclose(motion[x], np.cosh(turned) * np.cos(turned), rtol=0, atol=1e-8)
+    np.testing.assert_allclose(motion[y], np.cosh(turned) * np.sin(turned), rtol=0, atol=1e-8)

@@ -177,12 +177,7 @@ def _roundings(
     weights, units = _mobilities(graph, matrix), []
     for row in rows:
         squares = [graph.powi(graph.add(graph.call("abs", c), next(bounds)), 2) for c in row]
-        heavy = [
-            (graph.mul(x, weight), 1.0)
-            for x, weight in zip(squares, weights, strict=True)
-            if graph.zero not in (x, weight)
-        ]
-        size = graph.call("sqrt", graph.sum(heavy or [(x, 1.0) for x in squares]))
+        size = graph.call("sqrt", _square(graph, squares, weights))
         units.append(graph.sum([(size, ROUNDING)]))
     return units
 
@@ -329,7 +324,21 @@ def _usual(graph: Graph, squares: Sequence[int]) -> list[int]:
 
 
 def _squares(graph: Graph, rows: Sequence[list[int]], weights: Sequence[int]) -> list[int]:
-    return [dot(graph, [graph.powi(c, 2) for c in row], weights) for row in rows]
+    """Return the squared sizes of rows, with columns in units of equal energy."""
+    return [_square(graph, [graph.powi(c, 2) for c in row], weights) for row in rows]
+
+
+def _square(graph: Graph, squares: Sequence[int], weights: Sequence[int]) -> int:
+    """Return the weighted sum of the squares of a row's entries.
+
+    A row of massless speeds alone has no energy: the plain sum is that of no other row, but not 0.
+    """
+    heavy = [
+        (graph.mul(x, weight), 1.0)
+        for x, weight in zip(squares, weights, strict=True)
+        if graph.zero not in (x, weight)
+    ]
+    return graph.sum(heavy or [(x, 1.0) for x in squares])
 
 
 def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
