@@ -94,6 +94,39 @@ def test_a_profile_of_equal_samples_is_flat():
     assert (flat.height(0.7), flat.slope(0.7), flat.rms) == (0.3, 0.0, 0.0)
 
 
+@pytest.mark.parametrize(("step", "decimals"), [(1 / 3, 3), (1 / 7, 4), (0.25, 2), (25.4e-3, 15)])
+def test_samples_at_places_of_few_digits_are_even(step, decimals):
+    count = 22
+    x = np.round(3.0 + step * np.arange(count), decimals)
+    z = np.random.default_rng(6).normal(size=count)
+    profile = RoadProfile.from_samples(x, z)
+    even = np.linspace(x[0], x[-1], count)
+    np.testing.assert_allclose(profile.height(even), z, atol=1e-12)
+
+
+@pytest.mark.parametrize("x", [[0, 1, 3], [0, 0.333, 0.670, 1], [0, 0.333, 0.6671, 1], [0, 1, 2.1]])
+def test_samples_that_are_not_even_within_their_digits_are_refused(x):
+    with pytest.raises(ValueError, match="`x` must be ascending and evenly spaced"):
+        RoadProfile.from_samples(x, np.zeros(len(x)))
+
+
+def test_a_short_road_has_no_waves_that_are_longer():
+    assert iso_road("C", 50.0, seed=1).rms == pytest.approx(
+        iso_road("C", 50.0, longest=50.0, seed=1).rms, rel=1e-15
+    )
+    assert iso_road("C", 300.0, seed=1).rms == pytest.approx(
+        0.1 * np.sqrt(256e-6 * (100.0 - 0.5)), rel=1e-12
+    )
+
+
+def test_a_band_beside_half_a_wave_number_has_a_wave():
+    # 2.5 waves fit the length, and the band is as narrow as numbers allow.
+    short = 0.95
+    profile = iso_road("C", 2.5 * short, longest=np.nextafter(short, 3.0), shortest=short, seed=1)
+    assert len(profile.frequencies) == 1
+    assert profile.rms < 1e-6
+
+
 def test_arguments_are_checked():
     with pytest.raises(ValueError, match="`road_class` must be"):
         iso_road("I", 100.0)

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from pydy._checks import choice, integer, number, positive, real_array, shown
+from pydy._rank import OF_FEW, ROUNDED
 from pydy.vehicles.algebra import Quantity, checked_quantity, is_symbolic
-from pydy.vehicles.tuning import UNEVEN_SPACING
+from pydy.vehicles.tuning import COARSEST_DIGIT, UNEVEN_SPACING
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 _ROUGHNESS = {name: 16 * 4.0**k / 10**6 for k, name in enumerate("ABCDEFGH")}
 _REFERENCE = 0.1  # n₀ (cycles/m)
 _MOST_WAVES = 2**20
+_LONGEST = 100.0  # wavelength (m)
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +35,8 @@ class RoadProfile:
     frequencies, amplitudes, phases : ndarray, shape (k,)
         nₖ (cycles/m), aₖ (m) and φₖ (rad).
     offset, gradient : float
-        Of the straight line (m, and without unit).
+        Of the straight line (m, and without unit). A plane at this height stays horizontal: only a
+        `RoadSurface` of it has the force of a grade on a car.
 
     Examples
     --------
@@ -84,7 +87,7 @@ class RoadProfile:
         Parameters
         ----------
         x : array_like, shape (m,)
-            Places (m), ascending and evenly spaced, at least three.
+            Places (m), ascending and evenly spaced, to the last of their decimals, at least three.
         heights : array_like, shape (m,)
             z (m).
 
@@ -101,14 +104,13 @@ class RoadProfile:
                 f"{shown(heights)}."
             )
         count, length = len(places) - 1, places[-1] - places[0]
-        spacing = length / count
-        if not np.abs(np.diff(places) - spacing).max() <= UNEVEN_SPACING * spacing:
+        if not _are_even(places):
             raise ValueError(
                 f"`x` must be ascending and evenly spaced, got {shown(x)}. Interpolate the heights "
                 "at even places first."
             )
         gradient = (z[-1] - z[0]) / length
-        waves = np.fft.rfft((z - z[0] - gradient * (places - places[0]))[:-1]) / count
+        waves = np.fft.rfft((z - np.linspace(z[0], z[-1], count + 1))[:-1]) / count
         frequencies = np.arange(len(waves)) / length
         amplitudes = np.abs(waves)
         amplitudes[1 : (count + 1) // 2] *= 2.0  # a wave of two samples stands once
@@ -168,11 +170,31 @@ class RoadProfile:
         return total if isinstance(place, np.ndarray) else float(total)
 
 
+def _are_even(places: np.ndarray) -> bool:
+    """Return whether places ascend evenly, or are even ones that were rounded to decimals."""
+    length = places[-1] - places[0]
+    spacing = length / (len(places) - 1)
+    if not spacing > 0.0:
+        return False
+    allowed = UNEVEN_SPACING * spacing
+    digits = (
+        10.0**-n
+        for n in range(16)
+        if (np.abs(places - np.round(places, n)) <= OF_FEW * np.abs(places)).all()
+    )
+    digit = next(digits, 0.0)  # the last one
+    if digit <= COARSEST_DIGIT * spacing:
+        # Half of it is lost at a sample, and another half at the ends.
+        allowed = max(allowed, digit * (1 + ROUNDED))
+    even = places[0] + spacing * np.arange(len(places))
+    return bool(np.abs(places - even).max() <= allowed)
+
+
 def iso_road(
     road_class: str,
     length: float,
     *,
-    longest: float = 100.0,
+    longest: float | None = None,
     shortest: float = 0.5,
     seed: int | None = None,
 ) -> RoadProfile:
@@ -189,9 +211,10 @@ def iso_road(
         From very good to very poor: G_d(n₀) is the geometric mean of the class, 16 · 10⁻⁶ m³ for A
         and four times that of the class before for each other.
     length : float
-        Of the road (m), not below `longest`.
+        Of the road (m), not below `longest`, and above `shortest`.
     longest, shortest : float, optional
-        Wavelengths (m). The standard reports up to 1/0.011 m and down to 1/2.83 m; waves that are
+        Wavelengths (m). By default the longest is 100 m, or the length of a road that is shorter.
+        The standard reports up to 1/0.011 m and down to 1/2.83 m; waves that are
         shorter than the contact patch do not move a wheel. There are length/shortest waves or
         fewer; each is a term of an expression.
     seed : int, optional
@@ -216,10 +239,10 @@ def iso_road(
     """
     roughness = _ROUGHNESS[choice(road_class, tuple(_ROUGHNESS), "`road_class`")]
     total = positive(length, "`length`", finite=True)
-    long, short = (
-        positive(value, name, finite=True)
-        for value, name in ((longest, "`longest`"), (shortest, "`shortest`"))
-    )
+    short = positive(shortest, "`shortest`", finite=True)
+    long = min(_LONGEST, total)
+    if longest is not None:
+        long = positive(longest, "`longest`", finite=True)
     if not short < long <= total:
         raise ValueError(
             f"`longest` must be above `shortest` and not above `length`, got {long:g}, {short:g} "
@@ -230,7 +253,8 @@ def iso_road(
             f"`length` must be at most {_MOST_WAVES} times `shortest`, got {total:g} and "
             f"{short:g}: each wave is a term of the profile."
         )
-    waves = np.arange(np.floor(total / long + 0.5), np.ceil(total / short - 0.5) + 1.0)
+    first, last = np.floor(total / long + 0.5), np.ceil(total / short - 0.5)
+    waves = np.arange(first, max(first, last) + 1.0)  # one, if rounding passes a half
     edges = np.clip(np.append(waves - 0.5, waves[-1] + 0.5) / total, 1 / long, 1 / short)
     power = roughness * _REFERENCE**2 * -np.diff(1 / edges)  # the integral of the PSD
     phases = np.random.default_rng(_seed(seed)).uniform(0.0, 2 * pi, len(waves))

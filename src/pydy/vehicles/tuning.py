@@ -24,5 +24,10 @@ SMALLEST_DEFLECTION = 1e-9
 radius: an upright wheel that begins to touch has the arm 0/0. Loads are of that order there."""
 
 UNEVEN_SPACING = 1e-6
-"""Difference of distances between samples of a profile that are taken as even, relative to their
-mean: places in files have few digits."""
+"""Distance of samples of a profile from even places that is ignored, relative to the spacing: sums
+of steps have rounding errors, and lengths in other units were rounded."""
+
+COARSEST_DIGIT = 1e-2
+"""Largest last digit of places in files, relative to the spacing, by which places that are rounded
+to it may differ from even ones: thirds of a metre are 0.333 and 0.667. With fewer digits places at
+1, 2 and 4 could not be told from even ones."""

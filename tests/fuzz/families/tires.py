@@ -419,8 +419,8 @@ for _method in ("height", "slope"):
 
 _ROAD: dict[str, Kind] = {
     "road_class": choice(*"ABCDEFGH"),
-    "length": real(least=100.0, most=2000.0),
-    "longest": real(above=0.5, most=200.0),
+    "length": real(above=0.5, most=2000.0),
+    "longest": real(above=0.5, most=200.0).or_none(),
     "shortest": real(above=0.0, below=100.0),
     "seed": integer(0).or_none(),
 }
