@@ -6,6 +6,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy.contact import Contacts, Roll, kelvin_voigt
+from pydy.errors import ContactError
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import BrushTire, WheelContact
@@ -121,6 +122,31 @@ def test_a_rigid_wheel_stands_by_friction_that_sticks():
     assert motion.events[0].time == pytest.approx(stop, rel=1e-8)
     assert np.abs(motion["vx"][10:]).max() < 1e-14
     np.testing.assert_allclose(motion["brake_friction"][10:], -M * G * np.sin(SLOPE) * R, rtol=1e-9)
+
+
+def test_a_torque_that_becomes_negative_is_named_and_its_positive_part_brakes():
+    q, w = me.dynamicsymbols("q w")
+    N, O = inertial_frame()
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.y, q)
+    W.set_ang_vel(N, w * N.y)
+    body = me.RigidBody("wheel", O, W, M, (me.inertia(W, 0, I, 0), O))
+    plane = O.locatenew("plane", -R * N.z)
+    plane.set_vel(N, 0)
+    times = np.linspace(0.0, 4.0, 41)
+    system = System(
+        Definition(N, [q], [w], bodies=[body], loads=[]),
+        ode_solver="dop853",
+        initial_conditions={w: 20.0},
+        times=times,
+    )
+    torque = 10.0 * (1 - TIME)
+    wheel = WheelContact(body, N.y, R, plane, N.z, N)
+    with pytest.raises(ContactError, match=r"`normal` of 'brake' became -.* Max\(0, \.\.\.\)"):
+        Contacts(system, [wheel.brake(torque)]).simulate()
+    motion = Contacts(system, [wheel.brake(sm.Max(0, torque))]).simulate(rtol=1e-10, atol=1e-10)
+    pressed = np.minimum(times, 1.0)
+    np.testing.assert_allclose(motion["w"], 20.0 - 10.0 / I * (pressed - pressed**2 / 2), rtol=1e-9)
 
 
 def test_a_brake_turns_with_its_carrier():

@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import BrushTire, WheelContact
+from pydy.vehicles.wheel_arguments import normal_force_of
 from zoo import inertial_frame
 
 R, M, I, G, K = 0.3, 40.0, 1.2, 9.81, 1e5
@@ -94,3 +95,74 @@ def test_only_a_law_that_may_be_negative_is_limited(law, limited):
     body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
     force = WheelContact(body, N.y, R, O, N.z, N, law).normal_force
     assert force.has(sm.Piecewise) == limited
+
+
+DEPTH = 0.002
+
+
+@pytest.mark.parametrize(
+    "soft",
+    [
+        lambda gap: K * DEPTH * sm.log(1 + sm.exp(-gap / DEPTH)),
+        lambda gap: sm.Symbol("k") * (sm.sqrt(gap**2 + DEPTH**2) - gap) / 2,
+        lambda gap: sm.Symbol("k") * DEPTH * sm.log(1 + sm.exp(-gap / DEPTH)),
+    ],
+    ids=["softplus", "hyperbola", "softplus with a constant"],
+)
+def test_a_smooth_law_stays_smooth_where_the_wheel_touches(soft):
+    gap, rate, k = sm.symbols("gap rate k")
+    force = normal_force_of(lambda gap, rate: soft(gap) * (1 - sm.tanh(rate)), gap, rate)
+    given = {rate: -0.5, k: K}
+    before, after = (float(force.subs({gap: g, **given})) for g in (1e-9, -1e-9))
+    assert before == pytest.approx(after, rel=1e-5)
+    assert before == pytest.approx(
+        float((soft(gap) * (1 + sm.tanh(0.5))).subs({gap: 0, k: K})), rel=1e-5
+    )
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        lambda gap, rate: sm.Max(-K * gap, 0) - 10 * rate,
+        lambda gap, rate: sm.Symbol("k") * (-gap) - sm.Symbol("c") * rate,
+        lambda gap, rate: K * DEPTH * sm.log(1 + sm.exp(-gap / DEPTH)) - 10 * rate,
+        lambda gap, rate: sm.Function("measured")(gap),
+        lambda gap, rate: K * (-gap) ** 1.5,
+        lambda gap, rate: K * gap**2,
+        lambda gap, rate: sm.Symbol("k") * gap**2 * (1 - sm.tanh(rate)),
+    ],
+)
+def test_a_law_that_may_pull_does_not_act_in_the_air(law):
+    gap, rate = sm.symbols("gap rate")
+    for speed in (-5.0, 5.0):
+        assert normal_force_of(law, gap, rate).subs({gap: 0.01, rate: speed}) == 0
+
+
+@pytest.mark.parametrize("lean", [0.2, -0.05, 0.0])
+def test_a_cylinder_touches_at_the_time_at_which_its_lower_edge_does(lean):
+    height, width = 0.05, 0.2
+    N, O = inertial_frame()
+    z, vz = me.dynamicsymbols("z vz")
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.x, lean)
+    C = O.locatenew("C", z * N.z)
+    C.set_vel(N, vz * N.z)
+    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    contact = WheelContact(body, W.y, R, O, N.z, N, lambda gap, rate: -K * gap, width=width)
+    lowest = R * np.cos(lean) + width / 2 * abs(np.sin(lean))
+    fall = np.sqrt(2 * height / G)
+    system = System(
+        Definition(N, [z], [vz], bodies=[body], loads=[(C, -M * G * N.z), *contact.loads()]),
+        ode_solver="dop853",
+        initial_conditions={z: lowest + height},
+        times=np.linspace(0.0, 2 * fall, 50),
+    )
+    (event,) = contact.events
+    motion = system.simulate(events=[event], rtol=1e-11, atol=1e-11)
+    assert motion.events[0].time == pytest.approx(fall, rel=1e-9)
+    # Its expression crosses zero with a slope, that of the height.
+    step = 1e-4
+    values = [float(event.expression.subs(z, lowest + side * step)) for side in (1, -1)]
+    assert values == pytest.approx([step, -step], rel=1e-9)
+    if lean:
+        assert abs(float(contact.gap.subs(z, lowest - step))) < 0.1 * step

@@ -238,6 +238,30 @@ def test_a_profile_is_an_input_of_the_place_with_its_slope():
     assert motion["vx"][-1] == pytest.approx(5.0)
 
 
+def test_a_plane_that_turns_is_refused():
+    w = free_wheel()
+    tilt = me.dynamicsymbols("tilt")
+    P = w.N.orientnew("P", "Axis", (tilt, w.N.x))
+    for angle in (tilt, 0.1 * sm.sin(me.dynamicsymbols._t)):
+        plate = w.N.orientnew("plate", "Axis", (angle, w.N.x))
+        with pytest.raises(ValueError, match=r"`normal` must be constant in `frame`, .* turns"):
+            WheelContact(w.body, w.B.y, R, w.O, plate.z, w.N, law)
+    # That of a surface goes with its point.
+    surface = RoadSurface(0.1 * X**2, (X, Y), w.O, w.N)
+    other = RoadSurface(0.2 * X**2, (X, Y), w.O, w.N)
+    for point in (w.O, other.point):
+        with pytest.raises(ValueError, match="give the `point` and the `normal` of a RoadSurface"):
+            WheelContact(w.body, w.B.y, R, point, surface.normal, w.N, law)
+    # A constant normal may have components in axes that turn, and a slope that is a symbol.
+    up = sm.cos(tilt) * P.z + sm.sin(tilt) * P.y
+    steep = w.N.orientnew("steep", "Axis", (sm.Symbol("slope"), w.N.x)).z
+    for normal, same in ((up, w.N.z), (w.N.orientnew("A", "Axis", (tilt, w.N.z)).z, w.N.z)):
+        found = WheelContact(w.body, w.B.y, R, w.O, normal, w.N, law)
+        expected = values(w, WheelContact(w.body, w.B.y, R, w.O, same, w.N, law).rate, STATE)
+        assert values(w, found.rate, {**STATE, "tilt": 0.7}) == pytest.approx(expected, rel=1e-12)
+    assert WheelContact(w.body, w.B.y, R, w.O, steep, w.N, law).gap.has(sm.Symbol("slope"))
+
+
 def test_several_wheels_touch_one_road():
     height = 0.05 * sm.cos(X)
     first, second = on(height), me.dynamicsymbols("X2 Y2")

@@ -77,6 +77,45 @@ def test_the_slip_is_that_of_the_speed_of_revolution(options):
     assert larger.alpha == plain.alpha
 
 
+@pytest.mark.parametrize("damping", [0.0, 2e3])
+def test_a_wheel_with_a_damper_may_roll_without_slip_on_its_rolling_radius(damping):
+    x, z, q, vx, vz, w = me.dynamicsymbols("x z q vx vz w")
+    N, O = inertial_frame()
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.y, q)
+    W.set_ang_vel(N, w * N.y)
+    C = O.locatenew("C", x * N.x + z * N.z)
+    C.set_vel(N, vx * N.x + vz * N.z)
+    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    radius, stiffness, slope = tire().rolling_radius, 2e5, 0.1
+    contact = WheelContact(
+        body, N.y, R, O, N.z, N,
+        lambda gap, rate: -stiffness * gap - damping * rate, rolling_radius=radius,
+    )  # fmt: skip
+    weight = M * G * (np.sin(slope) * N.x - np.cos(slope) * N.z)
+    load = M * G * np.cos(slope)
+    height = R - load / stiffness
+    system = System(
+        Definition(
+            N, [x, z, q], [vx, vz, w], bodies=[body], loads=[(C, weight), *contact.loads()],
+            nonholonomic_constraints=contact.nonholonomic_constraints[:1],
+        ),
+        ode_solver="radau",
+        initial_conditions={z: height},
+        times=np.linspace(0.0, 1.0, 21),
+    )  # fmt: skip
+    found = dict(zip(system.states, system.evaluate_ode(), strict=True))
+    expected = G * np.sin(slope) / (1 + I / (M * radius(load) ** 2))
+    assert found[vx] == pytest.approx(expected, rel=1e-12)
+    assert found[vx] == pytest.approx(found[w] * radius(load), rel=1e-12)
+    # A wheel that bounces turns by the radius of its static load.
+    system.initial_conditions = {z: height - 0.005, vx: 5.0, w: 5.0 / radius(load + 1e3)}
+    motion = system.simulate(rtol=1e-10, atol=1e-10)
+    assert np.ptp(motion["z"]) > 0.005
+    static = radius(stiffness * (R - motion["z"]))
+    np.testing.assert_allclose(motion["vx"], static * motion["w"], rtol=1e-7)
+
+
 def test_arguments_are_checked():
     w = free_wheel()
     arguments = (w.body, w.B.y, R, w.O, w.N.z, w.N)

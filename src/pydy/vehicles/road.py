@@ -12,6 +12,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbol
 from pydy._checks import instance, shown
 from pydy.vehicles.algebra import checked_quantity
 from pydy.vehicles.wheel import WheelContact
+from pydy.vehicles.wheel_arguments import SurfacePoint
 
 if TYPE_CHECKING:
     from pydy._sympy_types import Expression, TimeFunction
@@ -93,12 +94,14 @@ class RoadSurface:
         self.place = _place(place)
         z = sm.sympify(checked_quantity(height, "`height`", arrays=False))
         x, y = self.place
-        self.point = origin.locatenew("C", x * frame.x + y * frame.y + z * frame.z)
+        self.point = SurfacePoint("C")
+        self.point.set_pos(origin, x * frame.x + y * frame.y + z * frame.z)
         # The ground is at rest; the point of it that is touched moves along.
         self.point.set_vel(frame, 0)
         slope_x, slope_y = (sm.diff(z, s) for s in self.place)
         size = sm.sqrt(1 + slope_x**2 + slope_y**2)
         self.normal: Vector = (frame.z - slope_x * frame.x - slope_y * frame.y) / size
+        self.point.normal = self.normal
         self._tangents = (frame.x + slope_x * frame.z, frame.y + slope_y * frame.z)
 
     def residuals(self, wheel: WheelContact) -> dict[TimeFunction, Expression]:

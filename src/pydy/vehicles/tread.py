@@ -57,13 +57,16 @@ class WheelMotion:
 class Touch:
     """The gap of a wheel, its rate, and the contact point C from the centre.
 
-    `rim` is the point that C becomes where the wheel is not deflected.
+    `rim` is the point that C becomes where the wheel is not deflected. `clearance` is the height of
+    the lowest point of the undeformed wheel: it crosses zero with a slope where the wheel touches,
+    while the mean deflection of a cambered tread begins with the square.
     """
 
     gap: Expression
     rate: Expression
     contact: Vector
     rim: Vector
+    clearance: Expression
 
 
 def touch_of_torus(
@@ -76,7 +79,7 @@ def touch_of_torus(
     height = wheel.position.dot(wheel.normal)
     gap = height - (radius - crown) * upright - crown
     lowest = (radius - crown) * down - crown * wheel.normal
-    return Touch(gap, wheel.rate_of(lowest), lowest + gap / upright * down, lowest)
+    return Touch(gap, wheel.rate_of(lowest), lowest + gap / upright * down, lowest, gap)
 
 
 def touch_of_cylinder(
@@ -114,4 +117,4 @@ def touch_of_cylinder(
     )
     touched = radius * down + across * wheel.axis
     contact = touched + (middle + across * lean) / upright * down
-    return Touch(gap, rate, contact, touched)
+    return Touch(gap, rate, contact, touched, -edge)

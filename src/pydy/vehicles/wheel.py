@@ -16,7 +16,13 @@ from pydy.vehicles.algebra import is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
 from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
 from pydy.vehicles.tread import WheelMotion, touch_of_cylinder, touch_of_torus
-from pydy.vehicles.wheel_arguments import Law, check_unit, normal_force_of, rolling_radius_of
+from pydy.vehicles.wheel_arguments import (
+    Law,
+    check_unit,
+    normal_force_of,
+    rolling_radius_of,
+    turning_of,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,7 +42,8 @@ class WheelContact:
 
     A wheel without drive slip thus rolls on its loaded radius. The effective rolling radius R_e of
     a tire file, a few per cent larger, is used with `rolling_radius`: V_sx = V_x − R_e Ω, with the
-    speed of revolution Ω. With a crown or a width, C moves sideways with the camber, while the
+    speed of revolution Ω. Forces act at C in either case: their arm is the loaded radius. With a
+    crown or a width, C moves sideways with the camber, while the
     Magic Formula's M_x (QSX2) refers to the wheel plane: leave QSX2 out.
 
     A wheel that rolls without slip needs no tire: give its `nonholonomic_constraints` to the
@@ -56,14 +63,16 @@ class WheelContact:
     plane : Point
         A point of the plane, which moves with it, without turning; mostly at rest in `frame`.
     normal : Vector
-        Unit normal of the plane, towards the wheel: constant in `frame`, or of a `RoadSurface`.
+        Unit normal of the plane, towards the wheel: constant in `frame`, or that of a `RoadSurface`
+        whose `point` is the `plane`.
     frame : ReferenceFrame
         The inertial frame.
     force : callable, optional
         ``force(gap, rate)`` returns the normal force (N), such as a law of `pydy.contact`. The gap
         is the distance to the plane (m), negative where the tire is deflected. Where the law is
-        negative, and where a law that may be negative is not deflected, there is no force. By
-        default the wheel is rigid and stays on the plane.
+        negative there is no force. A law that is negative for some gaps and rates, or grows with a
+        positive gap, acts at negative gaps only; another one, such as a smooth one, acts at all
+        gaps. By default the wheel is rigid and stays on the plane.
     crown_radius : number or expression, optional
         Radius of the cross section (m): that of a torus, 0 for a thin disc.
     width : number or expression, optional
@@ -81,7 +90,8 @@ class WheelContact:
     Attributes
     ----------
     gap, rate : expression
-        Distance of the undeformed wheel to the plane (m) and its time derivative.
+        Distance of the undeformed wheel to the plane (m), and its time derivative. With a `width`,
+        where the wheel touches, the negative mean of the deflection over the width.
     normal_force : expression or None
         Load F_z (N), None for a rigid wheel.
     loaded_radius : expression
@@ -99,9 +109,10 @@ class WheelContact:
     holonomic_constraints : list of expressions
         The gap of a rigid wheel; otherwise none.
     nonholonomic_constraints : list of expressions
-        Sliding velocity of the wheel's material at C (m/s), forward and to the left: zero if the
-        wheel rolls without slip. A `KanesMethod` takes them after `rate`, among its
-        `velocity_constraints`.
+        Sliding velocity (m/s), forward and to the left: zero if the wheel rolls without slip. It is
+        that of the wheel's material at C; with `rolling_radius` the first one is V_x − R_e Ω, where
+        R_e is that of the static load, ``force(gap, 0)``. A `KanesMethod` takes them after `rate`,
+        among its `velocity_constraints`.
     deflections : tuple of functions of time
         Coordinates that the slips with relaxation need, otherwise none.
     kinematic_equations : list of expressions
@@ -206,14 +217,14 @@ class WheelContact:
         self.body, self.normal = body, normal
         self._axis, self._frame = axis, frame
         centre = body.masscenter
-        turning = normal.dt(frame)
+        turning = turning_of(normal, plane, frame)
         wheel = WheelMotion(
             centre.pos_from(plane),
             centre.vel(frame) - plane.vel(frame),
             body.frame.ang_vel_in(frame),
             axis,
             normal,
-            None if turning == 0 else turning,
+            turning,
         )
         lean = wheel.lean
         upright = sm.sqrt(1 - lean**2)  # cos γ
@@ -231,19 +242,22 @@ class WheelContact:
         velocity, rotation = wheel.velocity, wheel.rotation
         sliding = velocity + rotation.cross(self.contact)
         self.speed = velocity.dot(self.forward)
-        sliding_forward = sliding.dot(self.forward)
+        sliding_forward = rolling_forward = sliding.dot(self.forward)
         if rolling_radius is not None:
-            arm = self.contact.cross(axis).dot(self.forward)
-            missing = arm - rolling_radius_of(rolling_radius, self.normal_force)
-            sliding_forward += missing * rotation.dot(axis)
+            arm, spin = self.contact.cross(axis).dot(self.forward), rotation.dot(axis)
+            radius_now = rolling_radius_of(rolling_radius, self.normal_force)
+            sliding_forward += (arm - radius_now) * spin
+            # A load that depends on the rate would make the constraint nonlinear in the speeds.
+            static = None if force is None else normal_force_of(force, self.gap, sm.S.Zero)
+            rolling_forward += (arm - rolling_radius_of(rolling_radius, static)) * spin
         self._sliding = SlidingSpeeds(r, self.speed, sliding_forward, sliding.dot(self.left))
         size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
         self.kappa = -self._sliding.forward / size
         self.alpha = sm.atan(self._sliding.left / size)
         self.gamma = sm.asin(lean)
-        self.events = [] if force is None else [Event(self.gap, name=name)]
+        self.events = [] if force is None else [Event(touch.clearance, name=name)]
         self.holonomic_constraints = [self.gap] if force is None else []
-        self.nonholonomic_constraints = [self._sliding.forward, self._sliding.left]
+        self.nonholonomic_constraints = [rolling_forward, self._sliding.left]
         self.deflections: tuple[TimeFunction, ...] = ()
         self.kinematic_equations: list[Expression] = []
 
@@ -320,7 +334,8 @@ class WheelContact:
         Parameters
         ----------
         torque : number or expression
-            Of the brake (N m), not negative: of states, time and constants.
+            Of the brake (N m), not negative: of states, time and constants. A simulation in which
+            it becomes negative ends with an error: give ``Max(0, torque)``.
         carrier : ReferenceFrame, optional
             What the brake is fixed to, such as the frame of the axle. By default the inertial one.
         name : str, optional
@@ -389,9 +404,9 @@ class WheelContact:
 
         Returns
         -------
-        list of two
-            Pairs for `pydy.mechanics.Definition`, or a method of SymPy: of the centre and the
-            force, with the normal force, and of the wheel's frame and the torque.
+        list of pairs
+            For `pydy.mechanics.Definition`, or a method of SymPy: of the centre and the force, with
+            the normal force, and of the wheel's frame and the torque. A rigid wheel has none.
         """
         if tire is None and pressure is not None:
             raise ValueError("`pressure` is that of a tire, and `tire` is None.")
